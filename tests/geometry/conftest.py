@@ -5,7 +5,7 @@ from radcalc.geometry.numerics import quadrature
 
 @pytest.fixture
 def _few_integrals(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A test takes 40 000 integrals by one rule at the most; one that takes 150 000 fails."""
+    """Limit a test to 150 000 integrals by one rule; it needs 40 000 at most."""
     left = 150_000
     gauss = quadrature.gauss
 

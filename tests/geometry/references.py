@@ -1,4 +1,4 @@
-"""References: definitions and textbook formulas at 80 digits, nothing of radcalc's."""
+"""References: definitions and textbook formulas with 80 digits, independent of radcalc."""
 
 import mpmath
 import numpy
@@ -8,7 +8,7 @@ DIGITS = 80  # the references may lose half of them
 
 
 def close(got, reference, rel=1e-12) -> None:
-    """A float within a relative bound of a reference of many digits; 0 only for exactly 0."""
+    """Assert that a float is within a relative bound of a reference (exactly 0 for 0)."""
     with mpmath.workdps(DIGITS):
         assert abs(mpf(got) - reference) <= rel * abs(reference), (got, mpmath.nstr(reference, 20))
 
@@ -27,7 +27,7 @@ def unit(a):
 
 
 def exact(reference):
-    """A reference that is computed with `DIGITS` digits, from the floats as they are."""
+    """Make a reference compute with `DIGITS` digits, from the exact values of floats."""
 
     def at(*xs):
         with mpmath.workdps(DIGITS):
@@ -53,7 +53,7 @@ def sphere_mp(radius, distance):
 
 @exact
 def disc_mp(radius, height, offset):
-    """The textbook's, with K and Pi, here itself checked by the defining integral, `strips`."""
+    """The textbook's formula, with K and Pi; the defining integral, `strips`, checks it."""
     top = mpmath.sqrt(height**2 + (radius + offset) ** 2)
     m, n = 4 * radius * offset / top**2, 4 * radius * offset / (radius + offset) ** 2
     third = 0 if radius == offset else (radius - offset) / (radius + offset) * mpmath.ellippi(n, m)
@@ -63,7 +63,7 @@ def disc_mp(radius, height, offset):
 
 @exact
 def strips(radius, height, offset):
-    """The defining integral of a disc, whose strips across the offset are elementary."""
+    """The defining integral of a disc; strips perpendicular to the offset are elementary."""
 
     def strip(u):
         x = height * mpmath.sinh(u)
@@ -96,7 +96,7 @@ def rectangle_mp(width, length, height, offset, offset_y):
 
 @exact
 def facing_rectangle_mp(width, length, height, offset, offset_y):
-    """The textbook's element parallel to a rectangle, above one of its corners."""
+    """The textbook's formula for an element parallel to a rectangle, above one corner."""
 
     def term(x, y):
         x, y = x / height, y / height
@@ -108,7 +108,7 @@ def facing_rectangle_mp(width, length, height, offset, offset_y):
 
 @exact
 def sideways_rectangle_mp(width, length, height, offset, offset_y):
-    """Both integrals of x h/r^4, over the part at x > 0, which a receiver facing +x sees."""
+    """The double integral of x h/r^4 over x > 0, the part seen by a receiver that faces +x."""
     low, high = -offset - width / 2, -offset + width / 2
     if high <= 0:
         return mpf(0)
@@ -123,7 +123,7 @@ def sideways_rectangle_mp(width, length, height, offset, offset_y):
 
 @exact
 def facing_disc_mp(radius, height, offset):
-    """The textbook's element parallel to a disc, off its axis."""
+    """The textbook's formula for an element parallel to a disc, off its axis."""
     z = height**2 + offset**2 + radius**2
     return (
         mpmath.pi / 2 * (1 - (z - 2 * radius**2) / mpmath.sqrt(z * z - (2 * radius * offset) ** 2))
@@ -132,7 +132,7 @@ def facing_disc_mp(radius, height, offset):
 
 @exact
 def tilted_disc_mp(radius, height, offset, tilt):
-    """The defining integral over what the horizon leaves, whose strips are elementary."""
+    """The defining integral over the part above the horizon; its strips are elementary."""
     sine, cosine = mpmath.sin(tilt), mpmath.cos(tilt)
 
     def strip(x):
@@ -170,9 +170,9 @@ def tilted_cone_mp(angle, tilt):
 
 
 def over_rectangle(function, across, down, points=40):
-    """The integral of a smooth function of arrays, by as many Gauss-Legendre points each way.
+    """The integral of a smooth function of arrays, by Gauss-Legendre points in both directions.
 
-    The function may give several integrands, along its first axes.
+    The function may return several integrands, along its first axes.
     """
     nodes, weights = numpy.polynomial.legendre.leggauss(points)
     (x, wide), (y, high) = (
@@ -182,7 +182,7 @@ def over_rectangle(function, across, down, points=40):
 
 
 def excess(vertices):
-    """Girard's theorem for a convex polygon: its dihedral angles above those of a flat one."""
+    """Girard's theorem for a convex polygon: the excess of its angles over a flat polygon's."""
     with mpmath.workdps(DIGITS):
         points = [tuple(map(mpf, p)) for p in vertices]
         total = -(len(points) - 2) * mpmath.pi
@@ -195,7 +195,7 @@ def excess(vertices):
 def lambert(vertices, normal):
     """The signed component of the light vector, by Lambert's contour formula with 80 digits.
 
-    All of the polygon counts, what is below the horizon negatively.
+    The part of the polygon below the horizon counts negatively.
     """
     with mpmath.workdps(DIGITS):
         points = [unit(tuple(map(mpf, p))) for p in vertices]

@@ -1,4 +1,4 @@
-"""What every function of the geometry refuses, and that arrays give what floats give."""
+"""Arguments that each function of the geometry refuses, and arrays against floats."""
 
 import math
 
@@ -37,7 +37,7 @@ REFUSED = [
 
 
 @for_each(REFUSED)
-def test_what_no_observer_sees_is_refused(function, arguments):
+def test_impossible_arguments_are_refused(function, arguments):
     with pytest.raises(ConditionError) as caught:
         function(*arguments)
     assert caught.value.hint
@@ -85,12 +85,12 @@ ARRAYS = [
 
 @pytest.mark.usefixtures("_few_integrals")
 @pytest.mark.parametrize(("function", "axes"), [(f, axes) for f, *axes in ARRAYS])
-def test_arrays_give_what_floats_give(function, axes):
+def test_arrays_give_the_same_as_floats(function, axes):
     grids = np.meshgrid(*axes, indexing="ij")
     floats = [function(*map(float, at)) for at in zip(*(g.ravel() for g in grids), strict=True)]
     want = np.reshape(floats, grids[0].shape)
     np.testing.assert_allclose(function(*grids), want, rtol=2e-13, atol=0)
-    # open axes, which broadcast, and a float for the last one
+    # open axes, which broadcast, and a float for the last axis
     np.testing.assert_allclose(function(*np.ix_(*axes)), want, rtol=2e-13, atol=0)
     if len(axes) > 1:
         part = function(*np.ix_(*axes[:-1]), float(axes[-1][-1]))
@@ -98,7 +98,7 @@ def test_arrays_give_what_floats_give(function, axes):
 
 
 @pytest.mark.parametrize("count", [3, CHUNK, CHUNK + 1, 3 * CHUNK])
-def test_a_long_row_in_parts_is_the_whole_row(count):
+def test_a_long_row_is_computed_in_parts(count):
     row = np.arange(count, dtype=float)
     assert (in_chunks(lambda x, y: x + 2 * y, row, row) == 3 * row).all()
     assert (in_chunks(lambda x, y: x + 2 * y, row, 1.0) == row + 2).all()

@@ -1,4 +1,4 @@
-"""Cones, lobes, pyramids and discs solved for their sizes, against textbook formulas."""
+"""Cones, lobes, pyramids and discs, solved for their sizes, against textbook formulas."""
 
 import math
 
@@ -19,17 +19,17 @@ def rim_mp(solid_angle):
 
 
 @pytest.mark.parametrize("angle", ANGLES)
-def test_a_cone_seen_along_its_axis_is_the_integral_of_the_cosine(angle):
+def test_a_projected_cone_is_the_integral_of_the_cosine(angle):
     close(cones.cone(angle), cone_mp(angle))
     with mpmath.workdps(DIGITS):
-        end = min(mpf(angle), mpmath.pi / 2)  # what is behind the plane does not count
+        end = min(mpf(angle), mpmath.pi / 2)  # directions behind the plane do not count
         want = 2 * mpmath.pi * mpmath.quad(lambda t: mpmath.cos(t) * mpmath.sin(t), [0, end])
     close(cones.projected_cone(angle), want)
     assert cones.projected_cone(angle) == pytest.approx(projected.cone(angle), rel=1e-15)
 
 
 @pytest.mark.parametrize("solid_angle", SOLID_ANGLES)
-def test_a_cone_has_the_half_angle_of_its_solid_angle(solid_angle):
+def test_the_half_angle_of_a_cone_from_its_solid_angle(solid_angle):
     close(cones.cone_of(solid_angle), rim_mp(solid_angle))
     if solid_angle < 3.1:
         with mpmath.workdps(DIGITS):
@@ -37,7 +37,7 @@ def test_a_cone_has_the_half_angle_of_its_solid_angle(solid_angle):
         close(cones.projected_cone_of(solid_angle), want)
 
 
-def test_limits_as_somebody_types_them_are_a_hemisphere_and_a_sphere():
+def test_rounded_limits_are_a_hemisphere_and_a_sphere():
     assert cones.projected_cone_of(3.141592653590) == math.pi / 2
     assert cones.cone_of(12.566370614360) == math.pi
     assert cones.projected_cone(math.pi / 2) == math.pi
@@ -45,30 +45,30 @@ def test_limits_as_somebody_types_them_are_a_hemisphere_and_a_sphere():
 
 
 @pytest.mark.parametrize("tilt", [0.0, 1e-9, 0.5, math.pi / 3, 1.57])
-def test_a_surface_faces_the_light_with_its_cosine(tilt):
+def test_the_cosine_of_the_incidence(tilt):
     with mpmath.workdps(DIGITS):
         want = mpmath.cos(mpf(tilt))
     close(cones.facing(tilt), want)
     assert cones.facing(-tilt) == cones.facing(tilt)
 
 
-def test_a_surface_turned_away_gets_nothing():
+def test_a_surface_turned_away_gets_no_light():
     assert [cones.facing(tilt) for tilt in (math.pi / 2, 2.0, math.pi, -3.0)] == [0, 0, 0, 0]
 
 
 @pytest.mark.parametrize("solid_angle", SOLID_ANGLES)
-def test_the_rim_of_a_disc_is_where_its_tangent_says(solid_angle):
+def test_the_rim_angle_of_a_disc_from_its_solid_angle(solid_angle):
     close(solid.rim_of(solid_angle), rim_mp(solid_angle))
 
 
 @pytest.mark.parametrize("height", [1e-3, 0.5, 1.0, 7.0, 1e6])
-def test_a_disc_has_the_radius_that_its_rim_says(height):
+def test_the_radius_of_a_disc_from_its_rim_angle(height):
     assert math.tan(solid.rim_of(solid.disc(1.0, height))) * height == pytest.approx(1, rel=1e-12)
 
 
 @pytest.mark.parametrize("side", [1e-9, 1e-3, 0.5, 2.0, 3.0, math.pi])
 @pytest.mark.parametrize("other", [1e-9, 1e-3, 0.5, 2.0, 2.5])
-def test_a_pyramid_has_the_other_side_of_its_solid_angle(side, other):
+def test_one_angle_of_a_pyramid_from_the_other_and_the_solid_angle(side, other):
     with mpmath.workdps(DIGITS):
         whole = float(4 * mpmath.asin(mpmath.sin(mpf(side) / 2) * mpmath.sin(mpf(other) / 2)))
         want = 2 * mpmath.asin(mpmath.sin(mpf(whole) / 4) / mpmath.sin(mpf(side) / 2))
@@ -80,7 +80,7 @@ def test_a_wedge_and_the_face_of_a_cube_are_pyramids():
     assert solid.pyramid_side(1.0, math.pi) == pytest.approx(0.5, rel=1e-15)  # twice the angle
     assert solid.pyramid_side(4 * math.pi / 6, math.pi / 2) == pytest.approx(math.pi / 2, rel=1e-15)
     assert solid.pyramid_side(0.0, 1.0) == 0
-    assert solid.pyramid_side(2.0, 1.0) == pytest.approx(math.pi, rel=1e-7)  # open to both sides
+    assert solid.pyramid_side(2.0, 1.0) == pytest.approx(math.pi, rel=1e-7)  # a wedge
 
 
 @pytest.mark.parametrize("n", [0.0, 0.3, 1.0, 20.0, 150.5, 1e4])

@@ -1,4 +1,4 @@
-"""Directions by their definition, and back."""
+"""Spherical coordinates, reflections and axes of directions."""
 
 import math
 
@@ -32,7 +32,7 @@ def test_spherical_coordinates_by_their_definition(vector, angles):
 
 
 @given(st.floats(1e-9, PI - 1e-9), st.floats(0, 6.28), st.floats(1e-100, 1e100))
-def test_a_direction_and_back(polar, azimuth, length):
+def test_a_direction_round_trip(polar, azimuth, length):
     unit = directions.cartesian(polar, azimuth)
     assert sum(x * x for x in unit) == pytest.approx(1, rel=1e-15 * 4)
     got = directions.spherical(*(x * length for x in unit))
@@ -50,7 +50,7 @@ def test_azimuths_are_within_one_turn(x, y, z):
     assert 0 <= azimuth < 2 * PI
 
 
-# direction, normal, reflection; by hand, the second a Householder matrix of (1, 1, 1)
+# direction, normal, reflection; worked out by hand, the second by a Householder matrix of (1, 1, 1)
 REFLECTIONS = [
     ((0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 0.0, 0.0)),
     ((0.0, 0.0, 3.0), (1.0, 1.0, 1.0), (2.0, 2.0, -1.0)),
@@ -83,7 +83,7 @@ def test_a_reflection_keeps_the_length_and_is_its_own_inverse(direction, normal)
 def test_the_normal_of_a_mirror_reflects_one_direction_into_the_other(direction, reflection):
     one, other = math.hypot(*direction), math.hypot(*reflection)
     apart = [a / one + b / other for a, b in zip(direction, reflection, strict=True)]
-    if math.hypot(*apart) < 1e-3:  # a grazing mirror, whose normal is as unsure
+    if math.hypot(*apart) < 1e-3:  # the normal of a grazing mirror is badly conditioned
         return
     normal = directions.mirror_normal(direction, reflection)
     assert math.hypot(*normal) == pytest.approx(1, rel=1e-15 * 4)
@@ -100,13 +100,13 @@ def test_the_normal_of_a_mirror_reflects_one_direction_into_the_other(direction,
         (directions.mirror_normal, ((1.0, 2.0, 0.0), (-2.0, -4.0, 0.0)), "opposite directions"),
     ],
 )
-def test_mirrors_without_a_direction_are_refused(function, vectors, message):
+def test_undefined_mirrors_are_refused(function, vectors, message):
     with pytest.raises(ConditionError, match=message):
         function(*vectors)
 
 
 @pytest.mark.parametrize("direction", [(0, 0, 3), (0, 0, -1), (1, -2, 0.5), (-1, 0, 0)])
-def test_axes_of_what_faces_somewhere(direction):
+def test_the_axes_of_an_observer(direction):
     forward, left, up = map(np.array, directions.facing(direction))
     assert forward == pytest.approx(np.array(direction) / math.dist(direction, (0, 0, 0)))
     assert np.cross(forward, left) == pytest.approx(up)

@@ -17,13 +17,13 @@ from radcalc.laws.etendue import APERTURE, LENS, PATCHES
 @pytest.mark.parametrize("distance", [1e-9, 1e-3, 1.0, 1e4, 1e9])
 def test_two_discs_on_one_axis(radius, distance):
     with mpmath.workdps(DIGITS):
-        # the textbook's, itself checked by the rings below
+        # the textbook's formula, which the next test checks by rings
         s = 1 + mpf(radius) ** 2 + mpf(distance) ** 2
         want = mpmath.pi**2 / 2 * (s - mpmath.sqrt(s * s - 4 * mpf(radius) ** 2))
     close(etendue.coaxial_discs(1.0, radius, distance), want)
 
 
-def test_two_discs_are_the_rings_of_one_seen_by_the_other():
+def test_two_discs_are_the_sum_over_rings_of_one():
     for radius, distance in ((0.5, 0.3), (2.0, 1.0)):
         with mpmath.workdps(20):
             want = mpmath.quad(
@@ -51,7 +51,7 @@ SIZES = [(1.0, 1.0, 1.0), (1.0, 2.0, 0.5), (0.1, 0.2, 0.5), (3.0, 1e-3, 2.0), (1
 
 
 @pytest.mark.parametrize(("one", "other", "distance"), SIZES)
-def test_two_discs_are_as_far_apart_and_as_large_as_their_etendue_says(one, other, distance):
+def test_the_distance_and_radius_of_two_discs_from_their_etendue(one, other, distance):
     with mpmath.workdps(DIGITS):
         r, s, d = map(mpf, (one, other, distance))
         whole = r * r + s * s + d * d
@@ -68,7 +68,7 @@ def test_two_discs_are_as_far_apart_and_as_large_as_their_etendue_says(one, othe
 
 
 @pytest.mark.parametrize("size", [0.0, math.pi**2, 10.0])
-def test_discs_have_less_etendue_than_if_they_touched(size):
+def test_an_etendue_too_large_for_two_discs_is_refused(size):
     with pytest.raises(ConditionError, match="the etendue is out of range"):
         etendue.discs_distance(1.0, 2.0, size)
     with pytest.raises(ConditionError, match="the etendue is out of range"):

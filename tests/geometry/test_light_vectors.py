@@ -1,4 +1,4 @@
-"""Light vectors of parts of an image, against quadrature by points of Gauss and Legendre."""
+"""Light vectors of parts of an image, against Gauss-Legendre quadrature."""
 
 import numpy
 import pytest
@@ -10,7 +10,7 @@ PARTS = [(-0.6, -0.5, 0.3, 0.2), (0.1, 0.35, -0.2, -0.5)]
 
 
 def density(projection, u, v):
-    """Direction times solid angle by area, by the definitions of the projections."""
+    """Direction times solid angle per area, by the definitions of the projections."""
     if projection == "latlong":
         a, e = -numpy.pi * u, numpy.pi / 2 * v
         c = numpy.cos(e)
@@ -30,7 +30,7 @@ def density(projection, u, v):
 )
 @pytest.mark.parametrize("part", PARTS)
 def test_a_rectangle(projection, bound, part):
-    """Four points of an angular map leave the fourth power of a part's size."""
+    """With four points in an angular map, the error is the fourth power of the part's size."""
     left, right, top, low = part
     u, v = numpy.array([left, right]), numpy.array([top, low])
     found = light_vectors(projection, u, v).ravel()
@@ -40,10 +40,9 @@ def test_a_rectangle(projection, bound, part):
 
 
 def test_a_rectangle_that_the_circle_cuts():
-    """The whole disc in four quadrants: each has a quarter of the sphere, and the ball's vector.
+    """For the quadrant of positive u and v: the integrals of (2 n^2 - 1, 2 n u, 2 n v) 4 du dv.
 
-    Of the quadrant of positive u and v: the integrals of (2 n^2 - 1, 2 n u, 2 n v) 4 du dv, which
-    in polar coordinates are 0, pi/2 and pi/2.
+    In polar coordinates they are 0, pi/2 and pi/2.
     """
     edges = numpy.array([0.0, 1.0]), numpy.array([1.0, 0.0])
     found = light_vectors("mirror-ball", *edges).ravel()

@@ -1,4 +1,4 @@
-"""Outlines, as somebody typed them."""
+"""Checks of polygons that a user typed."""
 
 import math
 
@@ -24,25 +24,25 @@ HERE = (0.0, 0.0, 0.0)
         ([*SQUARE[:3], (0.0, 1.0, 1.01)], HERE, "not flat"),
         ([SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]], HERE, "cross"),
         ([(0.0, 0.0, 1.0), (4.0, 3.0, 1.0), (4.0, 0.0, 1.0), (0.0, 2.0, 1.0)], HERE, "cross"),
-        # a vertex on another side
+        # a vertex on a side
         ([(0.0, 0.0, 1.0), (4.0, 0.0, 1.0), (4.0, 2.0, 1.0), (2.0, 0.0, 1.0), (0.0, 2.0, 1.0)],
          HERE, "cross or touch"),
         (SQUARE, (5.0, 5.0, 1.0), "in the polygon's plane"),
         (SQUARE, (0.5, 0.5, 1.0), "in the polygon's plane"),
     ],
 )  # fmt: skip
-def test_what_is_no_polygon_is_refused(vertices, viewpoint, message):
+def test_invalid_polygons_are_refused(vertices, viewpoint, message):
     with pytest.raises(ConditionError, match=message) as caught:
         outline.read(vertices, viewpoint)
     assert caught.value.hint
 
 
-def test_a_polygon_with_a_notch_is_what_its_triangles_are():
+def test_a_polygon_with_a_notch_is_the_sum_of_its_triangles():
     notched = [(-2.0, -2.0, 0.0), (2.0, -2.0, 0.0), (0.0, -1.0, 0.0), (2.0, 2.0, 0.0)]
     viewpoint = (0.3, 0.2, -1.5)
     found = outline.read(notched, viewpoint)
     moved = [tuple(x - v for x, v in zip(p, viewpoint, strict=True)) for p in notched]
-    # the notch is at the third vertex: two triangles of the diagonal from it
+    # the notch is at the third vertex: two triangles that share the diagonal from it
     want = sum(excess([moved[2], *pair]) for pair in ((moved[0], moved[1]), (moved[0], moved[3])))
     close(abs(polygon(found.vertices)), want)
     assert found.notes == []
@@ -51,11 +51,11 @@ def test_a_polygon_with_a_notch_is_what_its_triangles_are():
     assert found.normal == pytest.approx((0.0, 0.0, 1.0), abs=1e-15)
     away = outline.read(notched, (0.3, 0.2, 1.5))
     assert away.normal == pytest.approx((0.0, 0.0, -1.0), abs=1e-15)
-    # seen facing its plane, the part with the normal is all of it
+    # a receiver that faces the plane sees the whole polygon
     close(projected.polygon(found.vertices, found.normal), abs(lambert(moved, (0, 0, 1))))
 
 
-def test_a_thousand_vertices_make_a_circle():
+def test_a_polygon_of_a_thousand_vertices():
     ring = [(math.cos(k * math.pi / 500), math.sin(k * math.pi / 500), 1.0) for k in range(1000)]
     found = outline.read(ring, HERE)
     # a regular pyramid's apex: 2 pi - 2 n arctan(tan(pi/n) / sqrt(1 + r^2/h^2))

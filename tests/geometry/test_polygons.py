@@ -75,7 +75,7 @@ def polygons():
 
 @for_each(list(polygons()))
 def test_convex_polygons_small_and_large(vertices):
-    # Vertices off one plane by the rounding make a fan's triangles, which Girard takes exactly.
+    # Rounding moves vertices off one plane, so the reference is the sum of the fan's triangles.
     with mpmath.workdps(DIGITS):
         pairs = list(pairwise(vertices[1:]))
         want = sum(excess([vertices[0], *pair]) for pair in pairs)
@@ -91,8 +91,8 @@ def test_the_octant():
     assert projected.polygon(octant, (0.0, 0.0, 1.0)) == pytest.approx(math.pi / 4, rel=1e-14)
 
 
-def test_a_triangle_that_is_all_but_a_hemisphere():
-    # a base that is close by is nearly a hemisphere
+def test_a_triangle_that_is_nearly_a_hemisphere():
+    # a triangle close by is nearly a hemisphere
     base = [(math.cos(t), math.sin(t), 1e-3) for t in (0.0, 2.0, 4.0)]
     close(triangle(*base), excess(base))
     with pytest.raises(ConditionError):
@@ -103,7 +103,7 @@ GOLDEN = (1 + math.sqrt(5)) / 2
 
 
 def test_the_faces_of_platonic_solids():
-    # by symmetry each of n faces has 4pi/n from the centre
+    # by symmetry each of n faces fills 4 pi/n from the centre
     signs = [(i, j) for i in (1, -1) for j in (1, -1)]
     icosahedron = np.array(
         [np.roll((0.0, i * 1.0, j * GOLDEN), k) for i, j in signs for k in range(3)]
@@ -117,7 +117,7 @@ def test_the_faces_of_platonic_solids():
                     faces += 1
                     assert abs(triangle(a, b, c)) == pytest.approx(math.pi / 5, rel=1e-13)
     assert faces == 20
-    # the dodecahedron's face about (1, 0, golden), of the vertices at the icosahedron's faces
+    # a face of the dodecahedron
     t = 2 * math.pi / 5
     height = math.sqrt(25 + 11 * math.sqrt(5)) / math.sqrt(40)  # inradius over edge
     radius = 1 / (2 * math.sin(math.pi / 5))
@@ -135,13 +135,13 @@ points = st.tuples(coordinates, coordinates, coordinates)
 
 
 def wide(a, b, c) -> bool:
-    """Whether a triangle is neither a splinter nor nearly seen edge-on."""
+    """Return whether a triangle is neither a splinter nor seen nearly edge-on."""
     sizes = [math.sqrt(dot(p, p)) for p in (a, b, c)]
     return min(sizes) > 1e-2 and abs(dot(a, cross(b, c))) > 1e-2 * math.prod(sizes)
 
 
 @given(points, points, points)
-def test_a_triangles_sign_is_its_turn(a, b, c):
+def test_the_sign_of_a_triangle_is_its_orientation(a, b, c):
     assume(wide(a, b, c))
     value = triangle(a, b, c)
     assert triangle(a, c, b) == pytest.approx(-value, rel=1e-12)
@@ -151,7 +151,7 @@ def test_a_triangles_sign_is_its_turn(a, b, c):
 
 
 def rotation(a, b, c):
-    """The matrix of three Euler angles."""
+    """Return the matrix of three Euler angles."""
 
     def about(axis, t):
         i, j = [(1, 2), (2, 0), (0, 1)][axis]
@@ -191,7 +191,7 @@ def test_a_polygon_is_the_sum_of_its_parts(vertices, data):
 
 
 @given(flat_polygons(), rotations)
-def test_no_direction_is_preferred(vertices, matrix):
+def test_a_rotation_changes_no_solid_angle(vertices, matrix):
     value = polygon(vertices)
     assert polygon(turned(matrix, vertices)) == pytest.approx(value, rel=1e-12)
     normal = (1.0, 0.2, 0.1)
@@ -202,13 +202,13 @@ def test_no_direction_is_preferred(vertices, matrix):
 
 
 @given(flat_polygons(), points)
-def test_what_is_above_less_what_is_below_is_the_light_vector(vertices, normal):
+def test_the_parts_above_and_below_the_horizon_differ_by_the_light_vector(vertices, normal):
     assume(dot(normal, normal) > 1e-4)
     above = projected.polygon(vertices, normal)
     below = projected.polygon(vertices, tuple(-x for x in normal))
     assert above >= 0
     assert below >= 0
-    # what is above the horizon counts positively in the vertices' turn about +z
+    # the part above the horizon counts positively, as the vertices are anticlockwise about +z
     with mpmath.workdps(DIGITS):
         want = lambert(vertices, normal)
     assert above - below == pytest.approx(float(want), rel=1e-12, abs=1e-13)
@@ -216,7 +216,7 @@ def test_what_is_above_less_what_is_below_is_the_light_vector(vertices, normal):
 
 
 @given(flat_polygons(), st.floats(1.0, 3.0))
-def test_a_larger_polygon_is_seen_larger(vertices, factor):
+def test_a_larger_polygon_fills_a_larger_solid_angle(vertices, factor):
     x, y = (sum(p[i] for p in vertices) / len(vertices) for i in (0, 1))
     larger = [(x + factor * (p[0] - x), y + factor * (p[1] - y), 1.0) for p in vertices]
     assert abs(polygon(larger)) >= abs(polygon(vertices)) * (1 - 1e-12)
@@ -225,7 +225,7 @@ def test_a_larger_polygon_is_seen_larger(vertices, factor):
 
 
 @given(st.tuples(*[st.floats(-3, 3)] * 3), rotations)
-def test_a_cube_closes_round_those_inside_and_not_those_outside(place, matrix):
+def test_the_faces_of_a_cube_add_up_to_4_pi_inside_and_0_outside(place, matrix):
     assume(all(abs(abs(x) - 1) > 1e-3 for x in place))
     total = 0.0
     for axis in range(3):
@@ -237,7 +237,7 @@ def test_a_cube_closes_round_those_inside_and_not_those_outside(place, matrix):
     assert abs(total) == pytest.approx(4 * math.pi if inside else 0.0, rel=1e-12, abs=1e-12)
 
 
-def test_arrays_of_polygons_give_what_floats_give():
+def test_arrays_of_polygons_give_the_same_as_floats():
     draw = random.Random(14)
     one = [convex(draw, 5, 10 ** draw.uniform(-3, 0), 1.0, 0.1) for _ in range(12)]
     array = np.reshape(one, (3, 4, 5, 3))

@@ -1,4 +1,4 @@
-"""What the receiver's horizon cuts."""
+"""Shapes that the receiver's horizon cuts."""
 
 import math
 import random
@@ -14,7 +14,7 @@ def sunken_cones():
     draw = random.Random(11)
     for k in range(25):
         angle = 10 ** draw.uniform(-9, 0) if k % 2 else draw.uniform(0.05, 1.57)
-        height = draw.uniform(-0.999, 0.999)  # of the axis over the horizon, in sines of angle
+        height = draw.uniform(-0.999, 0.999)  # sine of the axis's elevation over that of `angle`
         yield angle, math.acos(height * math.sin(angle))
     yield from ((1.0, 2.57), (1e-3, math.pi / 2 + 0.999999e-3), (2.0, 1.0), (3.0, 1.3))
     yield from ((math.pi / 2 + x, 1.0) for x in (-1e-3, -1e-6, -1e-9, 0.0, 1e-9, 1e-6))
@@ -34,7 +34,7 @@ def tilted_discs():
     draw = random.Random(12)
     for _ in range(25):
         height, offset = (10 ** draw.uniform(-2, 3) for _ in "ho")
-        cut = offset + draw.uniform(-0.98, 0.98)  # where the horizon meets the disc
+        cut = offset + draw.uniform(-0.98, 0.98)  # the x at which the horizon cuts the disc
         yield height, offset, math.atan2(-height, cut) + draw.choice((0.0, math.pi))
     yield from ((0.5, 0.0, 1.4), (0.5, 0.0, -1.4), (1e-6, 0.5, 1.5), (1e-6, 1.0, -1.5))
 
@@ -52,13 +52,13 @@ def test_a_tilted_disc_above_the_horizon(tilt):
 
 
 @pytest.mark.parametrize("radius", [0.1, 1.0, 2.0, 7.0])
-def test_a_disc_that_just_touches_the_horizon_from_below_counts_for_nothing(radius):
+def test_a_disc_that_touches_the_horizon_from_below_does_not_count(radius):
     for turn in (-1, 1):  # the highest point of its rim is on the receiver's horizon
         tilt = turn * (math.pi - math.atan(1 / radius))
         assert projected.disc(radius, 1.0, 0.0, tilt) == pytest.approx(0, abs=1e-15)
 
 
-def test_what_is_below_the_horizon_counts_for_nothing():
+def test_shapes_below_the_horizon_do_not_count():
     assert projected.cone(0.5, math.pi) == 0
     assert projected.sphere(1.0, 2.0, 3.0) == 0
     assert projected.disc(1.0, 2.0, 0.0, math.pi) == 0

@@ -21,9 +21,9 @@ from radcalc.geometry.projections import (
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, PROJECTIONS
 
 H = math.sqrt(0.5)
-# OpenEXR, ImfEnvmap.h: latitude v pi/2, longitude pi at the left; its z, x, y are x, y, z here,
-# and longitude pi/2 points along its x.  The others by their definitions: a ball's normal
-# (0.8, 0.6, 0) reflects +x to (0.28, 0.96, 0); a light probe has 90 degrees at half its radius.
+# latlong by OpenEXR, ImfEnvmap.h: latitude v pi/2, longitude pi at the left; its z, x, y are x, y,
+# z here, and longitude pi/2 points along its x.  The others by their definitions: a ball's normal
+# (0.8, 0.6, 0) reflects +x to (0.28, 0.96, 0); a light probe shows 90 degrees at half its radius.
 DIRECTIONS = [
     (LATLONG, (0.0, 0.0), (1, 0, 0)), (LATLONG, (-0.5, 0.0), (0, 1, 0)),
     (LATLONG, (0.5, 0.0), (0, -1, 0)), (LATLONG, (0.0, 1.0), (0, 0, 1)),
@@ -49,17 +49,17 @@ def test_directions_by_their_definition_and_back(projection, place, direction):
 
 
 @given(st.sampled_from(PROJECTIONS), st.floats(-1, 1), st.floats(-1, 1))
-def test_a_place_its_direction_and_back(projection, u, v):
+def test_a_place_round_trip(projection, u, v):
     if is_outside(projection, u, v) or max(abs(u), abs(v)) > 1 - 1e-9:
         return
     direction = direction_at(projection, u, v)
     assert math.hypot(*direction) == pytest.approx(1, rel=4e-16)
-    # towards the rim the axis is a hair away; at a pole every u is right
+    # close to the rim the direction is close to -x; at a pole any u is right
     assert place_of(projection, *direction) == pytest.approx((u, v), abs=1e-9, rel=1e-12)
 
 
 @pytest.mark.parametrize("projection", PROJECTIONS)
-def test_every_direction_has_one_place_even_where_there_are_many(projection):
+def test_an_ambiguous_direction_has_one_place(projection):
     for direction in [(-1.0, 0.0, 0.0), (-1.0, -0.0, -0.0), (-0.0, 0.0, 1.0), (-0.0, -0.0, -2.0)]:
         u, v = place_of(projection, *direction)
         assert place_of(projection, *(x + 0.0 for x in direction)) == (u, v)
@@ -69,7 +69,7 @@ def test_every_direction_has_one_place_even_where_there_are_many(projection):
 
 
 @pytest.mark.parametrize("projection", PROJECTIONS)
-def test_beside_the_image_there_is_nothing(projection):
+def test_places_outside_the_image_have_no_direction(projection):
     places = [(1.5, 0.0), (0.0, -1.1)] + [(0.8, 0.8)] * (projection != LATLONG)
     for place in places:
         assert is_outside(projection, *place)
@@ -96,7 +96,7 @@ SIZES = [(1, 1), (2, 2), (3, 2), (5, 7), (16, 16), (63, 63), (64, 32), (200, 200
 
 @pytest.mark.parametrize("projection", PROJECTIONS)
 @pytest.mark.parametrize(("width", "height"), SIZES)
-def test_all_pixels_together_are_the_sphere(projection, width, height):
+def test_the_pixels_add_up_to_the_sphere(projection, width, height):
     each = np.broadcast_to(pixel_solid_angles(projection, width, height), (height, width))
     assert math.fsum(each.ravel().tolist()) == pytest.approx(4 * math.pi, rel=2e-15)
 
@@ -113,7 +113,7 @@ def half_ball_pixel(u):
 
 
 def double_integral(projection, width, height, column, row):
-    """The density over the pixel and the circle, across and then down, at 16 digits."""
+    """The integral of the density over the pixel inside the circle, with 16 digits."""
     with mpmath.workdps(16):
         left, right = (mpmath.mpf(2 * (column + k)) / width - 1 for k in (0, 1))
         top, low = (1 - mpmath.mpf(2 * (row + k)) / height for k in (0, 1))
@@ -123,11 +123,11 @@ def double_integral(projection, width, height, column, row):
             a, b = max(low, -reach), min(top, reach)
             if a >= b:
                 return mpmath.mpf(0)
-            if projection == MIRROR_BALL:  # whose density is the same everywhere
+            if projection == MIRROR_BALL:  # its density is constant
                 return density(projection, 0) * (b - a)
             return mpmath.quad(lambda v: density(projection, mpmath.hypot(u, v)), [a, b])
 
-        # where the circle leaves the pixel through its upper or its lower side
+        # the u at which the circle crosses the upper or lower side of the pixel
         kinks = [
             sign * mpmath.sqrt(1 - v * v) for v in (top, low) if abs(v) < 1 for sign in (1, -1)
         ]
@@ -174,13 +174,13 @@ def test_a_latlong_pixel_is_a_difference_of_cosines(row):
 
 
 @pytest.mark.parametrize("projection", PROJECTIONS)
-def test_directions_and_solid_angles_belong_together(projection):
-    """Over the sphere every direction averages to 0, and every product of two to 1/3 or 0."""
+def test_directions_and_solid_angles_are_consistent(projection):
+    """Over the sphere the mean of a component is 0, that of a product of two 1/3 or 0."""
     width, height = (512, 256) if projection == LATLONG else (400, 400)
     u, v = middle_of_pixel(width, height, np.arange(width)[None, :], np.arange(height)[:, None])
     weights = np.broadcast_to(pixel_solid_angles(projection, width, height), (height, width))
     each = np.array([np.broadcast_to(x, (height, width)) for x in direction_at(projection, u, v)])
-    beside = np.isnan(each[0])  # the middles of some pixels that the circle cuts
+    beside = np.isnan(each[0])  # pixels cut by the circle, with their middles outside
     each[:, beside] = np.array([[-1.0], [0.0], [0.0]])
     mean = (each * weights).sum(axis=(1, 2)) / (4 * math.pi)
     assert mean == pytest.approx([0, 0, 0], abs=1e-3)

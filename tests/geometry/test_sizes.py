@@ -1,4 +1,4 @@
-"""No projection is larger than what it projects, and what is larger is seen larger."""
+"""Inequalities of solid angles: projected ones are smaller, those of larger shapes larger."""
 
 import math
 
@@ -30,13 +30,13 @@ PAIRS = {
 
 @pytest.mark.parametrize("shape", PAIRS)
 @given(angles, tilts, lengths, lengths, lengths)
-def test_no_projection_is_larger_than_what_it_projects(shape, a, t, x, y, z):
+def test_a_projected_solid_angle_is_not_larger_than_the_solid_angle(shape, a, t, x, y, z):
     whole, part = PAIRS[shape](a, t, x, y, z)
     assert 0 <= part <= whole * (1 + 1e-12)
 
 
 @given(angles, tilts, lengths, lengths, lengths, st.floats(1.0, 3.0))
-def test_what_is_larger_is_seen_larger(a, t, x, y, z, factor):
+def test_larger_shapes_fill_larger_solid_angles(a, t, x, y, z, factor):
     bigger = min(a * factor, 1.57)
     for one, two in (
         (cones.cone(bigger), cones.cone(a)),

@@ -11,8 +11,8 @@ from radcalc.errors import ConditionError, MissingInput, Unused
 from radcalc.geometry.sky import NAMES, TYPES, projected_sky
 
 UP, DOWN = (0, 0, 1), (0, 0, -1)
-# CIE S 011:2003, table 1: a, b of the six gradations, c, d, e of the six indicatrices, and which
-# of them make the types 1 to 15.
+# CIE S 011:2003, table 1: a, b of the six gradations, c, d, e of the six indicatrices, and their
+# combinations in the types 1 to 15.
 GRADATIONS = {
     1: (4, -0.7),
     2: (1.1, -0.8),
@@ -46,7 +46,7 @@ SUNS = ((0.0, 0.0), (0.6, 0.0), (1.2, 2.0), (math.pi / 2, -1.0))
 
 
 def standard(number, polar, azimuth, sun):
-    """Luminance over that of the zenith, as the standard writes it."""
+    """Luminance over that of the zenith, in the notation of the standard."""
     gradation, indicatrix = GROUPS[number - 1]
     (a, b), (c, d, e) = GRADATIONS[gradation], INDICATRICES[indicatrix]
     polar_sun, azimuth_sun = sun
@@ -73,13 +73,13 @@ def patches(rows):
 
 
 @pytest.mark.parametrize("number", range(1, 16))
-def test_every_type_is_the_standards(number):
+def test_every_type_agrees_with_the_standard(number):
     polar, azimuth, solid = patches(200)
     axes = np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)
     for sun in SUNS:
         expected = standard(number, polar, azimuth, sun)
         sky = Sky(str(number), sun if TYPES[str(number)].follows_sun else None)
-        np.testing.assert_allclose(sky.radiance(polar, azimuth), expected, 1e-7)  # of the arccos
+        np.testing.assert_allclose(sky.radiance(polar, azimuth), expected, 1e-7)  # by the arccos
         assert sky.radiance(0.0, 0.0) == pytest.approx(1, rel=1e-12)
         assert sky.mean() == pytest.approx((expected * solid).sum() / (2 * math.pi), rel=1e-4)
         for normal in ROOFS:
@@ -95,7 +95,7 @@ def test_every_type_is_the_standards(number):
 
 @pytest.mark.parametrize("degrees", [0, 10, 45, 90, 135, 170])
 def test_skies_without_a_sun_have_closed_forms(degrees):
-    """Of the uniform sky pi (1 + cos T)/2, of the traditional overcast one Moon and Spencer's."""
+    """Uniform sky: pi (1 + cos T)/2; traditional overcast sky: Moon and Spencer's formula."""
     tilt = math.radians(degrees)
     normal = (math.sin(tilt) * 0.6, math.sin(tilt) * 0.8, math.cos(tilt))
     even = math.pi * (1 + math.cos(tilt)) / 2
@@ -107,7 +107,7 @@ def test_skies_without_a_sun_have_closed_forms(degrees):
 
 
 def test_an_overcast_sky_of_9000_cd_per_m2():
-    """7 pi / 9 of it lies on the ground; a wall gets 3/14 + 4/(7 pi) of that."""
+    """The ground gets 7 pi / 9 of it, and a wall 3/14 + 4/(7 pi) of that on the ground."""
     sky = Sky("overcast", zenith=9000.0, kind="v")
     ground, wall = (sky.irradiance(normal).value for normal in (UP, (0, 5, 0)))
     assert ground == pytest.approx(7000 * math.pi)
@@ -136,8 +136,8 @@ def test_an_overcast_sky_of_9000_cd_per_m2():
 def test_published_ratios_of_zenith_luminance_to_horizontal_illuminance(number, parameters):
     """S. Darula and R. Kittler, eSim 2002: a fit of B sin^C/cos^D + E sin over 133.8 klx sin.
 
-    As others have transcribed its table 2, from which the types 2, 3, 4 and 6 are missing.  The
-    fit is good to some percent, and poor next to the zenith; of skies without a sun it is exact.
+    From transcriptions of its table 2, which lacks the types 2, 3, 4 and 6.  The fit is good to a
+    few per cent, poor close to the zenith, and exact for skies without a sun.
     """
     b, c, d, e = parameters
     for degrees in (10, 20, 30, 40, 50, 60, 70):
@@ -148,15 +148,15 @@ def test_published_ratios_of_zenith_luminance_to_horizontal_illuminance(number, 
         assert ratio == pytest.approx(fit / 133.8, rel=2e-4 if number in (1, 5) else 0.045)
 
 
-def test_another_program_has_the_same_luminances():
-    """The examples in the documentation of colour.phenomena, of the sky at 45 degrees."""
+def test_luminances_agree_with_another_program():
+    """Examples in the documentation of colour.phenomena, for a direction at 45 degrees."""
     seen = math.pi / 4, math.pi
     assert Sky("1").radiance(*seen) == pytest.approx(0.8325846, abs=1e-7)
     sky = Sky("12", (math.pi / 6, 0.0))
     assert sky.radiance(*seen) == pytest.approx(0.4544524, abs=1e-7)
 
 
-def test_below_the_horizon_is_nothing():
+def test_the_luminance_below_the_horizon_is_0():
     sky = Sky("12", (0.5, 0.0))
     assert sky.radiance(np.array([1.0, 1.58, 3.0]), 0.0).tolist()[1:] == [0, 0]
     assert sky.radiance(2.0, 0.0) == 0
@@ -180,7 +180,7 @@ def test_names_of_skies():
         (("clear", (1.6, 0.0)), ConditionError, "below the horizon"),
     ],
 )
-def test_what_is_no_sky_is_refused(words, error, text):
+def test_invalid_skies_are_refused(words, error, text):
     with pytest.raises(error) as caught:
         Sky(*words)
     assert text in str(caught.value)
@@ -193,7 +193,7 @@ def test_a_plane_without_a_direction_is_refused():
 
 @pytest.mark.parametrize("name", ["1", "7", "12", "15"])
 @pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0), (0.3, -0.8, 0.4), (-0.2, 0.5, -0.7)])
-def test_with_numpy_and_without_it_the_integral_is_the_same(monkeypatch, name, normal):
+def test_the_integral_is_the_same_with_and_without_numpy(monkeypatch, name, normal):
     sun = (math.radians(50), 0.3) if TYPES[name].follows_sun else None
     fast = projected_sky(TYPES[name], normal, sun)[0]
     monkeypatch.delitem(sys.modules, "numpy")

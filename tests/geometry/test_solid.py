@@ -32,7 +32,7 @@ TINY = [1e-9, 3e-7, 1e-4, 0.03, 0.5, 1.0, 7.0, 1e3, 1e6, 1e9]
 @pytest.mark.parametrize("angle", ANGLES)
 def test_a_cone_is_the_integral_of_its_zones(angle):
     close(cones.cone(angle), cone_mp(angle))
-    want = mpmath.pi if angle >= math.pi / 2 else None  # from there on all that the receiver sees
+    want = mpmath.pi if angle >= math.pi / 2 else None  # the whole hemisphere of the receiver
     with mpmath.workdps(DIGITS):
         close(projected.cone(angle), want or mpmath.pi * mpmath.sin(mpf(angle)) ** 2)
 
@@ -133,7 +133,7 @@ def test_the_references_of_rectangles_are_the_defining_integrals():
 @pytest.mark.usefixtures("_few_integrals")
 @pytest.mark.parametrize(("width", "length"), SIDES)
 @pytest.mark.parametrize("height", [1e-6, 1e-3, 0.5, 20.0, 1e9])
-def test_a_rectangle_is_its_four_corners(width, length, height):
+def test_a_rectangle_is_the_sum_over_its_four_corners(width, length, height):
     for offset, offset_y in PLACES:
         at = (width, length, height, offset, offset_y)
         close(solid.rectangle(*at), rectangle_mp(*at))
@@ -143,9 +143,9 @@ def test_a_rectangle_is_its_four_corners(width, length, height):
 
 
 def test_a_rectangle_on_its_axis():
-    # 4 arctan(a b / (h sqrt(a^2 + b^2 + h^2))) with half sides a and b; a cube's face has 4pi/6
+    # 4 arctan(a b / (h sqrt(a^2 + b^2 + h^2))) with half sides a, b; a cube's face fills 4 pi/6
     close(solid.rectangle(2.0, 2.0, 1.0), 2 * math.pi / 3, 1e-15)
-    close(solid.rectangle(6.0, 8.0, 12.0), 4 * math.atan(1 / 13), 1e-15)  # 3, 4, 12, and 13
+    close(solid.rectangle(6.0, 8.0, 12.0), 4 * math.atan(1 / 13), 1e-15)  # 3, 4, 12 and 13
 
 
 HALVES = [1e-9, 1e-5, 0.1, 1.0, math.pi / 2, 3.0, math.pi - 1e-5, math.pi - 1e-9]
@@ -160,7 +160,7 @@ def test_a_pyramid_is_a_rectangle_at_height_one(horizontal, vertical):
 
 
 def test_the_widest_pyramids():
-    # two half planes' wedge of a full angle a is the lune of 2a; both open, the hemisphere
+    # a wedge of the full angle a fills 2 a; with both angles at 180 degrees it is the hemisphere
     close(solid.pyramid(math.pi, math.pi), 2 * math.pi)
     close(solid.pyramid(1.0, math.pi), 2.0)
     close(projected.pyramid(math.pi, math.pi), math.pi)
@@ -171,14 +171,14 @@ def test_the_widest_pyramids():
 
 
 @pytest.mark.parametrize("angle", [1e-9, 1e-4, 0.3, 1.0, 2.0, 3.0])
-def test_a_cone_and_back(angle):
+def test_a_cone_round_trip(angle):
     close(cones.cone_of(cones.cone(angle)), angle)
     assert cones.cone_of(12.566370614359173) == pytest.approx(math.pi, rel=1e-7)
     assert cones.cone_of(12.566370614360) == pytest.approx(math.pi, rel=1e-7)  # as typed
 
 
 @pytest.mark.parametrize(("radius", "distance"), SPHERES[1:])
-def test_a_sphere_and_back(radius, distance):
+def test_a_sphere_round_trip(radius, distance):
     size = spheres.solid_angle(radius, distance)
     close(spheres.distance_of(radius, size), distance)
     close(spheres.radius_of(distance, size), radius)

@@ -1,4 +1,4 @@
-"""The attenuations of the cinematographer's light: values, limits, and where pieces meet."""
+"""The attenuations of the cinematographer's light: values, limits and continuity."""
 
 import math
 from itertools import product
@@ -19,7 +19,7 @@ maxima = st.floats(1.001, 1e6)
 
 
 def test_the_smooth_step_is_the_cubic_with_level_ends():
-    # 3 t^2 - 2 t^3, as the RenderMan Interface has it
+    # 3 t^2 - 2 t^3, as in the RenderMan Interface
     for t in (0.0, 0.1, 0.25, 0.5, 0.9, 1.0):
         found = uberlight.smoothstep(2.0, 6.0, 2 + 4 * t)
         assert found == pytest.approx(3 * t**2 - 2 * t**3, abs=1e-15)
@@ -54,7 +54,7 @@ def test_the_fall_off_is_the_formula(d, exponent, maximum):
 
 
 @given(exponents, maxima, st.floats(0.01, 100))
-def test_the_pieces_of_the_fall_off_meet_with_one_value_and_one_slope(exponent, maximum, far):
+def test_the_fall_off_and_its_slope_are_continuous(exponent, maximum, far):
     at = uberlight.falloff(far, exponent, far, maximum)
     assert at == pytest.approx(1, abs=1e-12)
     width = 1e-6 * far
@@ -69,13 +69,13 @@ def test_the_pieces_of_the_fall_off_meet_with_one_value_and_one_slope(exponent, 
 
 
 @given(exponents, maxima, st.floats(1e-9, 1))
-def test_the_fall_off_never_exceeds_its_maximum_nor_the_power(exponent, maximum, d):
+def test_the_fall_off_exceeds_neither_its_maximum_nor_the_power(exponent, maximum, d):
     found = uberlight.falloff(d, exponent, 1.0, maximum)
     assert 1 - 1e-12 <= found <= maximum * (1 + 1e-12)
     assert found <= d**-exponent * (1 + 1e-12)
 
 
-def test_a_maximum_of_1_holds_and_a_high_one_lets_go():
+def test_a_maximum_of_1_holds_and_a_high_one_has_no_effect():
     assert uberlight.falloff(0.1, 2.0, 1.0, 1.0) == 1
     assert uberlight.falloff(0.1, 2.0, 1.0, 1 + 1e-12) == pytest.approx(1, abs=1e-11)
     assert uberlight.falloff(0.5, 2.0, 1.0, 1e100) == pytest.approx(4, rel=0.01)
@@ -83,7 +83,7 @@ def test_a_maximum_of_1_holds_and_a_high_one_lets_go():
     assert uberlight.falloff(1e-30, 2.0, 1.0, 7.0) == pytest.approx(7)
 
 
-def test_a_power_that_no_number_holds_is_refused():
+def test_a_power_too_large_for_a_number_is_refused():
     with pytest.raises(ConditionError, match="too large or too small"):
         uberlight.falloff(10.0, 500.0, 1.0)
 
@@ -97,26 +97,26 @@ def test_roundness_1_is_an_ellipse_and_0_a_rectangle(x, y):
     assert uberlight.superellipse_clip(x, y, **sharp, roundness=0.0) == (x < 1 and y < 0.5)
 
 
-def test_roundness_lies_between_the_rectangle_and_the_ellipse():
+def test_other_shapes_are_between_the_rectangle_and_the_ellipse():
     # through (s, s) of a square of half side 1: 2 s^(2/R) = 1
     for roundness in (0.1, 0.5, 0.9, 1.0):
         s = 0.5 ** (roundness / 2)
         found = uberlight.superellipse_scale(s, s, 1.0, 1.0, roundness)
         assert found == pytest.approx(1, rel=1e-13)
-    # towards 0 it is the larger of the two
+    # towards 0 the scale is the larger coordinate
     assert uberlight.superellipse_scale(0.3, 0.9, 1.0, 1.0, 1e-9) == pytest.approx(0.9, rel=1e-8)
 
 
 @pytest.mark.parametrize("roundness", [0, 1e-6, 0.3, 1])
-def test_along_an_axis_the_soft_edge_is_that_of_all_shapes(roundness):
-    """On an axis q = a/x and r = A/x, so that the step is at (x - a)/(A - a) for every R."""
+def test_along_an_axis_the_soft_edge_does_not_depend_on_the_shape(roundness):
+    """On an axis q = a/x and r = A/x, so the step has t = (x - a)/(A - a) for every R."""
     for t in (0.0, 0.1, 0.5, 0.8, 1.0):
         found = uberlight.superellipse_clip(2 + t, 0.0, (2.0, 1.0), (3.0, 4.0), float(roundness))
         assert found == pytest.approx(1 - (3 * t**2 - 2 * t**3), abs=1e-12)
 
 
 def test_the_soft_corner_of_a_rectangle_multiplies_both_steps():
-    # as uberlight.sl has it: t = 1/2 in x and in y, (1 - 1/2)^2
+    # as in uberlight.sl: t = 1/2 in x and in y, (1 - 1/2)^2
     assert uberlight.superellipse_clip(1.5, 1.5, (1.0, 1.0), (2.0, 2.0), 0.0) == 0.25
 
 
@@ -137,7 +137,7 @@ def test_the_beam_is_a_power_of_the_cosine(exponent):
     assert uberlight.beam(0.1, 0.0, -1.0, float(exponent)) == 0
 
 
-def test_arrays_give_what_floats_give():
+def test_arrays_give_the_same_as_floats():
     rng = np.random.default_rng(5)
     x, y, z = rng.uniform(-2, 2, (3, 200))
     n, far, top = rng.uniform(0, 4, 200), rng.uniform(0.1, 3, 200), rng.uniform(1, 9, 200)
@@ -184,7 +184,7 @@ def test_without_limits_there_is_light_in_front():
         ((1.0, 2.0, 1.0, 0.9), "the maximum is out of range"),
     ],
 )
-def test_what_no_fall_off_has_is_refused(arguments, message):
+def test_invalid_fall_offs_are_refused(arguments, message):
     with pytest.raises(ConditionError, match=message):
         uberlight.falloff(*arguments)
     assert uberlight.falloff(2.0, 0.0, 1.0) == 1

@@ -1,4 +1,4 @@
-"""All the laws there are: the data of the modules, and those that a function makes of a place."""
+"""All laws: the data of the modules, and those that functions make."""
 
 import importlib
 import inspect
@@ -32,7 +32,7 @@ def laws_in(data: Any) -> list[AnyLaw]:
 
 
 def laws_made(module: ModuleType) -> list[AnyLaw]:
-    """What a module's functions make of the symbol that says how far away something is."""
+    """The laws that a module's functions make from the symbol of a distance."""
     return [
         function(away)
         for function in vars(module).values()
@@ -42,9 +42,10 @@ def laws_made(module: ModuleType) -> list[AnyLaw]:
 
 
 def laws_of_a_distribution() -> list[AnyLaw]:
-    """What the functions of `luminaire` make of a lobe that is turned about its axis.
+    """The laws that functions of `luminaire` make for a lobe that is rotated about its axis.
 
-    Its exponent is `EXPONENT`; the receiver is towards `BEARING`, and the beam has 45 degrees.
+    Its exponent is `EXPONENT`; the receiver is towards `BEARING`, the edges of the beam at 45
+    degrees from its axis.
     """
     lobe, pose = Lobe(EXPONENT), Pose(rotate=ROTATE)
     return [
@@ -81,6 +82,6 @@ IN_LAWS = {
     if module.__name__.startswith(laws.__name__)
     for law in (*laws_in(vars(module)), *laws_made(module))
 } | {key(law) for law in OF_A_DISTRIBUTION}
-# Those that one calculator alone uses stand on its page, with their numbers in its own tests.
+# Laws that only one calculator uses are on its page, and its own tests have their numbers.
 RELATIONS = [law for law in ALL_RELATIONS if key(law) in IN_LAWS]
 OF_PAGES = [law for law in ALL_RELATIONS if key(law) in ON_PAGES - IN_LAWS]

@@ -1,4 +1,4 @@
-"""The dimension of every law by Pint, in which an angle, a cycle and a photon have one."""
+"""The dimensions of every law by Pint, with dimensions for angle, cycle and photon."""
 
 import math
 from typing import Any
@@ -14,7 +14,7 @@ from radcalc.units.table import resolve
 
 
 def constant(unit: str) -> Any:
-    """A law's constant of 1 in its unit, factor by factor: a joule metre is no unit by itself."""
+    """A law's constant of 1 in its unit, factor by factor: 'J m' is not a unit."""
     top, _, bottom = unit.partition("/")
     return math.prod(Q(1, factor) for factor in top.split()) / Q(1, bottom or "1")
 
@@ -23,9 +23,9 @@ def constant(unit: str) -> Any:
 def test_every_law_has_the_same_dimension_on_both_sides(law):
     kinds = KINDS
     if any("heat" in name for name in law.names):
-        kinds = {"e": KINDS["e"]}  # heat is watts and joules
+        kinds = {"e": KINDS["e"]}  # heat is in watts and joules
     elif {"photon-efficacy", "responsivity"} & set(law.names):
-        kinds = {"e": KINDS["e"]}  # what is per watt, or joule
+        kinds = {"e": KINDS["e"]}  # per watt or joule
     elif {"photons", "current"} & set(law.names):
         kinds = {"p": KINDS["p"]}
     for kind in kinds:
@@ -35,13 +35,13 @@ def test_every_law_has_the_same_dimension_on_both_sides(law):
             product = product * unit_of(name, kind) ** int(power)
         result = unit_of(law.result, kind)
         assert product.dimensionality == result.dimensionality, (law.name, kind)
-        # and coherent: no factor of 1000 hides in a unit
+        # and coherent: without a factor such as 1000
         assert (product / result).to("1").magnitude == pytest.approx(1, rel=1e-15)
-    # one steradian, cycle and photon, and what h and c are measured in
+    # steradian, cycle and photon, and the units of h and c
     assert law.unit in ("1", "sr", "1/sr", "cycle", "m cycle/s", "J m/photon", *OF_CHARGES)
 
 
-def test_a_steradian_is_not_forgotten_by_the_check():
+def test_the_check_includes_steradian_photon_and_cycle():
     assert Q(1, "W/sr").dimensionality != Q(1, "W").dimensionality
     assert Q(1, "photon").dimensionality != Q(1, "1").dimensionality
     assert Q(1, "cycle").dimensionality != Q(1, "1").dimensionality
@@ -52,7 +52,7 @@ NAMES = sorted({name for law in (*LAWS, *RELATIONS) for name in law.names})
 
 
 @for_each(NAMES)
-def test_the_vocabulary_measures_a_symbol_in_the_unit_that_laws_are_checked_with(name):
+def test_the_vocabulary_has_the_units_of_this_check(name):
     kinds = KINDS if SYMBOLS[name].geometry else ["e"]  # its own dimension is the first
     for kind, dimension in zip(kinds, SYMBOLS[name].dimensions, strict=False):
         assert from_container(unit_of(name, kind)._units).dimension == dimension
@@ -60,7 +60,7 @@ def test_the_vocabulary_measures_a_symbol_in_the_unit_that_laws_are_checked_with
 
 @for_each(NAMES)
 def test_the_units_of_derivations_are_coherent(name):
-    """The letters in --steps go with the units that the laws are checked with above."""
+    """The units in --steps are those of the check of the laws above."""
     if name in LIGHT:
         for kind in KINDS:
             unit = Q(1, coherent_unit_of(name, kind))
@@ -70,7 +70,7 @@ def test_the_units_of_derivations_are_coherent(name):
         "wavelength": ("nm", "m"),
         "frequency": ("THz", "cycle/s"),
         "wavenumber": ("cm-1", "cycle/m"),
-        "photon-energy": ("J", "J/photon"),  # those of one photon
+        "photon-energy": ("J", "J/photon"),  # of one photon
         "divergence": ("mrad", "rad"),
     }
     if name in shown:

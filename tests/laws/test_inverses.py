@@ -1,4 +1,4 @@
-"""Every symbol of every law, from the others."""
+"""Every symbol of every law, solved from the others."""
 
 import math
 from typing import Any
@@ -35,7 +35,7 @@ def _discs(radius: float, other: float, distance: float) -> mpf:
 
 
 def _disc_aside(radius: float, height: float, offset: float) -> float:
-    """Howell's B-13, its root as the distances to the nearest and the farthest point of the rim."""
+    """Howell's B-13, with its root as distances to the nearest and farthest point of the rim."""
     with mpmath.workdps(40):
         r, h, x = map(mpf, (radius, height, offset))
         return float(PI / 2 * (1 - (h**2 + x**2 - r**2) / mpmath.sqrt(
@@ -43,7 +43,7 @@ def _disc_aside(radius: float, height: float, offset: float) -> float:
 
 
 def _rectangle_above(width: float, length: float, height: float) -> float:
-    """Four times a quarter below its corner, Howell's B-3."""
+    """Howell's B-3 for a point below the middle: four quarters with a corner above it."""
     a, b = width / 2 / height, length / 2 / height
     p, q = math.hypot(1, a), math.hypot(1, b)
     return 2 * (a / p * math.atan(b / p) + b / q * math.atan(a / q))
@@ -53,15 +53,15 @@ def _adaptation(mesopic: float) -> float:
     return min(1.0, max(0.0, 0.7670 + 0.3334 * math.log10(mesopic)))
 
 
-# CIE 191:2010 has L_mes V'(555 nm) M = m L + (1 - m) S/P L V'(555 nm), with M that makes L_mes
-# of equal luminances the same; here it is solved for the luminance
+# CIE 191:2010: L_mes V'(555 nm) M = m L + (1 - m) S/P L V'(555 nm), with M such that L_mes = L for
+# S/P = 1; here solved for the luminance
 def _photopic(mesopic: float, ratio: float) -> float:
     m, at_555 = _adaptation(mesopic), 683 / 1699
     return mesopic * (m + (1 - m) * at_555) / (m + (1 - m) * at_555 * ratio)
 
 
 def _on_disc(area: float, distance: float, incidence: float, n: float = 0.0) -> float:
-    """The integral of cos^n(gamma) cos(theta) / r^2 over a disc about the axis, point by point."""
+    """The integral of cos^n(gamma) cos(theta) / r^2 over a disc on the axis, point by point."""
     nodes, weights = np.polynomial.legendre.leggauss(60)
     rho, turn = (nodes + 1) / 2 * math.sqrt(area / PI), np.arange(240) * (2 * PI / 240)
     u, v = rho[:, None] * np.cos(turn), rho[:, None] * np.sin(turn)
@@ -82,7 +82,7 @@ SMALL = {"receiver-area": st.floats(0.001, 0.01), "distance": st.floats(5, 10)}
 NEAR_1, PART = st.floats(0.3, 3), st.floats(0.01, 0.99)
 SPOTS = (("spot-diameter", "distance"), ("limit-diameter", "hazard-distance"))
 
-# name of a relation and the symbol on its left -> the symbols drawn, the symbol they give, and
+# name of a relation and the symbol on its left -> the symbols drawn, the resulting symbol, and
 # the textbook's formula
 FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("part of an isotropic source", "part"): (
@@ -141,7 +141,7 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         "received-solid-angle", lambda _, a, d, off, t: _on_disc(a, d, t)),
     ("disc on its axis, cut by the receiver's horizon", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 1), "distance": st.floats(5, 10),
-         "incidence": st.floats(0, 1.3)},  # of which nothing is cut yet
+         "incidence": st.floats(0, 1.3)},  # the horizon does not cut the disc yet
         "projected-solid-angle", lambda r, d, t: PI * r**2 / (r**2 + d**2) * math.cos(t)),
     ("disc on its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "projected-solid-angle",
@@ -265,7 +265,7 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("critical angle", "critical-angle"): (
         {"index": st.floats(1.05, 3)}, "critical-angle",
         lambda n: math.atan(1 / math.sqrt(n**2 - 1))),
-    # as a line that ends in another impedance reflects
+    # by analogy to the reflection of an electrical line at another impedance
     ("Fresnel's reflectance, perpendicular", "reflectance-s"): (
         {"incidence": ANGLE, "index": NEAR_1, "refraction-angle": ANGLE}, "reflectance-s",
         lambda i, n, t: (1 - 2 / (1 + n * math.cos(t) / math.cos(i))) ** 2),
@@ -297,7 +297,7 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: f"{law.name}: {law.result}")
 @given(data=st.data())
 @settings(max_examples=8)
-def test_every_symbol_of_a_law_comes_back(law, data):
+def test_a_law_is_solved_for_each_symbol(law, data):
     values = {name: data.draw(SIZE, name) for name, _ in law.powers}
     product = mpf(law.constant)
     for name, power in law.powers:
@@ -320,20 +320,20 @@ TURNING = (
 
 
 def _floor(at: dict[str, float]) -> float:
-    """I cos^n(gamma) cos(gamma) / d^2 of a point on the floor; of an energy I is Q / Omega."""
+    """I cos^n(gamma) cos(gamma) / d^2 at a point on the floor; for an energy I is Q / Omega."""
     distance = math.hypot(at["height"], at["lateral"])
     source = at["energy"] / at.get("solid-angle", 4 * PI) if "energy" in at else at["intensity"]
     return source / distance**2 * (at["height"] / distance) ** (at.get("exponent", 0.0) + 1)
 
 
-def test_every_relation_has_a_textbooks_formula_and_no_other_has():
+def test_every_relation_has_a_textbook_formula():
     assert set(FORWARD) == {(law.name, law.names[0]) for law in RELATIONS}
 
 
 @pytest.mark.parametrize("law", RELATIONS, ids=lambda law: f"{law.name}: {law.names}")
 @given(data=st.data())
 @settings(max_examples=20)
-def test_every_symbol_of_a_relation_comes_back(law, data):
+def test_a_relation_is_solved_for_each_symbol(law, data):
     drawn, result, formula = FORWARD[law.name, law.names[0]]
     names = {"height": "distance"} if "distance" in law.names else {}
     if law.name.endswith("of a floor"):
@@ -351,19 +351,19 @@ def test_every_symbol_of_a_relation_comes_back(law, data):
         if isinstance(found, Several):
             assert len(set(found)) == len(found) <= 2
             found = min(found, key=lambda one: abs(one - values[target]))
-        # beside the most that any height or exponent gives, the last digits of it are lost
+        # close to the maximum over heights or exponents, these lose their last digits
         rel = 1e-6 if law.name in TURNING else 1e-9
         assert found == pytest.approx(values[target], rel=rel, abs=1e-10), target
 
 
 @pytest.mark.parametrize(
     "law",
-    [law for law in OF_PAGES if len(law.targets) > 1],  # which lead back to others
+    [law for law in OF_PAGES if len(law.targets) > 1],
     ids=lambda law: f"{law.name}: {law.names}",
 )
 @given(data=st.data())
 @settings(max_examples=20)
-def test_every_symbol_of_a_pages_relation_comes_back(law, data):
+def test_a_relation_of_a_page_is_solved_for_each_symbol(law, data):
     first, *others = law.targets[:1] + tuple(n for n in law.names if n != law.targets[0])
     values = {name: data.draw(st.floats(0.1, 10), name) for name in others}
     values[first] = law.solve(first, values.__getitem__)

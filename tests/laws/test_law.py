@@ -1,4 +1,4 @@
-"""A law is read from its formula, and what the calculators solve is among those that are tested."""
+"""Laws are read from their formulas, and the tests cover all laws of the calculators."""
 
 import ast
 import math
@@ -18,14 +18,14 @@ from radcalc.inputs.reading import read
 from radcalc.laws import solver
 from radcalc.laws.law import law
 
-# What the letters of a formula stand for, by the SI Brochure.
+# Values of the letters in formulas; SI Brochure.
 LETTERS = {"pi": math.pi, "Omega0": 1.0, "c": 299792458.0, "h": 6.62607015e-34,
            "e": 1.602176634e-19,
            "lg2": math.log10(2)}  # fmt: skip
 
 
 def right_side(template: str, values: dict[str, float]) -> float:
-    """The right side of a formula, by Python's own arithmetic."""
+    """The right side of a formula, by Python's arithmetic."""
     text = template.partition(" = ")[2].replace("^", "**")
     text = re.sub(r"\{([\w-]+)\}", lambda found: repr(values[found[1]]), text)
     text = re.sub(r"(?<=[\w.)]) (?=[\w.(])", " * ", text)
@@ -35,7 +35,7 @@ def right_side(template: str, values: dict[str, float]) -> float:
 @pytest.mark.parametrize("one", LAWS, ids=lambda one: f"{one.name}: {one.template}")
 @given(data=st.data())
 @settings(max_examples=10)
-def test_a_law_is_the_formula_that_it_shows(one, data):
+def test_a_law_has_the_value_of_its_formula(one, data):
     values = {name: data.draw(st.floats(0.01, 100), name) for name, _ in one.powers}
     expected = right_side(one.template, values)
     assert one.solve(one.result, values.__getitem__) == pytest.approx(expected, rel=1e-13)
@@ -62,7 +62,7 @@ def test_powers_and_constant_are_read_from_a_formula(template, constant, powers,
 
 
 @for_each(MODULES)
-def test_no_law_of_the_source_text_is_left_out(module):
+def test_every_law_in_the_source_text_is_tested(module):
     with open(module.__file__, encoding="utf-8") as file:
         tree = ast.parse(file.read())
     written = {
@@ -75,7 +75,7 @@ def test_no_law_of_the_source_text_is_left_out(module):
     assert written <= {one.name for one in (*LAWS, *RELATIONS, *OF_PAGES)}
 
 
-def test_what_the_calculators_solve_is_among_the_laws_that_are_tested(monkeypatch):
+def test_every_law_that_the_calculators_solve_is_tested(monkeypatch):
     caught = []
     solve = solver.solve_all
 

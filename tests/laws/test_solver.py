@@ -1,4 +1,4 @@
-"""What follows from what is known, in any order of the laws, and what contradicts the rest."""
+"""Derived values in any order of the laws, and contradictions."""
 
 import math
 import random
@@ -43,7 +43,7 @@ def known(**values: float) -> dict[str, Known]:
         (mesopic.LAWS, known(mesopic_luminance=0.1, sp_ratio=2)),
     ],
 )  # fmt: skip
-def test_what_follows_does_not_depend_on_the_order_of_the_laws(laws, values):
+def test_derived_values_do_not_depend_on_the_order_of_the_laws(laws, values):
     first = solve(laws, values)
     assert len(first.values) > len(values) + 2
     for seed in range(20):
@@ -74,7 +74,7 @@ def test_a_surplus_value_is_checked_in_any_order_of_the_laws(seed):
     ("1000lx", 0.5 / 1000), ("0", 1e-9), ("0.0", 1e-9), ("1/100s", 1e-9), ("1/3", 1e-9),
     ("pi", 1e-9), ("2pi", 1e-9), ("4π", 1e-9),
 ])  # fmt: skip
-def test_the_rounding_of_a_number_as_typed(text, off):
+def test_the_rounding_of_a_typed_number(text, off):
     assert rounding(text) == pytest.approx(off, rel=1e-12)
 
 
@@ -87,7 +87,7 @@ def test_the_rounding_of_a_number_as_typed(text, off):
         ({"intensity": "63.66cd"}, True), ({"intensity": "64.5cd"}, False),
     ],
 )  # fmt: skip
-def test_what_is_typed_twice_is_compared_to_its_digits(given_values, fits):
+def test_surplus_values_are_compared_to_the_digits_typed(given_values, fits):
     def call():
         return point_source(flux="800lm", distance="2m", incidence="0deg", **given_values)
 
@@ -98,15 +98,15 @@ def test_what_is_typed_twice_is_compared_to_its_digits(given_values, fits):
             call()
 
 
-def test_two_ways_to_no_light_are_no_contradiction():
-    # by the intensity and by the radiance, from behind the receiver
+def test_two_derivations_of_zero_light_do_not_contradict_each_other():
+    # from the intensity and from the radiance, with the source behind the receiver
     found = lambertian(
         luminance="100cd/m2", area="1cm2", distance="1m", incidence="120deg", time="3s"
     )
     assert number(found, "irradiance", "lx") == number(found, "exposure", "lx s") == 0
 
 
-def test_a_wrong_value_does_not_widen_what_is_allowed_of_the_others():
+def test_a_wrong_value_does_not_widen_the_tolerance_of_the_others():
     # I = 40.654 cd and 13.28 lm: n = 18.23; 40.654 cos(47.47 deg)^19.23 / 19.75^2 = 5.6e-5 lx
     with pytest.raises(Contradiction):
         point_source(
@@ -137,13 +137,15 @@ def test_a_wrong_value_does_not_widen_what_is_allowed_of_the_others():
     ],
     ids=["room", "disc", "rectangle", "screen"],
 )  # fmt: skip
-def test_what_sizes_fix_is_not_taken_from_rounded_light(work_out, area, name, size, unit, off):
+def test_an_area_is_derived_from_sizes_not_from_rounded_light(
+    work_out, area, name, size, unit, off
+):
     found = work_out(**{name: f"{size * off:.4g}{unit}"})
     assert number(found, "area", "m2") == pytest.approx(area, rel=1e-12)
 
 
 @pytest.mark.parametrize("redundant", [{}, {"area": "54m2"}])
-def test_what_is_counted_is_exact(redundant):
+def test_counts_are_exact(redundant):
     # 12 (3600) (0.7) (0.9) / 54 = 504 lx; 500 lx would be 11.9 luminaires
     with pytest.raises(Contradiction, match="504 lx"):
         room(

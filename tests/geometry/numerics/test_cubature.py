@@ -1,4 +1,4 @@
-"""Integrals over directions whose values are known: by definition, or by hand."""
+"""Integrals over directions with known values."""
 
 import math
 
@@ -35,7 +35,7 @@ KNOWN = [
     ("phi", ALL, ROUND, 4 * PI**2),
     ("theta", ALL, ROUND, 2 * PI**2),
     ("1/sqrt(1.25 - z)", ALL, ROUND, 4 * PI * (1.5 - 0.5)),
-    ("1/sin(theta)", ALL, ROUND, 2 * PI**2),  # a pole that the area takes away
+    ("1/sin(theta)", ALL, ROUND, 2 * PI**2),  # a pole that the area element cancels
     # kinks and edges
     ("abs(x)", ALL, ROUND, 2 * PI),
     ("max(x, 0)", ALL, ROUND, PI),
@@ -77,15 +77,15 @@ def test_known_integrals_are_within_their_bound(text, polar, azimuth, value):
 
 @pytest.mark.parametrize("accuracy", [1e-4, 1e-7])
 @pytest.mark.parametrize("tilt", [0.0, 1e-9, 1e-4, 0.001, 0.003, 0.005, 0.01, 0.02])
-def test_a_kink_beside_the_cells_sides_is_seen(tilt, accuracy):
-    # the length of (tilt, 0, 1), times pi: the integral of max(z, 0) turned to that axis
+def test_a_kink_close_to_the_sides_of_cells_is_detected(tilt, accuracy):
+    # pi times the length of (tilt, 0, 1): the integral of max(z, 0), rotated to that axis
     value = PI * math.hypot(tilt, 1)
     got = integrate(f"max({tilt}*x + z, 0)", accuracy=accuracy)
     assert abs(got.value - value) <= got.error + 1e-15
 
 
 @for_each([i / 97 * PI for i in range(1, 97)])
-def test_the_error_covers_a_kink_wherever_it_is(at):
+def test_the_error_covers_a_kink_anywhere(at):
     # by parts: t sin(t) has the antiderivative sin(t) - t cos(t)
     value = 2 * PI * (PI - at - math.sin(at))
     got = integrate(f"max(theta - {at}, 0)", accuracy=1e-3)
@@ -107,7 +107,7 @@ def test_spherical_harmonics_are_orthogonal(text):
     assert abs(got.value) <= got.error <= 1e-7
 
 
-# text, polar angles, its integral: of what is 1 between two polar angles, 2 pi (cos a - cos b)
+# text, polar angles, integral: 2 pi (cos a - cos b) for a function that is 1 from a to b, else 0
 STEPS = [
     ("(theta<30*deg)*100", ALL, 200 * PI * (1 - math.sqrt(0.75))),
     ("z > 0.5", ALL, PI),
@@ -136,8 +136,8 @@ def test_the_error_covers_a_cap_about_any_axis(axis, cosine):
     assert abs(got.value - 2 * PI * (1 - cosine)) <= got.error
 
 
-def test_a_needle_is_right_or_refused():
-    # 2 pi times the integral of t exp(-1e9 t^2), less t^3/6 of the sine: pi/1e9 (1 - 1/6e9)
+def test_a_narrow_peak_is_exact_or_refused():
+    # 2 pi times the integral of (t - t^3/6) exp(-1e9 t^2): pi/1e9 (1 - 1/6e9)
     value = PI / 1e9 * (1 - 1 / 6e9)
     try:
         got = integrate("exp(-1e9*theta**2)", UPPER)
@@ -147,9 +147,9 @@ def test_a_needle_is_right_or_refused():
 
 
 @pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-12])
-def test_the_accuracy_is_kept(accuracy):
+def test_the_accuracy_is_reached(accuracy):
     got = integrate("exp(3*x)*z**2", accuracy=accuracy)
-    # by parts: the mean of e^(3x) z^2 is (cosh 3 - sinh(3)/3)/9, z^2 sharing 1 - x^2 with y^2
+    # by parts: the mean of e^(3x) z^2 is (cosh 3 - sinh(3)/3)/9, with (1 - x^2)/2 as mean of z^2
     value = 4 * PI * (math.cosh(3) - math.sinh(3) / 3) / 9
     assert abs(got.value - value) <= got.error <= accuracy * value * 1.001
 
@@ -159,7 +159,7 @@ def test_the_accuracy_is_kept(accuracy):
     ["0", "0*x", "1/x", "1/theta**2", "1/0", "0/0*x", "log(0)", "log(z)",
      "sqrt(x)", "10**10**10", "1e999", "exp(1000)", "asin(2*z)", "z**0.5"],
 )  # fmt: skip
-def test_what_has_no_integral_is_refused(text):
+def test_functions_without_an_integral_are_refused(text):
     with pytest.raises(ConditionError) as caught:
         integrate(text)
     assert caught.value.hint

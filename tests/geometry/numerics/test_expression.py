@@ -1,4 +1,4 @@
-"""The grammar of expressions: arithmetic, and nothing else."""
+"""The grammar of expressions: only arithmetic."""
 
 import math
 
@@ -27,13 +27,13 @@ HERE = {name: np.array([0.3, 0.6]) for name in NAMES}
     ("(" * 99 + "x<1" + ")" * 99, 1),
     ("2**-1", 0.5), ("(-8)**2", 64), ("sin(pi/6)", 0.5), ("tanh(0)", 0), ("abs(-2.5)", 2.5),
 ])  # fmt: skip
-def test_expressions_mean_what_they_do_on_paper(text, value):
+def test_the_values_of_expressions(text, value):
     with np.errstate(divide="ignore"):
         found = np.broadcast_to(Expression(text)(HERE), (2,))
     assert found[0] == pytest.approx(value, rel=1e-14)
 
 
-def test_a_comparison_with_nothing_has_no_value():
+def test_a_comparison_with_nan_is_nan():
     with np.errstate(invalid="ignore"):
         assert np.isnan(float(Expression("sqrt(-1) < 2")({})))
 
@@ -41,7 +41,7 @@ def test_a_comparison_with_nothing_has_no_value():
 @pytest.mark.parametrize(("text", "hint"), [
     ("theta == 1", "(theta<30*deg)*100"), ("theta < 1 and phi < 2", "(theta<1)*(phi<2)"),
 ])  # fmt: skip
-def test_what_is_no_comparison_says_which_is(text, hint):
+def test_a_forbidden_comparison_hints_at_an_allowed_one(text, hint):
     with pytest.raises(RadcalcError) as caught:
         Expression(text)
     assert hint in caught.value.hint
@@ -69,7 +69,7 @@ NASTY = [
 
 
 @for_each(NASTY)
-def test_nothing_but_arithmetic_is_read(text):
+def test_only_arithmetic_is_read(text):
     with pytest.raises(RadcalcError) as caught:
         Expression(text)
     assert caught.value.hint
@@ -101,13 +101,13 @@ def test_no_jumble_of_tokens_breaks_the_reader(text):
     refused_or_numbers(text)
 
 
-def test_the_cost_counts_what_takes_long():
+def test_the_cost_counts_functions_and_powers():
     assert Expression("1").cost == 1
     assert Expression("x + y").cost < Expression("tan(x)").cost < Expression("x**y").cost
     assert Expression("+".join(["tan(x)"] * 79)).cost == pytest.approx(79 * 11, abs=1)
 
 
-def test_the_sign_of_an_uncertainty_is_no_plus_and_minus():
+def test_the_sign_of_an_uncertainty_is_refused():
     with pytest.raises(RadcalcError, match="takes no uncertainties"):
         Expression("cos(theta)*(1+-0.1)")
     assert Expression("cos(theta) + -0.1")({"theta": 0.0}) == 0.9

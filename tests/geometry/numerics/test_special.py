@@ -19,7 +19,7 @@ def test_bulirschs_integral_is_legendres(kc, p):
     close(special.cel(kc, 1.0, 1.0, 1.0), first)
     close(special.cel(kc, 1.0, 1.0, float(square)), second)
     close(special.cel(kc, p, 1.0, 1.0), third)
-    if mixed is not None:  # sin^2 above: n sin^2 = 1 - (1 - n sin^2) gives (Pi - K)/n
+    if mixed is not None:  # with sin^2 in the numerator: n sin^2 = 1 - (1 - n sin^2), (Pi - K)/n
         close(special.cel(kc, p, 0.0, 1.0), mixed)
 
 
