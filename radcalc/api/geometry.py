@@ -86,7 +86,7 @@ def _vector(vector: Any) -> tuple[Any, str]:
     if isinstance(vector, str):
         place, unit = read_coordinates(vector.split(","))
     else:
-        metres, of = in_metres(vector, "a vector", "three numbers, [1, 0, 2]")
+        metres, of = in_metres(vector, "a vector")
         place, unit = tuple(numpy.atleast_1d(metres).tolist()), of.text if of else ""
     if len(place) != 3 or numpy.ndim(place) > 1:
         raise ConditionError("a vector has three coordinates", "[1, 0, 2]")

@@ -145,7 +145,7 @@ def read_points(point: Any) -> Input:
     refuse_column(point, "the array of points")
     if isinstance(point, str):
         return read_place("point", point)
-    metres, unit = in_metres(point, "a point", "three numbers, [1, 0, 2]")
+    metres, unit = in_metres(point, "a point")
     array = numpy.asarray(metres)
     if array.shape[-1:] != (3,):
         raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
@@ -155,7 +155,7 @@ def read_points(point: Any) -> Input:
     return Input(SYMBOLS["point"], "the points", place, unit=unit)
 
 
-def in_metres(value: Any, what: str, hint: str) -> tuple[Any, Unit | None]:
+def in_metres(value: Any, what: str) -> tuple[Any, Unit | None]:
     """Coordinates in metres, and their unit if they have one."""
     unit = None
     if is_quantity(value):
@@ -163,7 +163,7 @@ def in_metres(value: Any, what: str, hint: str) -> tuple[Any, Unit | None]:
         if unit.dimension != LENGTH:
             raise ConditionError("the point is a length", "metres")
         value = value.magnitude * unit.factor
-    return real(value, what, hint), unit
+    return real(value, what, "three numbers, [1, 0, 2]"), unit
 
 
 def broadcast(work_out: Callable[[], T]) -> T:

@@ -8,7 +8,7 @@ from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import element, value
-from radcalc.calculators.scene_rows import Placed, Reader, rows_of_dicts, rows_of_file
+from radcalc.calculators.scene_rows import NamedSource, Reader, rows_of_dicts, rows_of_file
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
 from radcalc.files.text import ENDINGS
@@ -47,7 +47,7 @@ def is_share(name: str) -> bool:
 class Scene(NamedTuple):
     """Sources in one kind of light, what links that to others, and what was assumed of them."""
 
-    sources: Sequence[Placed]
+    sources: Sequence[NamedSource]
     lit: kinds.LightInputs
     assumptions: Sequence[str]
     notes: Sequence[str]
@@ -178,7 +178,7 @@ class Survey:
             )
         return steps
 
-    def _term(self, placed: Placed, point: Vector) -> tuple[Step, float]:
+    def _term(self, placed: NamedSource, point: Vector) -> tuple[Step, float]:
         source, normal = placed.source, self.normal
         part = max(float(source.irradiance(point, normal)[0]), 0.0)
         if isinstance(source, Emitter):

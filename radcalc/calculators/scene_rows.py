@@ -100,7 +100,7 @@ class Row(NamedTuple):
         return ConditionError(message, "one of them")
 
 
-class Placed(NamedTuple):
+class NamedSource(NamedTuple):
     """A source of a scene, and what it is called in results."""
 
     name: str
@@ -293,9 +293,9 @@ class Reader:
         self.files: dict[str, Photometry] = {}
         self.fluxes: dict[Distribution, float] = {}
 
-    def sources(self, rows: Sequence[Row]) -> list[Placed]:
+    def sources(self, rows: Sequence[Row]) -> list[NamedSource]:
         """A source for each row, with a name of its own."""
-        placed: list[Placed] = []
+        placed: list[NamedSource] = []
         names: dict[str, Row] = {}
         for number, row in enumerate(rows, 1):
             given = row.cells.get("name", number)
@@ -312,7 +312,7 @@ class Reader:
             placed.append(self.source(name, row))
         return placed
 
-    def source(self, name: str, row: Row) -> Placed:
+    def source(self, name: str, row: Row) -> NamedSource:
         """Return the source that a row describes."""
         given = {c: self.read(row, c) for c in row.cells if c not in TEXTS}
         place = self.point(row, given, PLACE)
@@ -326,11 +326,11 @@ class Reader:
         strength = strengths[0] if strengths else None
         label = f"'{quote(name)}' ({row.where})"
         if shape == LAMBERTIAN:
-            return Placed(name, self.patch(label, row, given, strength, place, pose))
+            return NamedSource(name, self.patch(label, row, given, strength, place, pose))
         self.assumptions["sources count as points, but for rectangles"] = None
         factor = self.factor(row, photometry.distribution, strength)
         source = Emitter(label, place, pose, photometry.distribution, factor, photometry.size)
-        return Placed(name, source)
+        return NamedSource(name, source)
 
     def read(self, row: Row, column: str) -> Input:
         """Return the value in a cell."""

@@ -169,8 +169,8 @@ def _text(
     )
 
 
-def _interval(dimension: Dimension, name: str, example: str, help_: str) -> Symbol:
-    return _symbol(dimension, name, "", example, help_, FROM_ZERO)._replace(form=INTERVAL)
+def _interval(name: str, example: str, help_: str) -> Symbol:
+    return _symbol(LENGTH, name, "", example, help_, FROM_ZERO)._replace(form=INTERVAL)
 
 
 def _pair(name: str, example: str, help_: str, limits: Limits) -> Symbol:
@@ -429,9 +429,9 @@ _ROWS = (
         "Grid of points: N along x from X0 to X1, N along y, at Z."),
     _text(FLAG, "omni", "", "",
         "Light in all directions; depths are then distances from the light."),
-    _interval(LENGTH, "near", "1m:2m",
+    _interval("near", "1m:2m",
         "Depths of the near cut: dark up to A, full from B, smooth in between."),
-    _interval(LENGTH, "far", "5m:8m",
+    _interval("far", "5m:8m",
         "Depths of the far cut: full up to C, dark from D, smooth in between."),
     _symbol(NUMBER, "falloff", "N", "2",
         "Exponent N of the fall-off (L/d)^N with the distance d (2, the inverse square).",

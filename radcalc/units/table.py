@@ -35,6 +35,7 @@ from radcalc.units.unit import (
 # Spellings of a degree of an offset scale, which is a kelvin in a product.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
 COMMON_PREFIXES = "GMkcmun"
+SUGGESTED = 3  # spellings near an unknown one
 # Names of scales; they are handled above and not looked up in other languages.
 SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
 PARTS = ("percent", "permille", "ppm", "ppb")
@@ -241,14 +242,14 @@ def _respelt(prefix: str, rest: str) -> str:
     return f"{rest}, with the power of ten in the number"
 
 
-def suggest(spelling: str, count: int = 3) -> list[str]:
+def suggest(spelling: str) -> list[str]:
     """Return the known spellings nearest to an unknown one."""
     spelling = spelling[:60]
     folded = spelling.lower()
-    near = nearest(folded, NAMES, count, 0.7)
+    near = nearest(folded, NAMES, SUGGESTED, 0.7)
     if len(spelling) <= 4:
-        near = nearest(spelling, _prefixed(), count) + near
-    return list(dict.fromkeys(near))[:count]
+        near = nearest(spelling, _prefixed(), SUGGESTED) + near
+    return list(dict.fromkeys(near))[:SUGGESTED]
 
 
 def _prefixed() -> list[str]:
