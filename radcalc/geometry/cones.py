@@ -132,7 +132,7 @@ def cone(half_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a half angle is negative or above pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -232,7 +232,7 @@ def projected_cone(half_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a half angle is outside 0 to pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -274,7 +274,7 @@ def projected_cone_of(solid_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a projected solid angle is outside 0 to pi.
+        If an argument is out of range.
 
     Notes
     -----

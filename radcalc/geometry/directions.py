@@ -100,8 +100,7 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
     Raises
     ------
     ConditionError
-        If a polar angle is negative or above pi (by more than a relative 1e-12), or an azimuth is
-        infinite.
+        If a polar angle is out of range (by more than a relative 1e-12), or an azimuth is infinite.
 
     Notes
     -----

@@ -90,7 +90,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a radius is negative, or a distance is not above 0.
+        If an argument is out of range.
 
     Notes
     -----

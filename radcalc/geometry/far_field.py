@@ -52,7 +52,7 @@ def size(area: Number, *sides: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an area is negative.
+        If an argument is out of range.
 
     Examples
     --------
@@ -85,7 +85,7 @@ def reach(area: Number, *sides: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an area is negative.
+        If an argument is out of range.
 
     Examples
     --------
@@ -156,7 +156,7 @@ def error(
     distance : float or ndarray [m]
         From its centre to the receiver, five times the size or more.
     tilt : float or ndarray [rad], optional
-        Angle between its normal and the line to the receiver; 0 by default.
+        Angle between its normal and the line to the receiver.
     incidence : float or ndarray [rad], optional
         Angle between that line and the receiver's normal, which may be turned about the line;
         0 by default.  The receiver's plane must not cut the patch.
@@ -171,7 +171,7 @@ def error(
     Raises
     ------
     ConditionError
-        If a size is negative, or a distance is not above 0.
+        If an argument is out of range.
 
     Notes
     -----
@@ -226,7 +226,7 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
     Raises
     ------
     ConditionError
-        If a reach is negative, or a distance is not above 0.
+        If an argument is out of range.
 
     Examples
     --------
@@ -264,7 +264,7 @@ def steepest(reach: Number, distance: Number) -> str:
     Raises
     ------
     ConditionError
-        If a reach is negative, or a distance is not above 0.
+        If an argument is out of range.
 
     Examples
     --------

@@ -77,7 +77,7 @@ def exponent(full_angle: Number, share: float) -> Number:
     Raises
     ------
     ConditionError
-        If an angle is not between 0 and pi, or the share is not between 0 and 1.
+        If an argument is out of range.
 
     Notes
     -----
@@ -135,7 +135,7 @@ def angle(exponent: Number, share: float) -> Number:
     Raises
     ------
     ConditionError
-        If an exponent is negative, or the share is not between 0 and 1.
+        If an argument is out of range.
 
     Notes
     -----
@@ -184,7 +184,7 @@ def part(exponent: Number, within: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an exponent is negative, or an angle is outside 0 to pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -233,7 +233,7 @@ def solid_angle(exponent: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an exponent is negative.
+        If an argument is out of range.
 
     Notes
     -----

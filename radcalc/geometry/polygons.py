@@ -45,7 +45,7 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
     Parameters
     ----------
     a, b, c : tuple of 3 floats or ndarrays, or ndarray of shape (..., 3) [m]
-        The vertices, from the observer, in any one unit of length.
+        The vertices, from the observer.
 
     Returns
     -------
@@ -162,7 +162,7 @@ def fan(first: Vector, sides: Sequence[Vector]) -> Number:
     Parameters
     ----------
     first : tuple of 3 floats or ndarrays [m]
-        The first vertex, from the observer, in any one unit of length.
+        The first vertex, from the observer.
     sides : sequence of such tuples [m]
         All vertices in order round the polygon, from the first one; the first of these is zero.
 
@@ -279,7 +279,7 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
     Parameters
     ----------
     first : tuple of 3 floats or ndarrays [m]
-        The first vertex, from the observer, in any one unit of length.
+        The first vertex, from the observer.
     sides : sequence of such tuples [m]
         All vertices in order round the polygon, from the first one; the first of these is zero.
     normal : tuple of 3 floats or ndarrays [1]
@@ -392,8 +392,8 @@ def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vecto
     Parameters
     ----------
     first : tuple of 3 floats [m]
-        The first vertex, from the observer, in any one unit of length.  Floats only: the number
-        of vertices kept would differ between the elements of an array.
+        The first vertex, from the observer.  Floats only: the number of vertices kept would differ
+        between the elements of an array.
     sides : sequence of such tuples [m]
         All vertices in order round the polygon, from the first one; the first of these is zero.
     normal : tuple of 3 floats [1]

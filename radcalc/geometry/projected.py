@@ -57,7 +57,7 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
         Half angle alpha of the cone, from 0 to pi.
     tilt : float or ndarray [rad], optional
         Angle t between the cone's axis and the receiver's normal, from -pi to pi; its sign does
-        not matter.  0 by default.
+        not matter.
 
     Returns
     -------
@@ -67,7 +67,7 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     Raises
     ------
     ConditionError
-        If a half angle is outside 0 to pi, or a tilt outside -pi to pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -159,7 +159,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
         Polar angles t0 and t1, from the receiver's normal, 0 <= t0 <= t1 <= pi.  Directions past
         pi/2 are below the horizon and do not count.
     azimuth : float or ndarray [rad], optional
-        Width dphi in azimuth, from 0 to 2 pi; a full turn by default.
+        Width dphi in azimuth, from 0 to 2 pi.
 
     Returns
     -------
@@ -169,8 +169,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     Raises
     ------
     ConditionError
-        If a polar angle is outside 0 to pi, `lower` is above `upper`, or `azimuth` is outside
-        0 to 2 pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -205,7 +204,7 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
     Parameters
     ----------
     radius : float or ndarray [m]
-        Radius R of the sphere, 0 or more (any one unit of length for both lengths).
+        Radius R of the sphere, 0 or more.
     distance : float or ndarray [m]
         Distance D from the receiver to the *centre* of the sphere, above `radius`.
     tilt : float or ndarray [rad], optional
@@ -220,8 +219,7 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
     Raises
     ------
     ConditionError
-        If a radius is negative, the receiver is on the sphere or inside it, or a tilt is outside
-        -pi to pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -258,11 +256,11 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     Parameters
     ----------
     radius : float or ndarray [m]
-        Radius R of the disc, 0 or more (any one unit of length for all lengths).
+        Radius R of the disc, 0 or more.
     height : float or ndarray [m]
         Distance h of the receiver from the disc's *plane*, above 0.
     offset : float or ndarray [m], optional
-        Distance x of the receiver from the disc's axis; its sign does not matter.  0 by default.
+        Distance x of the receiver from the disc's axis; its sign does not matter.
     tilt : float or ndarray [rad], optional
         Rotation t of the receiver in the plane of the offset, from -pi to pi: 0 (the default)
         parallel to the disc, positive towards the disc's axis, negative away from it.
@@ -275,8 +273,8 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     Raises
     ------
     ConditionError
-        If a radius is negative, a height is not above 0, a tilt is outside -pi to pi, or the
-        integral of a disc that the horizon cuts does not converge.
+        If an argument is out of range, or the integral of a disc that the horizon cuts does not
+        converge.
 
     Notes
     -----
@@ -397,11 +395,11 @@ def rectangle(
     Parameters
     ----------
     width, length : float or ndarray [m]
-        Whole sides along x and y, 0 or more (any one unit of length for all lengths).
+        Whole sides along x and y, 0 or more.
     height : float or ndarray [m]
         Distance h of the receiver from the rectangle's *plane*, above 0.
     offset, offset_y : float or ndarray [m], optional
-        Sideways distance of the receiver from the rectangle's axis, along x and y; 0 by default.
+        Sideways distance of the receiver from the rectangle's axis, along x and y.
     normal : tuple of 3 floats or ndarrays, optional
         The receiver's normal: components along the width, along the length and towards the
         rectangle's plane, of any length except 0.  (0, 0, 1), facing the plane, by default.
@@ -414,8 +412,7 @@ def rectangle(
     Raises
     ------
     ConditionError
-        If a side is negative, a height is not above 0, or the normal is zero or does not have
-        three components.
+        If an argument is out of range, or the normal does not have three components.
 
     Notes
     -----
@@ -472,7 +469,7 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an angle is outside 0 to pi.
+        If an argument is out of range.
 
     Notes
     -----

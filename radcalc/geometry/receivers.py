@@ -37,7 +37,7 @@ def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Numb
     distance : float or ndarray [m]
         Distance d of its centre from the source, above 0.
     incidence : float or ndarray [rad], optional
-        Angle theta between the disc's normal and the line to the source; 0 by default.
+        Angle theta between the disc's normal and the line to the source.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Numb
     Raises
     ------
     ConditionError
-        If a radius is negative, or a distance is not above 0.
+        If an argument is out of range.
 
     Notes
     -----
@@ -93,7 +93,7 @@ def cone(
     radius, distance : float or ndarray [m]
         As in `isotropic`.
     off_axis : float or ndarray [rad], optional
-        Angle gamma of the disc's centre from the cone's axis, from 0 to below pi/2; 0 by default.
+        Angle gamma of the disc's centre from the cone's axis, from 0 to below pi/2.
     incidence : float or ndarray [rad], optional
         Angle between the disc's normal and the line to the source; if it is missing, the disc lies
         across the cone's axis.
@@ -106,8 +106,8 @@ def cone(
     Raises
     ------
     ConditionError
-        If a radius is negative, a distance is not above 0, an angle is out of range, or the cone's
-        edge may cross a tilted disc: an incidence does not give the axis of the tilt.
+        If an argument is out of range, or the cone's edge may cross a tilted disc: an incidence
+        does not give the axis of the tilt.
 
     Notes
     -----
@@ -161,7 +161,7 @@ def lobe(
     radius, distance : float or ndarray [m]
         As in `isotropic`.
     off_axis : float or ndarray [rad], optional
-        Angle gamma of the disc's centre from the lobe's axis, from 0 to below pi/2; 0 by default.
+        Angle gamma of the disc's centre from the lobe's axis, from 0 to below pi/2.
     incidence : float or ndarray [rad], optional
         Angle between the disc's normal and the line to the source; if it is missing, the disc lies
         across the lobe's axis.
@@ -174,9 +174,8 @@ def lobe(
     Raises
     ------
     ConditionError
-        If a radius or an exponent is negative, a distance is not above 0, an angle off the axis is
-        out of range, or the lobe varies by more than 1 % over a tilted disc: an incidence does not
-        give the axis of the tilt.
+        If an argument is out of range, or the lobe varies by more than 1 % over a tilted disc: an
+        incidence does not give the axis of the tilt.
 
     Notes
     -----
@@ -242,7 +241,7 @@ def unevenness(
     radius, distance : float or ndarray [m]
         Radius of the disc, and distance of its centre from the source, above 0.
     off_axis : float or ndarray [rad], optional
-        Angle gamma of its centre from the lobe's axis, from 0 to below pi/2; 0 by default.
+        Angle gamma of its centre from the lobe's axis, from 0 to below pi/2.
 
     Returns
     -------
@@ -253,8 +252,7 @@ def unevenness(
     Raises
     ------
     ConditionError
-        If a radius or an exponent is negative, a distance is not above 0, or an angle off the axis
-        is out of range.
+        If an argument is out of range.
 
     Notes
     -----

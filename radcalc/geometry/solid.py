@@ -51,7 +51,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     lower, upper : float or ndarray [rad]
         Polar angles t0 and t1, from the zone's axis (not elevations), 0 <= t0 <= t1 <= pi.
     azimuth : float or ndarray [rad], optional
-        Width dphi in azimuth, from 0 to 2 pi; a full turn by default.
+        Width dphi in azimuth, from 0 to 2 pi.
 
     Returns
     -------
@@ -61,8 +61,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     Raises
     ------
     ConditionError
-        If a polar angle is outside 0 to pi, `lower` is above `upper`, or `azimuth` is outside
-        0 to 2 pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -113,8 +112,7 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
     Raises
     ------
     ConditionError
-        If a polar angle is outside 0 to pi, `lower` is above `upper`, or `azimuth` is outside
-        0 to 2 pi.  Upper limits may be exceeded by a relative 1e-12.
+        If an argument is out of range; upper limits may be exceeded by a relative 1e-12.
 
     Examples
     --------
@@ -177,11 +175,11 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     Parameters
     ----------
     radius : float or ndarray [m]
-        Radius R of the disc, 0 or more (any one unit of length for all arguments).
+        Radius R of the disc, 0 or more.
     height : float or ndarray [m]
         Distance h of the observer from the disc's *plane*, above 0.
     offset : float or ndarray [m], optional
-        Distance x of the observer from the disc's axis; its sign does not matter.  0 by default.
+        Distance x of the observer from the disc's axis; its sign does not matter.
 
     Returns
     -------
@@ -191,7 +189,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     Raises
     ------
     ConditionError
-        If a radius is negative, or a height is not above 0.
+        If an argument is out of range.
 
     Notes
     -----
@@ -327,11 +325,11 @@ def rectangle(
     Parameters
     ----------
     width, length : float or ndarray [m]
-        Whole sides along x and y, 0 or more (any one unit of length for all arguments).
+        Whole sides along x and y, 0 or more.
     height : float or ndarray [m]
         Distance h of the observer from the rectangle's *plane*, above 0.
     offset, offset_y : float or ndarray [m], optional
-        Sideways distance of the observer from the rectangle's axis, along x and y; 0 by default.
+        Sideways distance of the observer from the rectangle's axis, along x and y.
         With half a side each, the observer is above a corner.
 
     Returns
@@ -342,7 +340,7 @@ def rectangle(
     Raises
     ------
     ConditionError
-        If a side is negative, or a height is not above 0.
+        If an argument is out of range.
 
     Notes
     -----
@@ -385,7 +383,7 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     Parameters
     ----------
     width, length : float or ndarray [m]
-        Whole sides along x and y, 0 or more (any one unit of length for all arguments).
+        Whole sides along x and y, 0 or more.
     height : float or ndarray [m]
         Distance of the observer from the rectangle's plane, which is at z = height; above 0.
     offset, offset_y : float or ndarray [m]
@@ -401,7 +399,7 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     Raises
     ------
     ConditionError
-        If a side is negative, a height is not above 0, or a length is infinite.
+        If an argument is out of range, or a length is infinite.
 
     Notes
     -----
@@ -442,7 +440,7 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an angle is outside 0 to pi.
+        If an argument is out of range.
 
     Notes
     -----
@@ -491,7 +489,7 @@ def pyramid_side(solid_angle: Number, other: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a solid angle is negative or too large for that angle, or an angle is outside 0 to pi.
+        If an argument is out of range, or the solid angle is too large for that angle.
 
     Notes
     -----
@@ -528,7 +526,7 @@ def check_pyramid(horizontal: Number, vertical: Number) -> None:
     Raises
     ------
     ConditionError
-        If an angle is negative or above pi.
+        If an argument is out of range.
 
     Examples
     --------
@@ -567,7 +565,7 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     Raises
     ------
     ConditionError
-        If an area is negative, a distance is not above 0, or a tilt is outside -pi to pi.
+        If an argument is out of range.
 
     Notes
     -----

@@ -14,7 +14,7 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     Parameters
     ----------
     radius : float or ndarray [m]
-        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
+        Radius R of the sphere, 0 or more.
     distance : float or ndarray [m]
         Distance D from the observer to the *centre* of the sphere, above `radius`.
 
@@ -26,7 +26,7 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a radius is negative, or the observer is on the sphere or inside it.
+        If an argument is out of range.
 
     Notes
     -----
@@ -69,7 +69,7 @@ def solid_angle(radius: Number, distance: Number) -> Number:
     Parameters
     ----------
     radius : float or ndarray [m]
-        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
+        Radius R of the sphere, 0 or more.
     distance : float or ndarray [m]
         Distance D from the observer to the *centre* of the sphere, above `radius`.
 
@@ -81,7 +81,7 @@ def solid_angle(radius: Number, distance: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a radius is negative, or the observer is on the sphere or inside it.
+        If an argument is out of range.
 
     Notes
     -----
@@ -144,7 +144,7 @@ def distance_of(radius: Number, solid_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a solid angle is not between 0 and 2 pi, both excluded.
+        If an argument is out of range.
 
     Notes
     -----
@@ -185,7 +185,7 @@ def radius_of(distance: Number, solid_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a solid angle is not between 0 and 2 pi, both excluded.
+        If an argument is out of range.
 
     Notes
     -----

@@ -119,7 +119,7 @@ def cross_section(
     x, y, z : float or ndarray
         The point.
     shear : tuple of 2 floats or ndarrays, optional
-        Centre of the beam in that plane; 0, 0 by default.
+        Centre of the beam in that plane.
 
     Returns
     -------
@@ -210,7 +210,7 @@ def superellipse_clip(
     outer : tuple of 2 floats [1]
         Half width and half height of the area of all light; at least as large.
     roundness : float or ndarray [1], optional
-        From 0, a rectangle, to 1, an ellipse; 1 by default.
+        From 0, a rectangle, to 1, an ellipse.
 
     Returns
     -------
@@ -282,7 +282,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an exponent is negative.
+        If an argument is out of range.
 
     Notes
     -----

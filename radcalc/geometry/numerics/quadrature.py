@@ -111,7 +111,7 @@ def integral(function: Callable[[float], float], low: float, high: float, n: int
     low, high : float
         Ends of the interval, in either order.
     n : int, optional
-        Number of points; 32 by default.
+        Number of points.
 
     Returns
     -------
@@ -156,9 +156,9 @@ def adaptive(
         Ends of the interval.
     accuracy : float, optional
         Largest difference between two halves and their whole, relative to a first estimate of the
-        integral of the function's absolute value; 1e-13 by default.
+        integral of the function's absolute value.
     most : int, optional
-        Largest number of intervals; 2000 by default.
+        Largest number of intervals.
 
     Returns
     -------

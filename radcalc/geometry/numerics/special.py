@@ -34,7 +34,7 @@ def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
     Raises
     ------
     ConditionError
-        If kc or p is not above 0.
+        If an argument is out of range.
 
     Notes
     -----

@@ -100,7 +100,7 @@ def plus(a: Vector, b: Vector, factor: Number = 1.0) -> Vector:
     ----------
     a, b : tuple of 3 floats or ndarrays
     factor : float or ndarray, optional
-        Factor of b; 1 by default.
+        Factor of b.
 
     Returns
     -------
