@@ -1,4 +1,4 @@
-"""Columns of numbers in text: what separates them, decimal commas, the units in their titles."""
+"""Columns of numbers in text: separators, decimal commas, and units in titles."""
 
 import re
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2
 
 
 def dialect(line: str) -> tuple[str | None, bool]:
-    """The delimiter of a line (None: blanks) and whether its numbers have a decimal comma."""
+    """Return the delimiter of a line (None: blanks), and whether numbers have decimal commas."""
     for delimiter in DELIMITERS[:3]:
         if delimiter in line:
             return delimiter, "," in line
@@ -39,19 +39,19 @@ def cells(line: str, delimiter: str | None) -> list[str]:
 
 
 def is_comment(line: str) -> bool:
-    """Check whether a line is a comment."""
+    """Return whether a line is a comment."""
     return line.lstrip().startswith(COMMENTS)
 
 
 def comment_text(line: str) -> str:
-    """Return what a comment says."""
+    """Return the text of a comment."""
     return line.lstrip("#%/; \t")
 
 
 def titles_in_comments(
     comments: Sequence[str], width: int, delimiter: str | None = None
 ) -> list[str]:
-    """The titles of so many columns in the last of the comments' texts that has them; or none."""
+    """Return the titles in the last comment with that many columns, or an empty list."""
     for comment in reversed(comments):
         titles = cells(comment, delimiter or dialect(comment)[0])
         if len(titles) == width and not is_number(titles[0], False):
@@ -60,12 +60,12 @@ def titles_in_comments(
 
 
 def has_odd_digits(text: str) -> bool:
-    """Whether float() might read in a text what no file means: 5_50, and other scripts' digits."""
+    """Return whether a text has digits that only float() accepts: 5_50, other scripts."""
     return not text.isascii() or "_" in text
 
 
 def finite_numbers(texts: Sequence[str]) -> list[float]:
-    """Return the numbers that many texts are; ValueError where any is none, NaN or infinity."""
+    """Convert many texts to numbers; raise ValueError if any is not a number, NaN or infinite."""
     values = list(map(float, texts))
     total = sum(values)
     if total - total:
@@ -74,7 +74,7 @@ def finite_numbers(texts: Sequence[str]) -> list[float]:
 
 
 def is_number(cell: str, comma: bool) -> bool:
-    """Check whether a cell is a number, NaN and infinity among them."""
+    """Return whether a cell is a number, including NaN and infinity."""
     if has_odd_digits(cell):
         return False
     try:
@@ -85,7 +85,7 @@ def is_number(cell: str, comma: bool) -> bool:
 
 
 def finite(cell: str, comma: bool) -> float | None:
-    """Return the number that a cell is; None for anything else, NaN and infinity among it."""
+    """Return the number in a cell; None for anything else, including NaN and infinity."""
     if not is_number(cell, comma):
         return None
     value = float(cell.replace(",", ".") if comma else cell)
@@ -93,7 +93,7 @@ def finite(cell: str, comma: bool) -> float | None:
 
 
 def numbers_at_once(text: str, cells: Sequence[str]) -> list[float] | None:
-    """Return the numbers of a text's cells; None where they have to be read one by one."""
+    """Return the numbers of a text's cells; None if they must be read one by one."""
     if has_odd_digits(text):
         return None
     try:
@@ -103,16 +103,16 @@ def numbers_at_once(text: str, cells: Sequence[str]) -> list[float] | None:
 
 
 class Decimals:
-    """Whether the numbers of a file have decimal points or commas; 1,000 might be a thousand."""
+    """The decimal mark of the numbers of a file, point or comma; 1,000 may be a thousand."""
 
     def __init__(self) -> None:
-        self.point = self.comma = 0  # the lines that first had one
+        self.point = self.comma = 0  # first lines with the mark
         self.doubtful: (
             tuple[int, str] | tuple[()]
-        ) = ()  # the first number that may be either: its line and text
+        ) = ()  # line and text of the first ambiguous number
 
     def conflict(self, text: str, line: int) -> str:
-        """Take note of a number; say what is wrong where others have the other mark."""
+        """Record a number; return the problem if earlier numbers have the other mark."""
         if "." in text:
             self.point = self.point or line
         elif THOUSANDS.fullmatch(text):
@@ -126,20 +126,20 @@ class Decimals:
         return f"a decimal {mark}, but line {min(self.point, comma)} has a decimal {other_mark}"
 
     def doubt(self) -> tuple[int, str] | tuple[()]:
-        """The line of a number that may be a thousand, unless others tell; what is wrong there."""
+        """Return the line of an ambiguous number, and the problem; () if there is none."""
         if self.comma or not self.doubtful:
             return ()
         line, text = self.doubtful
-        return line, f"'{text}' may be a thousand or a decimal"
+        return line, f"'{text}' is ambiguous: a thousand or a decimal"
 
 
 def plain(title: str) -> str:
-    """A title in small letters, with one kind of micro and of degrees."""
+    """Return a title in lower case, with one kind of micro and of degrees."""
     return title.strip().lower().replace("µ", "u").replace("μ", "u").replace("º", "°")
 
 
 def units_in(title: str) -> tuple[list[str], list[str]]:
-    """What may be the unit in a title: the texts in brackets, the last first; its last words."""
+    """Return candidates for a title's unit: texts in brackets, the last first; last words."""
     brackets = ["".join(filter(None, bracketed)) for bracketed in IN_BRACKETS.findall(title)][::-1]
     words = title.split()
     return brackets, [" ".join(words[start:]) for start in range(len(words))]

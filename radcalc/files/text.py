@@ -1,7 +1,4 @@
-"""The lines of a file of numbers, a block at a time, whatever their encoding and their ends.
-
-And where in it something is wrong: its name and the line.
-"""
+"""The lines of a file of numbers, in blocks, with any encoding and line ends."""
 
 import codecs
 from collections.abc import Callable, Iterator
@@ -10,7 +7,7 @@ from contextlib import contextmanager
 from radcalc import terminal
 from radcalc.errors import ConditionError, quote_path
 
-ENDINGS = (".csv", ".tsv", ".txt", ".dat")  # of files of columns
+ENDINGS = (".csv", ".tsv", ".txt", ".dat")  # extensions of files of columns
 
 BLOCK = 1 << 20  # bytes read at a time
 LONGEST = 1 << 22  # bytes of a line
@@ -21,17 +18,17 @@ Lines = list[str]
 
 
 def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
-    """Return the error of a file, with the line (0: of none) that is wrong."""
+    """Return the error of a file; with the line, unless it is 0."""
     return ConditionError(f"{where(name, number)}: {problem}", hint)
 
 
 def where(name: str, number: int) -> str:
-    """Return how a line of a file is told (0: of none)."""
+    """Return the text for a place in a file; without a line if it is 0."""
     return f"{name}, line {number}" if number else name
 
 
 def _lines(text: str) -> Lines:
-    """The lines of a text; str.splitlines would also cut at the \\x85 of Latin-1 and others."""
+    """Return the lines of a text; str.splitlines would also split at \\x85 in Latin-1."""
     if "\r" in text:
         text = text.replace("\r\n", "\n").replace("\r", "\n")
     lines = text.split("\n")
@@ -42,9 +39,9 @@ def _lines(text: str) -> Lines:
 
 @contextmanager
 def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], bytes]]]:
-    """The name of a file, of a pipe or (-) of standard input, and what reads it piece by piece.
+    """Yield the name of a file, a pipe or standard input (-), and a function that reads bytes.
 
-    Raises ConditionError where it cannot be read; `expected` is what it should be.
+    It raises a ConditionError if it cannot be read; `expected` is the expected content.
     """
     if path == "-":
         yield "stdin", terminal.read
@@ -55,9 +52,9 @@ def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], byt
 
 @contextmanager
 def readable(path: str, expected: str) -> Iterator[str]:
-    """Return the name of a file in messages, while it is opened and read.
+    """Yield the name of a file in messages, while it is opened and read.
 
-    Raises ConditionError for what goes wrong then; `expected` is what it should be.
+    It raises a ConditionError for an error meanwhile; `expected` is the expected content.
     """
     name = quote_path(path)
     if "\0" in path:
@@ -69,14 +66,14 @@ def readable(path: str, expected: str) -> Iterator[str]:
 
 
 class Text:
-    """The text of a file: UTF-8, UTF-16 with a byte order mark, or what is neither as Latin-1."""
+    """The text of a file: UTF-8, UTF-16 with a byte order mark, or otherwise Latin-1."""
 
     def __init__(
         self, name: str, read: Callable[[int], bytes], row: str, largest: float = MOST_BYTES
     ) -> None:
-        """Hold what reads so many bytes of the file, none at its end.
+        """Keep the function that reads up to so many bytes, and b"" at the end.
 
-        A `row` should have that; the file may have so many bytes.
+        `row` is the expected content of a row; `largest` is the greatest size of the file [bytes].
         """
         self.name = name
         self.read = read
@@ -86,21 +83,23 @@ class Text:
         self.note = ""
 
     def blocks(self) -> Iterator[tuple[int, Lines]]:
-        """Return the lines, many at a time, and the number of the first of them."""
+        """Yield the lines in blocks, with the number of the first line of each block."""
         number, size, rest = 1, 0, b""
         read = filter(None, self._in_utf8())
         while True:
             data = next(read, b"")
             size += len(data)
             if size > self.largest:
-                raise refusal(self.name, 0, f"more than {self.largest} bytes", "fewer rows")
+                raise refusal(
+                    self.name, 0, f"the file has more than {self.largest} bytes", "fewer rows"
+                )
             ends = data.replace(b"\r\n", b"\n\n") if b"\r" in data else data
             cut = max(ends.rfind(b"\n"), ends.rfind(b"\r", 0, -1)) + 1 if data else 0
             whole, rest = (rest + data[:cut], data[cut:]) if cut else (b"", rest + data)
             if not data:
                 whole = rest
             elif len(rest) > LONGEST:
-                problem = f"a line of more than {LONGEST} bytes"
+                problem = f"the line has more than {LONGEST} bytes"
                 raise refusal(self.name, number, problem, f"{self.row} in every row")
             if whole:
                 lines = _lines(self._decoded(whole))
@@ -110,7 +109,7 @@ class Text:
                 return
 
     def _in_utf8(self) -> Iterator[bytes]:
-        """Return the bytes of the file; of one in UTF-16 those that it would have in UTF-8."""
+        """Yield the bytes of the file in UTF-8, converted from UTF-16 if necessary."""
         data = self.read(BLOCK)
         if data[:2] not in MARKS:
             while data:
@@ -127,16 +126,16 @@ class Text:
         try:
             return decoder.decode(data, not data).encode()
         except UnicodeDecodeError:
-            problem = "not UTF-16 text, which its byte order mark says it is"
+            problem = "the byte order mark is that of UTF-16, but the text is not UTF-16"
             raise refusal(self.name, 0, problem, "the whole file, or one in UTF-8") from None
 
     def _decoded(self, data: bytes) -> str:
-        """Return the text of whole lines; from the first that is not UTF-8 on they are Latin-1."""
+        """Decode whole lines; after the first line that is not UTF-8, all are Latin-1."""
         try:
             text = data.decode(self.encoding)
         except UnicodeDecodeError:
             self.encoding = "latin-1"
-            self.note = "the text is not UTF-8, and read as Latin-1"
+            self.note = "the text is not UTF-8; it is read as Latin-1"
             return data.decode(self.encoding)
         if self.encoding == "utf-8-sig":
             self.encoding = "utf-8"

@@ -1,6 +1,6 @@
-"""Pictures of answers: what is to be drawn as plain data, and what draws that.
+"""Pictures of answers: plain data, and modules that draw them.
 
-`data` has the kinds of picture.  `curves`, `spectra`, `directions` and `places` make them of what
-calculators and distributions give; they know no terminal and no file.  `terminal` draws a picture
-in characters, `figure` as SVG or PNG; they know nothing of light.
+`data` defines the kinds of picture.  `curves`, `spectra`, `directions` and `places` make them from
+the results of calculators and distributions; they know no terminal and no file.  `characters` draws
+a picture in characters, `figure` as SVG or PNG; they know nothing of light.
 """

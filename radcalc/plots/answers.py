@@ -1,4 +1,4 @@
-"""The picture of an answer: of each command its own, and of several answers their curves."""
+"""The picture of an answer, by command, and the curves of several answers."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -14,42 +14,42 @@ from radcalc.spectra.spectrum import WHOLE
 def picture(
     command: str, solved: Sequence[Solved], wanted: Sequence[str] = (), operand: Any = None
 ) -> Picture:
-    """What the answers of a command look like.
+    """Return the picture of the answers of a command.
 
     Parameters
     ----------
     command : str
         Its name: "point-source".
     solved : sequence of Solved
-        What was given for each answer, and the answers.
+        Inputs and results of each answer.
     wanted : sequence of str
-        The results that are asked for, NAME[:UNIT], of which curves are drawn.
+        Results to draw as curves, NAME[:UNIT].
     operand : object, optional
-        What the command works on beside its inputs: the name of a sky; the
-        `radcalc.calculators.environment.Source` of an environment; the expression and the text of
+        What the command works on in addition to its inputs: the name of a sky; the
+        `radcalc.calculators.environment.Source` of an environment; an expression and the text of
         its unit; the `radcalc.plots.places.Surveyed` of a scene.
 
     Returns
     -------
     Picture
-        Curves over what varies, or else the picture of a single answer.
+        Curves over the varied input, or else the picture of a single answer.
 
     Raises
     ------
     UsageError
-        If there is nothing to draw.
+        If there is no such picture.
     """
     along = varied(solved)
     if along and command not in LISTS:
         return curves(solved, wanted)
     if command not in OF_ONE:
         hint = ranged(solved[0].given) or mention(RANGE)
-        raise UsageError("there is no picture of a single answer here", hint)
+        raise UsageError("there is no picture of a single answer for this command", hint)
     return OF_ONE[command](solved, wanted, operand)
 
 
 def depends(command: str, solved: Solved, name: str) -> bool:
-    """Whether the picture of an answer depends on a result, NAME[:UNIT], that is asked for."""
+    """Return whether the picture of an answer depends on a requested result, NAME[:UNIT]."""
     if varied([solved]) and command not in LISTS:
         return True
     from radcalc.plots.directions import is_intensity
@@ -111,7 +111,7 @@ def _integrate(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) ->
     return integrand(text, unit, polar, azimuths)
 
 
-# Commands of which several answers are one picture of their own.
+# commands that draw several answers in a picture other than curves
 LISTS = ("spectrum", "scene")
 OF_ONE: dict[str, Callable[[Sequence[Solved], Sequence[str], Any], Picture]] = {
     "spectrum": _spectrum,

@@ -1,4 +1,4 @@
-"""Pictures in characters: dots of Braille letters, or ASCII, with axes and units."""
+"""Pictures in characters: Braille dots or ASCII, with axes and units."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -44,33 +44,33 @@ from radcalc.plots.sheet import (
 from radcalc.plots.ticks import ends, levels, limits, log_ticks, rings, shades, texts, ticks
 from radcalc.terminal import can_show, fold
 
-Scale = Callable[[float], float]  # a value to its place on an axis
+Scale = Callable[[float], float]  # from a value to its position on an axis
 
-BRAILLE = "\u28ff"  # a letter of it
+BRAILLE = "\u28ff"  # a Braille character
 IN_ASCII = str.maketrans(
     {"°": " deg", "\u2032": "'", "µ": "u", "μ": "u", "×": "x", "·": ".", "☉": "*", "∥": "||",
      "│": "|", "─": "-", "└": "+", "┬": "+", "┤": "+"}
 )  # fmt: skip
-COLORS = ("32", "35", "36", "31", "34", "33")  # green first: seen on light and on dark
+COLORS = ("32", "35", "36", "31", "34", "33")  # green first: visible on light and on dark
 MARKS = "*+o#x%@&"  # of curves, in ASCII
 LEAST, MOST = 10, 24  # rows of a chart
 SHARE = 5  # columns for each row of a chart
-GRID = 4  # dots of the circles and rays of a polar diagram
-RIM = 6  # columns beside a circle, for what is written there
+GRID = 4  # distance of the dots in circles and rays of a polar diagram
+RIM = 6  # columns on each side of a circle, for labels
 SMALLEST, LARGEST = 22, 32  # rows of a circle
 ROUND = 360  # pieces of a circle
-RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # from the first to the last
-DARKEST, BRIGHTEST = 1, 4  # of the 5 steps of red, green and blue that a hue has
+RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # colours of ordered curves
+DARKEST, BRIGHTEST = 1, 4  # range of red, green and blue in the palette, from 0 to 5
 BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
 
 
 def style_of(width: int = 80, color: bool = False) -> Style:
-    """How pictures are drawn on standard output: in ASCII where its encoding has no Braille."""
+    """Return the style for standard output: ASCII if its encoding has no Braille."""
     return Style(width, color, not can_show(BRAILLE))
 
 
 def draw(picture: Picture, style: Style) -> str:
-    """A picture as lines of text, no wider than the style says."""
+    """Return a picture as lines of text, no wider than the style."""
     ways: dict[type, Callable[[Any, Style], list[str]]] = {
         Chart: _chart,
         Polar: _polar,
@@ -87,7 +87,7 @@ def draw(picture: Picture, style: Style) -> str:
 
 
 def _polar(polar: Polar, style: Style) -> list[str]:
-    """The axis points down; only the lower half is drawn where there is nothing in the upper."""
+    """Draw the axis downwards, and only the lower half if the upper half is dark."""
     circles, is_half = rings(polar.most), polar.is_half
     names, outer = texts(circles), circles[-1]
     radius = min(style.width - 2 * RIM, (4 if is_half else 2) * (_tall(style) - 2))  # in dots
@@ -128,7 +128,7 @@ def _polar(polar: Polar, style: Style) -> list[str]:
 
 
 def _turned(size: float, angle: float) -> Point:
-    """Where a value stands at an angle [deg] from straight down."""
+    """Return the position of a value at an angle [deg] from straight down."""
     turn = math.radians(angle)
     return size * math.sin(turn), -size * math.cos(turn)
 
@@ -138,7 +138,7 @@ def _degrees(low: float, high: float) -> list[float]:
 
 
 def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> None:
-    """Write beside a place on a circle about the middle, outside of it."""
+    """Write next to a point of a circle about the origin, outside the circle."""
     size = math.hypot(x, y)
     column, row = sheet.place(x + 4 * dot * x / size, y + 4 * dot * y / size)
     if abs(x) < size / 100:
@@ -149,7 +149,7 @@ def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> No
 
 
 def _tall(style: Style) -> int:
-    """The rows of a circle, in which most of a terminal is."""
+    """Return the rows of a circle that fits on most terminals."""
     return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
 
 
@@ -157,7 +157,7 @@ def _tall(style: Style) -> int:
 
 
 def _field(field: Field, style: Style) -> list[str]:
-    """Contours over x and y, of lengths that are alike on both."""
+    """Draw contours over x and y, with the same scale on both axes."""
     x_ends, y_ends = (field.xs[0], field.xs[-1]), (field.ys[0], field.ys[-1])
     wide, high = x_ends[1] - x_ends[0], y_ends[1] - y_ends[0]
     y_ticks = ticks(*y_ends, 6)
@@ -180,7 +180,7 @@ def _field(field: Field, style: Style) -> list[str]:
 
 
 def _disc(disc: Disc, style: Style) -> list[str]:
-    """A disc with its contours, or of dots where it is a picture of things."""
+    """Draw a disc with contours, or with dots if it is an image."""
     radius = min(style.width - 2 * RIM, 2 * (_tall(style) - 2))  # in dots
     columns, rows = radius + 2 * RIM, radius // 2 + 2
     wide, high = columns / (radius - 1), 2 * rows / (radius - 1)
@@ -209,7 +209,7 @@ def _disc(disc: Disc, style: Style) -> list[str]:
 
 
 def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
-    """Small crosses with their names."""
+    """Draw small crosses with their names."""
     for mark in marks:
         column, row = sheet.place(mark.x, mark.y)
         sheet.write(column, row, "+")
@@ -226,7 +226,7 @@ def _contours(
     marks: Sequence[Mark],
     taken: Iterable[tuple[int, int]] = (),
 ) -> str:
-    """Draw contours with their numbers, away from what is taken, and tell what they are of."""
+    """Draw contours with their numbers, away from occupied cells; return a caption."""
     values = [z for row in drawn[2] for z in row if z == z]
     contour_levels = levels(values)
     full = [*taken, *(sheet.place(mark.x, mark.y) for mark in marks)]
@@ -243,14 +243,14 @@ def _contours(
 
 
 def _on_ramp(k: int, count: int) -> str:
-    """The colour of one of several that are in an order."""
+    """Return the colour of the k-th of several ordered curves."""
     return RAMP[k * (len(RAMP) - 1) // max(count - 1, 1)]
 
 
 def _name_contour(
     sheet: Sheet, places: list[Point], name: str, color: str, taken: list[tuple[int, int]]
 ) -> None:
-    """Write a contour's number where it is farthest from those of others and from the edges."""
+    """Write a contour's number, far from the numbers of other contours and from the edges."""
     half = len(name) // 2
 
     def is_free(cell: tuple[int, int]) -> bool:
@@ -270,7 +270,7 @@ def _name_contour(
 
 
 def _segments(xs: Values, ys: Values, rows: Sequence[Values], level: float) -> Iterator[Piece]:
-    """The straight pieces of a contour, each across a triangle that is half of a cell."""
+    """Yield the straight pieces of a contour, each across a triangle, half a cell."""
     for (y0, low), (y1, high) in pairwise(zip(ys, rows, strict=True)):
         for i in range(len(xs) - 1):
             z = low[i], low[i + 1], high[i], high[i + 1]
@@ -291,13 +291,13 @@ def _segments(xs: Values, ys: Values, rows: Sequence[Values], level: float) -> I
 def _between(
     start: tuple[float, float, float], end: tuple[float, float, float], level: float
 ) -> Point:
-    """Where a level is on the line between two places."""
+    """Return the point of a level on the line between two points."""
     share = (level - start[2]) / (end[2] - start[2])
     return start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
 
 
 def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, style: Style) -> str:
-    """Draw dots the denser the brighter, by the logarithm of what is above the least share."""
+    """Draw more dots for brighter parts, on a logarithmic scale; return a caption."""
     low, high = shades([z for row in rows for z in row if z == z])
     canvas = sheet.layer("", "#")
     count = len(places)
@@ -313,7 +313,7 @@ def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, s
             if z == z and share > (BAYER[row % 4][column % 4] + 0.5) / 16:
                 canvas.point(x, y)
     ends = texts([float(f"{z:.3g}") for z in (low, high)])
-    return f"{value.title}: all dots at {ends[1]} and more, none at {ends[0]} and less"
+    return f"{value.title}: all dots at {ends[1]} or more, none at {ends[0]} or less"
 
 
 # -- charts ----------------------------------------------------------------------------------------
@@ -378,7 +378,7 @@ def _draw_series(
 
 
 def _upright(sheet: Sheet, x: float, label: str) -> None:
-    """A line from the bottom to the top, with its name beside it."""
+    """Draw a vertical line over the full height, with its name next to it."""
     canvas = sheet.layer(DIM, "|")
     canvas.line(x, sheet.y[0], x, sheet.y[1])
     column = sheet.column(x)
@@ -387,7 +387,7 @@ def _upright(sheet: Sheet, x: float, label: str) -> None:
 
 
 def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
-    """A line through points, dots along it, or uprights below them; outside nothing is drawn."""
+    """Draw a line through points, dots, or vertical lines below them, within the sheet."""
     if style == LINES:
         for x, y in points:
             canvas.line(x, sheet.y[0], x, y)
@@ -403,7 +403,7 @@ def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
 
 
 def _inside(points: list[Point], sheet: Sheet) -> Iterator[Piece]:
-    """The pieces of a line that runs to the right or upright, cut at the ends of x."""
+    """Yield the pieces of a line that runs to the right or vertically, cut at the ends of x."""
     low, high = sheet.x
     for (x0, y0), (x1, y1) in pairwise(points):
         if x0 <= high and x1 >= low:
@@ -418,7 +418,7 @@ def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> Point:
 
 
 def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
-    """The colours of columns, in the palette of 256: neither white nor black hides them."""
+    """Return the colours of columns, in the palette of 256; none is white or black."""
     colors = {}
     for hue in chart.hues:
         if sheet.x[0] <= hue.place <= sheet.x[1]:
@@ -428,9 +428,9 @@ def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
 
 
 def _number(sheet: Sheet, drawn: Sequence[tuple[dict[int, int], str]]) -> None:
-    """Write the number of each curve on it, as high as it is apart from the others.
+    """Write the number of each curve on it, where it is farthest from the others.
 
-    A curve is its rows by its columns.
+    A curve is given by its rows, by column.
     """
     for k, (places, color) in enumerate(drawn):
         other_curves = [rows for j, (rows, _) in enumerate(drawn) if j != k]
@@ -454,7 +454,7 @@ def _scale(is_log: bool) -> Scale:
 def _ends(
     axis: Axis, values: list[float], most: int, is_round: bool = True
 ) -> tuple[Point, list[float]]:
-    """The ends of an axis, and the round numbers on it."""
+    """Return the ends of an axis, and the round numbers on it."""
     if axis.is_log:
         low, high = axis.limits or (min(values), max(values))
         return (low, high), log_ticks(low, high, most)

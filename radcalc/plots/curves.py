@@ -1,4 +1,4 @@
-"""What follows over a range: the results of several answers as curves."""
+"""Results of several answers, or of arrays, as curves over an input."""
 
 import math
 from collections.abc import Sequence
@@ -14,27 +14,27 @@ from radcalc.quantities.symbols import DIRECTION, QUANTITY
 from radcalc.units.scales import ScaleUnit
 
 MOST = 20_000  # points of a picture
-SMOOTH = 16  # points from which on there is a line between them
-WIDE = 50.0  # from where on the ratio of what is along an axis asks for a logarithmic one
+SMOOTH = 16  # least number of points to draw as a line
+WIDE = 50.0  # ratio of greatest to least above which an axis may be logarithmic
 PREFERRED = ("irradiance", "radiance-toward", "intensity-toward", "luminous-efficacy")
 RANGE = "a list or a range of values: {distance=1m:10m:0.1m}"
-Lines = dict[str, tuple[list[float], list[float]]]  # x and y of the points, by the label
+Lines = dict[str, tuple[list[float], list[float]]]  # x and y of the points, by label
 
 
 class Solved(NamedTuple):
-    """What was given for an answer, and the answer."""
+    """The inputs of an answer, and the answer."""
 
     given: Inputs
     answer: Answer
 
     @property
     def answers(self) -> list[Answer]:
-        """All the answers, where several fit."""
+        """All the answers that fit the inputs."""
         return [self.answer, *self.answer.more]
 
 
 def varied(solved: Sequence[Solved]) -> list[str]:
-    """The names of what differs between answers, in the order in which it was given."""
+    """Return the names of the inputs that differ between answers, in the order given."""
     first = solved[0].given
     return [
         name
@@ -44,7 +44,7 @@ def varied(solved: Sequence[Solved]) -> list[str]:
 
 
 def ranged(given: Inputs) -> str:
-    """A range of an input that may be drawn over: up to what was given; nothing without any."""
+    """Suggest a range of an input for a plot, up to its given value; "" if there is none."""
     for name, item in given.items():
         is_size = isinstance(item.number, (int, float)) and item.number > 0
         if item.symbol.form == QUANTITY and is_size and not isinstance(item.unit, ScaleUnit):
@@ -55,18 +55,19 @@ def ranged(given: Inputs) -> str:
 
 
 def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
-    """Results over what varies; of several lists the last one of numbers is along the axis.
+    """Return results as curves; of several varied inputs, the last numeric one is the x axis.
 
     Parameters
     ----------
     solved : sequence of Solved
-        With one input at least that is not the same in all of them, or is an array.
+        At least one input must differ between them, or be an array.
     wanted : sequence of str
-        The results to be drawn, NAME[:UNIT]; without any, the one that the answer is about.
+        Results to draw, NAME[:UNIT]; by default the main result.
 
     Raises
     ------
     UsageError
+        If no result varies, or the results have different units.
         If there is nothing to draw, or results in different units.
     """
     _check_arrays(solved[0].given)
@@ -93,7 +94,7 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
 
 
 def _check_arrays(given: Inputs) -> None:
-    """Refuse arrays of several dimensions, and empty ones."""
+    """Raise an error for arrays of several dimensions, and for empty ones."""
     for item in given.values():
         if is_array(item.value) and (item.value.ndim != 1 or not item.value.size):
             problem = f"{option(item.name)} is an array of the shape {item.value.shape}"
@@ -103,7 +104,7 @@ def _check_arrays(given: Inputs) -> None:
 def _lines(
     solved: Sequence[Solved], wanted: Sequence[str], along: str, other_lists: Sequence[str]
 ) -> tuple[Lines, list[Row]]:
-    """Collect the points of each line by its label, and the rows that they come from."""
+    """Collect the points of each line by its label, and the rows they come from."""
     first = solved[0].given[along]
     lines: Lines = {}
     rows: list[Row] = []
@@ -123,7 +124,7 @@ def _lines(
 
 
 def _usual(solved: Sequence[Solved], along: str) -> str:
-    """The result that a curve is of where nobody says: what the answer is about, and varies."""
+    """Return the result to draw by default: the main one among those that vary."""
     values = [
         value
         for value in solved[0].answer.values
@@ -134,7 +135,7 @@ def _usual(solved: Sequence[Solved], along: str) -> str:
         results = [pick(case.answer.values, name).value for case in solved if _has(case, name)]
         if len(results) == len(solved) and (is_array(results[0]) or len(set(results)) > 1):
             return name
-    problem = f"nothing that follows depends on {option(along)}"
+    problem = f"no result depends on {option(along)}"
     raise UsageError(problem, "a range of something else")
 
 
@@ -143,11 +144,11 @@ def _has(solved: Solved, name: str) -> bool:
 
 
 def _places(given: Input, first: Input) -> list[float]:
-    """Where the answers stand along the axis, in the unit of the first."""
+    """Return the positions of answers along the axis, in the unit of the first answer."""
     if given.symbol.form == DIRECTION:
         return [math.degrees(given.value[0])]
     if not _is_number(given):
-        problem = f"{option(given.name, quote(given.text))} is no number to be on an axis"
+        problem = f"{option(given.name, quote(given.text))} is not a number for an axis"
         raise ConditionError(problem, mention(RANGE))
     number = given.number
     if given.unit_text != first.unit_text:
@@ -160,7 +161,7 @@ def _places(given: Input, first: Input) -> list[float]:
 
 
 def _in_order(x: list[float], y: list[float]) -> tuple[list[float], list[float]]:
-    """Points from left to right."""
+    """Sort points from left to right."""
     places = sorted(range(len(x)), key=x.__getitem__)
     return [x[k] for k in places], [y[k] for k in places]
 
@@ -172,7 +173,7 @@ def _is_number(given: Input) -> bool:
 
 
 def _name(given: Input) -> tuple[str, str]:
-    """The label and the unit of what is along the axis."""
+    """Return the label and the unit of the x axis."""
     if given.symbol.form == DIRECTION:
         return "polar angle \u03b8", "deg"
     letter = given.symbol.letter
@@ -187,10 +188,10 @@ def _numbers(value: Any, count: int) -> list[float]:
 def _refuse_many(lines: Lines) -> None:
     count = sum(len(x) for x, _ in lines.values())
     if count > MOST:
-        raise UsageError(f"a picture of {count} points is too many", f"at most {MOST}")
+        raise UsageError(f"{count} points are too many for a picture", f"at most {MOST}")
 
 
 def _is_wide(numbers: Sequence[Sequence[float]]) -> bool:
-    """Whether numbers are positive and far apart."""
+    """Return whether numbers are positive and differ by a large factor."""
     values = [x for row in numbers for x in row]
     return min(values) > 0 and max(values) > WIDE * min(values)

@@ -1,16 +1,16 @@
-"""What is to be drawn, as plain data: charts, polar diagrams, fields over a plane, and discs."""
+"""Pictures as plain data: charts, polar diagrams, fields over a plane, and discs."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
 
-LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # how a series is drawn
+LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # styles of a series
 RIGHT = 90.0  # deg
-MANY = 20  # curves at most that all have their names
+MANY = 20  # most curves that can all be named
 Values = Sequence[float]
 
 
 class Axis(NamedTuple):
-    """What an axis shows, in which unit; between limits where these are not those of the data."""
+    """Label and unit of an axis, and its limits unless they are those of the data."""
 
     label: str
     unit: str = ""
@@ -19,7 +19,7 @@ class Axis(NamedTuple):
 
     @property
     def title(self) -> str:
-        """`distance [m]`; a number has no unit."""
+        """Label and unit, such as `distance [m]`; a number has no unit."""
         unit = f"[{self.unit}]" if self.unit not in ("", "1") else ""
         return f"{self.label} {unit}".strip()
 
@@ -27,8 +27,8 @@ class Axis(NamedTuple):
 class Series(NamedTuple):
     """Points of a curve, and its name.
 
-    A `REFERENCE` is there to compare with, `LINES` are upright from 0 to each point, and `POINTS`
-    are too few for a line between them to tell the truth.
+    A `REFERENCE` is drawn for comparison, `LINES` are vertical from 0 to each point, and `POINTS`
+    are too few to connect with a line.
     """
 
     label: str
@@ -38,7 +38,7 @@ class Series(NamedTuple):
 
 
 class Hue(NamedTuple):
-    """The colour that stands for a place on an axis, in sRGB from 0 to 1."""
+    """The colour of a position on an axis, in sRGB from 0 to 1."""
 
     place: float
     red: float
@@ -47,9 +47,9 @@ class Hue(NamedTuple):
 
 
 class Chart(NamedTuple):
-    """Curves over an axis; `marks` are names and places on it that are marked.
+    """Curves over an axis; `marks` are names and positions of marks on it.
 
-    `hues` are colours along it, evenly apart.
+    `hues` are evenly spaced colours along the axis.
     """
 
     title: str
@@ -61,18 +61,18 @@ class Chart(NamedTuple):
 
     @property
     def curves(self) -> list[Series]:
-        """What is not there to compare with."""
+        """The series that are not references."""
         return [series for series in self.series if series.style != REFERENCE]
 
     @property
     def crowd(self) -> str:
-        """What is said where there are too many curves for each to have its name, and a colour."""
+        """A legend title if there are too many curves to name each; else ""."""
         count = len(self.curves)
-        return f"{count} curves, the first and the last of which are" if count > MANY else ""
+        return f"{count} curves; the first and the last:" if count > MANY else ""
 
     @property
     def named(self) -> list[int]:
-        """Which of the series are named."""
+        """The indices of the series to name."""
         labelled = [k for k, series in enumerate(self.series) if series.label]
         curves = [k for k in labelled if self.series[k].style != REFERENCE]
         return [k for k in labelled if k not in curves[1:-1]] if self.crowd else labelled
@@ -81,7 +81,7 @@ class Chart(NamedTuple):
 class Plane(NamedTuple):
     """A plane of a polar diagram: values at angles from the axis [deg].
 
-    Those of the second half plane, which is opposite, have negative angles.
+    Angles in the opposite half plane are negative.
     """
 
     label: str
@@ -90,7 +90,7 @@ class Plane(NamedTuple):
 
 
 class Polar(NamedTuple):
-    """A polar diagram, whose axis points down; what `radius` shows is its distance from there."""
+    """A polar diagram with its axis downwards; `radius` describes the distance from the centre."""
 
     title: str
     radius: Axis
@@ -98,7 +98,7 @@ class Polar(NamedTuple):
 
     @property
     def is_half(self) -> bool:
-        """Whether there is nothing in the upper half."""
+        """Whether all values in the upper half are 0."""
         return not any(
             value
             for plane in self.planes
@@ -113,7 +113,7 @@ class Polar(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A place in a field, or in a disc, that is marked."""
+    """A named point in a field or a disc."""
 
     label: str
     x: float
@@ -121,7 +121,7 @@ class Mark(NamedTuple):
 
 
 class Field(NamedTuple):
-    """Values over a plane of x and y, a row for each y; lengths on both axes are alike."""
+    """Values over a plane of x and y, a row for each y; both axes have the same scale."""
 
     title: str
     x: Axis
@@ -134,12 +134,12 @@ class Field(NamedTuple):
 
 
 class Disc(NamedTuple):
-    """Values over a hemisphere of directions: its centre is in the middle, 90 deg is the rim.
+    """Values over a hemisphere of directions: the centre is in the middle, the rim at 90 deg.
 
-    `rows` are over x (to the right) and y (up) from -1 to 1, evenly apart, the distance from the
-    middle being in proportion to the angle; what is outside of the disc counts for nothing.
-    `rim` are names of angles [deg], counted clockwise from the top.  What `is_image` has edges,
-    and no contours that anybody could read.
+    `rows` are over x (to the right) and y (up) from -1 to 1, evenly spaced, where the distance from
+    the middle is proportional to the angle; values outside the disc are ignored.  `rim` has names
+    of angles [deg], clockwise from the top.  An image (`is_image`) has edges, for which contours
+    would not be readable.
     """
 
     title: str

@@ -1,4 +1,4 @@
-"""Pictures of functions of direction: polar diagrams, discs as a fisheye sees them, integrands."""
+"""Pictures of functions of direction: polar diagrams, fisheye discs, integrands."""
 
 import math
 from collections.abc import Sequence
@@ -28,24 +28,24 @@ from radcalc.units.table import resolve
 PLANES = (("C0-C180", 0.0), ("C90-C270", math.pi / 2))
 EVERY_PLANE = "every C plane"
 HALVES = 721  # angles of a plane, from -180 deg to 180 deg
-PIXELS = 181  # of a disc, each way
-POLARS, AZIMUTHS = 361, 72  # of an integrand
-FEW = 4  # azimuths at which one is drawn
+PIXELS = 181  # of a disc, along each side
+POLARS, AZIMUTHS = 361, 72  # samples of an integrand
+FEW = 4  # azimuths at which an integrand is drawn
 STRENGTHS = ("peak-intensity", "intensity")
 RELATIVE = Axis("relative intensity")
 
 
 def polar(distribution: Distribution, factor: float, radius: Axis, title: str = "") -> Polar:
-    """The polar diagram of a distribution: the planes C0-C180 and C90-C270.
+    """Return the polar diagram of a distribution: the planes C0-C180 and C90-C270.
 
     Parameters
     ----------
     distribution : Distribution
-        Its intensities.
+        Intensities.
     factor : float
-        What these are multiplied by to be in the unit of the axis.
+        Factor that converts the intensities to the unit of the axis.
     radius : Axis
-        What the diagram shows.
+        Label and unit of the radius.
     title : str, optional
     """
     angles = numpy.linspace(-180.0, 180.0, HALVES)
@@ -60,7 +60,7 @@ def polar(distribution: Distribution, factor: float, radius: Axis, title: str = 
 
 
 def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
-    """The polar diagram of a point source, in the unit of its intensity."""
+    """Return the polar diagram of a point source, in the unit of its intensity."""
     values, given = solved.answer.values, solved.given
     amounts = {value.name: value for value in values if not value.is_absent}
     chosen = given["distribution"].value if "distribution" in given else ""
@@ -86,7 +86,7 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
 
 
 def of_sky(name: str, solved: Solved) -> Disc:
-    """A sky as who looks up sees it, in the unit of its zenith's luminance."""
+    """Return a sky as seen by an observer who looks up, in the unit of its zenith luminance."""
     given = solved.given
     kind = sky_type(name)
     sun = place_of_sun(given) if "sun-elevation" in given else None
@@ -94,14 +94,14 @@ def of_sky(name: str, solved: Solved) -> Disc:
     sky = Sky(name, sun if kind.follows_sun else None)
     title = f"sky {name}: {kind.name}"
     if sun and "sun-azimuth" not in given:
-        title += "; azimuths are counted from the sun's"
+        title += "; azimuths relative to the sun"
     return fisheye(
         sky, row.value, Axis(row.quantity.removeprefix("zenith "), row.unit), UP, title, sun
     )
 
 
 def of_environment(source: Source, solved: Solved) -> Disc:
-    """What a receiver sees of its surroundings."""
+    """Return the surroundings as seen by a receiver."""
     radiances = surroundings(source, solved.given)
     unit = light_unit("radiance", radiances.kind) if radiances.kind else ""
     label = specific_name("radiance", radiances.kind) if unit else "relative radiance"
@@ -114,7 +114,7 @@ def of_environment(source: Source, solved: Solved) -> Disc:
 
 
 def is_intensity(wanted: str) -> bool:
-    """Whether a result, NAME[:UNIT], is the intensity on the axis, of any kind."""
+    """Return whether a result, NAME[:UNIT], is the intensity on the axis, for any kind of light."""
     name = name_of(wanted)
     return name in SYMBOLS and SYMBOLS[name].generic == "intensity"
 
@@ -128,25 +128,25 @@ def fisheye(
     sun: tuple[float, float] | None = None,
     is_image: bool = False,
 ) -> Disc:
-    """What surrounds a place, as who looks along a normal sees it: equidistant, 90 deg at the rim.
+    """Return an equidistant view of the surroundings along a normal, with 90 deg at the rim.
 
-    Along the vertical the azimuth 0 is at the top; from below, azimuths run clockwise.
+    In a vertical view the azimuth 0 is at the top; seen from below, azimuths increase clockwise.
 
     Parameters
     ----------
     radiances : Radiances
-        By the direction that they come from.
+        Radiances by direction.
     factor : float
-        What these are multiplied by to be in the unit of the value.
+        Factor that converts the radiances to the unit of `value`.
     value : Axis
-        What is shown.
+        Label and unit of the values.
     normal : tuple of 3 floats, optional
-        Where one looks; up by default.
+        Direction of view; up by default.
     title : str, optional
     sun : tuple of 2 floats [rad], optional
         Polar angle and azimuth of the sun, to be marked.
     is_image : bool, optional
-        Whether it is a picture of things, and no smooth sky.
+        Whether it is an image with edges, not a smooth sky.
     """
     forward, _, up = facing(normal)
     is_level = not (forward[0] or forward[1])
@@ -184,16 +184,16 @@ def integrand(
     polar_angles: tuple[float, float],
     azimuths: tuple[float, float] = ALL_AZIMUTHS,
 ) -> Chart:
-    """An expression over the polar angle, at some azimuths, and what of it adds up to its integral.
+    """Return an expression over the polar angle at some azimuths, and its part in the integral.
 
     Parameters
     ----------
     text : str
         The expression.
     unit : str
-        In which it is; "" for a number.
+        Its unit; "" for a number.
     polar_angles, azimuths : tuple of 2 floats [rad]
-        Between which it is integrated.
+        Limits of the integral.
     """
     expression = Expression(text)
     theta = numpy.linspace(*polar_angles, POLARS)
@@ -211,7 +211,7 @@ def integrand(
         weighted = values_at(along, around).mean(axis=0) * numpy.sin(theta)
 
     def series(name: str, values: Any, style: str = LINE) -> Series:
-        """Without poles, which are drawn as far as they are sampled."""
+        """Return a series without poles, which are drawn only as far as they are sampled."""
         finite = numpy.isfinite(values)
         return Series(name, numpy.degrees(theta[finite]).tolist(), values[finite].tolist(), style)
 

@@ -1,4 +1,4 @@
-"""Pictures as figures of Matplotlib, and these as SVG or PNG; the only module that imports it."""
+"""Pictures as Matplotlib figures, and as SVG or PNG; only this module imports Matplotlib."""
 
 import io
 import math
@@ -27,17 +27,17 @@ from radcalc.plots.ticks import levels, limits, rings, shades, texts
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
 SIZE = 7.2, 4.5  # inches
-DOTS = 160  # of PNG, an inch
+DOTS = 160  # per inch, in PNG
 SQUARE, HALF = (6.4, 6.4), (7.2, 4.9)
 WEDGE, CIRCLE = (0.09, -0.05, 0.82, 1.2), (0.14, 0.15, 0.72, 0.72)  # of a polar diagram
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
 GREY, NO_LIGHT, FAINT = "#6b7280", "#374151", "#d1d5db"
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
-STRIP = 0.03  # of the height of a chart, in which the colours of its axis are
-TICKS = 6  # of an axis whose ends are round
+STRIP = 0.03  # of the height of a chart, for the colours of its axis
+TICKS = 6  # of an axis with round ends
 COLORMAP = "viridis"
-WHOLE = 0.9  # of the radius of a disc: the numbers of contours within are not cut by its rim
+WHOLE = 0.9  # of the radius of a disc, within which its rim does not cut the contour numbers
 COLORS = ("#0f766e", "#b45309", "#7c3aed", "#be123c", "#1d4ed8", "#4d7c0f")
 SETTINGS = {
     "axes.edgecolor": GREY,
@@ -49,14 +49,14 @@ SETTINGS = {
     "axes.titlelocation": "left",
     "axes.titlesize": 11,
     "figure.facecolor": "white",
-    "font.family": "DejaVu Sans",  # which comes with Matplotlib
+    "font.family": "DejaVu Sans",  # included in Matplotlib
     "font.size": 10,
     "grid.color": "#e5e7eb",
     "grid.linewidth": 0.8,
     "legend.frameon": False,
     "lines.linewidth": 1.8,
     "lines.solid_capstyle": "round",
-    "svg.hashsalt": "radcalc",  # with which the names in an SVG are the same every time
+    "svg.hashsalt": "radcalc",  # makes the names in an SVG reproducible
     "xtick.color": GREY,
     "xtick.labelcolor": NO_LIGHT,
     "ytick.color": GREY,
@@ -65,7 +65,7 @@ SETTINGS = {
 
 
 def figure(picture: Picture) -> Any:
-    """A picture as a Matplotlib figure, which a notebook shows.
+    """Return a picture as a Matplotlib figure, which a notebook shows.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def figure(picture: Picture) -> Any:
 
 
 def data(picture: Picture, extension: str) -> bytes:
-    """A picture as the bytes of an SVG or a PNG file; the same ones every time.
+    """Return a picture as the bytes of an SVG or PNG file, which are reproducible.
 
     Parameters
     ----------
@@ -100,18 +100,18 @@ def data(picture: Picture, extension: str) -> bytes:
     metadata = {"Date": None} if extension == ".svg" else {"Software": None}
     drawing = figure(picture)
     with matplotlib.rc_context(SETTINGS), warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # of letters that the font has not
+        warnings.simplefilter("ignore", UserWarning)  # about letters missing in the font
         drawing.savefig(out, format=extension[1:], dpi=DOTS, metadata=metadata)
     return out.getvalue()
 
 
 def check_place(path: str) -> str:
-    """Refuse a place to write a figure to, before the work whose result would be lost.
+    """Check that a figure can be written, before the work whose result would be lost.
 
     Parameters
     ----------
     path : str
-        Of the file to be written.
+        File to be written.
 
     Returns
     -------
@@ -121,9 +121,9 @@ def check_place(path: str) -> str:
     Raises
     ------
     ConditionError
-        If it has another one, or Matplotlib is not installed.
+        If the extension is another one, or Matplotlib is not installed.
     OutputError
-        If it cannot be written, as far as that can be known before.
+        If the file cannot be written, as far as that is known in advance.
     """
     from radcalc.distributions import contents
 
@@ -133,12 +133,12 @@ def check_place(path: str) -> str:
 
 
 def write(path: str, picture: Picture) -> None:
-    """Write a picture into a file, whole or not at all.
+    """Write a picture into a file, completely or not at all.
 
     Parameters
     ----------
     path : str
-        A place that `check_place` does not refuse.
+        A path accepted by `check_place`.
     picture : Picture
     """
     from radcalc.distributions.contents import written
@@ -152,7 +152,9 @@ def _matplotlib() -> Any:
     try:
         import matplotlib
     except ImportError:
-        raise ConditionError("a figure takes Matplotlib, which is not installed", INSTALL) from None
+        raise ConditionError(
+            "figures need the package Matplotlib, which is missing", INSTALL
+        ) from None
     return matplotlib
 
 
@@ -194,7 +196,7 @@ def _chart(chart: Chart, drawing: Any) -> None:
 
 
 def _colors(chart: Chart) -> Sequence[Any]:
-    """A colour for each curve; of too many to be told apart, in the order of the map of colours."""
+    """Return a colour for each curve; if there are many, ordered colours of the colour map."""
     count = len(chart.curves)
     if not chart.crowd:
         return COLORS * count
@@ -204,7 +206,7 @@ def _colors(chart: Chart) -> Sequence[Any]:
 
 
 def _hues(chart: Chart, axes: Any) -> None:
-    """Colours along the axis: below a curve that is alone, else in a strip above the axis."""
+    """Draw colours along the axis: below a single curve, else in a strip above the axis."""
     import numpy
 
     curves = chart.curves
@@ -242,7 +244,7 @@ def _axis(mpl_axis: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
 
 
 def _polar(polar: Polar, drawing: Any) -> None:
-    """The axis points down; only the lower half is drawn where there is nothing in the upper."""
+    """Draw the axis downwards, and only the lower half if the upper half is dark."""
     is_half, circles = polar.is_half, rings(polar.most)
     drawing.set_layout_engine("none")
     drawing.set_size_inches(*(HALF if is_half else SQUARE))
@@ -317,7 +319,7 @@ def _disc(disc: Disc, drawing: Any) -> None:
 def _filled(
     drawing: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis, inside: Any = None
 ) -> None:
-    """Contours, whose numbers stand where it is inside, and colours between them."""
+    """Draw contours with numbers inside the given region, and colours between them."""
     import matplotlib
     import numpy
 
@@ -348,12 +350,12 @@ def _filled(
 
 
 def _safe(text: str) -> str:
-    """A user's text as it stands, of which Matplotlib reads nothing as a formula."""
+    """Return a user's text, escaped so that Matplotlib does not read it as a formula."""
     return printable(text).replace("$", r"\$")
 
 
 def _text(axis: Axis) -> str:
-    """The title of an axis, with indices and powers as print has them."""
+    """Return the title of an axis, with typeset indices and powers."""
     unit = POWER.sub(lambda match: match[0].translate(SUPERSCRIPTS), axis.unit)
     return INDEX.sub(r"$\1_{\\mathrm{\2}}$", axis._replace(unit=unit).title)
 

@@ -1,4 +1,4 @@
-"""Pictures of places: what the points of a grid get, as contours or along a line."""
+"""Pictures of a grid of points: contours over a plane, or a curve along a line."""
 
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
@@ -17,7 +17,7 @@ NAMES = "xyz"
 
 
 class Surveyed(NamedTuple):
-    """A grid, what its points get in blocks of them, what stands where, and what is drawn of it."""
+    """A grid, the answers for its points in blocks, the sources, and the result to draw."""
 
     axes: Sequence[Coordinates]
     blocks: Iterable[Answer]
@@ -26,17 +26,17 @@ class Surveyed(NamedTuple):
 
 
 def over_grid(survey: Surveyed) -> Picture:
-    """What the points of a grid get: contours over a plane, or a curve along a line.
+    """Return results at the points of a grid: contours over a plane, or a curve along a line.
 
     Parameters
     ----------
     survey : Surveyed
-        The result that is `wanted` of it is NAME[:UNIT].
+        Its `wanted` is the result to draw, NAME[:UNIT].
 
     Raises
     ------
     UsageError
-        If the grid is a point, or of three dimensions.
+        If the grid is a point, or has three dimensions.
     """
     long = [k for k, axis in enumerate(survey.axes) if axis.size > 1]
     if not 1 <= len(long) <= 2:

@@ -1,8 +1,8 @@
-"""A sheet of characters that a picture is drawn on, and the axes and texts round it.
+"""A sheet of characters to draw a picture on, with axes and texts around it.
 
-Its dots are those of Braille letters, or whole characters in ASCII.  What has a colour of its own
-has a canvas, of which plotille sets the dots; here they are laid over each other, with texts on
-top.  The only module that imports plotille.
+Its dots are those of Braille characters, or whole characters in ASCII.  Each colour has its own
+canvas, on which plotille sets the dots; a sheet combines the canvases, with texts on top.  Only
+this module imports plotille.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -16,18 +16,18 @@ from radcalc.plots.data import LINES, POINTS, REFERENCE, Axis
 from radcalc.terminal import RESET, fold
 
 PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns
-EMPTY = 0x2800  # the Braille letter without dots
-DIM = "2"  # the colour of what is behind the curves
-BEHIND = "."  # and its character in ASCII
-NARROWEST = 40  # columns: no narrower terminal is drawn for
-APART = 3  # dots of a dotted line
+EMPTY = 0x2800  # the Braille character without dots
+DIM = "2"  # colour of grids and references
+BEHIND = "."  # their character in ASCII
+NARROWEST = 40  # least width of a picture [columns]
+APART = 3  # distance of the dots in a dotted line
 GAP = 2  # columns between two texts
 Point = tuple[float, float]
 Piece = tuple[Point, Point]
 
 
 class Style(NamedTuple):
-    """How wide it may be, whether in colour, and whether in ASCII alone."""
+    """Greatest width of a picture; whether it may have colours; whether it must be ASCII."""
 
     width: int
     color: bool = False
@@ -35,9 +35,9 @@ class Style(NamedTuple):
 
 
 class Layer(NamedTuple):
-    """Dots of one colour, and the character that stands for them in ASCII.
+    """Dots of one colour, and their character in ASCII.
 
-    Columns that have a colour of their own are in `colors`.
+    `colors` has the colours of columns that differ from it.
     """
 
     canvas: Any
@@ -56,25 +56,25 @@ class Sheet:
 
     @classmethod
     def between(cls, columns: int, rows: int, x: Point, y: Point) -> "Sheet":
-        """A sheet whose first and last dots are at the ends of x and of y."""
-        # plotille has the end itself outside.
+        """Return a sheet with its first and last dots at the ends of x and of y."""
+        # plotille excludes the end itself
         wide, high = ((b - a) / (dots - 1) for (a, b), dots in ((x, 2 * columns), (y, 4 * rows)))
         return cls(columns, rows, (x[0], x[1] + wide), (y[0], y[1] + high))
 
     def layer(self, color: str, mark: str, colors: Mapping[int, str] = PLAIN) -> Any:
-        """A new canvas, on top of those that there are."""
+        """Add a canvas on top of the others."""
         canvas = Canvas(self.columns, self.rows, self.x[0], self.y[0], self.x[1], self.y[1])
         self.layers.append(Layer(canvas, color, mark, colors))
         return canvas
 
     def write(self, column: int, row: int, text: str, color: str = "") -> None:
-        """Write a text from a column on, rows from the top; what stands outside is left out."""
+        """Write a text from a column on, rows from the top; text outside is omitted."""
         for k, letter in enumerate(printable(text)):
             if 0 <= column + k < self.columns and 0 <= row < self.rows:
                 self.texts[column + k, row] = letter, color
 
     def place(self, x: float, y: float) -> tuple[int, int]:
-        """The column of a place, and its row from the top: where its dot is."""
+        """Return the column of a point, and its row from the top."""
         across = round(2 * self.columns * (x - self.x[0]) / (self.x[1] - self.x[0])) // 2
         up = round(4 * self.rows * (y - self.y[0]) / (self.y[1] - self.y[0])) // 4
         return (
@@ -83,15 +83,15 @@ class Sheet:
         )
 
     def row(self, y: float) -> int:
-        """The row of a height, from the top."""
+        """Return the row of a height, from the top."""
         return self.place(self.x[0], y)[1]
 
     def column(self, x: float) -> int:
-        """The column of a place on the x axis."""
+        """Return the column of a position on the x axis."""
         return self.place(x, self.y[0])[0]
 
     def lines(self, style: Style) -> list[str]:
-        """The rows as texts."""
+        """Return the rows as texts."""
         drawn = [layer.canvas.plot("\n").split("\n") for layer in self.layers]
         lines = []
         for row in range(self.rows):
@@ -105,7 +105,7 @@ class Sheet:
         return lines
 
     def _dots(self, letters: Sequence[str], column: int, style: Style) -> tuple[str, str]:
-        """What layers have in one cell: all their dots, in the colour of the topmost."""
+        """Combine the dots of all layers in a cell, in the colour of the topmost layer."""
         dots, top = 0, None
         for letter, layer in zip(letters, self.layers, strict=True):
             if ord(letter) > EMPTY:
@@ -118,7 +118,7 @@ class Sheet:
 
 
 def _joined(cells: Iterable[tuple[str, str]], style: Style) -> str:
-    """Letters with their colours, which are told where they change."""
+    """Join letters, with escape sequences where their colour changes."""
     line, now = "", ""
     for letter, color in cells:
         if style.color and color != now and letter != " ":
@@ -137,13 +137,13 @@ def _painted(text: str, color: str, style: Style) -> str:
 
 
 def line(canvas: Any, pieces: Iterable[Piece]) -> None:
-    """The pieces of a line."""
+    """Draw the pieces of a line."""
     for start, end in pieces:
         canvas.line(*start, *end)
 
 
 def dotted(canvas: Any, pieces: Iterable[Piece], apart: int = APART) -> None:
-    """Dots along the pieces of a line."""
+    """Draw dots along the pieces of a line."""
     due = 0
     for (x0, y0), (x1, y1) in pieces:
         steps = max(map(abs, canvas.dots_between(x0, y0, x1, y1)))
@@ -154,7 +154,7 @@ def dotted(canvas: Any, pieces: Iterable[Piece], apart: int = APART) -> None:
 
 
 def blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
-    """Three dots by three, as far as they are inside, about a point."""
+    """Draw a cross of dots, 3 by 3, around a point, as far as it is inside."""
     across = (sheet.x[1] - sheet.x[0]) / (2 * sheet.columns)
     up = (sheet.y[1] - sheet.y[0]) / (4 * sheet.rows)
     for i in (-1, 0, 1):
@@ -163,18 +163,18 @@ def blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
                 canvas.point(x + i * across, y + j * up)
 
 
-# -- round the sheet -------------------------------------------------------------------------------
+# -- around the sheet ------------------------------------------------------------------------------
 
 
 def heading(title: str, style: Style) -> list[str]:
-    """The title, folded between its words."""
+    """Return the title, folded between words."""
     return fold(printable(title), style.width) if title else []
 
 
 def beside(
     axis: Axis, sheet: Sheet, numbers: Mapping[float, str], margin: int, style: Style
 ) -> list[str]:
-    """The rows of a sheet with the y axis at their left, its numbers and its title over them."""
+    """Return the rows of a sheet with the y axis on the left, and the axis title above them."""
     numbered = {sheet.row(place): text for place, text in numbers.items()}
     lines = [" " * (margin - 1) + part for part in fold(axis.title, style.width - margin)]
     for row, line in enumerate(sheet.lines(style)):
@@ -187,7 +187,7 @@ def beside(
 def below(
     axis: Axis, sheet: Sheet, numbers: Mapping[float, str], margin: int, style: Style
 ) -> list[str]:
-    """The x axis, its numbers and its title."""
+    """Return the x axis, its numbers and its title."""
     rule, written = ["─"] * sheet.columns, [" "] * (margin + sheet.columns + 1)
     taken = 0
     for place, text in numbers.items():
@@ -207,7 +207,7 @@ def below(
 
 
 def caption(text: str, start: int, room: int) -> list[str]:
-    """A text in the middle of a room, folded where it is longer."""
+    """Centre a text in a width, folded if it is longer."""
     text = printable(text)
     return [
         " " * (start + (room - len(part)) // 2) + part
@@ -216,7 +216,7 @@ def caption(text: str, start: int, room: int) -> list[str]:
 
 
 def sample(how: str, mark: str, style: Style) -> str:
-    """How a curve that is drawn in a way looks, beside its name."""
+    """Return a sample of a curve's style, for the legend."""
     if style.ascii:
         return mark * 2
     return {REFERENCE: "\u2804\u2804", LINES: "\u28b8\u2847", POINTS: "\u2822\u2876"}.get(
@@ -225,7 +225,7 @@ def sample(how: str, mark: str, style: Style) -> str:
 
 
 def legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
-    """Samples and names of the curves, as many in a line as there is room for."""
+    """Return samples and names of the curves, as many in a line as fit."""
     if not entries:
         return []
     lines, line, size = [], "", 0

@@ -1,4 +1,4 @@
-"""Pictures of spectra, with the eye's luminous efficiency over them."""
+"""Pictures of spectra, with an observer's luminous efficiency."""
 
 import math
 from collections.abc import Sequence
@@ -16,19 +16,19 @@ from radcalc.spectra.spectrum import VISIBLE, WHOLE, BlackBody, Lines, Range, Sp
 
 WAVELENGTH = Axis("wavelength \u03bb", "nm")
 RELATIVE = Axis("relative spectral power")
-# Linear sRGB of X, Y, Z, as IEC 61966-2-1 has it.
+# linear sRGB from X, Y, Z (IEC 61966-2-1)
 SRGB = (3.2406, -1.5372, -0.4986), (-0.9689, 1.8758, 0.0415), (0.0557, -0.2040, 1.0570)
 APART = 2  # nm between two hues
 POINTS = 400  # of a black body
-WIDEST = 4  # times the wavelength of its peak, to which a black body is drawn
-EACH = "each over its own peak"
+WIDEST = 4  # upper limit of a black body's curve, in wavelengths of its peak
+EACH = "each relative to its own peak"
 
 
 def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -> Chart:
-    """Watts per nanometre of spectra, and an observer's luminous efficiency.
+    """Return spectra in watts per nanometre, with an observer's luminous efficiency.
 
-    Spectra of different quantities, or relative ones, are over their own peaks; the efficiency has
-    its maximum at the height of the highest of them.
+    Relative spectra, or spectra of different quantities, are relative to their own peaks.  The
+    efficiency has its maximum at the greatest value of the spectra.
     """
     quantities = {source.absolute for source in sources}
     unit = ""
@@ -46,7 +46,7 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
     for source in sources:
         x, y = _points(source, thermal if isinstance(source, BlackBody) else limits)
         if not any(y):
-            problem = f"{source.label} has no power where it would be drawn"
+            problem = f"{source.label} has no power within the range of the picture"
             raise ConditionError(problem, f"another {option('range')}")
         if not unit:
             peak = max(y)
@@ -64,16 +64,16 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
 
 
 def efficiency(eye: Observer, most: float = 1.0) -> Series:
-    """An observer's relative luminous efficiency, at its table's wavelengths."""
+    """Return an observer's relative luminous efficiency at the wavelengths of its table."""
     x = [float(nm) for nm in range(eye.start, eye.end + 1)]
     label = eye.label.replace("lambda", "\u03bb")
     return Series(label, x, [most * value for value in eye.values], REFERENCE)
 
 
 def hues() -> list[Hue]:
-    """How wavelengths look, as nearly as a screen can show that, all as bright as it can.
+    """Return the colours of wavelengths, as close as a screen can show them, at full brightness.
 
-    No single wavelength is within sRGB (IEC 61966-2-1): parts below 0 are left out.
+    No single wavelength is within sRGB (IEC 61966-2-1): negative components are omitted.
     """
     visible = []
     for k in range(0, len(X), APART):
@@ -86,12 +86,12 @@ def hues() -> list[Hue]:
 
 
 def _encoded(part: float) -> float:
-    """A linear part of a colour as sRGB has it."""
+    """Encode a linear component of a colour in sRGB."""
     return 12.92 * part if part <= 0.0031308 else 1.055 * part ** (1 / 2.4) - 0.055
 
 
 def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:
-    """Where wavelengths [nm] stand below the luminous efficiency, by day and by night."""
+    """Return a chart of wavelengths [nm] below the photopic and scotopic luminous efficiency."""
     night = OBSERVERS["scotopic"]
     curves = [efficiency(observer)._replace(style=LINE) for observer in dict.fromkeys((eye, night))]
     ends = VISIBLE
@@ -104,21 +104,21 @@ def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:
 
 
 def _ends(places: Sequence[Sequence[float]], limits: Range) -> Range:
-    """The wavelengths to be shown: those of the spectra, and all that is seen."""
+    """Return the wavelengths to show: those of the spectra, and all visible ones."""
     if limits != WHOLE and limits[1] < math.inf:
         return limits
     return (min(VISIBLE[0], *(x[0] for x in places)), max(VISIBLE[1], *(x[-1] for x in places)))
 
 
 def _thermal(bodies: Sequence[BlackBody], limits: Range) -> Range:
-    """The wavelengths over which black bodies are drawn, all of them over the same."""
+    """Return the common range of wavelengths for black bodies."""
     peaks = [body.peak()[0] for body in bodies]
     low, high = min(VISIBLE[0], *peaks, 1e99) / 10, max(VISIBLE[1], *(WIDEST * x for x in peaks), 0)
     return max(low, limits[0]), min(high, limits[1])
 
 
 def _points(source: Spectrum, limits: Range) -> tuple[list[float], list[float]]:
-    """Wavelengths [nm], and watts per nanometre there; of lines their watts."""
+    """Return wavelengths [nm] and watts per nanometre, or watts for lines."""
     low, high = limits
     if isinstance(source, BlackBody):
         x = [low + (high - low) * k / POINTS for k in range(POINTS + 1)]
@@ -130,6 +130,6 @@ def _points(source: Spectrum, limits: Range) -> tuple[list[float], list[float]]:
     if not isinstance(part, Table):
         return [], []
     x, y = [float(nm) for nm in part.grid], [float(value) for value in part.values]
-    if source.is_whole:  # there is nothing beyond its ends, where others are not known
+    if source.is_whole:  # it is 0 beyond its ends; other spectra are unknown there
         return [x[0], *x, x[-1]], [0.0, *y, 0.0]
     return x, y

@@ -1,28 +1,28 @@
-"""Round numbers along an axis, and how they are written."""
+"""Round numbers along an axis, and their texts."""
 
 import math
 from collections.abc import Iterable
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
-FAR = 20.0  # ratio of the ends from where on contours are not evenly apart
-ROUNDED = 1e-12  # of the greatest value: what is less is told as 0
-NEGLIGIBLE = 1e-9  # of the greatest value: what rounding leaves of a 0
-SPAN = 1000.0  # between the darkest and the brightest of an image
-CLIPPED = 0.995  # of an image: the rest is as bright as the brightest of these
-RINGS = 6  # circles of a polar diagram at most, with the point in its middle
-DIGITS = 6  # of a number, unless more tell it from others
-ROUNDING = 1e-9  # of a step: a tick is not left out for it
+FAR = 20.0  # ratio of the ends above which contours are not evenly spaced
+ROUNDED = 1e-12  # of the greatest value: smaller values are shown as 0
+NEGLIGIBLE = 1e-9  # of the greatest value: smaller values are rounding errors of 0
+SPAN = 1000.0  # ratio of the brightest to the darkest in an image
+CLIPPED = 0.995  # quantile of an image's values that has the greatest brightness
+RINGS = 6  # most circles of a polar diagram, including the centre
+DIGITS = 6  # of a number, unless it needs more to differ from others
+ROUNDING = 1e-9  # of a step: tolerance of a tick
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
-    """Round numbers between two, evenly apart, both ends among them where they are round.
+    """Return evenly spaced round numbers between two ends, including round ends.
 
     Parameters
     ----------
     low, high : float
         The ends, low < high.
     most : int
-        How many there may be.
+        Greatest number of ticks.
 
     Returns
     -------
@@ -45,7 +45,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def round_step(least: float) -> float:
-    """The least step of 1, 2, 2.5, 5 times a power of ten that is not below a number.
+    """Return the smallest of 1, 2, 2.5, 5 times a power of ten that is not below a number.
 
     Examples
     --------
@@ -57,7 +57,7 @@ def round_step(least: float) -> float:
 
 
 def log_ticks(low: float, high: float, most: int) -> list[float]:
-    """Powers of ten between two, or these and 2 and 5 times them where there is room.
+    """Return powers of ten between two ends, with 2 and 5 times them if there is room.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def log_ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def limits(values: list[float], most: int) -> tuple[float, float]:
-    """Round ends of an axis on which values stand, 0 among them where that is near.
+    """Return round ends of an axis for values, including 0 if it is near.
 
     Examples
     --------
@@ -100,7 +100,7 @@ def limits(values: list[float], most: int) -> tuple[float, float]:
 
 
 def rings(most: float) -> list[float]:
-    """Radii of the circles of a polar diagram that shows values up to one.
+    """Return the radii of the circles of a polar diagram for values up to `most`.
 
     Examples
     --------
@@ -111,10 +111,10 @@ def rings(most: float) -> list[float]:
 
 
 def levels(values: Iterable[float], most: int = 10) -> list[float]:
-    """Round numbers between the least and the greatest of many, for contours.
+    """Return round numbers between the least and the greatest of many, for contours.
 
-    Where these are far apart, they are 1, 2 and 5 times powers of ten; what is left of a 0 by
-    rounding, as at the horizon of a cosine, is none of them.
+    If the ends are far apart, they are 1, 2 and 5 times powers of ten.  A least value that is a
+    rounding error of 0, as at the horizon of a cosine, counts as 0.
 
     Examples
     --------
@@ -135,7 +135,7 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
 
 
 def ends(values: Iterable[float]) -> tuple[float, float]:
-    """The least and the greatest of many; 0 for what rounding leaves of it.
+    """Return the least and the greatest of many values, with 0 for a rounding error of 0.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def ends(values: Iterable[float]) -> tuple[float, float]:
 
 
 def shades(values: list[float]) -> tuple[float, float]:
-    """The ends of a logarithmic scale of an image: what is beyond them is as bright as they are.
+    """Return the ends of a logarithmic brightness scale; values beyond them are clipped.
 
     Examples
     --------
@@ -162,7 +162,7 @@ def shades(values: list[float]) -> tuple[float, float]:
 
 
 def texts(values: list[float]) -> list[str]:
-    """Different numbers as an axis has them, with as many digits as tell them apart.
+    """Return different numbers as axis labels, with enough digits to distinguish them.
 
     Examples
     --------

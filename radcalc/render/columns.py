@@ -6,18 +6,18 @@ from typing import Any
 from radcalc.maths import is_array
 from radcalc.render.plain import DIGITS, number
 
-LINES = 1000  # formatted at a time
+LINES = 1000  # lines to format at a time
 
 
 def lines(columns: Sequence[Any], precision: int | None, count: int = 1) -> str:
-    """Numbers in tab-separated columns, on so many lines; of arrays an element on each."""
+    """Return tab-separated columns on `count` lines, or on a line for each element of arrays."""
     if not any(map(is_array, columns)):
         return ("\t".join(number(column, precision) for column in columns) + "\n") * count
     return formatted(columns, f"%.{precision or DIGITS}g", "\t")
 
 
 def formatted(columns: Sequence[Any], form: str, delimiter: str) -> str:
-    """A line for each element of arrays; `form` is the format of a number, and texts stay."""
+    """Return a line for each element of arrays; `form` formats numbers, texts stay unchanged."""
     lists = [column.tolist() for column in columns if is_array(column)]
     flat = lists[0] if len(lists) == 1 else [x for line in zip(*lists, strict=True) for x in line]
     cells = [form if is_array(column) else _text(column, form) for column in columns]
@@ -28,5 +28,5 @@ def formatted(columns: Sequence[Any], form: str, delimiter: str) -> str:
 
 
 def _text(column: Any, form: str) -> str:
-    """A number or a text that is the same in all lines."""
+    """Return a number or a text that is the same in all lines."""
     return (column if isinstance(column, str) else form % column).replace("%", "%%")

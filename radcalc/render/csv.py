@@ -1,4 +1,4 @@
-"""CSV with a header: a line for each answer, a column NAME:UNIT for each of its numbers."""
+"""CSV with a header: a line for each answer, a column NAME:UNIT for each number."""
 
 import csv
 import io
@@ -17,10 +17,10 @@ REMARKS_ARE_APART = True
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """The inputs that vary and the results of each answer on a line, under one header.
+    """Return the varied inputs and the results, a line for each answer, under one header.
 
-    An answer that lacks a result of another has an empty cell for it.  Texts are left out where
-    numbers that were given tell the answers apart.
+    A result that an answer does not have is an empty cell.  Text inputs are omitted if the given
+    numbers identify the answers.
     """
     units = units_of_varied([result.inputs for result in results])
     given = [[row for row in result.rows if row.given] for result in results]
@@ -45,7 +45,7 @@ def results(results: Sequence[Result], style: Style) -> str:
 
 
 def block(result: Result, units: Mapping[str, str], style: Style, with_header: bool) -> str:
-    """The lines of an answer whose inputs or results are arrays, as one part of many.
+    """Return the lines of an answer with arrays, as one of many parts.
 
     `units` are those of the inputs that vary in any part.
     """
@@ -62,7 +62,7 @@ def block(result: Result, units: Mapping[str, str], style: Style, with_header: b
 
 
 def units_of_varied(inputs: Sequence[Sequence[ShownInput]]) -> dict[str, str]:
-    """The inputs that vary, with the unit in which they are told; '' for a text."""
+    """Return the inputs that vary, with the unit of each; '' for a text."""
     return {
         name: _unit(
             [
@@ -75,18 +75,18 @@ def units_of_varied(inputs: Sequence[Sequence[ShownInput]]) -> dict[str, str]:
 
 
 def records(records: Records, style: Style) -> str:
-    """The rows under their names."""
+    """Return the rows under their names."""
     return _write([list(records.rows[0]), *fields(records)])
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
-    """A judgement is no table of values."""
+    """Raise an error: a judgement is not a table of values."""
     refuse_verdict()
     return ""
 
 
 def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
-    """The inputs of some names by their heads, as numbers in their units or as texts."""
+    """Return the named inputs by their column titles, as numbers in their units or as texts."""
     return {
         f"{item.name}:{unit}" if unit else item.name: _in(item, unit)
         if unit
@@ -97,13 +97,13 @@ def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _is_column(name: str, given: Sequence[Sequence[Row]]) -> bool:
-    """Whether an input is among the results of all answers, in one unit."""
+    """Return whether an input is among the results of all answers, in the same unit."""
     units = [{row.unit for row in rows if shows(row, name)} for rows in given]
     return bool(set.intersection(*units))
 
 
 def _unit(cells: Sequence[ShownInput | None]) -> str:
-    """The unit of the first of several quantities; '' where they are not all of its dimension."""
+    """Return the unit of the first quantity; '' unless all have its dimension."""
     units = {cell.unit if cell else "" for cell in cells}
     if "" in units or len({resolve_given(unit).dimension for unit in units}) > 1:
         return ""
@@ -111,7 +111,7 @@ def _unit(cells: Sequence[ShownInput | None]) -> str:
 
 
 def _in(item: ShownInput, unit: str) -> Any:
-    """The number of an input in another unit of its quantity."""
+    """Return the number of an input in another unit of its quantity."""
     if item.unit == unit:
         return item.value
     return plan(resolve_given(item.unit), resolve_given(unit)).apply(item.value)

@@ -1,8 +1,8 @@
-"""The formats of an answer: a module each, in which three functions make a text of it.
+"""Output formats: a module for each, with three functions that return a text.
 
-`results(results, style)` is for answers, `records(records, style)` for lists of what there is,
-`verdict(judgement, style)` for whether an answer is right.  `REMARKS_ARE_APART` says that what
-was assumed and noted goes to standard error instead.
+`results(results, style)` is for answers, `records(records, style)` for lists, and
+`verdict(judgement, style)` for a checked answer.  `REMARKS_ARE_APART` means that assumptions and
+notes go to standard error instead.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,11 +17,11 @@ FORMATS = (TABLE, PLAIN, JSON, CSV)
 
 
 class Style(NamedTuple):
-    """How a text is to look: digits, bare numbers, width, colour, language, with remarks or not.
+    """Style of a text: digits, bare numbers, width, colour, language, remarks.
 
-    `command` is the one that answers.
-    `brief` is a table that may be a line where there is one value, as at the prompt.
-    With `auto` the units have the prefixes that fit.
+    `command` is the command that answers.
+    `brief` allows a single line for a single value, as at the prompt.
+    `auto` selects SI prefixes of the units.
     """
 
     precision: int | None = None
@@ -36,10 +36,10 @@ class Style(NamedTuple):
 
 
 class Records(NamedTuple):
-    """Rows of named fields; a table has its own, and the notes below it, not beside.
+    """Rows of named fields; `table` has the rows for a table, whose notes are below it.
 
-    A field may be a list of texts, which JSON keeps; elsewhere they are parted by commas.
-    `inputs` are what was looked for.
+    A field may be a list of texts, which JSON keeps; other formats join them with commas.
+    `inputs` are the search terms.
     """
 
     rows: Sequence[Mapping[str, Any]]
@@ -50,7 +50,7 @@ class Records(NamedTuple):
 
 
 class Judgement(NamedTuple):
-    """What is said of an answer; the right one, from what it follows, and what was assumed."""
+    """The verdict on an answer, the right result, its inputs, assumptions and notes."""
 
     verdict: Any
     right: Row
@@ -63,21 +63,21 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     class Renderer(Protocol):
-        """What the module of a format has."""
+        """The contents of a format's module."""
 
         REMARKS_ARE_APART: bool
 
         def results(self, results: Sequence[Result], style: Style) -> str:
-            """The text of one answer, or of several."""
+            """Return the text of one or several answers."""
 
         def records(self, records: Records, style: Style) -> str:
-            """The text of a list."""
+            """Return the text of a list."""
 
         def verdict(self, judgement: Judgement, style: Style) -> str:
-            """The text of a judgement."""
+            """Return the text of a judgement."""
 
 
 def renderer(name: str) -> "Renderer":
-    """The module of a format, loaded when it is needed."""
+    """Load and return the module of a format."""
     module: Any = import_module(f"radcalc.render.{name}")
     return module  # type: ignore[no-any-return]

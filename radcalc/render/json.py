@@ -1,8 +1,8 @@
-"""Strict JSON at full precision, in one schema for every command.
+"""Strict JSON at full precision, with one schema for every command.
 
-An answer is one object: the command, its inputs and results by their names, what was assumed and
-noted, the derivation, and what is said of a claim.  Several answers are an array of objects, and
-so are those of each day, of which there may be one.
+An answer is an object: the command, its inputs and results by name, assumptions, notes, the
+derivation, and the verdict on a claim.  Several answers are an array of objects; the answers for
+the days of a log are always an array.
 """
 
 import json
@@ -17,7 +17,7 @@ REMARKS_ARE_APART = False
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """One object, or of several answers an array with one on each line."""
+    """Return one object, or for several answers an array with an object on each line."""
     objects = [_text(_of_result(result, style)) for result in results]
     together = ",\n".join(objects)
     is_list = len(objects) != 1 or any(item.tells for result in results for item in result.inputs)
@@ -25,18 +25,18 @@ def results(results: Sequence[Result], style: Style) -> str:
 
 
 def line(result: Result, style: Style, place: Mapping[str, object]) -> str:
-    """One object of a stream, on a line: it begins with its `place`: line, field, column."""
+    """Return one object of a stream on a line; it begins with its `place`: line, field, column."""
     return f"{_text({**place, **_of_result(result, style)})}\n"
 
 
 def records(records: Records, style: Style) -> str:
-    """One object, whose `records` are the rows."""
+    """Return one object; its `records` are the rows."""
     answer = _object(style, records.inputs, notes=records.notes)
     return f"{_text({**answer, 'records': list(records.rows)})}\n"
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
-    """One object, whose `check` is the judgement; its result is the right value."""
+    """Return one object; its `check` is the judgement, and its result the right value."""
     verdict, right = judgement.verdict, judgement.right
     check = {
         "right": verdict.right,
@@ -71,7 +71,7 @@ def _object(
     steps: Iterable[Step] = (),
     check: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """What every answer has."""
+    """Return the object that every answer has."""
     return {
         "command": style.command,
         "inputs": {item.name: _input(item) for item in inputs},
@@ -84,7 +84,7 @@ def _object(
 
 
 def _input(item: ShownInput) -> dict[str, Any]:
-    """A quantity as its number and unit, with the text if there was one; else a text or true."""
+    """Return a quantity as number and unit, with its text if it has one; else a text or true."""
     if item.is_quantity:
         amount = _amount(item.value, item.uncertainty, item.unit)
         return {**amount, "text": item.text} if item.text else amount
@@ -92,7 +92,7 @@ def _input(item: ShownInput) -> dict[str, Any]:
 
 
 def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
-    """The results by their names; what is shown in more than one unit has the others in `also`."""
+    """Return the results by name; values of a result in further units are in `also`."""
     results: dict[str, Any] = {}
     for row in rows:
         off = row.uncertainty and _rounded(row.uncertainty, style)
@@ -107,13 +107,13 @@ def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
 
 
 def _amount(value: Any, uncertainty: float, unit: str) -> dict[str, Any]:
-    """A number in a unit, with its standard uncertainty where it has one."""
+    """Return a number in a unit, with its standard uncertainty if it has one."""
     off = {"uncertainty": uncertainty} if uncertainty else {}
     return {"value": value, **off, "unit": unit}
 
 
 def _text(data: Any) -> str:
-    """An object on one line, in which what is not printable is escaped."""
+    """Return an object on one line, with unprintable characters escaped."""
     text = json.dumps(data, ensure_ascii=False, allow_nan=False)
     if text.isprintable():
         return text

@@ -1,6 +1,6 @@
-"""An answer as Python shows it: as text in an interpreter, as HTML in a notebook.
+"""Answers as Python shows them: text in an interpreter, HTML in a notebook.
 
-The HTML has no colours of its own, so that it is read on light and on dark.
+The HTML sets no colours, so that it is readable on light and on dark.
 """
 
 from collections.abc import Iterable, Sequence
@@ -13,14 +13,14 @@ from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
 from radcalc.terminal import remarks
 from radcalc.units.unit import unit_behind
 
-MOST, ENDS = 8, 3  # elements of an array that are shown, or of a longer one at each end
+MOST, ENDS = 8, 3  # most elements of an array to show, and elements at each end of a longer one
 QUIET = ' style="opacity: 0.7"'
 STYLE = ' style="border-collapse: collapse"'
 LEFT, RIGHT = ' style="text-align: left"', ' style="text-align: right"'
 
 
 def text(command: str, result: Result) -> str:
-    """A line for each result, then what was assumed and noted."""
+    """Return a line for each result, then assumptions and notes."""
     lines = [
         (row.name, f"{_value(row)}{unit_behind(row.unit)}", _given(row)) for row in result.rows
     ]
@@ -31,7 +31,7 @@ def text(command: str, result: Result) -> str:
 
 
 def html(command: str, result: Result) -> str:
-    """A table of what was given and what follows, the remarks, and the derivation folded up."""
+    """Return a table of inputs and results, the remarks, and the derivation, collapsed."""
     given = [_input(item) for item in result.inputs]
     rows = [_row(row) for row in result.rows if not row.given]
     parts = [
@@ -65,7 +65,7 @@ def _row(row: Row) -> str:
 
 
 def _cells(tag: str, texts: Sequence[str]) -> str:
-    """A row of cells, in which the numbers stand to the right."""
+    """Return a row of cells, with right-aligned numbers."""
     *first_cells, unit = texts
     name, symbol, value, unit = map(escape, (*first_cells, unit_behind(unit).strip()))
     return (
@@ -85,7 +85,7 @@ def _value(row: Row) -> str:
 
 
 def _number(values: Any) -> str:
-    """An array: its elements, or those at its ends, or its shape where it is not there yet."""
+    """Return an array's elements or those at its ends; only its shape if it is not computed."""
     if not hasattr(values, "tolist"):
         return f"an array of the shape {values.shape}, not computed yet"
     if values.ndim > 1:

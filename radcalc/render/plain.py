@@ -1,4 +1,4 @@
-"""Plain text: one result a line, fields separated by tabs."""
+"""Plain text: one result per line, fields separated by tabs."""
 
 from radcalc.units.unit import unit_behind
 
@@ -11,20 +11,20 @@ if TYPE_CHECKING:
 
 DIGITS, TABLE_DIGITS, RATIO_DIGITS = 12, 6, 4
 LEAST_FIXED, MOST_FIXED = -4, 6  # powers of ten of an uncertain number without an exponent
-MOST_TOGETHER = 15  # digits of a number to the last of its uncertainty, as many as it has
+MOST_TOGETHER = 15  # most digits of a number with the places of its uncertainty
 REMARKS_ARE_APART = True
 
 
 def number(value: float, precision: int | None = None) -> str:
-    """A number with 12 significant digits, or as many as asked for."""
+    """Format a number with 12 significant digits, or as requested."""
     return f"{value:.{precision or DIGITS}g}"
 
 
 def uncertain(value: float, off: float, precision: int | None = None, digits: int = DIGITS) -> str:
-    """A number and its standard uncertainty: 9.29 ± 0.28, or the number alone where it has none.
+    """Format a number with its standard uncertainty, 9.29 ± 0.28, if it has one.
 
-    The uncertainty has two significant digits and the number as many places, or both have as many
-    digits as asked for.
+    The uncertainty has two significant digits and the number has as many decimal places; with a
+    precision, both have that many digits.
     """
     if not off:
         return number(value, precision or digits)
@@ -48,15 +48,15 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
 def line(
     value: float, unit: str, precision: int | None = None, bare: bool = False, off: float = 0.0
 ) -> str:
-    """One converted value: VALUE, a tab and UNIT, or the bare number."""
+    """Return a converted value: VALUE, a tab and UNIT, or the bare number."""
     text = uncertain(value, off, precision) if off and not bare else number(value, precision)
     return f"{text}\n" if bare else f"{text}\t{unit}\n"
 
 
 def results(results: "Sequence[Result]", style: "Style") -> str:
-    """All rows of all results, a line each; a calculator's begin with their names.
+    """Return all rows of all results, one per line; those of a calculator begin with their names.
 
-    Before those of a day of a log stands the day.
+    The day of a log precedes its results.
     """
     lines: list[str] = []
     for result in results:
@@ -73,12 +73,12 @@ def results(results: "Sequence[Result]", style: "Style") -> str:
 
 
 def records(records: "Records", style: "Style") -> str:
-    """A line for each row, without a header."""
+    """Return a line for each row, without a header."""
     return "".join("\t".join(texts) + "\n" for texts in fields(records))
 
 
 def fields(records: "Records") -> list[list[str]]:
-    """The fields of rows as texts, lists parted by commas."""
+    """Return the fields of rows as texts, with lists joined by commas."""
     return [
         [", ".join(field) if isinstance(field, list) else str(field) for field in row.values()]
         for row in records.rows
@@ -86,7 +86,7 @@ def fields(records: "Records") -> list[list[str]]:
 
 
 def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str:
-    """Whether an answer is right, and what most likely went wrong."""
+    """Return whether an answer is right, and the most likely mistakes."""
     if style.bare:
         refuse_verdict()
     verdict = judgement.verdict
@@ -109,22 +109,22 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
         lines += [f"{word}: {diagnosis.done}", f"    {diagnosis.right}"]
         word = "or"
     if not verdict.diagnoses:
-        lines.append("no usual mistake gives that number")
+        lines.append("no usual mistake gives this number")
     return "\n".join(lines) + "\n"
 
 
 def refuse_verdict() -> None:
-    """Refuse to say right or wrong where only values can be said."""
+    """Raise an error for a verdict in a format of values only."""
     from radcalc.errors import UsageError, option
 
     raise UsageError(
-        f"{option('check')} says right or wrong, in words or as JSON",
+        f"the result of {option('check')} is a verdict, in words or as JSON",
         f"{option('json')}, or neither",
     )
 
 
 def derivation(steps: "Sequence[Step]") -> list[str]:
-    """The steps, in lines: the law, its formula, the numbers, the reference."""
+    """Return the steps in lines: the law, its formula, the numbers, the reference."""
     lines = []
     for step in steps:
         lines.append(f"{step.law}: {step.formula}".rstrip(": "))

@@ -1,4 +1,4 @@
-"""Answers in units with SI prefixes that put numbers from 1 to below 1000: 2.1 mlx."""
+"""SI prefixes that put the numbers of an answer between 1 and 1000: 2.1 mlx."""
 
 import math
 from collections.abc import Sequence
@@ -15,14 +15,13 @@ from radcalc.units.table import resolve
 
 LEAST, MOST = 1.0, 1000.0
 _units = lru_cache(maxsize=64)(prefixes_of)
-DIGITS = {TABLE: plain.TABLE_DIGITS, CSV: 16}  # of numbers, of which CSV has all
+DIGITS = {TABLE: plain.TABLE_DIGITS, CSV: 16}  # digits of numbers; CSV has all
 
 
 def with_prefixes(results: Sequence[Result], form: str, precision: int | None) -> list[Result]:
-    """The answers in a format, with a prefix for each number that has its own unit.
+    """Return the answers with an SI prefix for each number with a unit of its own.
 
-    Where several have one, in a column, the prefix is that of the smallest.  What was given stays
-    as it was typed.
+    The numbers of a column share the prefix of the smallest.  Given values stay as typed.
     """
     digits = DIGITS.get(form, plain.DIGITS)
     heads = {tuple((row.name, row.unit) for row in result.rows) for result in results}
@@ -43,9 +42,9 @@ def with_prefixes(results: Sequence[Result], form: str, precision: int | None) -
 
 
 def _suited(rows: Sequence[Row], precision: int | None, digits: int) -> str:
-    """The unit of rows with the prefix that suits them, as they are rounded; as it is for zeros.
+    """Return the unit of rows with the best prefix for the rounded numbers; unchanged for zeros.
 
-    As few of them as possible have an exponent, and the smallest is from 1 to below 1000.
+    As few numbers as possible have an exponent, and the smallest is between 1 and 1000.
     """
     amounts = [(row.value, row.uncertainty) for row in rows]
     unit = rows[0].unit
@@ -73,14 +72,14 @@ def _suited(rows: Sequence[Row], precision: int | None, digits: int) -> str:
 
 
 def _rounded(value: float, off: float, precision: int | None, digits: int) -> float:
-    """The size of an amount that is not 0, as it is shown."""
+    """Return the size of a nonzero amount as it is shown."""
     digits = min(precision or digits, plain.DIGITS)  # 999.9999999999999 is 1000
     text = plain.uncertain(value, off, precision, digits).partition(" ")[0]
     return max(abs(float(text)), off) if text[0] != "(" else max(abs(value), off)
 
 
 def _in_unit(row: Row, unit: str) -> Row:
-    """A row in another unit of its quantity."""
+    """Return a row in another unit of its quantity."""
     if unit == row.unit:
         return row
     source, target = resolve(row.unit), resolve(unit)

@@ -1,4 +1,4 @@
-"""How far a long piece of work is: a bar on a terminal, drawn by Rich once it lasts a second."""
+"""A progress bar on a terminal, drawn by Rich if the work lasts longer than a second."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -12,10 +12,10 @@ PATIENCE = 1.0  # [s] before anything is shown
 
 @contextmanager
 def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int], object]]:
-    """Give a function that is told how much is done, and of how much.
+    """Yield a function that is called with the work done and the total.
 
-    Nothing is drawn where standard error is no terminal, nor is Rich loaded; at the end the bar is
-    wiped away.
+    If standard error is not a terminal, nothing is drawn, and Rich is not loaded.  The bar is
+    erased at the end.
     """
     if not (is_wanted and terminal.error_is_terminal()):
         yield lambda done, total: None
@@ -28,7 +28,7 @@ def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int],
 
 
 class _Bar:
-    """A bar that appears when the work has lasted a while."""
+    """A bar that appears after a delay."""
 
     def __init__(self, task: str) -> None:
         self.task, self.start = task, time.monotonic()

@@ -1,7 +1,7 @@
-"""Tables for people, drawn by Rich; the only module that imports it.
+"""Tables for people, drawn by Rich; only this module imports it.
 
-Users' text is never read as markup, and nothing is cut off: texts are folded between their words.
-Where a number, a unit or a word does not fit, there is no table but a line for each row.
+Users' text is never read as markup, and nothing is cut off: texts are folded between words.  If a
+number, a unit or a word does not fit, each row is a line instead of a row of a table.
 """
 
 import io
@@ -22,20 +22,20 @@ from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
 from radcalc.terminal import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
 from radcalc.units.unit import unit_behind
 
-# Columns of the terminal between two of a table: a column of blanks with one at either side, or
-# where words would be parted otherwise a single one.
+# Terminal columns between two columns of a table: an empty column with a blank on each side, or a
+# single blank if words would be divided otherwise.
 WIDE, NARROW = 3, 1
 LONG = 12  # letters of a word that may be folded
 LONGEST_FRACTION = 0.3  # seconds: longer exposure times are marked as decimals
-KEPT = "\xa0"  # a blank at which no line is folded
-ASIDE = ("given: ", "    [")  # begins what is told faintly: what was given, a reference
+KEPT = "\xa0"  # a non-breaking blank
+ASIDE = ("given: ", "    [")  # beginnings of faint lines: given values, references
 REMARKS_ARE_APART = False
 
 
 def results(results: Sequence[Result], style: Style) -> str:
     """Draw the rows that all results share, a table of the others, the remarks and the steps.
 
-    The quantities' names are in the language, as far as it has them.
+    Names of quantities are translated, if a translation exists.
     """
     below = _remarks_and_steps(results, style)
     shared = _alike(results)
@@ -52,7 +52,7 @@ def results(results: Sequence[Result], style: Style) -> str:
 
 
 def _remarks_and_steps(results: Sequence[Result], style: Style) -> list[str]:
-    """List the lines below a table: assumptions and notes, each once, then the steps."""
+    """Return the lines below a table: assumptions and notes, each once, then the steps."""
     lines: list[str] = []
     if style.remarks:
         lines = remarks(
@@ -63,9 +63,9 @@ def _remarks_and_steps(results: Sequence[Result], style: Style) -> list[str]:
 
 
 def _line_per_result(results: Sequence[Result], style: Style) -> "Drawn | None":
-    """Make a table with a column for each quantity; None if the results or the width do not suit.
+    """Return a table with a column for each quantity; None if the results or the width do not fit.
 
-    The symbols at the heads of its columns are explained below it.
+    The symbols in its column titles are explained below it.
     """
     wide = _wide(results, style.precision, style.language)
     fitting = _widths(wide, wide[0], style.width) if wide else None
@@ -82,9 +82,9 @@ def _line_per_result(results: Sequence[Result], style: Style) -> "Drawn | None":
 
 
 def _line_per_row(results: Sequence[Result], rows: Sequence[Row], style: Style) -> "Drawn":
-    """Make a table with a line for each of the results' `rows`.
+    """Return a table with a line for each of the results' `rows`.
 
-    The quantity goes above the table if it is the same in all of them.
+    A quantity that is the same in all of them is above the table.
     """
     names, cases = _cases(results)
     header = [*names, "quantity", "symbol", "value", "unit"]
@@ -109,10 +109,10 @@ def _line_per_row(results: Sequence[Result], rows: Sequence[Row], style: Style) 
 
 
 def records(records: Records, style: Style) -> str:
-    """A table of a list's own columns, and its notes below.
+    """Return a table of a list's own columns, with its notes below.
 
-    A column that says the same in all rows is told above it, but for what the rows are about, for
-    numbers and for their units.
+    A column with the same text in all rows is shown above the table instead, except the first
+    column, numbers and units.
     """
     notes = remarks((), dict.fromkeys(records.notes)) if style.remarks else []
     header = [name for name in records.table[0] if name != "note"]
@@ -128,13 +128,13 @@ def records(records: Records, style: Style) -> str:
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
-    """The words of plain text, with the digits of a table, folded."""
+    """Return the words of plain text, with the digits of a table, folded."""
     lines = plain.verdict(judgement, style, TABLE_DIGITS).splitlines()
     return _folded(lines, style)
 
 
 def _line(row: Row, style: Style) -> str:
-    """A single value in one line, with the name of its quantity."""
+    """Return a single value in one line, with the name of its quantity."""
     name = _quantity(row, style.language)
     number = _number(row, style.precision)
     if style.color:
@@ -145,12 +145,12 @@ def _line(row: Row, style: Style) -> str:
 
 
 def _quantity(row: Row, language: str) -> str:
-    """The name of a row's quantity, and whether it was given."""
+    """Return the name of a row's quantity, with "(given)" if it was given."""
     return translate(row.quantity, language) + (" (given)" if row.given else "")
 
 
 def _letter(row: Row) -> str:
-    """The symbol of a row, as the encoding of standard output can have it."""
+    """Return the symbol of a row, in characters of the encoding of standard output."""
     if can_show(row.symbol):
         return row.symbol
     from radcalc.derivation import in_ascii
@@ -159,7 +159,7 @@ def _letter(row: Row) -> str:
 
 
 def _alike(results: Sequence[Result]) -> list[Row]:
-    """The rows that several answers have alike, if they have others too."""
+    """Return the rows that several answers share, if they have others too."""
     if len(results) < 2 or not results[0].named:
         return []
     row_sets = [{row._replace(case="") for row in result.rows} for result in results]
@@ -174,7 +174,7 @@ def _others(rows: Sequence[Row], alike: Sequence[Row]) -> tuple[Row, ...]:
 
 
 def _alike_lines(rows: Sequence[Row], precision: int | None, language: str) -> list[str]:
-    """Rows in a line for those that were given, and in a line for the others."""
+    """Return a line of the rows that were given, and a line of the others."""
     mark = f"{KEPT}· " if can_show("·") else ", "
     lines = []
     for word, is_given in (("given", True), ("in each", False)):
@@ -192,13 +192,13 @@ def _alike_lines(rows: Sequence[Row], precision: int | None, language: str) -> l
 def _without(
     header: Sequence[str], lines: Sequence[Sequence[str]], names: Container[str]
 ) -> tuple[list[str], list[list[str]]]:
-    """A table without some of its columns."""
+    """Return a table without some of its columns."""
     kept = [place for place, name in enumerate(header) if name not in names]
     return [header[k] for k in kept], [[line[k] for k in kept] for line in lines]
 
 
 def _cases(results: Sequence[Result]) -> tuple[list[str], list[list[str]]]:
-    """Columns of the inputs that vary, or else of what each answer is for; and its texts."""
+    """Return the columns of the varied inputs, or of the cases of the answers, and their texts."""
     labels = [next((row.case for row in result.rows), "") for result in results]
     names = varying([result.inputs for result in results])
     texts = [_texts(result, names) for result in results]
@@ -208,7 +208,7 @@ def _cases(results: Sequence[Result]) -> tuple[list[str], list[list[str]]]:
 
 
 def _texts(result: Result, names: Sequence[str]) -> list[str]:
-    """Some of the inputs of an answer, as they were typed."""
+    """Return some of the inputs of an answer, as typed."""
     typed = {item.name: item.text or f"{item.value:.12g} {item.unit}" for item in result.inputs}
     return [typed.get(name, "") for name in names]
 
@@ -216,7 +216,7 @@ def _texts(result: Result, names: Sequence[str]) -> list[str]:
 def _wide(
     results: Sequence[Result], precision: int | None, language: str
 ) -> list[list[str]] | None:
-    """Several alike answers, a line each, under a line of their quantities and units."""
+    """Return answers with the same quantities, one per line, under their symbols and units."""
     heads = [[(row.name, row.unit) for row in result.rows] for result in results]
     if len(results) < 2 or not results[0].named or any(head != heads[0] for head in heads):
         return None
@@ -237,7 +237,7 @@ def _wide(
 
 
 def _number(row: Row, precision: int | None) -> str:
-    """The number of a row, with its uncertainty; of a short exposure time 1/60."""
+    """Return the number of a row with its uncertainty; a short exposure time as 1/60."""
     is_fraction = row.form == FRACTION and row.unit == "s"
     if is_fraction and 0 < row.value < LONGEST_FRACTION and not row.uncertainty:
         return f"1/{number(1 / row.value, precision or TABLE_DIGITS)}"
@@ -247,8 +247,8 @@ def _number(row: Row, precision: int | None) -> str:
 class Drawn(NamedTuple):
     """A table, and the lines above and below it.
 
-    The columns that are `right` stand there, and are `unfolded`.  What is `faint` are
-    columns by their names, and rows by their numbers.
+    `right` columns are right-aligned, and `unfolded` ones are not folded.  `faint` has columns by
+    name, and rows by number.
     """
 
     header: Sequence[str]
@@ -260,7 +260,7 @@ class Drawn(NamedTuple):
     faint: Sequence[str | int] = ()
 
     def style(self, row: int, name: str) -> str:
-        """How a cell is drawn: what follows stands out, and what was given does not."""
+        """Return the style of a cell: results are bold, given values dim."""
         if name in self.faint or row in self.faint:
             return "dim"
         return "bold" if name in self.right else ""
@@ -288,8 +288,8 @@ def draw(drawn: Drawn, style: Style) -> str:
             emoji=False,
             legacy_windows=False,
         )
-        # Columns of blanks keep the others apart: before Rich 14 the padding of cells was counted
-        # at the edges as well, where there is none, and a table as wide as its room was squeezed.
+        # Empty columns keep the others apart: before Rich 14 the padding of cells was also counted
+        # at the edges, where there is none, and a table as wide as the terminal was squeezed.
         table = Table(box=_box(), padding=0, show_edge=False, header_style="")
         for name, columns in zip(header, widths, strict=True):
             if table.columns and gap == WIDE:
@@ -301,7 +301,7 @@ def draw(drawn: Drawn, style: Style) -> str:
                 overflow="fold",
             )
         for number, cells in enumerate(rows):
-            texts = [  # styled in themselves, and not the blanks that fill a cell
+            texts = [  # the text is styled, not the blanks that fill a cell
                 Text.assemble((_parted(cell, columns), drawn.style(number, name)))
                 for name, cell, columns in zip(header, cells, widths, strict=True)
             ]
@@ -317,14 +317,14 @@ def draw(drawn: Drawn, style: Style) -> str:
 
 
 def _box() -> box.Box:
-    """The rule below the names of the columns, as the encoding of standard output can have it."""
+    """Return the rule below the column titles, in characters of the output encoding."""
     if can_show(str(box.SIMPLE_HEAD)):
         return box.SIMPLE_HEAD
     return box.Box(str(box.SIMPLE_HEAD).replace("─", "-"), ascii=True)
 
 
 def _folded(lines: Iterable[str], style: Style) -> str:
-    """Lines in a width; what they are, if a remark or a verdict, and references in colour."""
+    """Fold lines to a width; colour the label of a remark or a verdict, and references."""
     text = ""
     for line in lines:
         folded = message(line, style.width, style.color)
@@ -336,11 +336,11 @@ def _folded(lines: Iterable[str], style: Style) -> str:
 def _widths(
     rows: Sequence[Sequence[str]], unfolded: Sequence[str], room: int
 ) -> tuple[list[int], int] | None:
-    """How wide each column is, and the gap between two; None where they do not fit.
+    """Return the width of each column, and the gap between two; None if they do not fit.
 
-    The first row has the names.  A column that is `unfolded` is not folded, since a number or a
-    unit over two lines is another one.  The columns stand closer before a word is parted, at its
-    slashes first; long ones of more than letters are folded only where nothing else helps.
+    The first row has the titles.  An `unfolded` column is not folded, as a number or a unit on two
+    lines would be another one.  The columns move closer before a word is divided, at its slashes
+    first; long words with more than letters are divided only if nothing else helps.
     """
     columns = list(zip(*rows, strict=True))
     most = [max(cell_len(line) for text in cells for line in text.split("\n")) for cells in columns]
@@ -361,7 +361,7 @@ def _widths(
             break
     else:
         return None
-    while spare and widths != most:  # to the column that would be folded most
+    while spare and widths != most:  # to the column with the most folds
         folds = [size / max(given, 1) for size, given in zip(most, widths, strict=True)]
         widths[folds.index(max(folds))] += 1
         spare -= 1
@@ -371,7 +371,7 @@ def _widths(
 def _lines(
     header: Sequence[str], cells: Sequence[str], unfolded: Sequence[str], width: int
 ) -> list[str]:
-    """A row without a table, folded between words, but not in the columns that are `unfolded`."""
+    """Return a row without a table, folded between words except in `unfolded` columns."""
     texts = [
         text.replace(" ", KEPT) if name in unfolded else text.replace("\n", ", ")
         for name, text in zip(header, cells, strict=True)
@@ -381,12 +381,12 @@ def _lines(
 
 
 def _words(text: str, is_parted: bool = False) -> list[str]:
-    """The words of a text, or what stands between its blanks and behind its slashes."""
+    """Return the words of a text, or its parts between blanks and after slashes."""
     return (text.replace("/", "/ ") if is_parted else text).split() or [""]
 
 
 def _parted(text: str, columns: int) -> str:
-    """The text with lines that end at the slashes of words that are wider than their column."""
+    """Return the text with line ends after the slashes of words wider than their column."""
     words = [
         word if cell_len(word) <= columns else word.replace("/", "/\n").removesuffix("\n")
         for word in text.split(" ")
@@ -395,6 +395,6 @@ def _parted(text: str, columns: int) -> str:
 
 
 def _least(word: str, long: int) -> int:
-    """The columns that a word needs: all of its own, but for a long one of more than letters."""
+    """Return the columns that a word needs: its length, or less if it is long with symbols."""
     size = cell_len(word)
     return size if word[:1].isdigit() or word.isalpha() else min(size, long)

@@ -298,12 +298,22 @@ def test_the_derivation_tells_how_channels_are_weighted(tmp_path):
         ((16, 32), "--unit m", "that is length", "--unit cd/m2"),
         ((16, 32), "--unit 3", "has a number in it", ""),
         ((16, 16), "--unit 1", "pixels fit several", "--projection mirror-ball or"),
-        ((16, 20), "--unit 1", "no latlong map", "a latlong map, which is twice as wide as high"),
-        ((16, 64), "--unit 1", "no latlong map", "a latlong map, which is twice as wide as high"),
+        (
+            (16, 20),
+            "--unit 1",
+            "not a latlong map",
+            "a latlong map, which is twice as wide as high",
+        ),
+        (
+            (16, 64),
+            "--unit 1",
+            "not a latlong map",
+            "a latlong map, which is twice as wide as high",
+        ),
         ((12, 16), "--unit 1", "look like a map on a cube", "a latlong map"),
         ((16, 32), "--unit 1 --toward 60deg", "60deg has no azimuth", "--toward 60deg,90deg"),
-        ((16, 16), "--unit 1 --projection latlong", "no latlong map", "twice as wide"),
-        ((16, 32), "--unit 1 --projection angular", "no angular map", "square"),
+        ((16, 16), "--unit 1 --projection latlong", "not a latlong map", "twice as wide"),
+        ((16, 32), "--unit 1 --projection angular", "not an angular map", "square"),
         ((16, 32), "--unit 1 --channel R", "no channel 'R'", "--channel Y"),
         ((16, 32, 3), "--unit umol/m2/s/sr", "R, G, B have no sum", "--channel R or --channel G"),
         ((16, 32), "--unit 1 --sun-elevation 9deg", "--sun-elevation does not apply to a map", ""),
@@ -639,7 +649,7 @@ def test_arrays_make_arrays():
     ball = radcalc.reproject(pixels, "mirror-ball", (32, 32))
     assert ball[16, 16, 0].to("W/m2/sr").m == pytest.approx(2)
     assert radcalc.reproject("sky:5", "latlong", (64, 32)).shape == (32, 64, 1)
-    with pytest.raises(radcalc.errors.RadcalcError, match="no projection 'cube'"):
+    with pytest.raises(radcalc.errors.RadcalcError, match="unknown projection 'cube'"):
         radcalc.reproject(pixels, "cube")
     with pytest.raises(TypeError, match="normal"):
         radcalc.irradiance_map(pixels, normal=(0, 0, 1))

@@ -133,7 +133,7 @@ def test_words_say_right_or_wrong_and_what_would_be_right(said):
     assert "L = rho E / (pi Omega0)" in found.out
     found = said(LUX, "--check", "777")
     assert found.status == 1
-    assert found.out.splitlines()[1] == "no usual mistake gives that number"
+    assert found.out.splitlines()[1] == "no usual mistake gives this number"
     assert "6.974 times" in found.out
 
 

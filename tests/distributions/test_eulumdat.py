@@ -200,7 +200,7 @@ REFUSED = {
     "points and commas": (changed(200, "99,5"), "line 200: a decimal comma, but line 5 has"),
     "a thousand": (
         [line.removesuffix(".0") for line in changed(29, "1,000", ratios=[1] * 10)],
-        "line 29: '1,000' may be a thousand or a decimal",
+        "line 29: '1,000' is ambiguous: a thousand or a decimal",
     ),
     "too short": (written(even)[:-11], "line 980: the file ends here, before its intensity 27"),
     "a flux of no lamp": (changed(29, "1e200"), "line 29: '1e200' is not a valid luminous flux"),

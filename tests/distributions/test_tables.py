@@ -236,7 +236,8 @@ REFUSED = {
     ),
     "a bent plane": (["gamma,C0-C170", "-9,1", "9,1"], "line 1: C0-C170 is not a plane through"),
     "sides twice": (["gamma,C0,C180", "-9,1,1", "9,1,1"], "line 2: an angle is negative"),
-    "a thousand": (["gamma;I (cd)", "0;1,000", "9;1,000"], "line 2: '1,000' may be a thousand"),
+    "a thousand": (["gamma;I (cd)", "0;1,000", "9;1,000"],
+        "line 2: '1,000' is ambiguous: a thousand"),
     "points and commas": (["gamma;I", "0;1,5", "9;1.000"], "line 3: a decimal point, but line 2"),
     "two comments": (["# I (cd)", "# mcd", *ROWS], "the comments have different units: cd and mcd"),
 }  # fmt: skip

@@ -81,7 +81,7 @@ sys.exit(run(sys.argv[1:]))
     path = tmp_path / "a.svg"
     done = python(code, "spectrum", "D65", "--plot", str(path))
     assert (done.returncode, done.stdout) == (2, "")
-    assert "a figure takes Matplotlib, which is not installed" in done.stderr
+    assert "figures need the package Matplotlib, which is missing" in done.stderr
     assert "pip install 'radcalc[plot]'" in done.stderr
     assert not path.exists()
 
@@ -132,5 +132,5 @@ def test_of_too_many_curves_the_first_and_the_last_are_named_in_colours_of_their
     (axes,) = figure.figure(Chart("", Axis("x"), Axis("y"), many)).axes
     legend = axes.get_legend()
     assert [one.get_text() for one in legend.get_texts()] == ["flux 1lm", "flux 30lm"]
-    assert legend.get_title().get_text() == "30 curves, the first and the last of which are"
+    assert legend.get_title().get_text() == "30 curves; the first and the last:"
     assert len({line.get_color() for line in axes.lines}) == 30

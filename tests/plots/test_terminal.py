@@ -220,6 +220,6 @@ def test_a_curve_far_beyond_the_axis_is_cut_and_takes_no_time():
 def test_of_too_many_curves_the_first_and_the_last_are_named():
     many = [Series(f"flux {k}lm", [0.0, 1.0], [0.0, float(k)]) for k in range(1, 31)]
     lines = draw(Chart("", Axis("x"), Axis("y"), many), Style(80)).splitlines()
-    assert lines[-2] == "30 curves, the first and the last of which are"
+    assert lines[-2] == "30 curves; the first and the last:"
     assert lines[-1].split("  ") == ["⠤⠤ flux 1lm", "⠤⠤ flux 30lm"]
     assert len(lines) < 30

@@ -246,7 +246,7 @@ BROKEN = {
     "counts": ("nm,Intensity (counts)\n400,1\n700,1\n", "is not light, or not calibrated"),
     "titles in a comment": ("# nm, absorbance\n400,1\n700,1\n", "'absorbance' is not light"),
     "very many columns": ("1," * 9999 + "1\n", "there are 9999 columns of values"),
-    "an endless line": (b"0" * (1 << 23), "line 1: a line of more than 4194304 bytes"),
+    "an endless line": (b"0" * (1 << 23), "line 1: the line has more than 4194304 bytes"),
     "dark light": ("400,1\n550,-0.5\n700,1\n", "too far below 0 for noise"),
     "an underscore": ("400,1\n5_50,2\n700,1\n", "line 2: '5_50' is not a number"),
     "other digits": ("400,1\n٥٥٠,2\n700,1\n", "line 2"),
@@ -261,7 +261,7 @@ BROKEN = {
     ),
     "thousands or decimals": (
         "400;1,000\n500;2,000\n",
-        "line 1: '1,000' may be a thousand or a decimal",
+        "line 1: '1,000' is ambiguous: a thousand or a decimal",
     ),
     "a bad first row": ("nm,E\nx400,1\n500,2\n600,3\n", "line 2: 'x400' is not a number"),
     "a bad first row alone": ("x400;1\n500;2\n600;3\n", "line 1: 'x400' is not a number"),

@@ -104,7 +104,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t_s,E_lx\n0,1\n1\n", {}, "line 3: 1 cells instead of 2"),
         ("t_s,E_lx\n0,1\n1,2,3\n", {}, "line 3: 3 cells instead of 2"),
         ("t_s;E_lx\n0;1,5\n1;2.5\n", {}, "line 3: a decimal point, but line 2 has a decimal comma"),
-        ("t_s;E_lx\n0;1,500\n1;2\n", {}, "may be a thousand"),
+        ("t_s;E_lx\n0;1,500\n1;2\n", {}, "is ambiguous: a thousand"),
         ("t_s,E_lx\n0,1\n1,x\n", {}, "line 3: 'x' is not a number"),
         ("t_s,E_lx\n0,1\n1,inf\n", {}, "line 3: 'inf' is not a number"),
         ("t_s,E_lx\n0,1\n1,1_0\n", {}, "line 3: '1_0' is not a number"),
@@ -141,7 +141,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("time,E [lx]\n2024-06-01T12:00,1\n２０２４-06-01T13:00,1\n", {}, "line 3: "),
         ("time,E [lx]\n2024-06-01T12:00,1\n2024-06-01T１3:00,1\n", {}, "line 3: "),
         # marks of decimals in times are held against each other, and against those of values
-        ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' may be a thousand"),
+        ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' is ambiguous: a thousand"),
         ("t_s;E_lx\n0,5;1,5\n1.5;2,5\n", {}, "line 3: a decimal point"),
         ("t_s;E_lx\n0.5;1\n1.5;2,5\n", {}, "line 3: a decimal comma"),
         *[(f"t,E [lx]\n1717245300,1\n{bad},2\n", {}, "is no Unix time")
@@ -233,7 +233,7 @@ def test_a_long_preamble_of_comments_is_looked_over():
 
 
 def test_a_line_too_long_fills_no_memory():
-    with pytest.raises(RadcalcError, match="a line of more than"):
+    with pytest.raises(RadcalcError, match="the line has more than"):
         read("t_s,E_lx\n0,1\n" + "1" * (text.LONGEST + 2))
 
 

@@ -1,11 +1,11 @@
-"""Functions of direction that are radiances, as pictures of what surrounds a place.
+"""Radiances of pictures of the surroundings, as functions of direction.
 
-- `pictures`: what a picture file holds, read by its content and written by its extension
+- `pictures`: picture files, read by their contents and written by their extension
 - `rgbe`, `exr`, `pfm`: Radiance pictures, OpenEXR and portable float maps
 - `radiance_map`: a picture in a projection, as a function of direction
 - `light_sums`: irradiances of a map, as sums over its pixels; `harmonics`: approximate ones
-- `irradiance_map`, `resampling`, `sky_map`: maps that are made: of irradiances, in another
-  projection, of a sky
+- `irradiance_map`, `resampling`, `sky_map`: creation of maps of irradiances, of maps in another
+  projection, and of maps of a sky
 
 Pixels are 32-bit floats in NumPy arrays of (height, width, channels); row 0 is the top of the
 picture.  They are proportional to radiance, and not encoded for display.

@@ -1,7 +1,7 @@
 """OpenEXR pictures, through the package OpenEXR.
 
-The library reads the headers first, without the pixels.  Sizes are checked before it makes room
-for pixels; damage it finds by itself.  It prints what it cannot decode; that is caught.
+The library reads the headers first, without the pixels.  Sizes are checked before it allocates
+memory for pixels; it detects damage itself.  It prints what it cannot decode; that is caught.
 
 References
 ----------
@@ -28,45 +28,45 @@ from radcalc.errors import ConditionError, listed, option, quote
 from radcalc.quantities.symbols import LATLONG
 
 FORMAT = "OpenEXR"
-TILE = 1 << 20  # pixels that a tile may have in a smaller picture: the library makes room for all
-TEXTS = 100  # attributes of a file that need not be UTF-8
+TILE = 1 << 20  # largest accepted tile [pixels] in a smaller picture: the library allocates all
+TEXTS = 100  # attributes of a file that may not be UTF-8
 # Attributes with their types.  If they are damaged, the library is silent: it takes windows of
 # 64 x 64 pixels, and no envmap.
 WINDOWS = (b"dataWindow\0box2i\0", b"displayWindow\0box2i\0")
 ENVMAP = b"envmap\0envmap\0"
-HEADER = 1 << 20  # bytes in which an envmap is looked for
-XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # as which R, G, B are X, Y, Z
-# Attributes that radcalc writes for itself; other programs pass over them.
+HEADER = 1 << 20  # bytes to search for an envmap
+XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # with these, R, G, B are X, Y, Z
+# Attributes that radcalc writes; other programs ignore them.
 UNIT, WEIGHTS, PROJECTION = "radcalcUnit", "radcalcWeights", "radcalcProjection"
 ASCII = bytes(range(128)) + b"?" * 128  # of each byte
 
 
 def read(data: bytes, name: str, channel: str = "") -> Picture:
-    """Read an OpenEXR picture: its R, G and B, else its Y; or one channel alone.
+    """Read an OpenEXR picture: R, G and B, else Y; or a single channel.
 
     Parameters
     ----------
     data : bytes
-        The whole file: scan lines or tiles (of several levels the largest), in one or more parts.
-    name : str
-        The name of the file in messages.
-    channel : str, optional
-        The channel to read alone, of any layer: "Z", "diffuse.R"; in any case.
+            The whole file: scan lines or tiles (the largest level is read), in one or more parts.
+        name : str
+            Name of the file in messages.
+        channel : str, optional
+            Single channel to read, of any layer: "Z", "diffuse.R"; in any case.
 
-    Returns
-    -------
-    Picture
-        Half floats are widened.  Of several parts the first that has R, G and B, else the first
-        that has Y; of luminance and chroma the luminance.  Where the file has a `whiteLuminance`
-        its pixels are multiplied by it, and are in cd/m2.  A map with an `envmap` is all of its
-        data window; else the pixels are cut to the display window, and have a frame where they do
-        not fill it.
+        Returns
+        -------
+        Picture
+            Half floats are widened.  Of several parts, the first with R, G and B is read, else the
+            first with Y; of luminance and chroma, the luminance.  With a `whiteLuminance` in the
+            file, pixels are multiplied by it, and are in cd/m2.  A map with an `envmap` is its
+            whole data window; otherwise the pixels are cut to the display window, and have a frame
+            if they do not fill it.
 
     Raises
     ------
     ConditionError
-        If it is damaged, deep or a cube, or too large, or has neither R, G and B nor Y; if the
-        package OpenEXR is missing.
+            If it is damaged, deep, a cube or too large, or has neither R, G and B nor Y; if the
+            package OpenEXR is missing.
 
     References
     ----------
@@ -95,32 +95,34 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     if len(parts) > 1:
         label = f" ('{quote(part.label)}')" if part.label else ""
         notes.append(
-            f"of {len(parts)} parts, part {number + 1}{label} is read: the first with "
+            f"part {number + 1}{label} of {len(parts)} is read: the first with "
             f"{', '.join(channels)}"
         )
     if not channel and channels == Y and "RY" in part.channels:
-        notes.append("of luminance and chroma, the luminance is read")
+        notes.append("only the luminance is read, not the chroma")
     if "A" in planes and channels != ("A",) and (clear := np.mean(planes["A"] < 1)):
         notes.append(
             f"{100 * clear:.3g} % of the pixels have an alpha below 1; their colours, which are "
-            "multiplied by it, count as they are"
+            "premultiplied by alpha, are used unchanged"
         )
     unit = part.unit
     for white in part.white_luminance:
         if 0 < white < np.inf:
             pixels *= np.float32(white)
             unit = "cd/m2"
-            assumptions.append(f"pixels are times the file's whiteLuminance of {white:g} cd/m2")
+            assumptions.append(
+                f"pixels are multiplied by the file's whiteLuminance of {white:g} cd/m2"
+            )
         else:
-            notes.append(f"the file's whiteLuminance of {white:g} cd/m2 tells no unit")
+            notes.append(f"the file's whiteLuminance of {white:g} cd/m2 does not give a unit")
     projection, frame = part.projection, None
     if part.environment is None:
         pixels, frame = _cut(pixels, part)
     else:
         projection = LATLONG
         assumptions.append(
-            "the edges of the map's first and last row are the poles (OpenEXR itself has the "
-            "centres of their pixels there)"
+            "the edges of the map's first and last row are the poles (OpenEXR itself defines them "
+            "at the pixel centres)"
         )
     if len(channels) == 1:
         weights: tuple[float, ...] = (1.0,)
@@ -139,8 +141,8 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
 def write(path: str, picture: Picture) -> tuple[str, ...]:
     """Write an OpenEXR picture over an empty file: 32-bit floats, compressed without loss.
 
-    A latlong map is marked as one, cd/m2 by a `whiteLuminance` of 1.  X, Y, Z are written as R, G,
-    B with the primaries of XYZ.  Return notes for the user.
+    A latlong map is marked as one, and cd/m2 by a `whiteLuminance` of 1.  X, Y, Z are written as
+    R, G, B with the primaries of XYZ.  Return notes for the user.
 
     Raises
     ------
@@ -169,7 +171,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     names, notes = picture.channels, tuple[str, ...]()
     if names == RGB and picture.weights != pictures.REC_709:
         header[WEIGHTS] = np.array(picture.weights, np.float32)
-        notes = ("the primaries of R, G, B are not in the file, but what gives their luminance",)
+        notes = ("the file has the luminance weights of R, G, B, but not their primaries",)
     if names == XYZ:
         header["chromaticities"], names = XYZ_PRIMARIES, RGB
     planes = {
@@ -253,7 +255,7 @@ def _parts(file: io.BytesIO, name: str) -> list[_Part]:
             parts = [_Part(part) for part in _headers(file)]
         data = file.getvalue()
         is_damaged = not all(window in data for window in WINDOWS)
-    except Exception:  # of many classes, by what is damaged
+    except Exception:  # of many classes, depending on the damage
         is_damaged = True
     if is_damaged:
         raise _damaged(name, "its header cannot be read")
@@ -263,7 +265,7 @@ def _parts(file: io.BytesIO, name: str) -> list[_Part]:
         )
     if any(part.is_deep for part in parts):
         raise ConditionError(
-            f"{name} is deep: its pixels have several samples, in different distances",
+            f"{name} is deep: its pixels have several samples, at different distances",
             "a flat picture",
         )
     for part in parts:
@@ -272,7 +274,7 @@ def _parts(file: io.BytesIO, name: str) -> list[_Part]:
     if room > pictures.MOST_BYTES:
         raise ConditionError(
             f"{name} has {room >> 20} MiB of pixels, more than {pictures.MOST_BYTES >> 20}",
-            "the part and the channels that are needed, in a file of their own",
+            "only the needed part and channels, in a separate file",
         )
     return parts
 
@@ -331,7 +333,7 @@ def _full_size(part: _Part, channels: tuple[str, ...], name: str) -> tuple[str, 
     """Return the channels; refuse those that do not have a sample for each pixel."""
     if any(part.channels[channel] != (1, 1) for channel in channels):
         raise ConditionError(
-            f"{name} has no {', '.join(channels)} for each of its pixels",
+            f"{name} does not have {', '.join(channels)} for each pixel",
             "a picture that is not subsampled",
         )
     return channels
@@ -376,7 +378,7 @@ def _planes(
                 planes = parts[number].channels
                 wanted = (*channels, "A") if "A" in planes else channels
                 return {key: planes[key].pixels for key in wanted}
-        except Exception as error:  # of many classes, by what is damaged
+        except Exception as error:  # of many classes, depending on the damage
             printed.write(str(error))
     problem = printed.getvalue().strip().rpartition(" - ")[2].partition("\n")[0]
     raise _damaged(name, f"its pixels cannot be read ({quote(problem)})")
@@ -386,7 +388,7 @@ def _planes(
 def _caught() -> Iterator[io.StringIO]:
     """Catch what Python prints to standard output, and discard standard error.
 
-    The library writes to the descriptor of standard error itself.
+    The library writes to the file descriptor of standard error.
     """
     printed, kept = io.StringIO(), None
     with suppress(OSError):  # it is closed

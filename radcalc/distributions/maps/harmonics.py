@@ -1,4 +1,4 @@
-"""Irradiances by the spherical harmonics of radiance up to order 2."""
+"""Irradiances from the spherical harmonics of radiance up to order 2."""
 
 from typing import Any
 
@@ -11,29 +11,29 @@ ORDER = 2
 
 
 def irradiances_of_order_2(around: RadianceMap, normals: Any) -> Any:
-    """Irradiances of receivers, of the channels of a map, without what is finer than order 2.
+    """Return irradiances of receivers from the harmonics up to order 2 of a map, by channel.
 
     Parameters
     ----------
     around : RadianceMap
     normals : ndarray of shape (n, 3)
-        Unit vectors of where the receivers face, in the map's own axes.
+        Unit normals of the receivers, in the map's own axes.
 
     Returns
     -------
     ndarray of shape (n, channels) [lx, W/m2, photon/s/m2 or sr]
-        It may be below 0 where the map has more contrast than the nine harmonics can follow.
+        May be negative if the contrast of the map is too high for the nine harmonics.
 
     Notes
     -----
-    With A_l = pi, 2 pi/3, pi/4 and the addition theorem, the sum of A_l L_lm Y_lm(n) of the nine
-    coefficients [1]_ is::
+    With A_l = pi, 2 pi/3, pi/4 and the addition theorem, the sum of A_l L_lm Y_lm(n) over the
+    nine coefficients [1]_ is::
 
         E(n) = S / 4 + n . V / 2 + 5/32 (3 n . T n - S)
 
-    where S, V and T are the integrals over solid angle of the radiance, of it times the direction
-    w, and of it times w w^T.  Over a pixel that of w w^T is v v^T / s + s (p p^T + q q^T) / 3, of
-    its light vector v, solid angle s and half edges.
+    where S, V and T are the integrals over solid angle of the radiance, of the radiance times the
+    direction w, and of the radiance times w w^T.  For a pixel with the light vector v, the solid
+    angle s and the half edges p and q, the integral of w w^T is v v^T / s + s (p p^T + q q^T) / 3.
 
     References
     ----------
@@ -66,5 +66,5 @@ def irradiances_of_order_2(around: RadianceMap, normals: Any) -> Any:
         for part in parts:
             tensor = tensor + numpy.einsum("xbij,ybij,bijc->xyc", part, part, light, optimize=True)
     squares = numpy.einsum("nx,xyc,ny->nc", normals, tensor, normals)
-    flux_of_tensor = numpy.trace(tensor)  # is the flux, up to the fourth power of a pixel's angle
+    flux_of_tensor = numpy.trace(tensor)  # the flux, up to the fourth power of a pixel's angle
     return flux / 4 + normals @ vector / 2 + 5 / 32 * (3 * squares - flux_of_tensor)

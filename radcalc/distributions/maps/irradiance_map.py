@@ -1,4 +1,4 @@
-"""Irradiance maps: what receivers get that face in all directions, as an image."""
+"""Irradiance maps: irradiances of receivers that face in all directions, as an image."""
 
 import math
 from typing import Any, NamedTuple
@@ -12,26 +12,24 @@ from radcalc.errors import ConditionError
 from radcalc.geometry.projections import direction_at, middle_of_pixel
 from radcalc.quantities.symbols import LATLONG
 
-DIRECTIONS = 128  # of receivers, of which spherical harmonics are compared with the exact sum
+DIRECTIONS = 128  # receivers at which spherical harmonics are compared with the exact sum
 GOLDEN = (1 + math.sqrt(5)) / 2
 
 
 class IrradianceMap(NamedTuple):
-    """An irradiance map, and what its order changed.
+    """An irradiance map, and the errors of its order.
 
     Attributes
     ----------
     pixels : ndarray of shape (height, width, channels) [lx, W/m2, photon/s/m2 or sr]
-        Irradiances of receivers that face towards the middles of the pixels of a latlong map in
-        the world's axes.
+        Irradiances of receivers that face the pixel centres of a latlong map in world axes.
     largest, rms : float [1]
-        The largest difference from the exact sum of receivers in `DIRECTIONS` directions that are
-        spread evenly, and the root mean square of all, in shares of the largest exact irradiance
-        of them; 0 of the exact sum itself.
+        Largest and root-mean-square difference from the exact sum in `DIRECTIONS` evenly
+        spread directions, relative to the largest exact irradiance; 0 for the exact sum.
     raised : int
-        Of how many pixels the harmonics are below 0, which became 0.
+        Number of pixels with negative harmonics, which were set to 0.
     deepest : float [1]
-        How far below 0 they are at most, in the same shares.
+        Largest amount below 0, relative to the same irradiance.
 
     Examples
     --------
@@ -53,18 +51,18 @@ def irradiance_map(
     order: int | None = None,
     progress: Progress | None = None,
 ) -> IrradianceMap:
-    """Irradiances of receivers that face in all directions, as a latlong map.
+    """Return the irradiances of receivers that face in all directions, as a latlong map.
 
     Parameters
     ----------
     around : RadianceMap
-        Where the light comes from.
+        Surroundings.
     width, height : int
-        Size of the map that is made [pixels], 2:1.
+        Size of the new map [pixels], 2:1.
     order : int, optional
         2 for spherical harmonics up to that order; the exact sum by default.
     progress : callable, optional
-        Is called with how much is done, and all there is, each time when more is done.
+        Called with the work done so far and the total.
 
     Returns
     -------
@@ -73,7 +71,7 @@ def irradiance_map(
     Raises
     ------
     ConditionError
-        If the size is not that of a latlong map, or the order another.
+            If the size is not that of a latlong map, or the order is not 2.
 
     Examples
     --------
@@ -84,12 +82,12 @@ def irradiance_map(
     """
     check_shape(LATLONG, width, height)
     if order not in (None, ORDER):
-        raise ConditionError(f"no irradiances are summed up to order {order}", f"order {ORDER}")
+        raise ConditionError(f"there are no irradiance maps of order {order}", f"order {ORDER}")
     places = middle_of_pixel(width, height, numpy.arange(width), numpy.arange(height)[:, None])
     normals = numpy.stack(direction_at(LATLONG, *numpy.broadcast_arrays(*places)), -1)
     if order is None:
         return IrradianceMap(around.irradiances(normals, is_each=True, progress=progress))
-    # the exact sums of all pixels would take several times as long as all the harmonics
+    # the exact sums of all pixels would take several times as long as the harmonics
     checked = _directions()
     exact = around.irradiances(checked, is_each=True, progress=progress)
     x, y, z = around.in_map_axes(tuple(numpy.concatenate([checked, normals.reshape(-1, 3)]).T))
@@ -108,7 +106,7 @@ def irradiance_map(
 
 
 def _directions() -> Any:
-    """Unit vectors that are spread evenly over the sphere: a Fibonacci lattice."""
+    """Return evenly spread unit vectors: a Fibonacci lattice."""
     number = numpy.arange(DIRECTIONS) + 0.5
     z = 1 - 2 * number / DIRECTIONS
     across, azimuth = numpy.sqrt(1 - z * z), 2 * math.pi / GOLDEN * number

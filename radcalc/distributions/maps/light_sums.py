@@ -1,18 +1,18 @@
 """Irradiances of a map: sums of light vectors over blocks of its pixels.
 
-The light vector of a pixel is its radiance times the integral of direction over its solid angle; a
-receiver with the normal n gets n . V of it.  The sum V of a block serves every receiver whose
-horizon leaves the block whole.  Only the blocks that a horizon cuts are summed pixel by pixel, and
-of a pixel that it cuts the part above is taken:
+The light vector V of a pixel is its radiance times the integral of direction over its solid angle;
+a receiver with the normal n gets n . V from it.  The sum of V over a block serves every receiver
+whose horizon does not cut the block.  Blocks cut by a horizon are summed pixel by pixel; from a
+pixel cut by the horizon, the part above it counts:
 
-    integral of max(0, x) over a cosine x that is spread evenly about its mean m, up to a away
+    integral of max(0, x) over a cosine x that is spread evenly about its mean m, within +-a
     = max(0, m) + max(0, a - |m|)^2 / (4 a),  a = sqrt((n . p)^2 + (n . q)^2)
 
-with p and q from the pixel's middle to two of its edges, which gives the cosine its variance over
-the pixel.  The error that is told is the second term with a = |n . p| + |n . q|, up to the corners.
-Pixels that reach farther than `WIDE` are split for that.  A constant map of 1024 x 512 pixels then
-gives pi L to about 1e-8 in any direction, one of 64 x 32 to 1e-6; without the second term it would
-be h^2/12, with pixels of the angle h: 3e-6 and 8e-4.
+where p and q point from the pixel's centre to two of its edges, so that the cosine has its variance
+over the pixel.  The reported error is the second term with a = |n . p| + |n . q|, which reaches the
+corners.  Pixels that extend farther than `WIDE` are split.  A constant map of 1024 x 512 pixels
+then gives pi L to about 1e-8 in any direction, a map of 64 x 32 to 1e-6; without the second term
+the error would be h^2/12 for pixels of the angle h: 3e-6 and 8e-4.
 """
 
 import math
@@ -24,21 +24,21 @@ import numpy
 from radcalc.geometry.light_vectors import half_edges, light_vectors, shown_directions
 from radcalc.geometry.projections import corner_of_pixel
 
-SIDE = 16  # pixels of a block, each way
-FEWEST = 64  # blocks across an image, where it has as many pixels
-ACROSS = 3  # places each way by which a block's extent is measured
-MARGIN = 1.1  # of that extent, for what bulges between those places
+SIDE = 16  # pixels along the side of a block
+FEWEST = 64  # blocks across an image, if it has as many pixels
+ACROSS = 3  # sample points along each side, for the extent of a block
+MARGIN = 1.1  # factor of that extent, for bulges between the sample points
 WIDE = 0.02  # [rad] from the middle of a pixel to its edges
-CHUNK = 1 << 20  # numbers at a time, of pixels times normals
+CHUNK = 1 << 20  # numbers at a time (pixels times normals)
 TINY = 1e-290
 
-Progress = Callable[[int, int], object]  # what is done, and all there is
+Progress = Callable[[int, int], object]  # called with the work done and the total
 Rows = Callable[[int, int], Any]  # the values in rows: (rows, columns, channels)
 Pixels = tuple[Any, Any, Any, Any]  # light vectors at radiance 1, both half edges, radiances
 
 
 class Raster:
-    """An image, or a rectangle of it, cut into blocks of pixels.
+    """An image, or a rectangle of it, divided into blocks of pixels.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class Raster:
     size : tuple of 2 ints
         Width and height of the image [pixels].
     part : tuple of 4 ints
-        Left, top, width and height of the rectangle within it [pixels].
+            Left, top, width and height of the rectangle [pixels].
     """
 
     def __init__(
@@ -57,9 +57,9 @@ class Raster:
         self.across, self.down = (-(-count // self.side) for count in part[2:])
 
     def edges(self, down: int) -> tuple[Any, Any]:
-        """Edges of the pixels of a row of blocks, as u and v: a row of edges for each block.
+        """Return the pixel edges of a row of blocks, as u and v: a row of edges for each block.
 
-        The last blocks may reach beyond the rectangle; there the pixels have no size.
+        The last blocks may extend beyond the rectangle; their pixels have no size there.
         """
         (width, height), (left, top, columns, rows) = self.size, self.part
         steps = numpy.arange(self.side + 1)
@@ -71,24 +71,24 @@ class Raster:
         return u, v[None]
 
     def rows(self, down: int) -> tuple[int, int]:
-        """First row of a row of blocks, and the one after its last."""
+        """Return the first row of a row of blocks, and the row after its last."""
         return down * self.side, min((down + 1) * self.side, self.part[3])
 
     def blocks(self, values: Any) -> Any:
-        """Values of rows of pixels, (rows, columns, ...), as (blocks, side, side, ...)."""
+        """Arrange rows of pixels, (rows, columns, ...), as (blocks, side, side, ...)."""
         rows, columns, *channels = values.shape
         room = numpy.zeros((self.side, self.across * self.side, *channels), values.dtype)
         room[:rows, :columns] = values
         return room.reshape(self.side, self.across, self.side, *channels).swapaxes(0, 1)
 
     def cones(self, u: Any, v: Any) -> tuple[Any, Any]:
-        """Axes of cones about what blocks show, (blocks, 3), and the sines of their half angles.
+        """Return the axes of cones about blocks, (blocks, 3), and the sines of their half angles.
 
-        Sines of 2 where the half angle is beyond a right angle.
+        The sine is 2 if the half angle exceeds a right angle.
         """
         steps = numpy.linspace(0, 1, ACROSS)
         wide, high = (edges[:, :1] + (edges[:, -1:] - edges[:, :1]) * steps for edges in (u, v))
-        # and the place nearest to the middle: a circle may cut off no more than an edge's middle
+        # also the point nearest to the centre: a circle may cut off only the middle of an edge
         wide, high = (
             numpy.concatenate([edges, numpy.clip(0.0, edges.min(1), edges.max(1))[:, None]], 1)
             for edges in (wide, high)
@@ -103,15 +103,15 @@ class Raster:
 
 
 class LightSums:
-    """Light vectors of the blocks of a raster, and the irradiances that they give.
+    """Light vectors of the blocks of a raster, for irradiances.
 
     Parameters
     ----------
     raster : Raster
     rows : callable
-        Gives the radiances from a row of pixels to before another, (rows, columns, channels).
+        Returns the radiances of a range of rows, (rows, columns, channels).
     seen : callable, optional
-        Gets the same two numbers and the radiances once, when the vectors are made.
+        Called once with each range of rows and their radiances, during construction.
     """
 
     def __init__(
@@ -136,16 +136,16 @@ class LightSums:
     def irradiances(
         self, normals: Any, progress: Progress | None = None, has_errors: bool = False
     ) -> tuple[Any, Any]:
-        """Irradiances of receivers, and how far they may be off.
+        """Return the irradiances of receivers, and their possible errors.
 
         Parameters
         ----------
         normals : ndarray of shape (n, 3)
             Unit vectors in the map's own axes.
         progress : callable, optional
-            Is told how many rows of blocks are done, and of how many.
+            Called with the number of completed rows of blocks and the total.
         has_errors : bool, optional
-            Whether the errors are wanted; else they are 0.
+            Whether to compute the errors; else they are 0.
 
         Returns
         -------
@@ -172,7 +172,7 @@ class LightSums:
         return total, errors
 
     def _pixels(self, down: int, chosen: Any) -> Iterator[tuple[Pixels, Pixels]]:
-        """The pixels of each block, and the same with the wide ones split."""
+        """Yield the pixels of each block, and the same with wide pixels split."""
         raster = self.raster
         u, v = raster.edges(down)
         u = u[chosen]
@@ -199,19 +199,19 @@ class LightSums:
 
 
 def _shape(projection: str, u: Any, v: Any) -> Any:
-    """Vectors and half edges, (3, 3, ...)."""
+    """Return light vectors and half edges, (3, 3, ...)."""
     return numpy.stack([light_vectors(projection, u, v), *half_edges(projection, u, v)])
 
 
 def _received(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> Any:
-    """What receivers get of pixels."""
+    """Return the irradiances from pixels."""
     mean = normals @ vectors
     reach = numpy.hypot(normals @ along, normals @ down) * _size(vectors)
     return (numpy.maximum(mean, 0.0) + _beyond(mean, reach)) @ light
 
 
 def _error(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> Any:
-    """How far that may be off: corners reach farther than a cosine that is spread evenly."""
+    """Return the possible error: corners extend beyond a cosine that is spread evenly."""
     reach = (abs(normals @ along) + abs(normals @ down)) * _size(vectors)
     return _beyond(normals @ vectors, reach) @ light
 
@@ -221,6 +221,6 @@ def _size(vectors: Any) -> Any:
 
 
 def _beyond(mean: Any, reach: Any) -> Any:
-    """The part above the horizon in excess of the positive part of the mean."""
+    """Return the positive part of the cosine, in excess of the positive part of its mean."""
     over = numpy.maximum(reach - abs(mean), 0.0)
-    return over * over / (4 * numpy.maximum(reach, TINY))  # a pixel of no size has none
+    return over * over / (4 * numpy.maximum(reach, TINY))  # 0 for a pixel without size

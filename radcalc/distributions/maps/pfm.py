@@ -1,9 +1,9 @@
 """Portable float maps (.pfm): three lines of text, and 32-bit floats of one or three channels.
 
-Rows begin at the bottom, as Debevec's HDR Shop and Netpbm's pfm(5) have it (Photoshop begins at
-the top, which no file tells).  The scale in the third line is the byte order by its sign, negative
-for little-endian; its absolute value multiplies all pixels here, as in OpenImageIO and pbrt, while
-others pass over it, so it is told where it is not 1.
+Rows begin at the bottom, as in Debevec's HDR Shop and Netpbm's pfm(5); Photoshop begins at the top,
+which cannot be seen from the file.  The sign of the scale in the third line is the byte order
+(negative: little-endian).  Its absolute value multiplies all pixels here, as in OpenImageIO and
+pbrt; other programs ignore it, so there is a note if it is not 1.
 """
 
 import re
@@ -26,7 +26,7 @@ from radcalc.files import columns
 FORMAT = "PFM"
 HEADER = re.compile(rb"P([Ff])\s+(-?\d{1,15})\s+(-?\d{1,15})\s+([^\s]{1,40})\s")
 FORM = "PF or Pf, width and height, and a scale that is not 0, in three lines"
-BLOCK = 1 << 20  # floats that are written at a time
+BLOCK = 1 << 20  # floats to write at a time
 
 
 def read(data: bytes, name: str) -> Picture:
@@ -37,7 +37,7 @@ def read(data: bytes, name: str) -> Picture:
     data : bytes
         The whole file.
     name : str
-        What messages call it.
+            Name of the file in messages.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def read(data: bytes, name: str) -> Picture:
     Raises
     ------
     ConditionError
-        If the header is none, or the file has more or less bytes than it says.
+        If the header is wrong, or the file has more or fewer bytes than its size requires.
 
     Examples
     --------
@@ -58,7 +58,7 @@ def read(data: bytes, name: str) -> Picture:
     scale = columns.finite(head[4].decode("latin-1"), False) if head else None
     if not head or not scale:
         begin = data[:200].decode("latin-1").replace("\n", " ")
-        raise ConditionError(f"{name} is no PFM picture: it begins with '{quote(begin)}'", FORM)
+        raise ConditionError(f"{name} is not a PFM picture: it begins with '{quote(begin)}'", FORM)
     channels = RGB if head[1] == b"F" else Y
     width, height = int(head[2]), int(head[3])
     check_size(width, height, name)
@@ -66,8 +66,8 @@ def read(data: bytes, name: str) -> Picture:
     if len(data) == start + size + 1 and data[start - 1 : start + 1] == b"\r\n":
         start += 1
     if len(data) != start + size:
-        problem = f"{name} has {len(data) - start} bytes of pixels, and its size makes it {size}"
-        raise ConditionError(problem, "the file again, whole")
+        problem = f"{name} has {len(data) - start} bytes of pixels, but its size requires {size}"
+        raise ConditionError(problem, "the complete file")
     stored = np.frombuffer(data, "<f4" if scale < 0 else ">f4", offset=start)
     pixels = np.array(stored.reshape(height, width, -1)[::-1], np.float32)
     notes: tuple[str, ...] = ()
@@ -81,12 +81,12 @@ def read(data: bytes, name: str) -> Picture:
 
 
 def write(path: str, picture: Picture) -> tuple[str, ...]:
-    """Write a portable float map, little-endian; what is lost is returned, to be told.
+    """Write a portable float map, little-endian; return a note about lost information.
 
     Raises
     ------
     ConditionError
-        If the channels are X, Y, Z, which a reader would take for R, G, B.
+            If the channels are X, Y, Z, which a reader would interpret as R, G, B.
     """
     if picture.channels == XYZ:
         raise ConditionError("PFM has no X, Y, Z", "a Radiance (.hdr) or OpenEXR (.exr) picture")
@@ -102,4 +102,4 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
         lost.append("the primaries")
     if picture.projection:
         lost.append(f"the projection ({quote(picture.projection)})")
-    return (f"a PFM file does not say {', '.join(lost)}",) if lost else ()
+    return (f"PFM does not store {', '.join(lost)}",) if lost else ()

@@ -1,9 +1,9 @@
-"""Picture files: what they hold, told apart by their first bytes and written by their extension.
+"""Picture files, read by their first bytes and written by their extension.
 
-Each format is a module of its own, loaded when it is needed: `rgbe`, `pfm` and `exr` have
-`read(data, name)`, of the bytes of a file, where `name` is what messages call it, and
-`write(path, picture)`, which writes over an empty file and returns what is to be told (a tuple of
-str).  What a file or a picture has wrong is a ConditionError; an OSError is left to this module.
+Each format has a module, loaded when needed: `rgbe`, `pfm` and `exr` define `read(data, name)`,
+with the bytes of a file and its name in messages, and `write(path, picture)`, which writes over an
+empty file and returns notes (a tuple of str).  They raise a ConditionError for a bad file or
+picture; this module handles OSError.
 """
 
 from collections.abc import Sequence
@@ -15,22 +15,22 @@ import numpy as np
 from radcalc.distributions import contents
 from radcalc.errors import SHOWN, ConditionError, quote, quote_path
 
-# Of the sum of all values: those below 0 that are less of it are what lossy encoding left.
+# share of the sum of all values: smaller negative values are due to lossy encoding
 NOISE = 1e-6
 KNOWN = "a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) picture"
 LEAST = 1e-6  # y of a white, and twice the area of a triangle of primaries
 FARTHEST = 10.0  # coordinate of a primary
 RGB, XYZ, Y = ("R", "G", "B"), ("X", "Y", "Z"), ("Y",)  # the channels of a picture
-BY_REC_709 = "luminance is by the primaries of Rec. 709, for the file names none"
-REC_709 = (0.2126, 0.7152, 0.0722)  # of the luminance of linear R, G, B, as the standard has them
-# A map of 16384x8192, the largest that is common, has 1.5 GiB as floats; twice that still fits into
+BY_REC_709 = "the luminance is that of Rec. 709 primaries, as the file declares none"
+REC_709 = (0.2126, 0.7152, 0.0722)  # luminance of linear R, G, B in the standard
+# A map of 16384x8192, the largest common size, has 1.5 GiB as floats; twice that still fits into
 # the memory of a common computer.
 PIXELS = 1 << 28
 MOST_BYTES = 16 * PIXELS  # of a file: four floats a pixel
-BRIGHTEST, FAINTEST = 3e38, 1e-36  # that 32 bits, and RGBE, hold with all their digits
+BRIGHTEST, FAINTEST = 3e38, 1e-36  # limits of 32 bits, and of RGBE, without loss of digits
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
 READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
-OLD_RADIANCE = b"FORMAT=32-bit_rle_"  # in the header of a Radiance picture that begins otherwise
+OLD_RADIANCE = b"FORMAT=32-bit_rle_"  # in the header of a Radiance picture without the first bytes
 POINTER = b"version https://git-lfs"  # of Git LFS
 OTHERS = {
     b"\xff\xd8\xff": "JPEG",
@@ -45,26 +45,26 @@ OTHERS = {
 
 
 class Picture(NamedTuple):
-    """A picture as a file has it.
+    """A picture as read from a file.
 
     Attributes
     ----------
     pixels : array of float32, (height, width, channels)
         In the file's unit (an exposure is undone); row 0 is the top.
     channels : tuple of str
-        ("R", "G", "B"), ("X", "Y", "Z") or ("Y",); or one of another name that was asked for.
+        ("R", "G", "B"), ("X", "Y", "Z") or ("Y",); or the name of a requested channel.
     weights : tuple of float
-        What gives the luminance of the channels: by the file's primaries, else those of Rec. 709.
+        Luminance of the channels: by the file's primaries, else those of Rec. 709.
     format : str
         "Radiance RGBE", "OpenEXR" or "PFM".
     unit : str
-        In which the file says its pixels are; empty where it does not.
+        Unit declared by the file, or empty.
     projection : str
-        That the file declares; empty where it does not.
+        Projection declared by the file, or empty.
     frame : tuple of int, or None
-        Left, top, full width and full height, where the pixels are a part of a larger picture.
+        Left, top, full width and full height, if the pixels are a part of a larger picture.
     assumptions, notes : tuple of str
-        What was assumed in reading it, and what is odd.
+        Assumptions of the reader, and oddities.
 
     Examples
     --------
@@ -85,37 +85,36 @@ class Picture(NamedTuple):
 
 
 def read_picture(path: str, channel: str = "") -> Picture:
-    """Read a picture: Radiance, OpenEXR or PFM, which its first bytes tell, not its name.
+    """Read a picture in a format that its first bytes identify: Radiance, OpenEXR or PFM.
 
     Parameters
     ----------
     path : str
         A regular file of 4 GiB at most.
     channel : str, optional
-        The channel that an OpenEXR picture is read for, which may have any; of the others all
-        channels are read.
+        Channel to read from an OpenEXR picture; from other pictures all channels are read.
 
     Returns
     -------
     Picture
-        At most 2^28 pixels.  Values below 0 of which the sum is less than a millionth of all are
-        what lossy encoding left, and become 0; others stay.
+        At most 2^28 pixels.  Negative values become 0 if their sum is less than a millionth of
+        all, as after lossy encoding; otherwise they stay.
 
     Raises
     ------
     ConditionError
-        If it cannot be read, is none of the three, or has more pixels; else what the reader of
-        its format refuses.
+        If it cannot be read, has none of the three formats, or has more pixels; also the errors
+        of the format's reader.
 
     Examples
     --------
     >>> read_picture("-")
     Traceback (most recent call last):
-    radcalc.errors.ConditionError: a picture is not read from standard input
+    radcalc.errors.ConditionError: a picture cannot be read from standard input
     try: its file
     """
     if path == "-":
-        raise ConditionError("a picture is not read from standard input", "its file")
+        raise ConditionError("a picture cannot be read from standard input", "its file")
     name = quote_path(path)
     with contents.opened(path, MOST_BYTES, KNOWN) as file:
         head = file.read(1000)
@@ -126,7 +125,7 @@ def read_picture(path: str, channel: str = "") -> Picture:
         data = contents.whole(file, MOST_BYTES, path) if reader else b""
     if not reader:
         raise _is_no_picture(head, name)
-    # only the one that is needed is loaded
+    # load only the module that is needed
     module = import_module(f"radcalc.distributions.maps.{reader}")
     alone = (channel,) if channel and reader == "exr" else ()
     try:
@@ -136,23 +135,22 @@ def read_picture(path: str, channel: str = "") -> Picture:
 
 
 def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
-    """Write a picture in the format of the extension: whole, or not at all.
+    """Write a picture in the format of the extension, completely or not at all.
 
-    Returns what the format loses of it, which is to be told.
-
-    What was there is replaced when all is written; so a picture can take the place of the one
-    that it was made of.
+    Return notes on the information that the format cannot store.  An existing file is replaced
+    only when all is written, so a picture can replace its own source.
 
     Raises
     ------
     ConditionError
+        If the format cannot hold the picture, or the extension is unknown.
         If the format cannot hold the picture, or the extension is of none.
     OutputError
         If it cannot be written.
     """
     extension = check_target(path)
     if picture.frame and extension != ".exr":
-        raise ConditionError("a part of a picture is kept in OpenEXR alone", "an .exr file")
+        raise ConditionError("only OpenEXR can store a part of a picture", "an .exr file")
     module = import_module(f"radcalc.distributions.maps.{WRITERS[extension]}")
     with contents.written(path) as temporary:
         notes: tuple[str, ...] = module.write(temporary, picture)
@@ -160,9 +158,9 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
 
 
 def check_target(path: str) -> str:
-    """Refuse a place to write to, before the work whose result would be lost; the extension.
+    """Check that a picture can be written to a path, and return the extension.
 
-    Raises what `write_picture` raises, as far as it can be known before.
+    It raises the errors of `write_picture`, as far as they are known before the work.
 
     Examples
     --------
@@ -177,7 +175,7 @@ def check_target(path: str) -> str:
 
 
 def check_size(width: int, height: int, name: str) -> None:
-    """Refuse a picture that has no pixels or too many, before room is made for them.
+    """Raise an error for a picture with no or too many pixels, before memory is allocated.
 
     Examples
     --------
@@ -194,14 +192,14 @@ def check_size(width: int, height: int, name: str) -> None:
 
 
 def as_floats(values: Any, unit: str) -> Any:
-    """The values of a picture that is made, as it has them: in 32 bits.
+    """Return the values of a new picture as 32-bit floats.
 
     Parameters
     ----------
     values : ndarray of float
         0 or more.
     unit : str
-        Theirs, for messages.
+        Unit, for messages.
 
     Returns
     -------
@@ -210,58 +208,58 @@ def as_floats(values: Any, unit: str) -> Any:
     Raises
     ------
     ConditionError
-        If one is too large for that, or all are so small that nothing is left of them.
+        If a value is too large for 32 bits, or all values are too small.
 
     Examples
     --------
     >>> as_floats(np.array([1e40]), "cd/m2")
     Traceback (most recent call last):
-    radcalc.errors.ConditionError: a picture holds no values of more than 3e+38 cd/m2
+    radcalc.errors.ConditionError: a picture cannot hold values above 3e+38 cd/m2
     try: less extreme values
     """
     highest = values.max()
     if not highest < BRIGHTEST:
-        problem = f"a picture holds no values of more than {BRIGHTEST:g} {unit}"
+        problem = f"a picture cannot hold values above {BRIGHTEST:g} {unit}"
         raise ConditionError(problem, "less extreme values")
     if 0 < highest < FAINTEST:
-        problem = f"a picture of values of {highest:g} {unit} at most would be all but black"
+        problem = f"a picture with values up to {highest:g} {unit} would be almost black"
         raise ConditionError(problem, "less extreme values")
     return values.astype(np.float32)
 
 
 def _without_noise(picture: Picture) -> Picture:
-    """A picture whose values below 0 are 0, where they are too few and small to count."""
+    """Replace negative values by 0 if they are negligible."""
     pixels = picture.pixels
-    with np.errstate(invalid="ignore"):  # NaN and infinite values, which are no noise
+    with np.errstate(invalid="ignore"):  # NaN and infinite values are not noise
         if not pixels.min() < 0:
             return picture
         below = pixels[pixels < 0]
         share = -below.sum(dtype=float) / np.abs(pixels).sum(dtype=float)
     if not share < NOISE:
         return picture
-    note = f"{below.size} values below 0, by {-below.min():.2g} at most, count as 0"
+    note = f"{below.size} negative values (down to {below.min():.2g}) count as 0"
     return picture._replace(pixels=np.maximum(pixels, 0), notes=(*picture.notes, note))
 
 
 def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float, ...]:
-    """What gives the luminance of R, G, B, by the chromaticities of a file.
+    """Return the luminance weights of R, G, B from the chromaticities in a file.
 
     Parameters
     ----------
     chromaticities : sequence of eight floats
         x and y of red, green, blue and white, which is R = G = B.
     name : str
-        What messages call the file.
+        Name of the file in messages.
 
     Returns
     -------
     tuple of float
-        Of R, G and B; their sum is 1.
+        Weights of R, G and B; their sum is 1.
 
     Raises
     ------
     ConditionError
-        If no light can have them: where y is not positive, or the three are on a line.
+        If they are impossible: y of white is not positive, or the primaries are on a line.
 
     Examples
     --------
@@ -272,28 +270,28 @@ def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float
     xy = np.array(chromaticities, float).reshape(4, 2)
     xyz = np.column_stack([xy, 1 - xy.sum(1)]) if np.abs(xy).max() < FARTHEST else np.zeros((4, 3))
     mixed, white = xyz[:3].T, xyz[3]
-    # three on a line have a determinant of 0, up to rounding
+    # the determinant of three points on a line is 0, up to rounding
     if white[1] < LEAST or abs(np.linalg.det(mixed)) < LEAST:
         numbers = " ".join(f"{value:g}" for value in chromaticities)
-        problem = f"{name} has primaries of which no light can be mixed: {quote(numbers)}"
+        problem = f"{name} has impossible primaries: {quote(numbers)}"
         raise ConditionError(problem, "x and y of red, green, blue and white")
     weights = np.linalg.solve(mixed, white / white[1]) * xyz[:3, 1]
     return tuple(map(float, weights))
 
 
 def _is_no_picture(head: bytes, name: str) -> ConditionError:
-    """What is wrong with a file that begins so, and what helps."""
+    """Return the error for a file with an unknown beginning."""
     if not head:
         return ConditionError(f"{name} is empty", KNOWN)
     if head.startswith(POINTER):
-        problem = f"{name} is a pointer of Git LFS, which stands for the picture"
+        problem = f"{name} is a Git LFS pointer, not the picture"
         return ConditionError(problem, "git lfs pull, which fetches it")
     kind = next((OTHERS[magic] for magic in OTHERS if head.startswith(magic)), "")
     if kind in ("gzip", "ZIP"):
         return ConditionError(f"{name} is compressed ({kind})", "what is in it")
     if kind:
-        return ConditionError(f"{name} is {kind}, and no picture of radiances", KNOWN)
+        return ConditionError(f"{name} is {kind}, not a picture of radiances", KNOWN)
     if head.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):
         return ConditionError(f"{name} is a web page (HTML) or XML", "the file it leads to")
     text = quote(head[:SHOWN].decode("latin-1"))
-    return ConditionError(f"{name} is no picture that is read: it begins with '{text}'", KNOWN)
+    return ConditionError(f"{name} is not a known picture: it begins with '{text}'", KNOWN)

@@ -1,4 +1,4 @@
-"""A map of radiances: an image of everything around a place, as a function of direction."""
+"""Maps of radiances: an image of everything around a place, as a function of direction."""
 
 import math
 from collections.abc import Sequence
@@ -25,65 +25,65 @@ from radcalc.maths import Number
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS
 from radcalc.units.ranges import refuse_masked
 
-STRIP = 1 << 22  # numbers that are read at a time, where the pixels are not in memory
-GROUP = 1 << 18  # pixels of which the solid angles are worked out at a time
-LEAST = 4  # rows: with fewer even the sign of a direction is open
-CUBES = ((3, 4), (4, 3), (6, 1), (1, 6))  # faces across and down, as maps on a cube are laid out
+STRIP = 1 << 22  # numbers to read at a time, if the pixels are not in memory
+GROUP = 1 << 18  # pixels for which solid angles are computed at a time
+LEAST = 4  # rows: with fewer, even the sign of a direction is uncertain
+CUBES = ((3, 4), (4, 3), (6, 1), (1, 6))  # layouts of cube maps: faces across and down
 INSIDE = 1 - 1e-12
 
 
 class RadianceMap:
-    """Radiances by an image in a projection.
+    """Radiances given by an image in a projection.
 
     Parameters
     ----------
     pixels : array of shape (height, width) or (height, width, channels)
-        0 or more, row 0 at the top.  Anything that NumPy takes rows of: its own arrays, also mapped
-        into memory, and Dask arrays, of which a strip of rows at a time is computed.
+        0 or more, row 0 at the top.  NumPy arrays, also memory-mapped ones, and Dask arrays,
+        of which a strip of rows is computed at a time.
     projection : {"latlong", "mirror-ball", "angular"}
         As in `radcalc.geometry.projections`; latlong maps are 2:1, the others square.
     aim : tuple of 3 floats, optional
-        Where in the world the middle of the image is; +x by default.  Its up stays as near to the
-        world's as can be, as of `facing`.
+        World direction of the image centre; +x by default.  The top of the image is as close to
+        world up as possible; see `facing`.
     weights : sequence of floats, one a channel, optional
-        What gives the scalar of the channels, as the luminance of R, G and B; only of one channel
-        1 by default.
+        Weights of the channels in the scalar radiance, such as the luminance of R, G and B;
+        1 by default, for one channel only.
     factor : float, optional
-        What a value is in coherent SI (cd/m2, W/m2/sr, photon/s/m2/sr).
+        Factor that converts the values to coherent SI (cd/m2, W/m2/sr, photon/s/m2/sr).
     kind : {"v", "e", "p", ""}, optional
-        The kind of light; empty where values are relative.
+        Kind of light; empty for relative values.
     frame : tuple of 4 ints, optional
-        Left, top, full width and full height, where the pixels are a part of a larger image.
+        Left, top, full width and full height, if the pixels are a part of a larger image.
 
     Attributes
     ----------
     coverage : float [1]
-        The share of the sphere that the pixels show.
+        Share of the sphere that the pixels show.
     solid_angle : float [sr]
         The same as a solid angle.
 
     Raises
     ------
     ConditionError
-        If the shape is not the projection's, or a pixel is negative, infinite or NaN; outside of
-        the circle of a mirror ball or an angular map pixels may be anything.
+        If the shape does not fit the projection, or a pixel is negative, infinite or NaN; pixels
+        outside the circle of a mirror ball or an angular map may have any value.
     NumberError
         If a pixel is masked.
 
     Notes
     -----
-    A pixel has one radiance in all directions that it shows: `radiance` looks up the pixel, and
+    A pixel has the same radiance in all its directions: `radiance` looks up the pixel, and
     `irradiance` is the sum over pixels of their radiance times the integral of cos(theta) over
-    their solid angle (`light_sums` says how).  The error that is given of an irradiance is how much
-    of the light of pixels that the receiver's horizon cuts may be on its other side: nobody knows
-    how it is spread there.  What an image lost when its pixels were made is no part
-    of it.
+    their solid angle (see `light_sums`).  The reported error of an irradiance is the light of
+    pixels cut by the receiver's horizon that may come from the other side of it, as its
+    distribution within the pixel is unknown.  It does not include the loss of detail when the
+    image was made.
 
     All pixels are read once when a map is made.
 
     Examples
     --------
-    3000 cd/m2 everywhere:
+    A radiance of 3000 cd/m2 in all directions:
 
     >>> around = RadianceMap(numpy.full((512, 1024), 3000.0), "latlong", kind="v")
     >>> round(around.irradiance((1.0, 2.0, 3.0)).value, 2), around.coverage
@@ -104,7 +104,7 @@ class RadianceMap:
             pixels = numpy.asarray(pixels)
         if len(pixels.shape) not in (2, 3) or 0 in pixels.shape or pixels.dtype.kind not in "fiu":
             raise ConditionError(
-                f"pixels of the shape {pixels.shape} and the type {pixels.dtype} are no map",
+                f"pixels of the shape {pixels.shape} and the type {pixels.dtype} are not a map",
                 "real numbers of the shape (height, width) or (height, width, channels)",
             )
         self.pixels = pixels if len(pixels.shape) == 3 else pixels[:, :, None]
@@ -118,7 +118,7 @@ class RadianceMap:
         check_shape(projection, width, height)
         if min(left, top) < 0 or left + columns > width or top + rows > height:
             raise ConditionError(
-                f"{columns} x {rows} pixels from {left},{top} on are no part of an image of "
+                f"{columns} x {rows} pixels from {left},{top} do not fit in an image of "
                 f"{width} x {height}",
                 "a part that lies within it",
             )
@@ -129,7 +129,7 @@ class RadianceMap:
         self.factor = factor
         self.raster = Raster(projection, self.size, self.part)
         self._strip = _rows_of_a_strip(self.pixels, self.raster.side)
-        self._read = self._angles = (-1, numpy.empty(0))  # what was read or worked out last
+        self._read = self._angles = (-1, numpy.empty(0))  # last strip read, last angles computed
         self.solid_angle = self._flux = 0.0
         self._peak = (-1.0, 0, 0)  # value, column and row in the whole image
         self._sums = LightSums(self.raster, self.luminances, self._survey)
@@ -137,24 +137,24 @@ class RadianceMap:
         self.coverage = 1.0 if is_whole else self.solid_angle / (4 * math.pi)
 
     def channels(self, first: int, last: int) -> Any:
-        """Radiances of the channels, in coherent SI, from a row to before another.
+        """Return radiances of the channels, in coherent SI, for a range of rows of one strip.
 
-        Both in the same strip; what is outside of the circle is 0.
+        Pixels outside the circle are 0.
         """
         return numpy.multiply(self._inside(first, last), self.factor, dtype=float)
 
     def luminances(self, first: int, last: int) -> Any:
-        """Weighted sums of the channels, of a single channel; else the same as of `channels`."""
+        """Return weighted sums of the channels as a single channel; otherwise like `channels`."""
         channels = numpy.moveaxis(self._inside(first, last), -1, 0)
-        with numpy.errstate(invalid="ignore"):  # NaN and infinity, which are refused then
-            # of a few channels faster than a matrix product
+        with numpy.errstate(invalid="ignore"):  # NaN and infinity are refused later
+            # faster than a matrix product for a few channels
             parts = (
                 weight * channel for weight, channel in zip(self._weights, channels, strict=True)
             )
             return numpy.asarray(sum(parts))[..., None]
 
     def _inside(self, first: int, last: int) -> Any:
-        """Pixels as they are, but for those of which nothing is in the circle."""
+        """Return the pixels, with 0 for those that are entirely outside the circle."""
         number, start = divmod(first, self._strip)
         pixels = self._rows(number)[start : start + last - first]
         if self.projection == LATLONG:
@@ -165,18 +165,18 @@ class RadianceMap:
         return numpy.where(is_shown(self.projection, u, v)[..., None], pixels, 0)
 
     def _rows(self, strip: int) -> Any:
-        """A strip of rows; one is kept."""
+        """Return a strip of rows; the last one is cached."""
         if strip != self._read[0]:
             rows = self.pixels[strip * self._strip : (strip + 1) * self._strip]
-            if hasattr(rows, "compute"):  # of Dask's; else its mask would be lost
+            if hasattr(rows, "compute"):  # a Dask array, which would lose its mask otherwise
                 rows = rows.compute()
             refuse_masked(rows, "the map")
             self._read = (strip, numpy.asarray(rows))
         return self._read[1]
 
     def solid_angles(self, first: int, last: int) -> Any:
-        """Solid angles [sr] of the pixels from a row to before another."""
-        # many rows are worked out at a time, and kept
+        """Return the solid angles [sr] of the pixels in a range of rows."""
+        # many rows are computed at a time, and cached
         (left, top, columns, rows), side = self.part, self.raster.side
         many = -(-GROUP // (self.size[0] * side)) * side
         group, start = divmod(first, many)
@@ -188,10 +188,10 @@ class RadianceMap:
         return self._angles[1][start : start + last - first]
 
     def _survey(self, first: int, last: int, values: Any) -> None:
-        """Check the pixels of rows, and note the flux, the solid angle and the peak."""
+        """Check the pixels of rows; update the flux, the solid angle and the peak."""
         left, top, *_ = self.part
         pixels = self._inside(first, last)
-        # of NaN both are NaN
+        # with NaN among them, both are NaN
         if not (pixels.min() >= 0 and pixels.max() < math.inf):
             row, column, channel = numpy.argwhere(~((pixels >= 0) & (pixels < math.inf)))[0]
             raise ConditionError(
@@ -201,7 +201,7 @@ class RadianceMap:
             )
         solid_angles = self.solid_angles(first, last)
         self.solid_angle += float(solid_angles.sum())
-        # not by numpy.vdot, whose threads wait for each other on a busy machine
+        # numpy.vdot is slower on a busy machine, as its threads wait for each other
         self._flux += float((values[..., 0] * solid_angles).sum())
         row, column, _ = numpy.unravel_index(numpy.argmax(values), values.shape)
         highest = float(values[row, column, 0])
@@ -209,13 +209,13 @@ class RadianceMap:
             self._peak = (highest, left + int(column), top + first + int(row))
 
     def radiance(self, polar: Number, azimuth: Number) -> Number:
-        """As of `Radiances`: that of the pixel that shows a direction, 0 where none does."""
+        """Return the radiance of the pixels that show directions, or 0; see `Radiances`."""
         polar, azimuth = numpy.broadcast_arrays(polar, azimuth)
         direction = self.in_map_axes(cartesian(polar.ravel(), azimuth.ravel()))
         return (self.toward(direction) @ self._weights).reshape(polar.shape)[()]
 
     def toward(self, direction: Vector) -> Any:
-        """Values, as the channels have them, of the pixels that show directions in its own axes.
+        """Return the channels' values of the pixels that show directions in the map's own axes.
 
         Parameters
         ----------
@@ -224,7 +224,7 @@ class RadianceMap:
         Returns
         -------
         ndarray of shape (n, channels)
-            0 where none does; not times the factor.
+                0 if no pixel shows the direction; not multiplied by the factor.
         """
         column, row = self._pixel_of(direction)
         values = numpy.zeros((len(column), self.pixels.shape[2]))
@@ -243,16 +243,16 @@ class RadianceMap:
     def irradiances(
         self, normals: Any, is_each: bool = False, progress: Progress | None = None
     ) -> Any:
-        """Irradiances of many receivers.
+        """Return the irradiances of many receivers.
 
         Parameters
         ----------
         normals : array_like of shape (..., 3)
-            Where they face; of any length but 0.
+            Normals of the receivers, of any length but 0.
         is_each : bool, optional
-            Whether to give those of the channels, and not of their weighted sum.
+            Whether to return an irradiance for each channel instead of their weighted sum.
         progress : callable, optional
-            Is called with how much is done, and all there is, each time when more is done.
+            Called with the work done so far and the total.
 
         Returns
         -------
@@ -277,25 +277,25 @@ class RadianceMap:
         return self._flux / self.solid_angle
 
     def peak(self) -> Peak:
-        """As of `Radiances`: the first pixel that has it, and the direction of its middle."""
+        """Return the first pixel with the greatest radiance, and the direction of its centre."""
         value, column, row = self._peak
         u, v = middle_of_pixel(*self.size, column, row)
         polar, azimuth, _ = spherical(*self.world(shown_directions(self.projection, u, v)))
         return Peak(value, float(polar), float(azimuth))
 
     def in_map_axes(self, direction: Vector) -> Vector:
-        """A direction of the world in the map's own axes."""
+        """Return a world direction in the map's own axes."""
         return components(self.axes, direction)
 
     def world(self, direction: Vector) -> Vector:
-        """A direction in the map's own axes as one of the world."""
+        """Return a direction in the map's own axes in world axes."""
         return from_components(self.axes, direction)
 
     def _pixel_of(self, direction: Vector) -> tuple[Any, Any]:
-        """Column and row, among the pixels there are, that show directions; -1 where none does."""
+        """Return column and row of the pixels that show directions; -1 if none does."""
         (left, top, columns, rows), (width, height) = self.part, self.size
         u, v = place_of(self.projection, *direction)
-        # a place on the edge belongs to the pixel inside of it
+        # a point on the edge belongs to the pixel inside it
         column, row = (1 + INSIDE * u) / 2 * width - left, (1 - INSIDE * v) / 2 * height - top
         is_there = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
         column, row = (numpy.where(is_there, place, -1).astype(int) for place in (column, row))
@@ -303,7 +303,7 @@ class RadianceMap:
 
 
 def check_shape(projection: str, width: int, height: int) -> None:
-    """Refuse the size of an image that a projection does not have.
+    """Raise an error if the size of an image does not fit a projection.
 
     Parameters
     ----------
@@ -320,11 +320,11 @@ def check_shape(projection: str, width: int, height: int) -> None:
     >>> check_shape("latlong", 1024, 512)
     """
     if projection not in PROJECTIONS:
-        raise ConditionError(f"{projection} is no projection", ", ".join(PROJECTIONS))
+        raise ConditionError(f"unknown projection '{projection}'", ", ".join(PROJECTIONS))
     size = f"{width} x {height} pixels"
     if not has_shape(projection, width, height):
         of_cube = any(width * down == height * across for across, down in CUBES)
-        what = "look like a map on a cube" if of_cube else f"are no {projection} map"
+        what = "look like a map on a cube" if of_cube else f"are not {name_of_map(projection)}"
         shape = "twice as wide as high" if projection == LATLONG else "square"
         raise ConditionError(f"{size} {what}", f"{name_of_map(projection)}, which is {shape}")
     if height < LEAST:
@@ -332,15 +332,15 @@ def check_shape(projection: str, width: int, height: int) -> None:
 
 
 def _unit(normal: Vector) -> Vector:
-    spherical(*normal)  # refuses what has no direction
+    spherical(*normal)  # raises an error if there is no direction
     return unit(normal)
 
 
 def _rows_of_a_strip(pixels: Any, side: int) -> int:
-    """How many rows to read at a time: a multiple of those of a block.
+    """Return the number of rows to read at a time: a multiple of the rows of a block.
 
-    All of NumPy's, of which parts are no copies; of Dask's no fewer than a chunk has, since each
-    time all of a chunk is computed.
+    NumPy arrays are read as a whole, as slices are not copies; Dask arrays at least a chunk at a
+    time, since a whole chunk is computed each time.
     """
     rows, columns, channels = map(int, pixels.shape)
     if isinstance(pixels, numpy.ndarray):

@@ -1,4 +1,4 @@
-"""Maps in another projection, size or orientation, by the areas that pixels have in common."""
+"""Maps in another projection, size or orientation, by the common areas of pixels."""
 
 import math
 from collections.abc import Iterator
@@ -19,10 +19,10 @@ from radcalc.geometry.projections import (
 )
 from radcalc.quantities.symbols import ANGULAR, LATLONG
 
-FINER = 3.0  # parts of a pixel along the side of one of the new ones
-MOST = 256  # parts along a side, next to a pole
+FINER = 3.0  # parts of a pixel along the side of a new pixel
+MOST = 256  # parts along a side, close to a pole
 IN_ALL = 2048  # parts of a pixel
-PARTS = 1 << 19  # at a time
+PARTS = 1 << 19  # parts at a time
 NOTHING = 1e-12
 
 
@@ -34,42 +34,43 @@ def reproject(
     aim: Vector = FORWARD,
     progress: Progress | None = None,
 ) -> Any:
-    """Pixels of a map in another projection: each the mean of what it shows, by solid angle.
+    """Return the pixels of a map in another projection: means of the radiance by solid angle.
 
     Parameters
     ----------
     around : RadianceMap
-        Where it tells nothing, it is dark.
+        The original map; it is dark where it has no pixels.
     projection : {"latlong", "mirror-ball", "angular"}
-        The new one.
+        New projection.
     width, height : int
         Size of the new image [pixels], in its shape.
     aim : tuple of 3 floats, optional
-        Where in the world the middle of the new image is.
+        World direction of the centre of the new image.
     progress : callable, optional
-        Is called with how much is done, and all there is, each time when more is done.
+        Called with the work done so far and the total.
 
     Returns
     -------
     ndarray of shape (height, width, channels) [cd/m2, W/m2/sr, photon/s/m2/sr or 1]
-        0 outside of the circle of a mirror ball or an angular map.
+        0 outside the circle of a mirror ball or an angular map.
 
     Raises
     ------
     ConditionError
-        If the size is not the projection's, or the aim is 0.
+        If the size does not fit the projection, or the aim is 0.
 
     Notes
     -----
-    Each pixel is cut into parts, at least three along the side of a new pixel.  The solid angle of
-    a part goes to the new pixels that it covers, four at most, by area, as if it was an upright
-    rectangle there.  These areas are right to about 1 %; so that neither a constant map changes
-    nor, where the new pixels are no smaller, the light of a single bright pixel, a new pixel is::
+    Each pixel is divided into parts, at least three along the side of a new pixel.  The solid
+    angle of a part goes to the new pixels that it covers, at most four, by area, as if the part
+    were an upright rectangle.  These areas are accurate to about 1 %.  A constant map must not
+    change, nor the light of a single bright pixel if the new pixels are not smaller; so a new
+    pixel is::
 
         least + (light - least * covered) / size
 
-    of the least radiance that came to it, the light and the solid angle that came, and its own
-    solid angle; and not above the greatest radiance that came, which may take some 1e-3 of the
+    with the least radiance that it received, the light and the solid angle received, and its own
+    solid angle.  It is limited to the greatest radiance received; this may take some 1e-3 of the
     light of a single pixel that becomes many.
 
     Examples
@@ -91,7 +92,7 @@ def reproject(
 
 
 class _Target:
-    """The new image, and what came to its pixels."""
+    """The new image, and the light received by its pixels."""
 
     def __init__(
         self, projection: str, width: int, height: int, aim: Vector, channels: int
@@ -106,21 +107,21 @@ class _Target:
         self.size = numpy.zeros(height * width)
 
     def places(self, around: RadianceMap, u: Any, v: Any) -> tuple[Any, Any]:
-        """Places in the new image, in its pixels from the top left, of places in the old one."""
+        """Return points of the old image in pixels of the new image, from the top left."""
         world = around.world(shown_directions(around.projection, u, v))
         u, v = place_of(self.projection, *components(self.axes, world))
         return (u + 1) / 2 * self.width, (1 - v) / 2 * self.height
 
     def step(self, x: Any, axis: int) -> Any:
-        """The larger of the ways along both edges of pixels, by the places of their corners."""
+        """Return the larger of the distances along both edges of pixels, from their corners."""
         steps = numpy.diff(x, axis=axis)
-        if self.projection == LATLONG:  # across the seam is no way at all
+        if self.projection == LATLONG:  # the distance across the seam is 0
             steps = steps - self.width * numpy.round(steps / self.width)
         steps = abs(steps)
         return numpy.maximum(*(numpy.delete(steps, k, 1 - axis) for k in (0, -1)))
 
     def add(self, x: Any, y: Any, wide: Any, high: Any, size: Any, values: Any) -> None:
-        """Spread solid angles over the pixels that upright rectangles cover: 2 each way."""
+        """Distribute solid angles over the pixels that upright rectangles cover: 2 each way."""
         middle = self._cell(numpy.floor(x), numpy.floor(y))
         across, down = numpy.floor(x - wide), numpy.floor(y - high)
         right = numpy.clip((x + wide - across - 1) / (2 * wide), 0, 1)
@@ -133,7 +134,7 @@ class _Target:
         ]:
             here = numpy.flatnonzero(share > NOTHING)
             cell = self._cell(column[here], row[here])
-            cell = numpy.where(self.is_shown[cell], cell, middle[here])  # none leaves the circle
+            cell = numpy.where(self.is_shown[cell], cell, middle[here])  # stay inside the circle
             weight = share[here] * size[here]
             numpy.add.at(self.size, cell, weight)
             for k, value in enumerate(values[here].T):
@@ -148,7 +149,7 @@ class _Target:
         return numpy.clip(row, 0, self.height - 1).astype(numpy.intp) * self.width + column
 
     def finished(self, around: RadianceMap) -> Any:
-        """Means; a pixel so small that nothing came to it has what is at its middle."""
+        """Return the means; a pixel too small to receive light has the radiance at its centre."""
         sizes = pixel_solid_angles(self.projection, self.width, self.height)
         sizes = numpy.broadcast_to(sizes, (self.height, self.width)).ravel()
         is_lit = self.is_shown & (self.size > 0) & (sizes > 0)
@@ -167,9 +168,9 @@ class _Target:
 
 
 def _bands(around: RadianceMap) -> Iterator[tuple[Any, Any, Any]]:
-    """Edges, solid angles and radiances of rows of the whole image, which is dark where it is not.
+    """Yield edges, solid angles and radiances of rows of the whole image, dark without pixels.
 
-    Edges as u and v of (columns + 1) and (rows + 1).
+    Edges are u and v of (columns + 1) and (rows + 1).
     """
     (width, height), (left, top, columns, rows) = around.size, around.part
     parts = [around.raster.rows(down) for down in range(around.raster.down)]
@@ -186,16 +187,16 @@ def _bands(around: RadianceMap) -> Iterator[tuple[Any, Any, Any]]:
 
 
 def _deposit(around: RadianceMap, target: _Target, edges: Any, sizes: Any, values: Any) -> None:
-    """Cut pixels into parts, and spread these over the new image."""
+    """Divide pixels into parts, and distribute these over the new image."""
     u, v = edges
     corners = target.places(around, *numpy.broadcast_arrays(u, v[:, None]))
-    # how far a pixel reaches in the new image along u, and along v: (2, rows, columns)
+    # extent of a pixel in the new image along u, and along v: (2, rows, columns)
     along, down = ([target.step(coordinate, axis) for coordinate in corners] for axis in (1, 0))
     columns, rows = (
         numpy.clip(numpy.ceil(FINER * numpy.hypot(*reach)), 1, MOST).astype(int)
         for reach in (along, down)
     )
-    # next to a rim both are large, since all azimuths meet there
+    # close to a rim both are large, since all azimuths meet there
     less = numpy.minimum(1.0, numpy.sqrt(IN_ALL / (columns * rows)))
     columns, rows = (numpy.maximum(1, count * less).astype(int) for count in (columns, rows))
     wide, high = (
@@ -203,7 +204,7 @@ def _deposit(around: RadianceMap, target: _Target, edges: Any, sizes: Any, value
         for a, b in zip(along, down, strict=True)
     )
     ends = numpy.cumsum(columns * rows)
-    # what rounding leaves of a pixel outside of the circle has no radiance
+    # pixels outside the circle have only a rounding error as solid angle, and no radiance
     is_used = sizes.ravel() > NOTHING / sizes.size
     for chosen in numpy.split(
         numpy.arange(sizes.size), numpy.flatnonzero(numpy.diff(ends // PARTS)) + 1
@@ -225,7 +226,7 @@ def _deposit(around: RadianceMap, target: _Target, edges: Any, sizes: Any, value
 
 
 def _density(projection: str, u: Any, v: Any) -> Any:
-    """Solid angle by area in an image, in any unit; next to nothing outside of the circle."""
+    """Return the solid angle per area of an image, in any unit; almost 0 outside the circle."""
     if projection == LATLONG:
         return numpy.cos(math.pi / 2 * v)
     r = numpy.hypot(u, v)

@@ -1,12 +1,12 @@
 """Radiance pictures (.hdr): a byte each for red, green and blue, or X, Y, Z, and one exponent.
 
-Read as Radiance's "File Formats" has them: what EXPOSURE and COLORCORR multiplied is undone, the
-eight orientations, scanlines that are flat or run-length encoded in the old or the new way.
+Reading follows Radiance's "File Formats": EXPOSURE and COLORCORR are undone, the scanlines may have
+any of the eight orientations, and be flat or in the old or the new run-length encoding.
 
-A channel is mantissa * 2^(exponent - 136), as OpenImageIO, stb_image and most programs read it.
-Radiance's own read (mantissa + 0.5) * 2^(exponent - 136), for their writers cut off what they do
-not keep: all that they read is half a step brighter, 0.2 % to 0.4 % in the brightest channel.
-`write` rounds to the nearest, so that what is read here is right on the average.
+A channel is mantissa * 2^(exponent - 136), as in OpenImageIO, stb_image and most programs.
+Radiance itself reads (mantissa + 0.5) * 2^(exponent - 136), as its writers truncate: its values are
+half a step brighter, 0.2 % to 0.4 % in the brightest channel.  `write` rounds to the nearest value,
+so that values read here are right on average.
 """
 
 import math
@@ -33,34 +33,34 @@ from radcalc.files import columns
 
 FORMAT = "Radiance RGBE"
 RGBE, XYZE = "32-bit_rle_rgbe", "32-bit_rle_xyze"
-# What radcalc writes into headers for itself; other programs pass over it.
+# Header lines that radcalc writes; other programs ignore them.
 UNIT, WEIGHTS, PROJECTION = "RADCALC_UNIT", "RADCALC_WEIGHTS", "RADCALC_PROJECTION"
-GREY = "RADCALC_CHANNELS=Y"  # R = G = B, of which one is read
+GREY = "RADCALC_CHANNELS=Y"  # R = G = B, which are read as one channel
 SOFTWARE = "radcalc"
 VARIABLES = {"EXPOSURE": 1, "COLORCORR": 3, "PIXASPECT": 1, "GAMMA": 1, "PRIMARIES": 8, WEIGHTS: 3}
 CUMULATIVE = {"EXPOSURE", "COLORCORR", "PIXASPECT"}
-HEADER = 1 << 20  # bytes that a header may have
+HEADER = 1 << 20  # largest header [bytes]
 RESOLUTION = re.compile(r"([-+])([XY])\s+(-?\d{1,15})\s+([-+])([XY])\s+(-?\d{1,15})\s*")
-VIEW = re.compile(r"-v([thv])\s*(\S+)")  # its type, and how wide and high it is
-EXTREME = 1e20  # of what multiplies pixels, and 1 over it
+VIEW = re.compile(r"-v([thv])\s*(\S+)")  # type, and horizontal and vertical angle
+EXTREME = 1e20  # limit of factors of pixels, and of their inverses
 BIAS = 136  # of the exponent, with the 8 bits of a mantissa
-BLOCK = 1 << 17  # pixels that are decoded at a time, so that they stay in a cache
+BLOCK = 1 << 17  # pixels to decode at a time, so that they stay in a cache
 MARK = 2  # R and G before a scanline of the new run-length encoding
-LITERAL = 128  # the largest code of bytes that stand as they are; others are runs
+LITERAL = 128  # largest code of literal bytes; larger codes are runs
 NEW = range(8, 1 << 15)  # pixels of a scanline that programs encode in the new way
 REPEAT = 0x010101  # R, G and B of a repetition in the old run-length encoding
-LEAST_RUN, LONGEST_RUN = 4, 127  # bytes that are worth a run; what its code can say
-BEYOND = 1.69e38  # what the exponent 255 can no longer hold
+LEAST_RUN, LONGEST_RUN = 4, 127  # shortest useful run; longest run of a code [bytes]
+BEYOND = 1.69e38  # limit of the exponent 255
 HALF_STEP = (
-    "RGBE is read as most programs do; Radiance's own read half a step, 0.2 % to 0.4 %, more"
+    "RGBE is read as in most programs; Radiance itself reads half a step, 0.2 % to 0.4 %, more"
 )
-STEPS = "RGBE holds 1 part in 256 of the brightest channel of a pixel"
+STEPS = "RGBE has a resolution of 1/256 of the brightest channel of a pixel"
 CUT_OFF = "is cut off"
-MENDED = "the file again, whole"
+MENDED = "the complete file"
 
 
 class _Damaged(ConditionError):
-    """A scanline that cannot be read, or that the file does not have."""
+    """A scanline that cannot be read, or is missing."""
 
     def __init__(self, what: str, scanline: int, at: int, name: str) -> None:
         problem = f"{name} is damaged: scanline {scanline + 1} {what}, at byte {at}"
@@ -72,7 +72,7 @@ class _Header(NamedTuple):
     """The lines before the scanlines, which begin at byte `start`.
 
     `picture` has no pixels yet.  `order` has sign and letter of the axis from scanline to scanline,
-    and of the axis along each.
+    and of the axis along each scanline.
     """
 
     picture: Picture
@@ -92,18 +92,18 @@ def read(data: bytes, name: str) -> Picture:
     data : bytes
         The whole file.
     name : str
-        What messages call it.
+            Name of the file in messages.
 
     Returns
     -------
     Picture
-        R, G, B; X, Y, Z, of which Y is luminance in cd/m2; or Y of a grey one that `write` wrote.
+            R, G, B; X, Y, Z, where Y is luminance in cd/m2; or Y of a grey picture from `write`.
 
-    Raises
-    ------
-    ConditionError
-        If there is no header of a picture, the data end before the picture does, or a scanline is
-        damaged; with its number and the byte.
+        Raises
+        ------
+        ConditionError
+            If there is no header of a picture, the data are incomplete, or a scanline is damaged;
+            with its number and the byte.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def read(data: bytes, name: str) -> Picture:
     header = _header(data, name)
     shape = header.scanlines, header.length, 4
     # Pixels that are neither normalized nor encoded can look like encoded ones.  A reader that
-    # takes them for these comes to the last scanline before the end of the data.
+    # decodes them as such reaches the last scanline before the end of the data.
     may_be_flat = len(data) - header.start == math.prod(shape)
     try:
         pixels, end = _decoded(_scanlines(data, header, name), header)
@@ -128,20 +128,20 @@ def read(data: bytes, name: str) -> Picture:
         firsts = range(0, header.scanlines, step)
         pixels, end = _decoded(((flat[k : k + step], len(data)) for k in firsts), header)
     if min(header.exposure, *header.correction) < 1 and not np.isfinite(pixels).all():
-        problem = f"{name}: without their EXPOSURE, pixels are too large for 32 bits"
+        problem = f"{name}: pixels divided by EXPOSURE are too large for 32 bits"
         raise ConditionError(problem, "the EXPOSURE by which they were multiplied")
     picture = header.picture
     notes = picture.notes
     if end < len(data):
-        notes += (f"{name} has {len(data) - end} bytes behind the picture",)
+        notes += (f"{name} has {len(data) - end} bytes after the picture",)
     upright = _upright(pixels[..., : len(picture.channels)], header.order)
     return picture._replace(pixels=upright, notes=notes)
 
 
 def write(path: str, picture: Picture) -> tuple[str, ...]:
-    """Write a Radiance picture, its rows run-length encoded in the new way where they can be.
+    """Write a Radiance picture, with rows in the new run-length encoding if possible.
 
-    A grey picture becomes R = G = B, which its header says.  Returns what is lost, to be told.
+    A grey picture is written as R = G = B, with a mark in its header.  Return notes on losses.
 
     Raises
     ------
@@ -151,7 +151,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     height, width = picture.pixels.shape[:2]
     pixels = np.broadcast_to(picture.pixels, (height, width, 3))
     if not (pixels.min() >= 0 and pixels.max() < BEYOND):
-        problem = "RGBE holds no pixels that are negative, NaN or larger than 1.69e38"
+        problem = "RGBE cannot hold pixels that are negative, NaN or above 1.69e38"
         raise ConditionError(problem, "an OpenEXR (.exr) or PFM (.pfm) picture")
     is_xyz = picture.channels == XYZ
     weights = " ".join(map(repr, picture.weights))
@@ -196,19 +196,17 @@ def _header(data: bytes, name: str) -> _Header:
         problem = (
             f"{name} has GAMMA={quote(variables['GAMMA'])}: its pixels are encoded for display"
         )
-        raise ConditionError(problem, "a picture of which the pixels are proportional to radiance")
+        raise ConditionError(problem, "a picture whose pixels are proportional to radiance")
     unit = quote(variables.get(UNIT, "cd/m2" if is_xyz else "").strip())
-    # as Radiance's own programs take it
+    # as in Radiance's own programs
     assumptions = (
-        [] if "FORMAT" in variables else ["the pixels are RGBE, for the file has no FORMAT="]
+        [] if "FORMAT" in variables else ["the pixels are RGBE, as the file has no FORMAT="]
     )
     weights: tuple[float, ...] = REC_709
     if is_xyz:
         weights = (0.0, 1.0, 0.0)
         if UNIT not in variables:
-            assumptions.append(
-                "an XYZE picture counts as one that says cd/m2, as Radiance writes it"
-            )
+            assumptions.append("an XYZE picture is in cd/m2, as Radiance writes it")
     elif GREY in lines:
         weights = (1.0,)
     elif WEIGHTS in numbers:
@@ -221,9 +219,9 @@ def _header(data: bytes, name: str) -> _Header:
         assumptions.append(HALF_STEP)
     notes = []
     if aspect != 1:
-        notes.append(f"{name} says PIXASPECT={aspect:g}, and all pixels are taken to be square")
+        notes.append(f"{name} has PIXASPECT={aspect:g}, but its pixels are read as square")
     if view := _view(lines):
-        notes.append(f"{name} says VIEW={view}, which is not the whole sphere")
+        notes.append(f"{name} has VIEW={view}, which is not the whole sphere")
     picture = Picture(
         None,
         Y if len(weights) == 1 else XYZ if is_xyz else RGB,
@@ -298,11 +296,11 @@ def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], in
     order = (match[1] + match[2], match[4] + match[5])
     count, length = int(match[3]), int(match[6])
     check_size(*((length, count) if match[2] == "Y" else (count, length)), name)
-    # a pixel, and as many bytes of a count of repetitions as they need
+    # a pixel, and the bytes of its count of repetitions
     least = count * 4 * (1 + ((length - 1).bit_length() + 7) // 8)
     if len(data) - end - 1 < least:
-        problem = f"{name} is cut off: {count} scanlines of {length} pixels have {least} bytes or "
-        raise ConditionError(f"{problem}more, and it has {len(data) - end - 1}", MENDED)
+        problem = f"{name} is cut off: {count} scanlines of {length} pixels need {least} bytes or "
+        raise ConditionError(f"{problem}more, but it has {len(data) - end - 1}", MENDED)
     return order, count, length, end + 1
 
 
@@ -393,8 +391,8 @@ def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
         at = len(data) + 1
     if at > len(data):
         raise _Damaged(CUT_OFF, done + max(0, len(marks) - 1), len(data), name)
-    # How often each byte of the file occurs in the scanlines: codes and marks never, what a run
-    # repeats as often as its code says.
+    # Number of times that each byte of the file occurs in the scanlines: 0 for codes and marks,
+    # the length of the run for a byte that it repeats.
     bytes_here = np.frombuffer(data, np.uint8, at - start, start)
     times = np.ones(len(bytes_here), np.intp)
     places = np.fromiter(codes, np.intp, len(codes)) - start
@@ -409,10 +407,10 @@ def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
 def _old(data: bytes, at: int, most: int, length: int, done: int, name: str) -> tuple[Any, int]:
     """Read scanlines in the old run-length encoding, or in none; return them and their end.
 
-    R = G = B = 1 repeats the pixel before, as often as the exponent says; further ones that follow
-    it have the higher bytes of the count.
+    R = G = B = 1 repeats the previous pixel; the exponent is the count.  Consecutive repetitions
+    have the higher bytes of the count.
     """
-    # no scanline has more places than pixels: to repeat 256 times takes two, and so on
+    # a scanline has at most as many entries as pixels: 256 repetitions take two entries, and so on
     count = min(most * length, (len(data) - at) // 4)
     if not count:
         raise _Damaged(CUT_OFF, done, at, name)
@@ -445,7 +443,7 @@ def _old(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
 def _rgbe(pixels: Any) -> Any:
     """Return the bytes of rows of pixels, rounded to the nearest."""
     largest = pixels.max(2)
-    # from 255.5 on a mantissa is rounded to 256, which is 128 of the next exponent
+    # from 255.5 on, a mantissa is rounded to 256, which is 128 with the next exponent
     exponents = np.frexp(largest * (256 / 255.5))[1]
     exponents[exponents <= -128] = -128  # black
     scaled = np.ldexp(pixels, 8 - exponents[..., None])

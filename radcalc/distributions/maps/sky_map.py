@@ -1,4 +1,4 @@
-"""The map of a sky, and of the sun in it."""
+"""Maps of a sky, with or without the sun."""
 
 import math
 from typing import Any, NamedTuple
@@ -17,10 +17,10 @@ from radcalc.geometry.sky import angle_between
 from radcalc.quantities.symbols import LATLONG, light_unit
 from radcalc.units.table import resolve
 
-FINE = 8  # parts of a pixel each way, of which it is counted how many the sun's disc has
-BLOCK = 1 << 18  # pixels that are worked out at a time
-WIDER = 1.25  # by which the sun's disc is made larger, where it has too few pixels
-WIDEST = 3.0  # rows of which it may have the radius then
+FINE = 8  # samples of a pixel along each side, for the share of the sun's disc
+BLOCK = 1 << 18  # pixels that are computed at a time
+WIDER = 1.25  # factor by which the sun's disc grows if it has too few pixels
+WIDEST = 3.0  # [rows] largest radius of a grown disc
 CLOSE = 1e-9  # [1] of the sun's irradiance
 
 
@@ -30,11 +30,11 @@ class Sun(NamedTuple):
     Attributes
     ----------
     polar, azimuth : float [rad]
-        Where its centre is.
-    radius : float [rad]
-        Its angular radius.
-    irradiance : float [lx, W/m2 or photon/s/m2]
-        What a receiver gets that faces it.
+            Direction of the centre.
+        radius : float [rad]
+            Angular radius.
+        irradiance : float [lx, W/m2 or photon/s/m2]
+            Irradiance of a receiver that faces the sun.
 
     Examples
     --------
@@ -49,31 +49,32 @@ class Sun(NamedTuple):
 
 
 def sky_map(sky: Sky, width: int, height: int, sun: Sun | None = None) -> Picture:
-    """A latitude-longitude map of a sky: the azimuth 0 in the middle, and +y to the left of it.
+    """Return a latlong map of a sky: the azimuth 0 at the centre, +y on the left of it.
 
     Parameters
     ----------
     sky : Sky
-        Its radiances have a kind.
+        Its radiances must have a kind.
     width, height : int
         Size [pixels]; twice as wide as high, with an even height.
     sun : Sun, optional
-        The sun's disc, if it is to be in the map.
+        The sun's disc, if the map should include it.
 
     Returns
     -------
     Picture
-        Of one channel, in cd/m2, W/m2/sr or umol/m2/s/sr: the mean radiances of the pixels.
+        One channel, in cd/m2, W/m2/sr or umol/m2/s/sr: the mean radiances of the pixels.
 
-        The sun's light is spread over the pixels by the share that its disc has of each, so that
-        any plane that does not cut them gets its irradiance times the cosine, as of a disc at its
-        true place.  Where the disc has too few pixels for that it is made larger, by three rows at
-        most; one that the horizon cuts may be exact for a receiver that faces it alone.
+        The sun's light is distributed over the pixels by the share of the disc in each.  A
+        receiver whose horizon does not cut these pixels gets the sun's irradiance times the
+        cosine for the true position of the disc.  A disc with too few pixels for that is
+        enlarged, to a radius of three rows at most; a disc cut by the horizon may be exact only
+        for a receiver that faces it.
 
     Raises
     ------
     ConditionError
-        If the size is that of no such map.
+            If the size is not that of such a map.
 
     Examples
     --------
@@ -96,11 +97,11 @@ def sky_map(sky: Sky, width: int, height: int, sun: Sun | None = None) -> Pictur
 
 
 def _means(sky: Sky, width: int, height: int) -> Any:
-    """The mean radiance of each pixel; of larger pixels by more Gauss-Legendre points."""
+    """Return the mean radiance of each pixel; larger pixels have more Gauss-Legendre points."""
     places, weights = gauss(min(8, max(2, 512 // height)))
     pixels = np.zeros((height, width))
     columns, step = np.arange(width), max(1, BLOCK // width)
-    for top in range(0, height // 2, step):  # below it is dark
+    for top in range(0, height // 2, step):  # the part below the horizon is dark
         rows = np.arange(top, min(top + step, height // 2))
         size: Any = 0.0
         for a, down in zip(places, weights, strict=True):
@@ -115,10 +116,10 @@ def _means(sky: Sky, width: int, height: int) -> Any:
 
 
 def _sunlight(sun: Sun, width: int, height: int) -> tuple[Any, Any]:
-    """The rows of a map that the sun's light is spread over, and its radiances there.
+    """Return the rows of a map with sunlight, and its radiances there.
 
-    They are the shares of the disc times what is linear in the direction, so that their light
-    vector is that of the disc.  What is below the horizon gives nothing to the ground.
+    They are the shares of the disc times a linear function of the direction, so that their light
+    vector is that of the disc.  The part below the horizon gives no light to the ground.
     """
     toward = sun.irradiance * np.array(cartesian(sun.polar, sun.azimuth))
     row, radius = math.pi / height, sun.radius
@@ -144,13 +145,13 @@ def _sunlight(sun: Sun, width: int, height: int) -> tuple[Any, Any]:
 
 
 def _directions(width: int, height: int, rows: Any) -> tuple[Any, Any]:
-    """Polar angles of the middles of rows, as a column, and azimuths of those of all columns."""
+    """Return polar angles of rows, as a column, and azimuths of all columns, at pixel centres."""
     u, v = middle_of_pixel(width, height, np.arange(width), rows)
     return (math.pi / 2 * (1 - v))[:, None], -math.pi * u
 
 
 def _shares(sun: Sun, width: int, height: int) -> tuple[Any, Any]:
-    """The rows of a map that the sun's disc is in, and its share of their pixels."""
+    """Return the rows of a map with the sun's disc, and its share in their pixels."""
     middle = sun.polar / math.pi * height
     reach = sun.radius / math.pi * height + 1
     low, high = max(0, math.floor(middle - reach)), min(height, math.ceil(middle + reach))
@@ -161,7 +162,7 @@ def _shares(sun: Sun, width: int, height: int) -> tuple[Any, Any]:
         polar, azimuth = _directions(width * FINE, height * FINE, fine)
         inside = angle_between(polar, azimuth, sun[:2]) <= sun.radius
         share[k] = inside.reshape(FINE, width, FINE).mean(axis=(0, 2))
-    if not share.any():  # it is smaller than the parts
+    if not share.any():  # the disc is smaller than a sample
         polar, azimuth = _directions(width, height, rows)
         away = angle_between(polar, azimuth, sun[:2])
         share[np.unravel_index(np.argmin(away), away.shape)] = 1.0

@@ -73,7 +73,7 @@ def test_pixels_are_those_of_the_file(kind, compression):
     assert found.pixels.dtype == np.float32
     assert (found.pixels == pixels).all()
     assert found[1:4] == (RGB, (0.2126, 0.7152, 0.0722), "OpenEXR")
-    by_709 = "luminance is by the primaries of Rec. 709, for the file names none"
+    by_709 = "the luminance is that of Rec. 709 primaries, as the file declares none"
     assert found[4:] == ("", "", None, (by_709,), ())
 
 
@@ -114,7 +114,7 @@ def test_a_white_luminance_makes_cd_m2():
     found = read(planes(colours()), whiteLuminance=179.0)
     assert found.unit == "cd/m2"
     assert (found.pixels == colours() * 179).all()
-    said = "pixels are times the file's whiteLuminance of 179 cd/m2"
+    said = "pixels are multiplied by the file's whiteLuminance of 179 cd/m2"
     assert found.assumptions[0] == said
 
 
@@ -123,7 +123,7 @@ def test_a_white_luminance_that_cannot_be_tells_nothing(white):
     found = read(planes(colours()), whiteLuminance=white)
     assert found.unit == ""
     assert (found.pixels == colours()).all()
-    assert "tells no unit" in found.notes[0]
+    assert "does not give a unit" in found.notes[0]
 
 
 def test_a_data_window_within_the_display_window_is_a_frame():
@@ -182,7 +182,7 @@ def test_luminance_and_chroma_give_the_luminance():
     assert found.channels == ("Y",)
     assert found.weights == (1.0,)
     assert (found.pixels[..., 0] == grey).all()
-    assert found.notes == ("of luminance and chroma, the luminance is read",)
+    assert found.notes == ("only the luminance is read, not the chroma",)
 
 
 def test_a_grey_picture_has_one_channel():
@@ -242,7 +242,7 @@ def test_of_several_parts_the_first_with_colour_is_read():
     data = file.getvalue()
     found = exr.read(data, "sky.exr")
     assert (found.pixels == colours()).all()
-    assert found.notes == ("of 3 parts, part 2 ('beauty') is read: the first with R, G, B",)
+    assert found.notes == ("part 2 ('beauty') of 3 is read: the first with R, G, B",)
     # a part that the library cannot decode, it leaves out, and the others move up
     broken = bytearray(data)
     start = struct.unpack_from("<Q", data, first_table(data, 3))[0]

@@ -55,19 +55,22 @@ def test_lines_may_end_as_in_windows():
 
 PIXEL = struct.pack("<f", 3)
 REFUSED = {
-    "nothing else": (b"PF", "is no PFM picture: it begins with 'PF'"),
-    "four channels": (b"PF4\n1 1\n-1\n" + 4 * PIXEL, "is no PFM picture: it begins with 'PF4 1 1"),
-    "no scale": (b"Pf\n1 1\n", "is no PFM picture"),
-    "a scale of 0": (b"Pf\n1 1\n0\n" + PIXEL, "is no PFM picture"),
-    "a scale of nan": (b"Pf\n1 1\nnan\n" + PIXEL, "is no PFM picture"),
-    "a word": (b"Pf\n1 1\n-1_0\n" + PIXEL, "is no PFM picture"),
-    "no end of the header": (b"Pf\n1 1\n-1.0", "is no PFM picture"),
+    "nothing else": (b"PF", "is not a PFM picture: it begins with 'PF'"),
+    "four channels": (
+        b"PF4\n1 1\n-1\n" + 4 * PIXEL,
+        "is not a PFM picture: it begins with 'PF4 1 1",
+    ),
+    "no scale": (b"Pf\n1 1\n", "is not a PFM picture"),
+    "a scale of 0": (b"Pf\n1 1\n0\n" + PIXEL, "is not a PFM picture"),
+    "a scale of nan": (b"Pf\n1 1\nnan\n" + PIXEL, "is not a PFM picture"),
+    "a word": (b"Pf\n1 1\n-1_0\n" + PIXEL, "is not a PFM picture"),
+    "no end of the header": (b"Pf\n1 1\n-1.0", "is not a PFM picture"),
     "no width": (b"Pf\n0 1\n-1\n" + PIXEL, "has 0 x 1 pixels"),
     "a negative height": (b"Pf\n1 -1\n-1\n" + PIXEL, "has 1 x -1 pixels"),
     "too large": (b"Pf\n65536 65536\n-1\n" + PIXEL, "more than 268435456"),
-    "cut off": (b"Pf\n1 2\n-1\n" + PIXEL, "has 4 bytes of pixels, and its size makes it 8"),
+    "cut off": (b"Pf\n1 2\n-1\n" + PIXEL, "has 4 bytes of pixels, but its size requires 8"),
     "a byte more": (b"Pf\n1 1\n-1\n" + PIXEL + b"x", "has 5 bytes of pixels"),
-    "grey and not colour": (b"PF\n1 1\n-1\n" + PIXEL, "its size makes it 12"),
+    "grey and not colour": (b"PF\n1 1\n-1\n" + PIXEL, "its size requires 12"),
 }
 
 
@@ -116,7 +119,7 @@ def test_what_it_cannot_say_is_told(tmp_path):
     path = str(tmp_path / NAME)
     pixels = np.ones((1, 2, 3), np.float32)
     picture = Picture(pixels, ("R", "G", "B"), (0.3, 0.6, 0.1), "OpenEXR", "cd/m2", "latlong")
-    told = ("a PFM file does not say the unit (cd/m2), the primaries, the projection (latlong)",)
+    told = ("PFM does not store the unit (cd/m2), the primaries, the projection (latlong)",)
     assert write_picture(path, picture) == told
     with pytest.raises(ConditionError, match="PFM has no X, Y, Z"):
         write_picture(path, picture._replace(channels=("X", "Y", "Z")))

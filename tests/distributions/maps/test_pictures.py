@@ -25,15 +25,15 @@ NO_PICTURES = {
     "nothing": (b"", "is empty"),
     "a pointer": (
         b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
-        "is a pointer of Git LFS, which stands for the picture\ntry: git lfs pull",
+        "is a Git LFS pointer, not the picture\ntry: git lfs pull",
     ),
     "a page": (b"\n <!DOCTYPE html>\n<html>", "is a web page (HTML) or XML"),
-    "JPEG": (b"\xff\xd8\xff\xe0\0\x10JFIF", "is JPEG, and no picture of radiances"),
+    "JPEG": (b"\xff\xd8\xff\xe0\0\x10JFIF", "is JPEG, not a picture of radiances"),
     "PNG": (b"\x89PNG\r\n\x1a\n", "is PNG"),
     "TIFF": (b"II*\0\x08\0\0\0", "is TIFF"),
     "big-endian TIFF": (b"MM\0*\0\0\0\x08", "is TIFF"),
     "compressed": (b"\x1f\x8b\x08\0", "is compressed (gzip)"),
-    "text": (b"hello\x1b[2J", "is no picture that is read: it begins with 'hello\\x1b[2J'"),
+    "text": (b"hello\x1b[2J", "is not a known picture: it begins with 'hello\\x1b[2J'"),
     "one byte": (b"#", "begins with '#'"),
 }
 
@@ -56,7 +56,7 @@ def test_what_is_no_picture_is_told_what_it_is(case, tmp_path):
         ("/nowhere/sky.hdr", "No such file"),
         ("/", "a directory"),
         ("a\0b", "not a file name"),
-        ("-", "not read from standard input"),
+        ("-", "cannot be read from standard input"),
     ],
 )
 def test_what_cannot_be_read_is_refused(path, said):
@@ -161,7 +161,7 @@ def test_a_radiance_picture_keeps_unit_weights_channels_and_projection(tmp_path)
 
 @pytest.mark.parametrize("name", ["sky.hdr", "sky.pfm"])
 def test_a_part_of_a_picture_is_not_written_as_a_whole_one(name, tmp_path):
-    with pytest.raises(ConditionError, match="a part of a picture is kept in OpenEXR alone"):
+    with pytest.raises(ConditionError, match="only OpenEXR can store a part of a picture"):
         write_picture(str(tmp_path / name), GREY._replace(frame=(1, 0, 8, 4)))
     assert not os.listdir(tmp_path)
 
@@ -170,7 +170,7 @@ def test_a_part_of_a_picture_is_not_written_as_a_whole_one(name, tmp_path):
 def test_what_a_format_cannot_hold_is_refused_and_leaves_nothing(value, tmp_path):
     path = tmp_path / "sky.hdr"
     pixels = np.array([[[1], [value]]], np.float32)
-    with pytest.raises(ConditionError, match="RGBE holds no pixels that are negative, NaN or"):
+    with pytest.raises(ConditionError, match="RGBE cannot hold pixels that are negative, NaN or"):
         write_picture(str(path), GREY._replace(pixels=pixels))
     assert not os.listdir(tmp_path)
 
@@ -248,7 +248,7 @@ def test_what_lossy_encoding_left_below_0_counts_as_0(tmp_path):
     write_picture(path, Picture(pixels, ("R", "G", "B"), REC_709, "PFM"))
     found = read_picture(path)
     assert (found.pixels == np.maximum(pixels, 0)).all()
-    assert found.notes == ("2 values below 0, by 6.6e-07 at most, count as 0",)
+    assert found.notes == ("2 negative values (down to -6.6e-07) count as 0",)
 
 
 @pytest.mark.parametrize("value", [-1e-3, -np.inf, np.nan])

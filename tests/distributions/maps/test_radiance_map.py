@@ -286,11 +286,11 @@ def test_outside_of_the_circle_pixels_may_be_anything(projection):
 @pytest.mark.parametrize(
     ("shape", "projection", "words"),
     [
-        ((1, 1), "latlong", "are no latlong map"),
+        ((1, 1), "latlong", "are not a latlong map"),
         ((1, 1), "angular", "too few"),
         ((1, 2), "latlong", "too few"),
-        ((512, 512), "latlong", "are no latlong map"),
-        ((512, 1024), "mirror-ball", "are no mirror-ball map"),
+        ((512, 512), "latlong", "are not a latlong map"),
+        ((512, 1024), "mirror-ball", "are not a mirror-ball map"),
         ((512, 384), "latlong", "a map on a cube"),
         ((384, 512), "angular", "a map on a cube"),
         ((128, 768), "latlong", "a map on a cube"),
@@ -310,14 +310,14 @@ def test_other_refusals():
     for pixels, given, words in [
         (ones, {}, "3 channels have 1 weights"),
         (ones, {"weights": (1, 2)}, "3 channels have 2 weights"),
-        (ones[..., 0], {"frame": (-1, 0, 32, 16)}, "no part"),
-        (ones[..., 0], {"frame": (20, 0, 32, 16)}, "no part"),
+        (ones[..., 0], {"frame": (-1, 0, 32, 16)}, "do not fit in an image"),
+        (ones[..., 0], {"frame": (20, 0, 32, 16)}, "do not fit in an image"),
         (ones[..., 0] + 1j, {}, "complex"),
         (ones[..., 0], {"aim": (0, 0, 0)}, "no direction"),
     ]:
         with pytest.raises(ConditionError, match=words):
             RadianceMap(pixels, "latlong", **given)
-    with pytest.raises(ConditionError, match="no projection"):
+    with pytest.raises(ConditionError, match="unknown projection"):
         RadianceMap(ones[..., 0], "cube")
     with pytest.raises(ConditionError, match="no direction"):
         RadianceMap(ones[..., 0], "latlong").irradiance((0, 0, 0))

@@ -147,9 +147,7 @@ def test_xyze_has_luminance_in_y():
     found = read(hdr.picture(rows, hdr.new, *lines, form="32-bit_rle_xyze"), NAME)
     assert (found.channels, found.weights, found.unit) == (("X", "Y", "Z"), (0, 1, 0), "cd/m2")
     np.testing.assert_array_equal(found.pixels, (4 * hdr.values(rows)).astype(np.float32))
-    assert (
-        "an XYZE picture counts as one that says cd/m2, as Radiance writes it" in found.assumptions
-    )
+    assert "an XYZE picture is in cd/m2, as Radiance writes it" in found.assumptions
 
 
 def test_primaries_give_the_weights():
@@ -165,7 +163,10 @@ def test_eight_zeros_are_no_primaries():
     line = "PRIMARIES=0 0 0 0 0 0 0 0"
     found = read(hdr.picture(hdr.noise(1, 1), hdr.flat, line), NAME)
     assert found.weights == (0.2126, 0.7152, 0.0722)
-    assert "luminance is by the primaries of Rec. 709, for the file names none" in found.assumptions
+    assert (
+        "the luminance is that of Rec. 709 primaries, as the file declares none"
+        in found.assumptions
+    )
 
 
 def test_a_picture_without_a_format_is_rgbe():
@@ -174,7 +175,7 @@ def test_a_picture_without_a_format_is_rgbe():
     data = hdr.picture(rows, hdr.new).replace(b"FORMAT=32-bit_rle_rgbe\n", b"")
     found = read(data, NAME)
     np.testing.assert_array_equal(found.pixels, hdr.values(rows).astype(np.float32))
-    assert found.assumptions[0] == "the pixels are RGBE, for the file has no FORMAT="
+    assert found.assumptions[0] == "the pixels are RGBE, as the file has no FORMAT="
 
 
 def test_four_bytes_for_each_pixel_have_no_repetitions():
@@ -220,14 +221,14 @@ def test_repetitions_of_one_pixel_are_none_the_less():
 )
 def test_a_view_of_a_part_of_the_sphere_is_told(lines, told):
     notes = read(hdr.picture(hdr.noise(1, 9), hdr.new, *lines), NAME).notes
-    assert notes == ((f"sky.hdr says VIEW={told}, which is not the whole sphere",) if told else ())
+    assert notes == ((f"sky.hdr has VIEW={told}, which is not the whole sphere",) if told else ())
 
 
 def test_what_is_odd_is_told():
     data = hdr.picture(hdr.noise(1, 9), hdr.new, "PIXASPECT=1.25", "PIXASPECT=0.5") + b"abc"
     assert read(data, NAME).notes == (
-        "sky.hdr says PIXASPECT=0.625, and all pixels are taken to be square",
-        "sky.hdr has 3 bytes behind the picture",
+        "sky.hdr has PIXASPECT=0.625, but its pixels are read as square",
+        "sky.hdr has 3 bytes after the picture",
     )
 
 
@@ -262,7 +263,7 @@ REFUSED = {
     "sizes the other way": (hdr.head(size="+X 10 -Y -4"), "has 10 x -4 pixels"),
     "ten bytes": (
         hdr.head(size="-Y 8192 +X 16384") + bytes(10),
-        "is cut off: 8192 scanlines of 16384 pixels have 98304 bytes or more, and it has 10",
+        "is cut off: 8192 scanlines of 16384 pixels need 98304 bytes or more, but it has 10",
     ),
     "a negative exposure": (hdr.head("EXPOSURE=-1"), "its header has 'EXPOSURE=-1'"),
     "no exposure": (hdr.head("EXPOSURE=0"), "its header has 'EXPOSURE=0'"),
@@ -271,12 +272,15 @@ REFUSED = {
     "a word": (hdr.head("EXPOSURE=1_0"), "its header has 'EXPOSURE=1_0'"),
     "exposures too far": (hdr.head(*["EXPOSURE=1e-9"] * 3), "its header has 'EXPOSURE=1e-9'"),
     "two corrections": (hdr.head("COLORCORR=1 1"), "its header has 'COLORCORR=1 1'"),
-    "primaries": (hdr.head("PRIMARIES=0 0 0 0 0 0 .3 .3"), "primaries of which no light"),
+    "primaries": (
+        hdr.head("PRIMARIES=0 0 0 0 0 0 .3 .3"),
+        "has impossible primaries",
+    ),
     "seven": (hdr.head("PRIMARIES=0 0 0 0 0 0 0"), "its header has 'PRIMARIES=0"),
     "a gamma": (hdr.head("GAMMA=2.2"), "has GAMMA=2.2: its pixels are encoded for display"),
     "too bright": (
         hdr.picture([[(255, 0, 0, 255)]], hdr.flat, "EXPOSURE=0.001"),
-        "pixels are too large for 32 bits",
+        "pixels divided by EXPOSURE are too large for 32 bits",
     ),
     "cut off": (GOOD[:-1], "scanline 3 is cut off"),
     "cut off in a mark": (GOOD[: START + 2], "is cut off"),
@@ -416,7 +420,7 @@ def test_what_is_written_is_read_by_openimageio(width, tmp_path):
     pixels[2] = 255.5 / 256  # is rounded to 1
     pixels[3] *= 1e30
     notes = write_picture(str(path), Picture(pixels, ("R", "G", "B"), REC_709, "", "cd/m2"))
-    assert notes == ("RGBE holds 1 part in 256 of the brightest channel of a pixel",)
+    assert notes == ("RGBE has a resolution of 1/256 of the brightest channel of a pixel",)
     found = read_picture(str(path))
     # its powers of two are decimals of eight digits
     np.testing.assert_allclose(found.pixels, openimageio(path), rtol=2e-7)

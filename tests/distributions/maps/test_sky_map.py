@@ -111,7 +111,7 @@ def test_a_saved_map(tmp_path, extension):
     told = re.search(r"its pixels give the ground (\S+) lx \(error: (\S+) %\)", done.stderr)
     assert float(told[1]) == pytest.approx(7000 * math.pi, rel=3e-4)
     assert float(told[2]) == pytest.approx(100 * (float(told[1]) / 7000 / math.pi - 1), abs=5e-3)
-    lost = {"pfm": "a PFM file does not say the unit (cd/m2)", "hdr": "RGBE holds 1 part in 256"}
+    lost = {"pfm": "PFM does not store the unit (cd/m2)", "hdr": "RGBE has a resolution of 1/256"}
     assert f"note: {lost[extension]}" in done.stderr
     picture = read_picture(str(path))
     pixels = picture.pixels[:, :, 0] if extension == "pfm" else picture.pixels @ picture.weights
@@ -124,8 +124,8 @@ def test_a_saved_map(tmp_path, extension):
     [
         ("overcast --tilt 9deg --save {}", "the brightness of the sky"),
         ("overcast --zenith-luminance 1cd/m2 --save {}.png", "not written as .png"),
-        ("overcast --zenith-luminance 1e40cd/m2 --save {}", "no values of more than 3e+38 cd/m2"),
-        ("overcast --zenith-luminance 1e-40cd/m2 --save {}", "would be all but black"),
+        ("overcast --zenith-luminance 1e40cd/m2 --save {}", "cannot hold values above 3e+38 cd/m2"),
+        ("overcast --zenith-luminance 1e-40cd/m2 --save {}", "would be almost black"),
         ("overcast --zenith-luminance 1cd/m2 --save no/{}", "does not exist"),
         ("overcast --zenith-luminance 1cd/m2,2cd/m2 --save {}", "one map is written at a time"),
         ("overcast --zenith-luminance 1cd/m2 --size 4x2", "--size does not apply without --save"),
