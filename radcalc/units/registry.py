@@ -107,5 +107,10 @@ def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:
 
 
 def exact_registry() -> Registry:
-    """Return a registry with exact fractions as factors, for the compiler and the tests."""
-    return Registry(str(DEFINITIONS), non_int_type=Fraction, cache_folder=None)
+    """Build a registry whose factors are exact fractions, for the compiler and the tests.
+
+    A second definition of a name is an error; by default Pint only warns.
+    """
+    return Registry(
+        str(DEFINITIONS), non_int_type=Fraction, cache_folder=None, on_redefinition="raise"
+    )
