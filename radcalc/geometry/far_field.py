@@ -68,7 +68,7 @@ def size(area: Number, *sides: Number) -> Number:
 
 
 def reach(area: Number, *sides: Number) -> Number:
-    """Return a bound of the distance of a patch's points from its centre, by its `size`.
+    """Return how far a patch reaches from its centre, at most, if no longer than its `size`.
 
     Parameters
     ----------
@@ -158,8 +158,8 @@ def error(
     tilt : float or ndarray [rad], optional
         Angle between its normal and the line to the receiver.
     incidence : float or ndarray [rad], optional
-        Angle between that line and the receiver's normal, which may be turned about the line;
-        0 by default.  The receiver's plane must not cut the patch.
+        Angle between that line and the receiver's normal, in any plane through the line.  The
+        receiver's plane must not cut the patch.
     is_long : bool, optional
         Whether the patch may be a rectangle of any sides, not only a disc or a square.
 

@@ -304,8 +304,8 @@ ARITHMETIC = (ValueError, ZeroDivisionError, OverflowError)
 def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any:
     """Return the target at the limit of a relation, or None if the roundings do not reach it.
 
-    A cosine of 1.004 from numbers typed with three digits counts as 1; a typed value is not
-    changed.
+    A cosine of 1.004 from numbers typed with three digits counts as 1; a typed value that is
+    impossible is still refused.
     """
     follows = isinstance(law, Relation) and not at.keys() <= sheet.given.keys()
     if not follows or any(map(is_array, at.values())):

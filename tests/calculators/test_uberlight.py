@@ -193,7 +193,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,-1 --illuminance 2lx", "no light arrives", ""),
         ("0,0,1e90", "beyond what radcalc reckons with", "less extreme"),
         ("0,0,1 --falloff-distance 1e90m", "beyond what radcalc reckons with", "less extreme"),
-        ("0,0,9 --falloff 999", "beyond what a number holds", "a smaller exponent"),
+        ("0,0,9 --falloff 999", "too large or too small for a number", "a smaller exponent"),
         ("0,0,1 -g irradiance", "no irradiance follows", "--intensity"),
     ],
 )

@@ -4,10 +4,10 @@
 numerically.  `radcalc.geometry.polygons` uses it if Van Oosterom and Strackee's formula or
 Lambert's contour formula is a small difference of large terms.
 
-The triangle is cut into strips perpendicular to its longest side.  Lengths along and across the
-strips are hyperbolic sines of parameters, which gives every decade of length the same share of
-points, so few strips are enough even for triangles that pass close by the observer and reach far
-away.  Every term is positive, so no digits cancel.  Floats only; lengths in any one unit.
+The triangle is cut into strips perpendicular to its longest side.  Lengths along that side and
+along the strips are hyperbolic sines of parameters, which gives every decade of length the same
+share of points, so few strips are enough even for triangles that pass close by the observer and
+reach far away.  Every term is positive, so no digits cancel.  Floats only; lengths in any one unit.
 """
 
 import math
