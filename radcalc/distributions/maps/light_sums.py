@@ -181,20 +181,23 @@ class LightSums:
         reach = numpy.sqrt((shape[1:] ** 2).sum((0, 1)))
         parts = math.ceil(reach.max() / WIDE)
         steps = numpy.linspace(0, 1, parts + 1)
-        for k, wide in enumerate(reach > WIDE):
+        is_wide = reach > WIDE
+        block, i, j = numpy.nonzero(is_wide)
+        finer = _shape(
+            raster.projection,
+            u[block, j, None] + (u[block, j + 1] - u[block, j])[:, None] * steps,
+            v[0, i, None] + (v[0, i + 1] - v[0, i])[:, None] * steps,
+        )
+        first = numpy.searchsorted(block, numpy.arange(len(chosen) + 1))
+        for k, wide in enumerate(is_wide):
             pixels = split = (*shape[:, :, k].reshape(3, 3, -1), values[k].reshape(wide.size, -1))
             if wide.any():
-                i, j = numpy.nonzero(wide)
-                finer = _shape(
-                    raster.projection,
-                    u[k, j, None] + (u[k, j + 1] - u[k, j])[:, None] * steps,
-                    v[0, i, None] + (v[0, i + 1] - v[0, i])[:, None] * steps,
-                )
-                split_shape = numpy.concatenate(
-                    [shape[:, :, k, ~wide], finer.reshape(3, 3, -1)], -1
-                )
+                own = finer[:, :, first[k] : first[k + 1]].reshape(3, 3, -1)
                 light = values[k, wide].repeat(parts * parts, 0)
-                split = (*split_shape, numpy.concatenate([values[k, ~wide], light]))
+                split = (
+                    *numpy.concatenate([shape[:, :, k, ~wide], own], -1),
+                    numpy.concatenate([values[k, ~wide], light]),
+                )
             yield pixels, split
 
 

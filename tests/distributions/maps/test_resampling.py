@@ -9,7 +9,7 @@ from distributions.maps.images import SIZES, TILTS, image
 from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.maps.resampling import reproject
 
-NEW = [("latlong", 64, 32), ("latlong", 200, 100), ("mirror-ball", 75, 75), ("angular", 90, 90)]
+NEW = [("latlong", 64, 32), ("latlong", 160, 80), ("mirror-ball", 49, 49), ("angular", 50, 50)]
 AIM = (0.3, -0.5, 0.2)
 FACING = TILTS[1::3]  # along an axis, between the axes, and with a horizon next to the rim
 
@@ -50,7 +50,7 @@ def test_a_constant_map_stays_constant(new):
     """In each pixel; outside of the circle there is nothing."""
     inside = new.map.solid_angles(0, new.map.size[1]) > 1e-12
     found = new.map.pixels[inside][:, :2]
-    assert found == pytest.approx(numpy.full((inside.sum(), 2), (3.0, 0.5)), rel=1e-12)
+    numpy.testing.assert_allclose(found, numpy.full_like(found, (3.0, 0.5)), rtol=1e-12)
     assert new.means[:2] == pytest.approx([3.0, 0.5], rel=1e-9)
     if new.map.projection != "latlong":
         assert not new.map.pixels[0, 0].any()
@@ -82,7 +82,7 @@ def test_the_same_again(projection):
         u = (numpy.arange(width) + 0.5) * 2 / width - 1
         inside = (numpy.hypot(u[:, None], u) < 0.95).ravel()
         found, values = found[inside], values[inside]
-    assert found == pytest.approx(values, rel=1e-9)
+    numpy.testing.assert_allclose(found, values, rtol=1e-9)
 
 
 def test_what_is_finer_than_the_new_pixels_is_averaged():
