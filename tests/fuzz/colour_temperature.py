@@ -19,7 +19,7 @@ from radcalc.spectra.data.observers import PHOTOPIC
 from radcalc.spectra.sources import spectrum
 from radcalc.spectra.spectrum import Table
 
-SHORT, LONG = 20, 4000
+SHORT, LONG = 10, 4000
 GRID = np.arange(360.0, 831.0)
 FUNCTIONS = np.array([X, PHOTOPIC[1], Z])
 GOLDEN = (math.sqrt(5) - 1) / 2

@@ -17,7 +17,7 @@ from unittest.mock import patch
 
 from radcalc.__main__ import run
 
-SHORT, LONG = 400, 200_000
+SHORT, LONG = 200, 200_000
 LONGEST = 700  # characters of a line that is said
 NASTY = [
     *map(chr, range(1, 32)),

@@ -16,7 +16,7 @@ from radcalc.errors import RadcalcError
 from radcalc.units.reading import read_amount
 from radcalc.units.registry import exact_registry
 
-SHORT, LONG = 2_500, 300_000
+SHORT, LONG = 1_200, 300_000
 
 # The digits of light.txt (OEIS A000796).
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582")

@@ -13,7 +13,7 @@ from unittest import mock
 
 from radcalc import cli, terminal
 
-SHORT, LONG = 250, 20_000
+SHORT, LONG = 125, 20_000
 
 CALLS = (
     "point-source --flux {}lm --distance {}m",

@@ -18,7 +18,7 @@ from radcalc.units.reading import read_operands
 from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER as NUMBER_ITSELF
 
-SHORT, LONG = 9_000, 1_000_000
+SHORT, LONG = 4_500, 1_000_000
 
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494")
 LARGEST, SMALLEST = Fraction(1.7976931348623157e308), Fraction(2.2250738585072014e-308)

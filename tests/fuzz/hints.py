@@ -19,7 +19,7 @@ from radcalc.calculators.solid_angle import SHAPES
 from radcalc.cli.command import SymbolOption
 from radcalc.cli.group import commands
 
-SHORT, LONG = 25, 5_000
+SHORT, LONG = 15, 5_000
 
 CALCULATORS = ("point-source", "lambertian", "etendue", "ev", "calorimeter", "solid-angle")
 FLAT = ("patch", "disc", "sphere", "rectangle", "plane", "hemisphere")

@@ -16,7 +16,7 @@ from radcalc.calculators.solid_angle import solid_angle
 from radcalc.errors import ConditionError
 from radcalc.inputs.reading import read
 
-SHORT, LONG = 150, 20_000
+SHORT, LONG = 75, 20_000
 PI = math.pi
 SIDE = 20  # points
 

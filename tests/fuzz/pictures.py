@@ -16,7 +16,7 @@ from distributions.maps import hdr
 from radcalc.distributions.maps import exr, pfm, rgbe
 from radcalc.errors import ConditionError
 
-SHORT, LONG = 150, 50_000
+SHORT, LONG = 75, 50_000
 ORDERS = ["-Y +X", "-Y -X", "+Y -X", "+Y +X", "+X +Y", "-X +Y", "-X -Y", "+X -Y"]
 LINES = [(), ("EXPOSURE=2",), ("EXPOSURE=0.5", "COLORCORR=1 2 4", "EXPOSURE=0.25")]
 COMPRESSIONS = ["NO", "RLE", "ZIPS", "ZIP", "PIZ", "ZSTD"]  # without loss of 32-bit floats

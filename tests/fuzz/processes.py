@@ -20,7 +20,7 @@ from unittest.mock import patch
 
 from radcalc.__main__ import run
 
-SHORT, LONG = 150, 100_000
+SHORT, LONG = 75, 100_000
 CASES = Path(__file__).parent.parent / "cases"
 NUMBERS = """
     1e400 1e-400 1e308 1e-308 0 -0 -1 1/3 1/0 1e2/3 3e2pi 2/3pirad 1e400/1e400 1e400*0 nan -inf

@@ -11,7 +11,7 @@ import radcalc
 from radcalc.errors import ConditionError
 from radcalc.geometry import receivers
 
-SHORT, LONG = 150, 20_000
+SHORT, LONG = 75, 20_000
 PI = math.pi
 RIM = (np.arange(20_000) + 0.5) * (2 * PI / 20_000)
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)

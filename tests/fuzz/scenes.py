@@ -16,7 +16,7 @@ import numpy
 import radcalc
 from radcalc.errors import RadcalcError
 
-SHORT, LONG = 100, 20_000
+SHORT, LONG = 50, 20_000
 UNITS = {"m": 1, "cm": 0.01, "mm": 0.001, "lm": 1, "klm": 1000, "cd": 1, "deg": math.pi / 180}
 UNITS |= {f"{unit}1": factor for unit, factor in UNITS.items()}  # to the power of 1
 UNITS |= {"cd/m2": 1, "": 1}

@@ -13,7 +13,7 @@ import random
 from radcalc.errors import RadcalcError
 from radcalc.spectra.files import _Reader
 
-SHORT, LONG = 250, 30_000
+SHORT, LONG = 125, 30_000
 UNITS = {
     "W/m2/nm": 1.0,
     "mW/m2/nm": 1e-3,

@@ -19,7 +19,7 @@ from radcalc.inputs.reading import read
 from radcalc.quantities.light import read as facts
 from radcalc.units.table import resolve
 
-SHORT, LONG = 40, 2_000
+SHORT, LONG = 20, 2_000
 
 UNITS = (
     "lm", "cd", "lx", "lm/m2", "radlux", "cd/m2", "td", "lm.s", "lx.s", "cd.s", "cd.s/m2",

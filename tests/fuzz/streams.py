@@ -17,7 +17,7 @@ from unittest.mock import patch
 
 from radcalc.__main__ import run
 
-SHORT, LONG = 300, 20_000
+SHORT, LONG = 150, 20_000
 # The international foot (0.3048 m) gives 1 fc = 1 lm/ft2; a kilolux is 1000 lx.
 FACTORS = {("lx", "fc"): Decimal("0.09290304"), ("klx", "lx"): Decimal(1000)}
 SPELLINGS = {"lx": ("lx", "lux", "Lux", "lm/m2"), "klx": ("klx", "kilolux", "kilo-lux")}

@@ -13,7 +13,7 @@ import numpy as np
 
 import radcalc
 
-SHORT, LONG = 300, 50_000
+SHORT, LONG = 150, 50_000
 OMNI, SPOT = "omni", "spot"
 
 

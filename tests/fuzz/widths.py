@@ -11,7 +11,7 @@ from unittest.mock import patch
 
 from radcalc.cli import run
 
-SHORT, LONG = 120, 20_000
+SHORT, LONG = 60, 20_000
 COMMANDS = [
     "convert 800 lm cd --isotropic",
     "convert 1e-30 W/m2/sr/nm",
