@@ -16,7 +16,9 @@ from hypothesis import HealthCheck, settings
 from radcalc import __main__, terminal
 
 # No test depends on how fast the machine is, nor does the drawing of its examples.
-settings.register_profile("untimed", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile(
+    "untimed", max_examples=50, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
 settings.load_profile("untimed")
 
 

@@ -1,6 +1,7 @@
 """The console transcripts in `cases/` and in README.md are run, and print what they show.
 
-What takes no more of a shell than words, and pipes to it and from it, is a call in this process.
+What takes no more of a shell than words, pipes to it and from it, and one call after another, is
+a call in this process.
 """
 
 import os
@@ -16,6 +17,7 @@ BARE = r"[^\"|<>;&`$\\]*"  # without what a shell reads, but for '...'
 CALL = re.compile(
     rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE}?)( 2> ?(?:&1|/dev/null))?(?: ?(\|.*))?"
 )
+PARTS = re.compile(rf"radcalc {BARE}(?:(?: &&|;) (?:radcalc|rm) {BARE})+")  # one after another
 FILES = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md"]
 
 
@@ -41,6 +43,8 @@ def answered(command: str) -> tuple[str, int]:
     """What a command line prints, errors among the rest, and its exit status."""
     unquoted = re.sub(r"'[^']*'", lambda quoted: "." * len(quoted[0]), command)
     found = CALL.fullmatch(unquoted.removesuffix(" < /dev/null"))
+    if not found and PARTS.fullmatch(unquoted):
+        return one_by_one(command, [part.span() for part in re.finditer(r"[^;&]+|&&|;", unquoted)])
     if not found:
         return in_shell(command)
     before, words, errors, after = (command[slice(*found.span(k))] for k in range(1, 5))
@@ -51,6 +55,19 @@ def answered(command: str) -> tuple[str, int]:
         return done.stdout, done.returncode
     printed, status = in_shell(after.removeprefix("|"), done.stdout)
     return ("" if errors else done.stderr) + printed, status
+
+
+def one_by_one(command: str, spans: list[tuple[int, int]]) -> tuple[str, int]:
+    """What parts print that `;` and `&&` join."""
+    printed, status, joint = "", 0, ";"
+    for start, end in spans:
+        part = command[start:end].strip()
+        if part in (";", "&&"):
+            joint = part
+        elif joint == ";" or not status:
+            more, status = answered(part)
+            printed += more
+    return printed, status
 
 
 def in_shell(command: str, lines: str = "") -> tuple[str, int]:

@@ -15,7 +15,7 @@ SOURCES = [("lx", "fc"), ("fc", "lx"), ("lx", "klx"), ("klx", "lx"), ("fL", "nit
            ("deg", "rad"), ("in", "nm"), ("erg", "J"), ("lx", "lx"), ("Btu", "J")]  # fmt: skip
 
 
-@settings(max_examples=500)
+@settings(max_examples=200)
 @given(st.sampled_from(SOURCES),
        st.lists(st.one_of(st.floats(1e-99, 1e99), st.floats(-1e6, 1e6),
                           st.integers(-(2**60), 2**60).map(float)), min_size=1))  # fmt: skip
@@ -25,7 +25,7 @@ def test_the_product_in_two_parts_is_the_exact_one(units, values):
     assert Bulk(made, 12).exact(texts) == [made.apply(float(text)) for text in texts]
 
 
-@settings(max_examples=500)
+@settings(max_examples=200)
 @given(st.sampled_from([("lx", "fc"), ("lx", "klx"), ("in", "cm"), ("ft", "m"), ("W", "mW")]),
        st.integers(1, 14), st.data())  # fmt: skip
 def test_a_plain_product_prints_right_where_it_is_used(units, precision, data):
