@@ -16,7 +16,7 @@ def radiances(text: str) -> FormulaRadiances:
     return FormulaRadiances(Formula(text, quantity="radiance"))
 
 
-def plain_sum(function, normal, count=1200):
+def plain_sum(function, normal, count=800):
     """The irradiance as a sum over the middles of equal cells."""
     theta = (numpy.arange(count) + 0.5)[:, None] * math.pi / count
     phi = (numpy.arange(2 * count) + 0.5) * math.pi / count

@@ -41,7 +41,7 @@ def test_which_way_it_is():
 @pytest.mark.parametrize("projection", SIZES)
 def test_order_2_of_a_polynomial(projection):
     """By its harmonics: those of order 0, 1 and 2 count pi, 2 pi/3 and pi/4."""
-    size = [count // 8 for count in SIZES[projection]]
+    size = [count // 16 for count in SIZES[projection]]
     radiance = image(projection, lambda x, y, z: 3 + x - z / 2 + x * y + 0.7 * z * z, size, 2)
     around = RadianceMap(radiance, projection)
     normals = numpy.array([unit(normal) for normal in TILTS])
