@@ -166,7 +166,7 @@ def test_no_light_at_all_is_no_usual_mistake():
 
 # --- Unrelated numbers.
 
-UNRELATED, MOST_NAMED = 1200, 0.03
+UNRELATED, MOST_NAMED = 600, 0.03
 
 
 @cache

@@ -359,7 +359,7 @@ def test_damage_ends_in_a_picture_or_a_refusal(seed):
     random = np.random.default_rng(seed)
     for encoding in hdr.ENCODINGS.values():
         good = hdr.picture(hdr.noise(4, 40, seed, steps=6), encoding, "EXPOSURE=2")
-        for _ in range(300):
+        for _ in range(150):
             data = bytearray(good)
             for _ in range(random.integers(1, 4)):
                 place = int(random.integers(len(data)))
