@@ -15,7 +15,7 @@ from radcalc.errors import ConditionError
 from radcalc.geometry.numerics.cubature import over_directions
 from radcalc.geometry.numerics.expression import Expression
 
-SHORT, LONG = 7, 2000
+SHORT, LONG = 12, 2000
 PI, TURN = math.pi, 2 * math.pi
 
 
