@@ -214,7 +214,7 @@ def test_what_was_assumed_can_be_had_from_python():
     result = radcalc.explain("1 W", "lm", wavelength="300nm")
     assert result.rows[0].value == 0
     assert "CIE 1924" in result.assumptions[0]
-    assert "nothing is seen" in result.notes[0]
+    assert "is invisible" in result.notes[0]
     assert result.steps[-1].law == "conversion"
     assert "1055.05585262 J" in radcalc.explain("1 Btu", "J").notes[0]
 

@@ -55,7 +55,7 @@ CONVERSIONS = {
     "no condition makes a number of an efficacy": (
         "lm/W", "1", {}, "no condition links them", "radcalc"),
     "a wide band has not the same width in wavelength and frequency": (
-        "um", "THz", {"wavelength": "550nm"}, "is not small beside", "photon"),
+        "um", "THz", {"wavelength": "550nm"}, "is not small compared with", "photon"),
     "a time makes no other rate of what comes in a day": (
         "mol/m2/day", "umol/m2/s", {"time": "12h"}, "--time does not apply",
         "mol/m2 in place of mol/m2/day"),
@@ -107,9 +107,9 @@ CONVERSIONS = {
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "86deg"}, "horizon",
         "--radius 0.56419m in place"),
     "no lumens at 300 nm tell the watts": (
-        "lm", "W", {"wavelength": "300nm"}, "nothing is seen at 300nm", "360nm to 830nm"),
+        "lm", "W", {"wavelength": "300nm"}, "300nm is invisible", "360nm to 830nm"),
     "no lumens at 10 um tell the watts": (
-        "lm", "W", {"wavelength": "10um"}, "nothing is seen", "830nm"),
+        "lm", "W", {"wavelength": "10um"}, "is invisible", "830nm"),
     "no light arrives along the receiver's plane": (
         "lx", "cd", {"distance": "2m", "incidence": "90deg"}, "no light arrives", "below 90"),
     "no light comes back from what is black": (
@@ -442,7 +442,7 @@ COMMANDS = {
     "a list with a number that is too small says which": (
         "convert 1e-400,100 lx fc", "'1e-400' is too small", "more than 2.3e-308"),
     "a result that is too large is told of, and not the value": (
-        "convert 1e308 lx ulx", "the result in ulx cannot be held", "a result between"),
+        "convert 1e308 lx ulx", "the result in ulx is out of range", "a result between"),
     "a list of temperatures has no one answer to check": (
         "spectrum blackbody:3000K,4000K --check x=0.4", "--check takes one answer"),
     "a list of wavelengths has no one answer to check": (

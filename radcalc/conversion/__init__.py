@@ -1,1 +1,1 @@
-"""Converting a value to another unit or quantity: plans, bridges and the factors of conditions."""
+"""Conversion of a value to another unit or quantity: plans, bridges and factors of conditions."""

@@ -1,4 +1,4 @@
-"""Several conversions under the same conditions, each of which uses some of them."""
+"""Several conversions under common conditions, of which each may use only some."""
 
 from collections.abc import Sequence
 from itertools import combinations
@@ -9,12 +9,12 @@ from radcalc.errors import MissingCondition, RadcalcError, Unused
 from radcalc.inputs.given import Input
 from radcalc.units.unit import Unit
 
-Request = tuple[Unit, Unit, Sequence[Input], str]  # what `plan` takes
+Request = tuple[Unit, Unit, Sequence[Input], str]  # the arguments of `plan`
 Planned = tuple[Plan, Sequence[Input]]
 
 
 def plans(requests: Sequence[Request]) -> list[Planned]:
-    """The plans, and what each uses of the conditions; refuses a condition that none uses."""
+    """Return the plans, each with the conditions it uses; raise for a condition that none uses."""
     planned: list[Planned] = []
     refusals: list[RadcalcError] = []
     for request in requests:
@@ -36,9 +36,9 @@ def plans(requests: Sequence[Request]) -> list[Planned]:
 
 
 def _with_fewer(request: Request, refusal: RadcalcError) -> Planned:
-    """A plan without as few conditions as must go: what is left may find a use.
+    """Return a plan with the fewest conditions removed that make a refused conversion possible.
 
-    Beside a distance and an area an incidence is idle, and beside the area alone it is not.
+    With a distance and an area an incidence is unused; with the area alone it is used.
     """
     source, target, conditions, number = request
     names = (
@@ -56,7 +56,7 @@ def _with_fewer(request: Request, refusal: RadcalcError) -> Planned:
                 continue
         if len(fewer) == 1:
             return fewer[0]
-        if fewer:  # it is not clear which one is meant
+        if fewer:  # several plans: the intended one is unclear
             if isinstance(refusal, Unused):
                 raise refusal.reworded(hint="a call for each conversion")
             break

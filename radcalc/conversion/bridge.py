@@ -1,4 +1,4 @@
-"""Two units of different quantities, and the conditions that are missing between them."""
+"""Two units of different quantities, and the missing conditions between them."""
 
 from collections.abc import Iterable, Sequence
 
@@ -24,7 +24,7 @@ Links = list[tuple[Factor, int]]
 KIND, AXIS, PER_LENGTH, PROJECTED = "kind", "axis", "per length", "projected solid angle"
 _WAVELENGTH = option("wavelength", "LAMBDA")
 _CONE = option("half-angle", "ANGLE")
-# What is missing, and the symbols that supply it.
+# Descriptions of missing conditions, and the symbols that supply them.
 WANTED = {
     KIND: (
         "a wavelength, a spectrum or an efficacy",
@@ -49,7 +49,7 @@ WANTED = {
 
 
 class Bridge:
-    """Two units of different quantities, the conditions between them, and what is lacking."""
+    """Two units of different quantities, the given conditions and the missing ones."""
 
     def __init__(
         self, source: Unit, target: Unit, given: Sequence[Input], number: str = "1"
@@ -64,11 +64,11 @@ class Bridge:
         return f"cannot convert {describe(self.source)} to {describe(self.target)}"
 
     def want(self, what: str) -> None:
-        """Note that something is missing."""
+        """Record a missing condition."""
         self.lacking[what] = WANTED[what]
 
     def want_space(self, rows: Iterable[Way], given: set[str]) -> None:
-        """Note which spatial conditions are missing beside those given: two ways at most."""
+        """Record the spatial conditions that are still missing, for at most two ways."""
         rows = tuple(rows)
         extending = [way for way in rows if way.extends and given and given < set(way.powers)]
         sensible = [way for way in rows if way.is_suggested] or list(rows)
@@ -87,7 +87,7 @@ class Bridge:
         self.lacking["space"] = (phrase, ", or ".join(alternatives.values()))
 
     def refuse(self) -> None:
-        """Refuse what is missing, and what has no use."""
+        """Raise for missing conditions and for unused ones."""
         unused = self.conditions.unused
         if AXIS in self.lacking:
             self.lacking.pop(KIND, None)  # a wavelength supplies both
@@ -98,7 +98,7 @@ class Bridge:
             raise Unused(unused, where, self._instead(unused))
 
     def _instead(self, unused: Sequence[str]) -> str:
-        """Return what is meant by a condition that has no use between two units of one quantity."""
+        """Return the probable intention of an unused condition between units of one quantity."""
         start, end = read(self.source), read(self.target)
         if start is None or end is None or start != end or len(self.conditions.given) > 1:
             return ""
@@ -108,7 +108,7 @@ class Bridge:
         if given.name == "reflectance" and start.area and not start.solid_angle:
             number = f"{self.number}*{given.value:.12g}"
             again = command("convert", number, quote(self.source.text), quote(self.target.text))
-            return f"{again}, which is the part that is reflected"
+            return f"{again}, which is the reflected part"
         if given.name == TIME and not start.time:
             slow = self.source.text.endswith(SLOW) and not self.target.text.endswith(SLOW)
             rate = self.source if slow else self.target
@@ -133,15 +133,15 @@ class Bridge:
 
 
 def _is_plural(phrase: str) -> bool:
-    """Return whether it is `an area and a solid angle`, and nothing else would do."""
+    """Return whether a phrase is like `an area and a solid angle`, without alternatives."""
     return " and " in phrase and " or " not in phrase
 
 
-SLOW = ("/min", "/h", "/hour", "/d", "/day")  # of an amount that comes in within that time
+SLOW = ("/min", "/h", "/hour", "/d", "/day")  # of an amount per that time
 
 
 def _over_time(unit: Unit, reading: Reading) -> str:
-    """Return the unit of what a rate gives in a time: mol/m2 of mol/m2/day, lm.s of lm."""
+    """Return the unit of a rate summed over a time: mol/m2 for mol/m2/day, lm.s for lm."""
     rates = ("/s", *SLOW) if reading.kind == PHOTON else SLOW
     for rate in rates:
         if unit.text.endswith(rate):

@@ -1,7 +1,7 @@
-"""The conditions of a conversion: which symbols can be given, and what each of them is about.
+"""The conditions of a conversion: the symbols that can be given, and the slot of each.
 
-What factor a condition supplies is in `geometric.py` and `spectral.py`; which factors a
-conversion needs is the business of `links.py`.
+The factors of conditions are in `geometric.py` and `spectral.py`; `links.py` determines the
+factors that a conversion needs.
 """
 
 from collections.abc import Sequence
@@ -11,11 +11,11 @@ from radcalc.answer import Step
 from radcalc.errors import Exclusive
 from radcalc.inputs.given import Input
 
-# What a condition is about; two conditions about one thing contradict each other.
+# Slots of conditions; two conditions in one slot contradict each other.
 LINK, TIME, AREA, CONE, DISTANCE = "link of kinds", "time", "area", "solid angle", "distance"
 BAND, REFLECTANCE, PUPIL = "bandwidth", "reflectance", "pupil"
 RESPONSIVITY = "responsivity"
-REFINES = "refines"  # what only refines another condition is about itself
+REFINES = "refines"  # a condition that refines another one has its own slot
 
 CONDITIONS = {
     "wavelength": LINK,
@@ -49,7 +49,7 @@ CONDITIONS = {
 
 
 class Factor(NamedTuple):
-    """A number with a letter that a quantity is multiplied or divided by."""
+    """A factor or divisor of a quantity, with its letter."""
 
     letter: str
     value: Any
@@ -60,7 +60,7 @@ class Factor(NamedTuple):
 
 
 class Conditions:
-    """The conditions that are given, by what they are about, and which of them have a use."""
+    """The given conditions by slot, and the slots in use."""
 
     __slots__ = ("given", "used")
 
@@ -76,17 +76,17 @@ class Conditions:
             self.given[slot] = condition
 
     def use(self, slot: str) -> Input | None:
-        """Take a condition, so that it counts as used."""
+        """Return a condition, or None, and mark it as used."""
         if slot in self.given:
             self.used.add(slot)
         return self.given.get(slot)
 
     def take(self, slot: str) -> Input:
-        """Take a condition that is there."""
+        """Return a given condition and mark it as used."""
         self.used.add(slot)
         return self.given[slot]
 
     @property
     def unused(self) -> list[str]:
-        """The symbols of what has no use."""
+        """The symbols of unused conditions."""
         return [condition.name for slot, condition in self.given.items() if slot not in self.used]

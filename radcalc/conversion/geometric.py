@@ -1,7 +1,7 @@
 """Factors of geometry and time: areas, cones, distances, reflectors, the pupil, durations.
 
-The laws whose formulas the steps show are imported where they are used: most conversions need
-one of them, and a conversion is to start fast.
+Laws for the formulas of steps are imported in the functions that use them: most conversions need
+only one, and imports delay the start.
 """
 
 import math
@@ -49,7 +49,7 @@ def area(given: Input) -> Factor:
 
 
 def duration(given: Input) -> Factor:
-    """A time [s]."""
+    """Return the factor of a time [s]."""
     return Factor("t", given.value, "s", f"constant over {given.text}")
 
 
@@ -74,7 +74,7 @@ def solid_angle(given: Input) -> Factor:
 
 
 def _lobe(given: Input) -> Factor:
-    """A cosine-power lobe: the solid angle that, at the peak intensity, holds all the flux."""
+    """Return the solid angle of a cosine-power lobe: its flux over its peak intensity [sr]."""
     from radcalc.laws.point import BEAM_ANGLE, LOBE
 
     exponent = given.value
@@ -88,13 +88,13 @@ def _lobe(given: Input) -> Factor:
     return Factor("Omega", omega, "sr", assumption, (*steps, step))
 
 
-PROJECTED = ("half-angle", "apex-angle", "hemisphere")  # what has a projected solid angle
+PROJECTED = ("half-angle", "apex-angle", "hemisphere")  # cones with a projected solid angle
 
 
 def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
     """Return the projected solid angle between radiance and irradiance, exitance or flux [sr].
 
-    It is about the surface's normal, or `turn` away from it.
+    The projection is onto the surface with the cone's axis as normal, or `turn` away from it.
     """
     if turn and given.name in (*PROJECTED, "solid-angle"):
         return _slanting(given, turn)
@@ -105,7 +105,7 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
         if given.name == "solid-angle":
             hint += f", or {option('tilt', '0deg')} with it"
         raise ConditionError(
-            f"{option(given.name)} does not link a radiance: that takes the projected solid angle",
+            f"{option(given.name)} does not link a radiance: it needs the projected solid angle",
             hint,
         )
     from radcalc.laws.cones import PROJECTED_CONE
@@ -119,7 +119,7 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
 
 
 def _half_angle_at_most_right(given: Input) -> Any:
-    """A half angle [rad] up to 90 degrees."""
+    """Return a half angle [rad] of at most 90 degrees."""
     half = half_angle_of(given)
     most = "90" if given.name == "half-angle" else "180"
     within = not maths.any_true(half > math.pi / 2 * (1 + maths.SLACK))
@@ -127,11 +127,11 @@ def _half_angle_at_most_right(given: Input) -> Any:
     return half
 
 
-NARROW = math.atan(0.1)  # half the angle at which a disc is seen from five times its size
+NARROW = math.atan(0.1)  # half angle of a disc seen from five times its diameter
 
 
 def _slanting(given: Input, turn: Input) -> Factor:
-    """The projected solid angle of light that comes aslant [sr]: of a cone, or a small one."""
+    """Return the projected solid angle of an oblique cone or of a small solid angle [sr]."""
     from radcalc.geometry import projected
 
     angle, where = abs(turn.value), f"{turn.text} from the normal"
@@ -141,8 +141,8 @@ def _slanting(given: Input, turn: Input) -> Factor:
         if maths.any_true(half > NARROW * (1 + maths.SLACK)):
             size = "ANGLE" if maths.is_array(half) else f"{half * (180 / math.pi):.6g}deg"
             raise ConditionError(
-                f"{option('solid-angle', quote(given.text))} is not small: its directions are not "
-                "all at the same angle from the normal",
+                f"{option('solid-angle', quote(given.text))} is not small: its directions differ "
+                "in their angle from the normal",
                 f"{option('half-angle', size)} in place of {option('solid-angle')}, for a cone",
             )
         omega = given.value * cosine
@@ -159,17 +159,17 @@ def _slanting(given: Input, turn: Input) -> Factor:
     if maths.any_true(half + angle > math.pi / 2 * (1 + maths.SLACK)):
         tilt = option(turn.name, quote(turn.text))
         cut = "a part" if maths.any_true(omega > 0) else "all"
-        notes = (f"{tilt}: {cut} of the cone is behind the surface, and left out",)
+        notes = (f"{tilt}: {cut} of the cone is behind the surface and does not count",)
     step = SLANTING_CONE.with_numbers(f"Omega_p = {omega_text}")
     return Factor("Omega_p", omega, "sr", f"{assumption}, {omega_text} projected", (step,), notes)
 
 
 def turned(turn: Input) -> Factor:
-    """Return the cosine of the incidence on a surface, or of the tilt of one that shines."""
+    """Return the cosine of the incidence on a surface, or of the tilt of a luminous surface."""
     cosine, assumption, notes = _cosine(turn)
     letter = "cos(theta)"
     if turn.name == "incidence":
-        assumption = f"the irradiance given is that across the light; {assumption}"
+        assumption = f"the given irradiance is perpendicular to the light; {assumption}"
     else:
         letter, assumption = "cos(theta_s)", f"seen {turn.text} from its normal"
     step = Step(f"cosine of the {turn.name}", "", f"{letter} = {format_number(cosine)}")
@@ -177,7 +177,7 @@ def turned(turn: Input) -> Factor:
 
 
 def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
-    """An area that a small source lights from afar [m2]; one too near is refused."""
+    """Return an area lit by a distant small source [m2]; raise if it is too near."""
     factor = area(given)
     size = far_field.size(factor.value)
     if far_field.is_near(distance.value, size):
@@ -196,7 +196,7 @@ def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
 
 
 def inverse_square(given: Input, incidence: Input | None) -> Factor:
-    """From the intensity of a small source to the irradiance at a distance [sr/m2]."""
+    """Return the factor from intensity to irradiance at a distance from a small source [sr/m2]."""
     cosine, tilt, notes = _cosine(incidence)
     value = cosine / maths.square(given.value)
     values = {"distance": given.value}
@@ -204,12 +204,12 @@ def inverse_square(given: Input, incidence: Input | None) -> Factor:
         values["incidence"] = incidence.value
     formula = ASLANT if incidence else INVERSE_SQUARE
     step = formula.step(values, f"{format_number(value)} sr/m2")
-    assumption = f"a source small beside its distance, {tilt}"
+    assumption = f"a source small compared to its distance, {tilt}"
     return Factor("q", value, "sr/m2", assumption, (step,), notes)
 
 
 def _cosine(turn: Input | None) -> tuple[Any, str, tuple[str, ...]]:
-    """The cosine of an incidence or a tilt; light from behind the surface gives 0, and a note."""
+    """Return the cosine of an incidence or a tilt, 0 and a note for light from behind."""
     if turn is None:
         return 1.0, "light along the receiver's normal", ()
     cosine = cones.facing(turn.value)
@@ -247,7 +247,7 @@ def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
 
 
 def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Input | None) -> Factor:
-    """An area that is seen from afar [m2]; one too near, or cut by the horizon, is refused."""
+    """Return an area seen from a distance [m2]; raise if it is too near or below the horizon."""
     factor = area(source)
     size, reach = far_field.size(factor.value), far_field.reach(factor.value)
     angle, slope = (abs(turn.value) if turn else 0.0 for turn in (incidence, tilt))
@@ -269,7 +269,7 @@ def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Inpu
 
 
 def reflector(given: Input) -> Factor:
-    """A Lambertian reflector, from incident irradiance to radiance [1/sr]."""
+    """Return the factor of a Lambertian reflector, from irradiance to radiance [1/sr]."""
     value = given.value / math.pi
     step = REFLECTOR.step({"reflectance": given.value}, f"{format_number(value)} /sr")
     assumption = f"a Lambertian reflector of reflectance {given.text}"
@@ -277,29 +277,29 @@ def reflector(given: Input) -> Factor:
 
 
 def reflected(given: Input) -> Factor:
-    """Return the reflectance of a surface, from what arrives at it to what leaves it."""
-    assumption = f"nothing but reflected light leaves, with a reflectance of {given.text}"
+    """Return the reflectance of a surface, from incident to reflected light."""
+    assumption = f"only reflected light leaves the surface, with a reflectance of {given.text}"
     step = REFLECTED.with_numbers(f"M = {format_number(given.value)} E")
     return Factor("rho", given.value, "radlux/lx", assumption, (step,))
 
 
 def responsivity(given: Input) -> Factor:
-    """Amperes per watt of light on a detector."""
+    """Return the amperes per watt of light on a detector."""
     assumption = f"a detector of {given.text} for all of that light, and no dark current"
     return Factor("s", given.value, "A/W", assumption)
 
 
 def yield_of(responsivity: Any, photon_energy: Any) -> tuple[str, ...]:
-    """Return what to say of a detector that gives more than one electron for a photon."""
+    """Return a note on a detector with more than one electron per photon."""
     electrons = responsivity * photon_energy / resolve("eV").factor  # 1 eV is e times 1 V
     if not maths.any_true(electrons > 1):
         return ()
     number = format_number(electrons) if isinstance(electrons, float) else "more than one"
-    return (f"{number} electrons for a photon: only a detector that multiplies them gives so many",)
+    return (f"{number} electrons per photon: only a detector with internal gain gives so many",)
 
 
 def pupil(given: Input) -> Factor:
-    """Trolands per candela per square metre: the pupil's area in mm2."""
+    """Return the trolands per candela per square metre: the pupil's area in mm2."""
     millimetres = given.value / 1e-3
     value = math.pi / 4 * maths.square(millimetres)
     step = RETINA.with_numbers(

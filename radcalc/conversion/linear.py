@@ -1,4 +1,4 @@
-"""The plan between two linear units: a factor, exact where both measure one quantity."""
+"""The plan between two linear units: a factor, exact between units of one quantity."""
 
 from radcalc.errors import ConditionError, ConversionError, NumberError, quote
 from radcalc.units.numbers import SMALLEST
@@ -18,18 +18,18 @@ LARGEST = 1.7976931348623157e308
 
 
 class Plan:
-    """A factor from `source` to `target`, with what was assumed on the way.
+    """A factor from `source` to `target`, with the assumptions behind it.
 
-    `links` are the (factor, +1 or -1) of the conditions that were used.
+    `links` are the (factor, +1 or -1) of the conditions in use.
     """
 
     __slots__ = ("assumptions", "factor", "links", "notes", "source", "target")
-    is_linear = True  # which a plan between scales is not
+    is_linear = True  # False for a plan between scales
 
     def __init__(
         self, source: Unit, target: Unit, factor: "Any", links: "Sequence[tuple[Factor, int]]" = ()
     ) -> None:
-        """Hold the plan; the notes are those of the units and of the conditions."""
+        """Keep the plan, with the notes of the units and of the conditions."""
         self.source = source
         self.target = target
         self.factor = factor
@@ -42,12 +42,12 @@ class Plan:
     def apply(self, value: "Any") -> "Any":
         """Convert a number, or an array element by element.
 
-        What is below 0 is a difference, and has no more than another unit of its quantity.
+        A negative value is a difference; it can be converted only within its quantity.
         """
         if isinstance(value, (int, float)):
             value = _as_float(value)
             if value != value:
-                raise ConversionError("the value is no number (nan)", "a finite number")
+                raise ConversionError("the value is not a number (nan)", "a finite number")
             if value - value != 0:  # inf
                 raise self._not_held()
         if self.links:
@@ -62,7 +62,7 @@ class Plan:
         if self.links:
             result = value * self.factor
         else:
-            # one rounding of an exact fraction: 100 lx are 1e-05 klm/cm2, no 9.99e-06
+            # one rounding of an exact fraction: 100 lx are 1e-05 klm/cm2, not 9.99e-06
             over, under = value.as_integer_ratio()
             over *= self.source.top * self.target.bottom
             under *= self.source.bottom * self.target.top
@@ -70,7 +70,7 @@ class Plan:
         zero = value == 0 or self.factor == 0
         if result - result != 0 or (not zero and abs(result) < SMALLEST):
             raise self._not_held()
-        return result + 0.0  # no -0
+        return result + 0.0  # 0, not -0
 
     def quantity(self, value: "Any") -> "Any":
         """Return the result as a quantity in the target's unit."""
@@ -82,7 +82,7 @@ class Plan:
 
     def _not_held(self) -> ConversionError:
         return ConversionError(
-            f"the result in {quote(self.target.text)} cannot be held by a number",
+            f"the result in {quote(self.target.text)} is out of range",
             "a result between 2.3e-308 and 1.7e308, by another value or unit",
         )
 
@@ -93,8 +93,8 @@ class Plan:
             from radcalc.quantities.light import describe, name_of
 
             raise ConditionError(
-                f"a negative {name_of(self.source)} is no light: only a difference is below 0, "
-                f"and no condition makes it {describe(self.target)}",
+                f"a negative {name_of(self.source)} is not light but a difference, and no "
+                f"condition makes it {describe(self.target)}",
                 "0 or more",
             )
 
@@ -107,18 +107,18 @@ def _as_float(value: float) -> float:
 
 
 def are_reciprocal(source: Unit, target: Unit) -> bool:
-    """Return whether one is of temperatures, and the other of their reciprocals, as 1/MK is."""
+    """Return whether the units are of temperatures and of their reciprocals, such as 1/MK."""
     return {source.dimension, target.dimension} == RECIPROCALS
 
 
 def is_function(source: Unit, target: Unit) -> bool:
-    """Return whether no factor leads from one to the other, but a function that needs no scale."""
+    """Return whether a function, not a factor, leads from one unit to the other (no scales)."""
     dimensions = {source.dimension, target.dimension}
     return dimensions == RECIPROCALS or (FIELD_STRENGTH in dimensions and len(dimensions) > 1)
 
 
 def between(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str = "1") -> Plan:
-    """Plan a conversion between units, neither of which is a scale."""
+    """Plan a conversion between units that are not scales."""
     same = source.dimension == target.dimension and source.is_exitance == target.is_exitance
     if same and not given:
         plain = Plan(source, target, exact_ratio(source, target))
@@ -143,7 +143,7 @@ def between(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: s
 
 
 def exact_ratio(source: Unit, target: Unit) -> float:
-    """The ratio of two units' factors, rounded once; a division of whole numbers is exact."""
+    """Return the ratio of two units' factors, exact for whole numbers and rounded once."""
     ratio = divide(source.top * target.bottom, source.bottom * target.top)
     if not SMALLEST <= ratio <= LARGEST:
         raise _beyond(source, target)
@@ -152,7 +152,7 @@ def exact_ratio(source: Unit, target: Unit) -> float:
 
 def _beyond(source: Unit, target: Unit) -> ConversionError:
     return ConversionError(
-        f"the ratio of {quote(source.text)} to {quote(target.text)} cannot be held by a number",
+        f"the ratio of {quote(source.text)} to {quote(target.text)} is out of range",
         "units closer in size",
     )
 

@@ -1,9 +1,8 @@
-"""What stands between two different quantities, and which of the given conditions supply it.
+"""The links between two different quantities, and the given conditions that supply them.
 
-The two quantities' facts (kind, axis of density, time, area and solid angle) are compared, and
-each difference needs a condition.  Area and solid angle go together and can be bridged in several
-ways: those are the rows of `WAYS`.  Where nothing given is enough, what is missing is named; a
-condition without use, or one too many, is refused as well.
+The facts of the two quantities (kind, axis of density, time, area and solid angle) are compared;
+each difference needs a condition.  Area and solid angle are linked together, in one of the ways of
+`WAYS`.  Missing conditions are named; unused and redundant ones are refused.
 """
 
 from collections.abc import Sequence
@@ -70,7 +69,7 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
         return _surface(bridge)
     ways, sign = ways_between(here, there)
     if bridge.source.is_exitance or bridge.target.is_exitance:
-        # what leaves the source's surface: nothing is on the way yet
+        # exitance: no light has left the surface yet, so there is no distance
         ways = tuple(way for way in ways if not {DISTANCE, REFLECTANCE} & set(way.powers))
     elif ways is WAYS[IRRADIANCE, RADIANCE] and _is_round(conditions, given):
         return _applied(DISC, sign, conditions)
@@ -84,7 +83,7 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
         _want_space(bridge, ways, given, start.is_radiance or end.is_radiance)
         return []
     if DISTANCE in given and DISTANCE not in complete[0].powers and CONE not in given:
-        # no way uses the distance: the cone of the lamp is missing
+        # no way uses the distance: the solid angle of the lamp is missing
         lamps = [way for way in ways if set(way.powers) == {CONE, DISTANCE}]
         if lamps:
             bridge.want_space(lamps, {DISTANCE})
@@ -93,7 +92,7 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 
 
 def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radiance: bool) -> None:
-    """Ask for the conditions that a way between geometries lacks."""
+    """Record the missing conditions of a way between geometries."""
     if is_radiance and given == {DISTANCE} and any(way.supply is FAR for way in ways):
         bridge.conditions.take(DISTANCE)
         bridge.lacking["size"] = (
@@ -105,15 +104,15 @@ def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radia
 
 
 def _is_round(conditions: Conditions, given: set[str]) -> bool:
-    """Whether a disc that faces the receiver is given: by its radius or diameter, from afar."""
+    """Return whether a distant disc that faces the receiver is given by radius or diameter."""
     is_exact = given == {AREA, DISTANCE} and "tilt" not in conditions.given
     return is_exact and conditions.given[AREA].name != "area"
 
 
 def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
-    """Refuse a cone beside an area, where nothing tells what is uniform over it.
+    """Raise for a cone with an area, if it is unclear what is uniform over the cone.
 
-    By way of the flux it is the intensity, by way of the radiance the radiance.
+    Via the flux it is the intensity, via the radiance it is the radiance.
     """
     area, cone = (bridge.conditions.given[slot] for slot in (AREA, CONE))
     if cone.name not in geometric.PROJECTED:
@@ -130,28 +129,28 @@ def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
         )
     ]
     raise ConversionError(
-        f"{bridge.heading}: over {option(cone.name, quote(cone.text))} the intensity may be "
-        "uniform, or the radiance, and the answers differ",
+        f"{bridge.heading}: over {option(cone.name, quote(cone.text))} either the intensity or "
+        "the radiance may be uniform, and the answers differ",
         "; or ".join(steps),
     )
 
 
 def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
-    """Return the factors of a way; nothing follows from no light."""
+    """Return the factors of a way; raise if one of them makes the light 0."""
     links = [(way.supply[slot](conditions), power * sign) for slot, power in way.powers.items()]
     if way.is_tilted and (tilt := conditions.use("tilt")):
         links.append((geometric.turned(tilt), way.powers[AREA] * sign))
     for factor, power in links:
         if power < 0 and any_true(factor.value == 0):
             raise ConditionError(
-                f"{factor.assumption}: no light arrives, so nothing follows from it",
+                f"{factor.assumption}: no light arrives, so the source cannot be determined",
                 "a reflectance above 0, and an incidence or a tilt below 90 deg",
             )
     return links
 
 
 def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
-    """Return how a surface is turned that a given irradiance lights: E cos(theta) reaches it."""
+    """Return the factor cos(theta) of a surface at an angle to a given irradiance."""
     conditions = bridge.conditions
     if "incidence" not in conditions.given or DISTANCE in conditions.given:
         return []
@@ -174,7 +173,7 @@ def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 
 
 def link(source: Unit, target: Unit, given: Sequence[Input], number: str = "1") -> Links:
-    """Find the factors, with their powers, that turn the source's quantity into the target's."""
+    """Return the factors, with their powers, from the source's quantity to the target's."""
     bridge = Bridge(source, target, given, number)
     start, end = _behind_detector(source), _behind_detector(target)
     links: Links = []
@@ -199,7 +198,7 @@ def link(source: Unit, target: Unit, given: Sequence[Input], number: str = "1") 
 
 
 def _surface(bridge: Bridge) -> Links:
-    """Between what arrives at a surface and what leaves it."""
+    """Return the link between the light incident on a surface and the light leaving it."""
     units = (bridge.source, bridge.target)
     arriving = [unit for unit in units if not unit.is_exitance]
     if len(arriving) != 1:
@@ -212,7 +211,7 @@ def _surface(bridge: Bridge) -> Links:
 
 
 def _width(bridge: Bridge) -> Links:
-    """Between the widths of one narrow band in wavelength, frequency and wavenumber."""
+    """Return the link between widths of a narrow band in wavelength, frequency and wavenumber."""
     given = bridge.conditions.given.get(LINK)
     if given is not None and given.name == "wavelength":
         from radcalc.conversion import spectral
@@ -224,7 +223,7 @@ def _width(bridge: Bridge) -> Links:
 
 
 def _unlike(bridge: Bridge) -> RadcalcError:
-    """Refuse two quantities of which one is no light quantity: no condition links them."""
+    """Return the error for two quantities that no condition links, one of them not of light."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
     if PER_TIME in (source.dimension, target.dimension):
         hint = "Hz, or cycle/s, for a frequency"
@@ -245,7 +244,7 @@ def _unlike(bridge: Bridge) -> RadcalcError:
     if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
         name = "half-angle" if source.dimension == ANGLE else "solid-angle"
         return ConversionError(
-            f"{heading}: no condition links them, a solid angle depends on the shape",
+            f"{heading}: no condition links them, since a solid angle depends on the shape",
             command("solid-angle", "cone", **{name: bridge.amount}),
         )
     hint = f"{command('units', 'UNIT')}, which shows what a unit measures"
@@ -260,7 +259,7 @@ def _unlike(bridge: Bridge) -> RadcalcError:
 
 
 def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
-    """Between energy and flux, exposure and irradiance."""
+    """Return the link between energy and flux, or exposure and irradiance."""
     if start.time == end.time:
         return []
     given = bridge.conditions.use(TIME)
@@ -270,18 +269,18 @@ def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
     return [(geometric.duration(given), end.time - start.time)]
 
 
-ELECTRIC = {CURRENT: 0, CHARGE: 1}  # with the power of time beside that of a flux
+ELECTRIC = {CURRENT: 0, CHARGE: 1}  # with the power of time relative to a flux
 
 
 def _behind_detector(unit: Unit) -> Reading | None:
-    """Return the facts of a light quantity; of a current those of the flux that makes it."""
+    """Return the facts of a light quantity; for a current those of the flux that causes it."""
     if unit.dimension in ELECTRIC:
         return Reading(RADIANT, ELECTRIC[unit.dimension], 0, 0, NONE)
     return read(unit)
 
 
 def _detector(bridge: Bridge) -> Links:
-    """Between the light on a detector and the current that it gives."""
+    """Return the link between the light on a detector and its current."""
     from_current = bridge.source.dimension in ELECTRIC
     if from_current == (bridge.target.dimension in ELECTRIC):
         return []
@@ -300,7 +299,7 @@ def _detector(bridge: Bridge) -> Links:
 
 
 def _pupil(bridge: Bridge, start: Reading, end: Reading) -> Links:
-    """Between luminance and trolands."""
+    """Return the link between luminance and trolands."""
     if start.retinal == end.retinal:
         return []
     given = bridge.conditions.use(PUPIL)

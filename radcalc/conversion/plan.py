@@ -1,7 +1,7 @@
-"""Converting: a plan from one unit to another, and applying it to a number or an array.
+"""Conversion: a plan from one unit to another, applied to a number or an array.
 
-A plan between two units of one quantity is a ratio of whole numbers, and needs nothing but the
-table; what stands between different quantities is in `links.py`, loaded only when it is needed.
+A plan between units of one quantity is a ratio of whole numbers from the table of units; links
+between different quantities are in `links.py`, which is loaded only if needed.
 """
 
 from radcalc.conversion.linear import Plan, between, is_function
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 
 
 def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str = "1") -> Plan:
-    """Plan the conversion from one unit to another under the conditions given.
+    """Plan the conversion from one unit to another under the given conditions.
 
-    `number` stands before the source's unit where a refusal leads to another command.
+    `number` precedes the source's unit in commands that hints suggest.
 
-    Raises ConversionError where a condition is missing, ConditionError where one is
-    impossible, contradictory or without use.
+    Raises ConversionError if a condition is missing, ConditionError if one is out of range,
+    contradictory or unused.
     """
     if source.is_scale or target.is_scale or is_function(source, target):
         from radcalc.conversion import scaled
@@ -32,9 +32,9 @@ def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str 
 
 
 def target_of(text: str, source: Unit | None = None) -> Unit:
-    """Read what a conversion aims at: a unit, a scale, or a quantity by name for its usual unit.
+    """Return the target of a conversion: a unit, a scale, or a quantity's usual unit by its name.
 
-    `source`, where it is known, decides the kind of light of a name such as flux.
+    A known `source` determines the kind of light of a name such as flux.
     """
     if unit := unit_of(text):
         return unit
@@ -54,7 +54,7 @@ def answer(
     steps: bool = False,
     inputs: "tuple[ShownInput, ...]" = (),
 ) -> "Result":
-    """Convert one value and say everything about it; `inputs` are the value and the conditions."""
+    """Return the result for one value; `inputs` are the value and the conditions."""
     from radcalc.answer import Result, Row
     from radcalc.quantities.light import name_of, read, result_name, symbol_of
 
@@ -64,5 +64,5 @@ def answer(
     derivation = tuple(made.derive(value)) if steps else ()
     notes = made.notes
     if value < 0 and read(made.source) and not made.source.is_scale:
-        notes += (f"a negative {name_of(made.source)} is a difference: no light is below 0",)
+        notes += (f"a negative {name_of(made.source)} is a difference: light is never negative",)
     return Result((row,), made.assumptions, notes, derivation, inputs, named=False)

@@ -1,6 +1,6 @@
-"""Conversions from a scale or to one: plain ones between what the readings stand for.
+"""Conversions from or to a scale, by plain conversions between the values of the readings.
 
-Field strengths and reciprocal temperatures are read as scales here.
+Field strengths and reciprocal temperatures are treated as scales.
 """
 
 from collections.abc import Sequence
@@ -16,20 +16,20 @@ from radcalc.units.scale_table import CONSTANTS
 from radcalc.units.scales import ScaleUnit, reciprocal
 from radcalc.units.unit import FIELD_STRENGTH, INVERSE_TEMPERATURE, Unit
 
-LOSS = "OD"  # which counts what is lost, where the other ratios count what is gained
+LOSS = "OD"  # counts losses, while the other ratios count gains
 
 
 class ScaledPlan(Plan):
-    """A plan whose source or target is a scale; `linear` is the one between their units.
+    """A plan with a scale as source or target; `linear` is the plan between their units.
 
-    `ends` are the scales, or what is read as one: a field strength is a unit to everybody else.
+    `ends` are the scales, field strengths among them, which are units elsewhere.
     """
 
     __slots__ = ("ends", "linear")
     is_linear = False
 
     def __init__(self, source: Unit, target: Unit, linear: Plan) -> None:
-        """Hold the plan; how the scales are read is assumed."""
+        """Keep the plan, with the readings of the scales as assumptions."""
         super().__init__(linear.source, linear.target, linear.factor, linear.links)
         self.notes = linear.notes
         self.linear, self.ends = linear, (source, target)
@@ -44,12 +44,12 @@ class ScaledPlan(Plan):
         return self._in_target_unit(value) if self.target.is_scale else self.apply(value)
 
     def _in_target_unit(self, value: Any) -> Any:
-        """Return what the value comes to in the unit of the target, or of its scale."""
+        """Return the value converted to the unit of the target, or of its scale."""
         source = self.ends[0]
         return self.linear.apply(source.quantity(value) if isinstance(source, ScaleUnit) else value)
 
     def apply(self, value: Any) -> Any:
-        """Convert a number of the source's, a reading where it is a scale."""
+        """Convert a number in the source's unit, or a reading on its scale."""
         quantity, target = self._in_target_unit(value), self.ends[1]
         if not isinstance(target, ScaleUnit):
             return quantity
@@ -78,23 +78,23 @@ class ScaledPlan(Plan):
 
 
 def _refuse_gain_as_loss(source: Unit, target: ScaleUnit, value: Any, factor: Any) -> None:
-    """Refuse 3 stops or 3 dB as a density below 0: who says so means a loss."""
+    """Raise for 3 stops or 3 dB as a negative density: a loss is meant."""
     if target.scale.name == LOSS and isinstance(source, ScaleUnit) and source.scale != target.scale:
         from radcalc.maths import any_true
 
         if any_true(factor > 1):
             unit = quote(source.text)
             raise ConversionError(
-                f"{value:.6g} {unit} is more light, and a density above 0 is less",
+                f"{value:.6g} {unit} is more light, but a density above 0 is less",
                 f"-{value:.6g} {unit}, for a loss",
             )
 
 
 def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> ScaledPlan:
-    """Plan a conversion from a scale or to one, of a field, or between reciprocals.
+    """Plan a conversion from or to a scale, of a field, or between reciprocals.
 
-    Of a scale with several readings the first is taken that the other side, and the conditions,
-    leave possible; what measures the same comes first.
+    Of several scales with one spelling, the first that the other side and the conditions allow is
+    used; a scale of the other side's quantity comes first.
     """
     meter = {condition.name: condition for condition in given if condition.name in CONSTANTS}
     constants = {name: condition.value for name, condition in meter.items()}
@@ -130,12 +130,12 @@ def _readings(unit: Unit, other: Unit, constants: dict[str, float]) -> list[Unit
 
 
 def _fields(source: Unit, target: Unit, given: list[Input]) -> tuple[Unit, Unit, list[Input]]:
-    """The units, a field strength as the irradiance of a plane wave, and the other conditions."""
+    """Return the units, with fields as irradiances of plane waves, and the other conditions."""
     kinds = [condition for condition in given if condition.name == "electric-field"]
     if not kinds:
         raise MissingCondition(
-            f"cannot convert {describe(source)} to {describe(target)}: whether the field is told "
-            "by its peak or by its root mean square is missing",
+            f"cannot convert {describe(source)} to {describe(target)}: the kind of field value "
+            "(peak or root mean square) is missing",
             f"{option('electric-field', RMS)} or {option('electric-field', PEAK)}",
             source.text,
             target.text,

@@ -42,11 +42,11 @@ if TYPE_CHECKING:
     from radcalc.spectra.spectrum import Spectrum
 
 
-NARROW = 0.1  # of a wavelength: the width of a band that is still small, to 0.3 % of its own
+NARROW = 0.1  # largest relative width of a small band, with an error of 0.3 % of the width
 
 
 class Light(NamedTuple):
-    """Light of one wavelength: in vacuum for photons, in standard air for the eye's table."""
+    """Light of one wavelength: in vacuum for photons, in standard air for eye response tables."""
 
     given: Input
     vacuum: Any
@@ -60,7 +60,7 @@ class Light(NamedTuple):
 
 
 def light(given: Input, observer: Input | None) -> Light:
-    """Turn a wavelength, frequency, wavenumber or photon energy into a wavelength."""
+    """Return the light of a wavelength, frequency, wavenumber or photon energy."""
     value = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
     if given.dimension == LENGTH:
@@ -74,7 +74,7 @@ def light(given: Input, observer: Input | None) -> Light:
     return Light(given, vacuum, standard_air_wavelength(vacuum), seen_by)
 
 
-VACUUM = "{} is taken as the wavelength in vacuum (in air it differs by 3e-4)"
+VACUUM = "{} is a vacuum wavelength (it differs by 3e-4 in air)"
 
 
 def kind_factor(of: Light, over: str, under: str) -> Factor:
@@ -92,7 +92,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             assumption += f"; {given.text} is {format_number(of.table * 1e9)} nm in standard air"
         if maths.any_true(efficacy == 0):
             notes = (
-                f"nothing is seen at {given.text_where(efficacy == 0)}: the table spans "
+                f"{given.text_where(efficacy == 0)} is invisible: the table spans "
                 f"{of.observer.start}-{of.observer.end} nm",
             )
         share = format_number(efficacy / of.observer.maximum)
@@ -131,7 +131,8 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     if not forward:
         if maths.any_true(value == 0):
             raise ConditionError(
-                f"nothing is seen at {quote(given.text)}: nothing follows from a luminous quantity",
+                f"{quote(given.text)} is invisible: a luminous quantity does not determine "
+                "the light",
                 f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
             )
         symbol, value = f"(1/{symbol})", 1 / value
@@ -168,7 +169,7 @@ def spectral_factor(
         spectrum_text = option("spectrum", quote(given.text))
         known_range = f"; it is known over {counted.known}" if counted.known else ""
         raise ConditionError(
-            f"{spectrum_text} has nothing that counts there: {'; '.join(remarks[1:])}{known_range}",
+            f"{spectrum_text} has no light to count there: {'; '.join(remarks[1:])}{known_range}",
             "another spectrum or range",
         )
     if problem := counted.impossible(over, under):
@@ -191,7 +192,7 @@ def spectral_factor(
     remarks.insert(1, ratio_text)
     notes = source.notes + tuple(counted.notes((over, under)))
     if LUMINOUS in amounts and not amounts[LUMINOUS]:
-        notes += ("nothing of this spectrum is seen",)
+        notes += ("this spectrum is invisible",)
     return Factor("K", value, KIND_UNITS[over, under], "; ".join(remarks), (step,), notes)
 
 
@@ -199,7 +200,7 @@ SHOWN = [(over, under) for _, over, under in EFFICACIES]
 
 
 def linked(given: Inputs, over: str, under: str) -> Factor | None:
-    """The ratio of two kinds, over / under, by whichever input links them; None where none does."""
+    """Return the ratio of two kinds, over / under, by the input that links them, or None."""
     observer = given.get("observer")
     if "wavelength" in given:
         return kind_factor(light(given["wavelength"], observer), over, under)
@@ -220,13 +221,13 @@ KIND_UNITS = {
 
 
 PER_WATT_OF_LIGHT = (
-    "{} is taken per watt of light; a lamp's own is per electrical watt, and then the watts here "
-    "are electrical too"
+    "{} is taken per watt of light; the efficacy of a lamp is per electrical watt, and the watts "
+    "here would then also be electrical"
 )
 
 
 def given_ratio(given: Input, over: str, under: str, observer: Input | None) -> Factor | None:
-    """A given efficacy as over / under, or None where it links two other kinds."""
+    """Return a given efficacy as over / under, or None if it links two other kinds."""
     value = given.value
     pairs = {dimension: pair for pair, dimension in RATIOS.items()}
     pair = pairs[given.dimension]
@@ -261,9 +262,9 @@ AXIS_UNITS = {axis: COHERENT[AXIS[axis]] for axis in DENSITY_NAMES}
 
 
 def jacobian(of: Light | None, start: str, end: str) -> Factor:
-    """From a density on one axis to the density on another.
+    """Return the factor from a density on one axis to the density on another.
 
-    `of` may be None between frequency and wavenumber, where only c stands between.
+    `of` may be None between frequency and wavenumber, whose ratio is c.
     """
     if of is None:
         value = LIGHT if end == PER_WAVENUMBER else 1 / LIGHT
@@ -298,16 +299,16 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
 
 
 def width(bridge: "Bridge", given: Input) -> Factor | None:
-    """From a density to another, at a wavelength, for the widths of one narrow band.
+    """Return the factor between densities, at a wavelength, for the widths of one narrow band.
 
-    None where the units are no widths of a band, or where the wavelength does not matter.
+    None if the units are not of widths of a band, or if the wavelength does not matter.
     """
     axes = {dimension: axis for axis, dimension in AXIS.items() if axis != NONE}
     start, end = axes.get(bridge.source.dimension), axes.get(bridge.target.dimension)
     if start is None or end is None or PER_WAVELENGTH not in (start, end):
         return None
     bridge.conditions.used.add(LINK)
-    assumption = f"a width that is small beside {given.text}, where its band is"
+    assumption = f"a width that is small compared with {given.text}, the place of its band"
     if given.dimension == LENGTH:
         assumption += "; " + VACUUM.format(given.text)
     of = light(given, None)
@@ -315,8 +316,8 @@ def width(bridge: "Bridge", given: Input) -> Factor | None:
     size = parse_number(bridge.number) * float(bridge.source.factor)
     if abs(size if start == PER_WAVELENGTH else size / factor.value) > NARROW * of.vacuum:
         raise ConditionError(
-            f"a width of {bridge.amount} is not small beside {option(given.name, given.text)}: "
-            "its ends are no longer at equal distances in both",
+            f"a width of {bridge.amount} is not small compared with "
+            f"{option(given.name, given.text)}: its ends are not at equal distances on both axes",
             f"the difference of its two ends, each by {command('photon', 'WAVELENGTH')}",
         )
     return factor
@@ -327,24 +328,24 @@ def _per_axis(start: str, end: str) -> str:
 
 
 def bandwidth(given: Input, of_kind: Input | None) -> Factor:
-    """The width of a band [m, Hz or cycle/m], in which a kind may be taken at one wavelength."""
+    """Return the width of a band [m, Hz or cycle/m], in which a kind may be at one wavelength."""
     axis = band_axis(given)
     width = given.value
     if axis == PER_WAVELENGTH:
         require(given, not maths.any_true(width > 1e-3), "at most 1 mm, for a band of wavelengths")
     assumption = f"constant over a band of {given.text}"
     if of_kind is not None and of_kind.name == "wavelength":
-        assumption += f", in which everything is taken as at {of_kind.text}"
+        assumption += f", in which all light is treated as light of {of_kind.text}"
     return Factor("B", width, AXIS_UNITS[axis], assumption)
 
 
 def band_axis(given: Input) -> str:
-    """Return whether a band's width is in wavelength, frequency or wavenumber."""
+    """Return the axis of a band's width: wavelength, frequency or wavenumber."""
     return next(axis for axis in AXIS if axis != NONE and AXIS[axis] == given.dimension)
 
 
 def between(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
-    """Return what stands between two kinds, and between two axes of spectral density."""
+    """Return the links between two kinds, and between two axes of spectral density."""
     links = [*_kind(bridge, start, end), *_axis(bridge, start, end)]
     if isinstance(bridge.target, Photosynthetic):
         _refuse_other_photons(bridge, bridge.target, links)
@@ -352,20 +353,20 @@ def between(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
 
 
 def _refuse_other_photons(bridge: "Bridge", target: Photosynthetic, links: "Links") -> None:
-    """Refuse a PPFD of photons that are not from 400 nm to 700 nm."""
+    """Raise for a PPFD of photons that are not from 400 nm to 700 nm."""
     from radcalc.spectra.spectrum import OUTSIDE, PAR
 
     asked = bridge.conditions.given.get("photon-range")
     notes = [note for factor, _ in links for note in factor.notes]
     if (asked and tuple(asked.value) != PAR) or any(OUTSIDE in note for note in notes):
         raise ConditionError(
-            f"{quote(target.name)} counts photons from 400 nm to 700 nm alone",
+            f"{quote(target.name)} counts photons from 400 nm to 700 nm only",
             f"{name_of(target).replace(' ', '-')} in place of {quote(target.name)}",
         )
 
 
 def _wavelength(bridge: "Bridge") -> Light | None:
-    """The wavelength given, or None; used, with its observer where it is one of light seen."""
+    """Return the given wavelength or None, marked as used, with its observer."""
     given = bridge.conditions.given.get(LINK)
     if given is None or given.name != "wavelength":
         return None
@@ -374,7 +375,7 @@ def _wavelength(bridge: "Bridge") -> Light | None:
 
 
 def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
-    """Between radiant, luminous and photon."""
+    """Return the link between radiant, luminous and photon quantities."""
     if start.kind == end.kind:
         return []
     of = _wavelength(bridge)
@@ -407,7 +408,7 @@ EXAMPLES = {
 
 
 def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -> Factor:
-    """By a whole spectrum, with what refines it."""
+    """Return the link by a whole spectrum, with the inputs that refine it."""
     if start.axis or end.axis:
         raise ConditionError(
             f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
@@ -425,7 +426,7 @@ def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -
 
 
 def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
-    """Between spectral densities, and between a density and a band."""
+    """Return the link between spectral densities, or between a density and a band."""
     if start.axis == end.axis:
         return []
     if NONE not in (start.axis, end.axis):

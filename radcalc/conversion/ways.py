@@ -12,15 +12,15 @@ Supply = dict[str, Callable[[Conditions], Factor]]
 class Way(NamedTuple):
     """The powers of the conditions that lead from one geometry to another.
 
-    `supply` gives the factor of each; a way that nobody thinks of first is not suggested to
-    somebody who gave nothing.
+    `supply` gives the factor of each.  Without any given condition, only the common ways are
+    suggested.
     """
 
     powers: dict[str, int]
     supply: Supply
     is_suggested: bool = True
-    extends: bool = True  # whether it is suggested to somebody who gave a part of it
-    is_tilted: bool = False  # whether the source may be seen aslant
+    extends: bool = True  # whether it is suggested if part of it is given
+    is_tilted: bool = False  # whether the source may be seen obliquely
 
 
 def _area(conditions: Conditions) -> Factor:
@@ -67,16 +67,16 @@ def _disc(conditions: Conditions) -> Factor:
 
 
 PLAIN: Supply = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANCE: _reflector}
-AT_RADIANCE: Supply = {**PLAIN, CONE: _projected_cone}  # with a reflector the cone is the lamp's
+AT_RADIANCE: Supply = {**PLAIN, CONE: _projected_cone}  # with a reflector, the cone of the lamp
 IN_FRONT: Supply = {**PLAIN, AREA: _front_area}
 FAR: Supply = {**PLAIN, AREA: _far_area}
 RECEIVED: Supply = {**PLAIN, AREA: _aperture}
 REFLECTED = Way({REFLECTANCE: 1}, {REFLECTANCE: lambda c: geometric.reflected(c.take(REFLECTANCE))})
-DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # of a radius or diameter, exactly
+DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # exact, of a radius or diameter
 
 FLUX, INTENSITY, IRRADIANCE, RADIANCE = (0, 0), (0, 1), (1, 0), (1, 1)
-# From the first geometry (powers of 1/area and 1/solid angle) to the second; back, the powers
-# change their sign.  Of the ways that begin with what is given, the first two are suggested.
+# From the first geometry (powers of 1/area and 1/solid angle) to the second; in reverse, the powers
+# change sign.  Of the ways that begin with the given conditions, the first two are suggested.
 WAYS = {
     (FLUX, INTENSITY): (Way({CONE: -1}, PLAIN), Way({AREA: -1, DISTANCE: -1}, RECEIVED, False)),
     (FLUX, IRRADIANCE): (Way({AREA: -1}, PLAIN), Way({CONE: -1, DISTANCE: 1}, PLAIN)),

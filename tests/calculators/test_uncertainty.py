@@ -266,7 +266,7 @@ def test_texts_are_explained_with_their_shares_and_bends():
 
 
 @pytest.mark.parametrize(
-    ("number", "problem"), [(math.nan, "is no number"), (math.inf, "cannot be held by a number")]
+    ("number", "problem"), [(math.nan, "is not a number"), (math.inf, "is out of range")]
 )
 @pytest.mark.parametrize("make", [float, lambda number: ufloat(number, 1)])
 def test_what_is_no_number_is_refused(number, problem, make):
@@ -291,7 +291,7 @@ def test_what_is_no_number_is_refused(number, problem, make):
         ),
         (lambda: radcalc.convert(Q([ufloat(1, 0.1)] * 2, "lx"), "fc"), "real numbers"),
         (lambda: radcalc.scene([], [[0, 0, 0]], efficacy="100+-1lm/W"), "a scene"),
-        (lambda: radcalc.convert("100 cd", "lx", distance="1+-inf m"), "not a number"),
+        (lambda: radcalc.convert("100 cd", "lx", distance="1+-inf m"), "not a finite number"),
         (
             lambda: radcalc.convert("1 cd", "lx", distance=Q(ufloat(1, math.inf), "m")),
             "uncertainty",
@@ -494,4 +494,4 @@ def test_what_no_float_holds_is_refused(words):
     number, rest = words.split(" ", 1)
     done = call(["convert", number, *rest.split()])
     assert (done.status, done.output) == (2, "")
-    assert "beyond what radcalc reckons with" in str(done.error)
+    assert "is out of range" in str(done.error)

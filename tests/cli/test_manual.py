@@ -33,7 +33,7 @@ PRODUCED = {
     "--solid-angle does not link": "convert 800 cd/m2 lx --solid-angle 1sr",
     "the unit of --distance 2": "convert 100 cd lx --distance 2",
     "--reflectance 1.2 is": "convert 500 lx cd/m2 --reflectance 1.2",
-    "nothing is seen at 900nm": "convert 5 lm W --wavelength 900nm",
+    "900nm is invisible": "convert 5 lm W --wavelength 900nm",
     "the result in nm": "convert 1e307 m nm",
     "the observer is on": "solid-angle sphere --radius 2m --distance 1m",
     "--radius does not apply": "solid-angle cone --half-angle 30deg --radius 2m",

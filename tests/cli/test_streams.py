@@ -150,7 +150,7 @@ def test_lines_may_carry_their_own_units(data, words, wanted):
 def test_conditions_work_and_what_they_assume_is_said_once():
     done = convert(b"100\n200\n", "cd", "lx", "--distance", "2m")
     assert done.stdout == b"25\n50\n"
-    assert done.stderr.count(b"assumed: a source small beside its distance") == 1
+    assert done.stderr.count(b"assumed: a source small compared to its distance") == 1
     done = convert(b"100 cd\n1 kcd\n", "lx", "--distance", "2m")
     assert done.stdout == b"25\tlx\n250\tlx\n"
     assert done.stderr.count(b"assumed:") == 1
@@ -434,5 +434,5 @@ def test_what_holds_for_some_lines_is_said_once_with_these_lines():
     assert notes == [
         "note: lines 2 to 3: nothing is seen at 900 to 950nm: it lies outside the tables"
     ]
-    assert "assumed: 500 to 950nm is taken as the wavelength" in said[0]
+    assert "assumed: 500 to 950nm is a vacuum wavelength" in said[0]
     assert sum("CIE 1924" in line for line in said) == 1

@@ -42,7 +42,7 @@ def test_more_than_one_electron_for_a_photon_is_told(responsivity, is_told):
     # of 500 nm, h c / lambda = 1239.842 eV nm / 500 nm = 2.479684 eV: 4 A/W are 9.91874 electrons
     for call in ("1 lm mA", "1 mA lm"):
         words = (*call.split(), "--responsivity", responsivity, "--wavelength", "500nm")
-        assert ("9.91874 electrons for a photon" in run("convert", *words).stderr) == is_told
+        assert ("9.91874 electrons per photon" in run("convert", *words).stderr) == is_told
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_more_than_one_electron_for_a_photon_is_told(responsivity, is_told):
         ("5 mW uA", "responsivity is missing"),
         ("1 lm A --responsivity 0.5A/W", "a wavelength, a spectrum or an efficacy is missing"),
         ("1 mA uA --responsivity 0.4A/W", "--responsivity does not apply"),
-        ("5 W/m2 V/m", "peak or by its root mean square is missing"),
+        ("5 W/m2 V/m", "(peak or root mean square) is missing"),
         ("5 V/m kV/m --electric-field rms", "--electric-field does not apply"),
         ("5 lx W/m2 --wavelength 555nm --electric-field rms", "--electric-field does not apply"),
         ("-5 W/m2 V/m --electric-field rms", "negative"),

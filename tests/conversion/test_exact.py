@@ -180,21 +180,21 @@ def test_a_plain_conversion_is_rounded_once():
 
 @pytest.mark.parametrize("value", [1e300, -1e300])
 def test_a_result_beyond_a_float_is_refused(value):
-    with pytest.raises(ConversionError, match="cannot be held"):
+    with pytest.raises(ConversionError, match="is out of range"):
         plan(resolve("km"), resolve("qm")).apply(value)
 
 
 @pytest.mark.parametrize(("source", "target"), [("lx", "fc"), ("mW", "dBm")])
 def test_what_is_no_number_is_refused_as_none(source, target):
-    with pytest.raises(ConversionError, match="no number"):
+    with pytest.raises(ConversionError, match="not a number"):
         plan(resolve(source), resolve_any(target)).apply(math.nan)
 
 
 def test_a_result_below_a_float_is_refused():
-    with pytest.raises(ConversionError, match="cannot be held"):
+    with pytest.raises(ConversionError, match="is out of range"):
         plan(resolve("qm"), resolve("Qm")).apply(1e-290)
 
 
 def test_a_ratio_beyond_a_float_is_refused():
-    with pytest.raises(ConversionError, match="cannot be held"):
+    with pytest.raises(ConversionError, match="is out of range"):
         plan(resolve("Qm12"), resolve("qm12"))

@@ -92,7 +92,7 @@ def test_photons_that_ppfd_does_not_count_are_noted(nm):
 def test_zero_lumens_are_an_answer_with_a_note():
     made = plan(resolve("W"), resolve("lm"), [read("wavelength", "300nm")])
     assert made.apply(1.0) == 0
-    assert "nothing is seen at 300nm" in made.notes[0]
+    assert "300nm is invisible" in made.notes[0]
 
 
 def test_every_answer_says_what_it_assumed():
