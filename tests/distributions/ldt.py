@@ -1,4 +1,4 @@
-"""EULUMDAT files for tests: a writer, and the figures of one by plain sums."""
+"""EULUMDAT files for tests: a writer, and plain sums over a file's values."""
 
 import math
 
@@ -14,7 +14,7 @@ STORED = {
 
 
 def written(intensity, symmetry=0, planes=ALL_AROUND, gammas=GAMMAS, **other):
-    """A file's lines; `intensity(C, gamma)` in cd, its arguments in radians."""
+    """Return a file's lines; `intensity(C, gamma)` is in cd, its arguments in radians."""
     has = {
         "steps": (planes[1] - planes[0] if len(planes) > 1 else 0, gammas[1] - gammas[0]),
         "sets": [(1, "LED", 1000, "3000 K", "80", 12)],
@@ -46,7 +46,7 @@ def plain_figures(lines):
     value = [line.strip().replace(",", ".") for line in lines]
     symmetry, mc, ng, sets = (int(float(value[k])) for k in (2, 3, 5, 25))
     stored = {0: mc, 1: 1, 2: mc // 2 + 1, 3: mc // 2 + 1, 4: mc // 4 + 1}[symmetry]
-    table = [max(float(text), 0.0) for text in value[-stored * ng :]]  # noise counts as nothing
+    table = [max(float(text), 0.0) for text in value[-stored * ng :]]  # noise counts as 0
     gamma = [math.radians(float(text)) for text in value[-stored * ng - ng : -stored * ng]]
     end = len(value) - stored * ng - ng
     planes = [float(text) for text in value[end - mc : end]]

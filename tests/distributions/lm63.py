@@ -1,4 +1,4 @@
-"""Files of IES LM-63 for tests: a writer, and the flux of one by plain sums."""
+"""IES LM-63 files for tests: a writer, and plain sums for the flux of a file."""
 
 import math
 import re
@@ -19,7 +19,7 @@ def written(
     ballast="1 1",
     watts="20",
 ):
-    """The lines of a file; the intensity is a function of V and H in degrees, or a number."""
+    """Return the lines of a file; the intensity is a function of V and H [deg] or a number."""
     function = intensity if callable(intensity) else lambda v, h: intensity
     counts = f"{len(vertical)} {len(horizontal)} {TYPE[system]}"
     rows = [" ".join(f"{function(v, h):.17g}" for v in vertical) for h in horizontal]
@@ -33,7 +33,7 @@ def steps(first, last, step):
 
 
 def plain_flux(lines):
-    """The flux of a file of any type that is in order, by sums over its segments.
+    """Return the flux of a valid file of any type, by sums over its segments.
 
     Linear in the angle from the pole's plane, I cos H (or I sin V of type C) integrates to closed
     forms; over the other angle the trapezoidal rule is exact.

@@ -1,4 +1,4 @@
-"""Shapes, formulas, beams and poses, against closed forms and definitions."""
+"""Shapes, formulas, beams and poses, compared with closed forms and definitions."""
 
 import math
 
@@ -46,7 +46,7 @@ def test_the_flux_of_a_part_is_the_sum_of_its_intensities(name, polar, azimuth):
 
 
 @pytest.mark.parametrize("name", MEMBERS)
-def test_no_intensity_is_above_the_peak_and_one_is_at_it(name):
+def test_the_peak_is_the_greatest_intensity(name):
     member = MEMBERS[name]
     theta, phi = numpy.linspace(0, math.pi, 91)[:, None], numpy.linspace(0, 6.28, 91)
     peak = member.peak()
@@ -54,7 +54,7 @@ def test_no_intensity_is_above_the_peak_and_one_is_at_it(name):
     assert member.intensity(peak.polar, peak.azimuth) == pytest.approx(peak.value)
 
 
-def test_the_peak_of_a_formula_is_found_to_its_digits():
+def test_the_peak_of_a_formula_is_accurate():
     peak = Formula("exp(-((theta - 0.7431)/0.05)^2) * (2 + cos(phi - 2.1))").peak()
     assert peak == pytest.approx((3.0, 0.7431, 2.1), abs=1e-6)
 
@@ -67,7 +67,7 @@ def test_the_peak_of_a_formula_is_found_to_its_digits():
         ("log(theta - 5)", "no finite value"),
     ],
 )
-def test_a_formula_that_is_no_intensity_is_refused(text, said):
+def test_a_formula_that_is_not_an_intensity_is_refused(text, said):
     with pytest.raises(ConditionError, match=said):
         Formula(text).peak()
 
@@ -118,7 +118,7 @@ def degrees(*angles):
     return pytest.approx([math.radians(a) for a in angles], abs=1e-12)
 
 
-def test_a_source_hangs_and_shines_down():
+def test_a_source_shines_down_by_default():
     assert Pose().angles((0.0, 0.0, -5.0)) == (0.0, 0.0, 5.0)
     theta, phi, distance = Pose().angles((0.0, 3.0, -3.0))
     assert [theta, phi] == degrees(45, 90)
@@ -128,7 +128,7 @@ def test_a_source_hangs_and_shines_down():
 
 
 def test_an_aim_turns_by_the_shortest_way():
-    """Aimed along +x, what was C0 is up; C90 stays where it was."""
+    """Aimed along +x, C0 points up, and C90 does not change."""
     pose = Pose(aim=(2.0, 0.0, 0.0))
     assert pose.angles((7.0, 0.0, 0.0))[0] == pytest.approx(0)
     theta, phi, _ = pose.angles((1.0, 0.0, 1.0))
@@ -141,7 +141,7 @@ def test_an_aim_turns_by_the_shortest_way():
 
 @pytest.mark.parametrize("aim", [(0, 0, -1), (1, 2, 3), (0, 0, 1), (1e-9, 0, 1), (-3, 0.1, -2)])
 @pytest.mark.parametrize("rotate", [0.0, 1.0, -2.0])
-def test_a_turn_keeps_lengths_and_comes_back(aim, rotate):
+def test_a_rotation_keeps_lengths_and_can_be_inverted(aim, rotate):
     pose = Pose(aim, rotate)
     axes = numpy.array(pose.axes)
     assert axes @ axes.T == pytest.approx(numpy.eye(3), abs=1e-12)
@@ -159,7 +159,7 @@ def test_a_turn_keeps_lengths_and_comes_back(aim, rotate):
     [("(x*0.8 + z*0.6 > 0.9)*100", 0.9), ("(z >= 0.3)*100", 0.3)],
 )
 def test_the_error_of_a_tilted_cone_covers_it(text, cosine):
-    """A cap has 2 pi (1 - cos) sr, wherever its axis is."""
+    """A cap has 2 pi (1 - cos) sr for any axis."""
     found = Formula(text).flux()
     true = 200 * math.pi * (1 - cosine)
     assert abs(found.value - true) <= found.error < 1e-3 * true
@@ -175,8 +175,8 @@ def test_a_ring_between_the_points_of_any_grid_has_its_flux():
 
 @pytest.mark.parametrize("half", [0.3, 1, 5, 60])
 @pytest.mark.parametrize("height", [0.0, 0.1, 0.9, 4.9, -2.0, 30.0, -89.0, 90.0])
-def test_what_a_cone_sends_above_the_horizon(half, height):
-    """By a sum over its rings of a cone: cos(w) = -tan(e) / tan(theta) (spherical triangle)."""
+def test_flux_of_a_cone_above_the_horizon(half, height):
+    """Compare with a sum over rings: cos(w) = -tan(e) / tan(theta) (spherical triangle)."""
     tilt = math.radians(height)
     theta = (numpy.arange(200_000) + 0.5) / 200_000 * math.radians(half)
     arcs = numpy.arccos(numpy.clip(-math.tan(tilt) / numpy.tan(theta), -1, 1))
@@ -215,7 +215,7 @@ def test_a_part_without_light_between_steps_has_no_flux():
 @pytest.mark.parametrize(
     "text", ["(theta < 90)*100", "(0 < phi < 180)*5", "(45 > theta)*cos(theta)"]
 )
-def test_an_angle_is_not_compared_with_degrees(text):
+def test_an_angle_cannot_be_compared_with_degrees(text):
     with pytest.raises(ConditionError, match="is in radians"):
         Formula(text)
 
@@ -223,7 +223,7 @@ def test_an_angle_is_not_compared_with_degrees(text):
 @pytest.mark.parametrize(
     "aim", [(1.0, 0.0, 0.0), (1.0, 0.3, 0.2), (1.0, 0.3, 0.0), (-2.0, 1.0, 1.0)]
 )
-def test_what_goes_up_and_what_goes_down_are_all_of_a_formula_with_steps(aim):
+def test_upward_and_downward_flux_of_a_formula_with_steps_add_up(aim):
     lamp = Formula("(theta < 60*deg)*100")
     up = upward_flux(lamp, Pose(aim), lamp.flux()).value
     down = lamp.flux().value - up
@@ -243,6 +243,6 @@ def test_the_half_of_a_cone_towards_c90_is_up_when_it_is_aimed_along_y():
     )
 
 
-def test_a_formula_of_phi_goes_round_once():
+def test_phi_of_a_formula_is_within_a_turn():
     assert Formula("phi").peak().value <= 2 * math.pi
     assert Formula("phi").intensity(1.0, -0.5) == pytest.approx(2 * math.pi - 0.5)

@@ -1,4 +1,4 @@
-"""EULUMDAT files: of every symmetry, with exact fluxes, and in every way damaged."""
+"""EULUMDAT files: every symmetry with exact fluxes, and damaged files."""
 
 import math
 from itertools import product
@@ -39,7 +39,7 @@ def test_half_a_sphere_is_dark_beyond_its_angles(symmetry):
         assert any("no light beyond" in text for text in found.assumptions)
 
 
-# One modulation for each symmetry, which a whole circle averages to nothing.
+# One modulation for each symmetry, with a mean of 0 over a whole circle.
 WAVES = {
     0: lambda c: 1 + 0.3 * math.cos(c) + 0.4 * math.sin(c) + 0.1 * math.sin(2 * c),
     2: lambda c: 1 + 0.5 * math.cos(c),
@@ -49,7 +49,7 @@ WAVES = {
 
 
 @pytest.mark.parametrize("symmetry", WAVES)
-def test_each_plane_is_where_the_symmetry_has_it(symmetry):
+def test_each_plane_has_the_azimuth_of_its_symmetry(symmetry):
     wave = WAVES[symmetry]
     found = read(written(lambda c, g: 100 * wave(c) * (1 + g), symmetry), "lamp.ldt").distribution
     for c in ALL_AROUND:
@@ -62,7 +62,7 @@ def test_each_plane_is_where_the_symmetry_has_it(symmetry):
 
 
 def test_symmetry_3_begins_with_c270():
-    """As the format has it: Mc1 = 3 Mc/4 + 1 (docs.agi32.com, EULUMDAT file format)."""
+    """According to the format, Mc1 = 3 Mc/4 + 1 (docs.agi32.com, EULUMDAT file format)."""
     lines = written(lambda c, g: 100 + 50 * math.sin(c), 3, [0, 90, 180, 270], [0.0, 90.0, 180.0])
     assert [float(text) for text in lines[-9:]] == [50] * 3 + [100] * 3 + [150] * 3
     found = read(lines, "lamp.ldt").distribution
@@ -79,7 +79,7 @@ def test_the_flux_of_a_lobe_is_within_its_error(symmetry, step, power):
     assert found.error < 0.1 * exact
 
 
-def test_planes_count_by_the_angle_that_each_stands_for():
+def test_planes_are_weighted_by_their_angle():
     planes = [0.0, 10.0, 30.0, 90.0, 180.0, 270.0]
     lines = written(lambda c, g: 10 + math.degrees(c), 0, planes, steps=(0, 5))
     gaps = np.diff([*planes, 360.0])
@@ -95,7 +95,7 @@ def test_uneven_symmetric_planes():
         assert found.distribution.flux().value == pytest.approx(400 * math.pi)
 
 
-def test_the_factors_count_once():
+def test_the_factors_are_applied_once():
     lines = written(even, 1, [0.0], factor=2.5, sets=[(2, "T16", 8100, "", "", 120)])
     found = read(lines, "lamp.ldt")
     assert found.distribution.intensity(1.0, 0.0) == pytest.approx(100)
@@ -128,7 +128,7 @@ def test_a_negative_number_of_lamps_is_absolute_photometry():
     ]
 
 
-def test_what_real_files_have_is_read():
+def test_features_of_real_files_are_read():
     plain = written(even, 1, [0.0])
     expected = flux(plain).value
     dr = 26 + 6
@@ -147,7 +147,7 @@ def test_what_real_files_have_is_read():
     assert "tilt of 15 deg" in read(written(even, 1, [0.0], tilt=15), "x").notes[0]
 
 
-def test_a_photometer_s_noise_counts_as_nothing():
+def test_noise_of_a_photometer_counts_as_0():
     found = read(changed(200, "-0.05"), "lamp.ldt")
     assert found.notes == ("1 negative intensity (down to -0.05) counts as 0",)
     assert found.distribution.values.min() == 0
@@ -219,7 +219,7 @@ def test_a_bad_file_is_refused_with_the_line(lines, message):
 
 
 def outcome(lines):
-    """What a file is, or how it is refused."""
+    """Return the contents of a file, or the error."""
     try:
         return read(lines, "lamp.ldt")
     except RadcalcError as error:
@@ -238,7 +238,7 @@ def mutants(lines):
 
 
 @pytest.mark.parametrize("symmetry", range(5))
-def test_damage_is_refused_with_a_line_or_does_not_matter(symmetry):
+def test_damage_is_refused_with_a_line_or_harmless(symmetry):
     wave = WAVES.get(symmetry, lambda c: 1.0)
     planes = [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0]
     whole = written(
@@ -273,7 +273,7 @@ def test_damage_is_refused_with_a_line_or_does_not_matter(symmetry):
         ([0] * 9, 0.0),
     ],
 )
-def test_the_size_of_what_shines_is_kept(sizes, metres):
+def test_the_size_of_the_luminous_area_is_read(sizes, metres):
     lines = written(lambda _c, _gamma: 100.0)
     lines[12:21] = map(str, sizes)
     assert read(lines, "lamp.ldt").size == metres

@@ -1,4 +1,4 @@
-"""Which files are opened, how they are decoded, and what they are taken for."""
+"""Opening, decoding and recognition of files."""
 
 import math
 import os
@@ -46,7 +46,7 @@ def written(tmp_path):
 @pytest.mark.parametrize(
     "name", ["lamp.ies", "lamp.ldt", "lamp.csv", "lamp.txt", "LAMP", "lamp.dat"]
 )
-def test_a_file_is_what_it_contains(form, name, written):
+def test_the_contents_determine_the_format(form, name, written):
     found = read_file(written(FORMATS[form], name))
     assert found.format == form
     assert found.distribution.flux().value == pytest.approx(SPHERE, rel=1e-12)
@@ -55,7 +55,7 @@ def test_a_file_is_what_it_contains(form, name, written):
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1"])
-def test_ends_of_lines_and_encodings(form, end, encoding, written):
+def test_line_ends_and_encodings(form, end, encoding, written):
     text = FORMATS[form].replace("Ball", "Größe 1").replace("\n", end)
     found = read_file(written(text.encode(encoding)))
     assert found.distribution.flux().value == pytest.approx(SPHERE, rel=1e-12)
@@ -104,8 +104,8 @@ def test_one_lamp_is_the_same_in_every_format(symmetry, stored, listed, wave, wr
     assert fluxes == pytest.approx([fluxes[0]] * 3, rel=1e-12)
 
 
-def test_what_ends_a_line_elsewhere_is_a_part_of_it_here(written):
-    """Windows-1252 has an ellipsis where Latin-1 ends a line; a form feed is a blank."""
+def test_other_line_separators_do_not_end_a_line(written):
+    """Windows-1252 has an ellipsis at a line end of Latin-1; a form feed is a blank."""
     for mark in (b"\x85", b"\x0b", b"\x0c", b"\xe2\x80\xa8"):
         data = LDT.encode("latin-1").replace(b"Gr\xf6\xdfe", b"G" + mark + b"x")
         assert read_file(written(data)).distribution.flux().value == pytest.approx(SPHERE)
@@ -113,7 +113,7 @@ def test_what_ends_a_line_elsewhere_is_a_part_of_it_here(written):
 
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("end", ["", "\x1a", "\n\x1a", "\x1a\r\n\r\n", "\n \n\t\n"])
-def test_what_stands_behind_a_text_is_nothing(form, end, written):
+def test_padding_after_a_text_is_ignored(form, end, written):
     found = read_file(written(FORMATS[form].rstrip("\n") + end))
     assert found.distribution.flux().value == pytest.approx(SPHERE, rel=1e-12)
 
@@ -160,13 +160,13 @@ def test_anything_else_is_refused(data, message, written):
         ("lamp.csv", "gamma,I\nx,1\n0,1\n", "line 2: 'x' in column 1 is not an angle"),
     ],
 )
-def test_the_extension_chooses_who_says_what_is_wrong(name, text, message, written):
+def test_the_extension_selects_the_reader_that_reports_the_error(name, text, message, written):
     with pytest.raises(RadcalcError) as caught:
         read_file(written(text, name))
     assert message in caught.value.message
 
 
-def test_what_is_no_file_is_refused(tmp_path):
+def test_a_path_that_is_not_a_file_is_refused(tmp_path):
     for path, message in (
         (str(tmp_path), "Is a directory"),
         (str(tmp_path / "none.ies"), "No such file"),
@@ -178,7 +178,7 @@ def test_what_is_no_file_is_refused(tmp_path):
             read_file(path)
 
 
-def test_a_pipe_that_nobody_writes_to_is_not_waited_for(tmp_path):
+def test_an_idle_pipe_does_not_block(tmp_path):
     path = tmp_path / "lamp.ies"
     os.mkfifo(path)
     code = f"from radcalc.distributions.files import read_file; read_file({str(path)!r})"
@@ -186,7 +186,7 @@ def test_a_pipe_that_nobody_writes_to_is_not_waited_for(tmp_path):
     assert "a pipe or a device" in done.stderr
 
 
-def test_a_large_file_is_refused_unread(tmp_path):
+def test_a_large_file_is_refused_before_reading(tmp_path):
     path = tmp_path / "lamp.csv"
     with open(path, "wb") as file:
         file.truncate(1 << 30)
@@ -197,7 +197,7 @@ def test_a_large_file_is_refused_unread(tmp_path):
 
 
 @pytest.mark.parametrize("form", FORMATS)
-def test_standard_input_is_a_file_like_others(form):
+def test_standard_input_is_read_like_a_file(form):
     code = "from radcalc.distributions.files import read_file; print(read_file('-').format)"
     done = subprocess.run(
         [sys.executable, "-c", code],
@@ -218,7 +218,7 @@ def test_standard_input_without_end_is_refused():
     assert "stdin has more than 64 MiB" in done.stderr
 
 
-def test_no_damage_of_a_byte_is_more_than_an_error(written):
+def test_a_damaged_byte_is_at_most_an_error(written):
     for text in FORMATS.values():
         data = text.encode()
         for k in range(len(data)):
@@ -244,7 +244,7 @@ def test_no_damage_of_a_byte_is_more_than_an_error(written):
         ),
     ],
 )
-def test_a_table_that_contradicts_itself_is_told_so(tmp_path, header, rows, said):
+def test_a_contradictory_table_has_a_note(tmp_path, header, rows, said):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{header}\n{rows}\n90{',0' * header.count(',')}\n")
     notes = " ".join(read_file(str(path)).notes)

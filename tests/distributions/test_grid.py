@@ -1,4 +1,4 @@
-"""Tables of intensities, against closed forms, plain sums and definitions."""
+"""Tables of intensities, compared with closed forms, plain sums and definitions."""
 
 import math
 from itertools import product
@@ -20,14 +20,14 @@ def axial(function, step, last=90):
 
 
 def sphere(system="C", planes=13, value=7.0):
-    """The same intensity everywhere, in any number of planes."""
+    """Return a table of the same intensity everywhere, in any number of planes."""
     polar, azimuth = numpy.linspace(0, math.pi, 10), numpy.linspace(0, TURN, planes)
     return Grid(polar, azimuth, numpy.full((planes, 10), value), system=system)
 
 
 @for_each(product([0, 1, 2, 3, 5, 10, 20, 50, 100, 300, 1000], [0.5, 1, 2.5, 5, 10]))
-def test_the_error_covers_that_of_a_table_of_a_lobe(exponent, step):
-    """A lobe's flux is 2 pi / (n + 1); what is not seen between two angles cannot be told."""
+def test_the_error_bound_holds_for_a_table_of_a_lobe(exponent, step):
+    """A lobe's flux is 2 pi / (n + 1); details between two angles cannot be seen."""
     found = axial(lambda t: max(math.cos(t), 0.0) ** exponent, step).flux()
     true = TURN / (exponent + 1)
     assert abs(found.value - true) <= found.error + 1e-12
@@ -94,7 +94,7 @@ def test_a_part_between_angles_is_exact():
     assert lamp.flux((0.0, math.pi), (2.0, 2.0 + TURN)).value == pytest.approx(whole, rel=1e-12)
 
 
-def test_between_the_angles_it_is_bilinear_and_beyond_them_dark():
+def test_interpolation_is_bilinear_and_the_outside_dark():
     polar, azimuth = numpy.radians([0, 30, 90]), numpy.radians([0, 90, 270, 360])
     values = numpy.array([[10.0, 6, 2], [10, 4, 0], [10, 8, 4], [10, 6, 2]])
     lamp = Grid(polar, azimuth, values)
@@ -121,7 +121,7 @@ def test_the_shape_of_the_poles():
 
 
 @pytest.mark.parametrize("system", "BC")
-def test_the_peak_is_where_the_intensity_is(system):
+def test_the_peak_has_the_greatest_intensity(system):
     values = numpy.ones((5, 7))
     values[1, 2] = 9.0
     lamp = Grid(numpy.linspace(0.2, 2.0, 7), numpy.linspace(0.3, 1.5, 5), values, system=system)
@@ -146,7 +146,7 @@ def test_angles_that_do_not_rise_and_values_that_do_not_fit_are_refused(polar, a
 
 @pytest.mark.parametrize("power", [2, 4, 8])
 @pytest.mark.parametrize("step", [5, 10, 18])
-def test_the_error_covers_a_table_that_falls_at_its_end(power, step):
+def test_the_error_bound_holds_for_a_table_that_falls_at_its_end(power, step):
     """1 - (t/90)^k, whose integral over the hemisphere is by mpmath."""
     degrees = numpy.arange(0, 90 + step / 2, step)
     found = Grid(numpy.radians(degrees), [0.0], [1 - (degrees / 90) ** power]).flux()

@@ -1,4 +1,4 @@
-"""Files of IES LM-63 that the tests write: exact fluxes, directions, editions, bad files."""
+"""IES LM-63 files: exact fluxes, directions, editions, bad files."""
 
 import math
 import re
@@ -115,7 +115,7 @@ PLACES = {
 
 
 @pytest.mark.parametrize("system", "ABC")
-def test_where_the_angles_point(system):
+def test_directions_of_the_angles(system):
     vertical = steps(0, 180, 45) if system == "C" else steps(-90, 90, 45)
     horizontal = steps(0, 360, 45) if system == "C" else steps(-90, 90, 45)
     for v, h, gamma, c in PLACES[system]:
@@ -150,7 +150,7 @@ def test_symmetries_of_type_c(planes, images):
 
 @pytest.mark.parametrize("system", "AB")
 def test_symmetries_of_types_a_and_b(system):
-    """Planes of 0 to 90 stand for both sides."""
+    """Planes from 0 to 90 represent both sides."""
     vertical, one, two = steps(-90, 90, 15), steps(0, 90, 15), steps(-90, 90, 15)
     half = opened(lambda v, h: 100 + v + abs(h), vertical, one, system).distribution
     both = opened(lambda v, h: 100 + v + abs(h), vertical, two, system).distribution
@@ -159,7 +159,7 @@ def test_symmetries_of_types_a_and_b(system):
 
 
 def test_a_direction_in_all_three_types():
-    """What is linear in the direction is the same lamp in every type, to the tables' steps."""
+    """An intensity linear in the direction is the same lamp in every type, to the tables' steps."""
 
     def seen(x, y, z):
         return 10 + 2 * x + 3 * y + 4 * z
@@ -184,7 +184,7 @@ def test_a_direction_in_all_three_types():
         assert lamp.flux().value == pytest.approx(40 * math.pi, rel=1e-3)
 
 
-# What stands around the table --------------------------------------------------------------------
+# Before and after the table ----------------------------------------------------------------------
 
 EDITIONS = [
     (["A lamp"], 1986, 2), ([], 1986, 2), (["IESNA86"], 1986, 2), (["IESNA91"], 1991, 2),
@@ -197,7 +197,7 @@ EDITIONS = [
 
 @pytest.mark.parametrize(("label", "year", "factors"), EDITIONS)
 def test_editions_and_their_factors(label, year, factors):
-    """Multiplier and ballast factor in all; the ballast-lamp factor in those before 1995."""
+    """All have multiplier and ballast factor; those before 1995 a ballast-lamp factor."""
     found = opened(10, [0, 90, 180], [0], label=label, factors="0.5", ballast="0.9 0.8")
     expected = 4 * math.pi * 10 * 0.5 * 0.9 * (0.8 if factors == 2 else 1)
     assert flux(found) == pytest.approx(expected, rel=1e-13)
@@ -205,7 +205,7 @@ def test_editions_and_their_factors(label, year, factors):
     assert any("ballast-lamp factor" in text for text in found.assumptions) == (year < 2019)
 
 
-def test_an_edition_that_is_not_known():
+def test_an_unknown_edition():
     found = opened(10, [0, 90, 180], [0], label=["IESNA:LM-63-2033"])
     assert found.format == "IES LM-63, type C"
     assert found.name == ""
@@ -227,7 +227,7 @@ def test_the_name(label, name):
     assert opened(1, [0, 90], [0], label=label).name == name
 
 
-def test_what_is_declared():
+def test_declared_values():
     found = opened(1, [0, 90], [0], lamps="2 1350", watts="36.5")
     assert found.declared == {"lamp-flux": 2700, "input-power": 36.5}
     assert opened(1, [0, 90], [0], lamps="2 -1", watts="0").declared == {}
@@ -240,7 +240,7 @@ def test_what_is_declared():
         ["TILT=INCLUDE", "1 3 0", "90 180 1 .94", "1"], ["TILT=lamp.tlt"],
     ],
 )  # fmt: skip
-def test_a_lamp_burns_as_it_was_measured(tilt):
+def test_tilt_factors_are_not_applied(tilt):
     found = opened(10, [0, 90, 180], [0], tilt=tilt)
     assert flux(found) == pytest.approx(40 * math.pi, rel=1e-13)
     is_said = any("the lamp is in its measured position" in text for text in found.assumptions)
@@ -273,7 +273,7 @@ GOOD = written(
         lambda lines: [*lines[:4], *(line.replace("1000", "1.0E+3") for line in lines[4:])],
     ],
 )
-def test_how_records_may_be_broken(change):
+def test_line_ends_within_records(change):
     assert flux(ies.read(change(GOOD), "lamp.ies")) == flux(ies.read(GOOD, "lamp.ies"))
 
 
@@ -298,8 +298,8 @@ def test_candelas_may_be_named():
     assert found.distribution.kind == "v"
 
 
-def test_what_is_assumed_and_what_is_odd():
-    """Noise below 0, a circle that does not close, and a table that ends early are said."""
+def test_assumptions_and_notes():
+    """Negative noise, an open circle and a table that ends early have a text."""
     noisy = opened(lambda v, h: 1000 if v < 90 else -0.5, [0, 45, 90], [0])
     assert noisy.distribution.intensity(math.pi / 2, 0) == 0
     assert "1 negative intensity (down to -0.5) counts as 0" in noisy.notes
@@ -321,7 +321,7 @@ def refused(lines):
 
 
 def changed(**places):
-    """The good file with lines replaced: line_6="0 45 90"."""
+    """Return the good file with lines replaced: line_6="0 45 90"."""
     lines = list(GOOD)
     for key, text in places.items():
         lines[int(key.removeprefix("line_")) - 1] = text
@@ -419,7 +419,7 @@ FAMILY = {
 
 
 def mutants(lines):
-    """Every number dropped, doubled, swapped with the next, replaced; every end of the file."""
+    """Yield files with a number dropped, doubled, swapped or replaced, and files cut off."""
     start = next(k for k, line in enumerate(lines) if line.startswith("TILT")) + 1
     for number in range(len(lines)):
         yield f"{number} lines", lines[:number]
@@ -448,8 +448,8 @@ def mutants(lines):
 
 
 @pytest.mark.parametrize("which", FAMILY)
-def test_damaged_files_are_refused_or_right(which):
-    """Nothing crashes, and what is answered is what a plain sum over the file's numbers gives."""
+def test_damaged_files_are_refused_or_read_correctly(which):
+    """A file is refused, or its flux is that of a plain sum over its numbers."""
     answered, messages = 0, []
     for what, lines in mutants(FAMILY[which]):
         try:
@@ -485,6 +485,6 @@ def test_the_plain_sum_itself():
         ("2 0 0 0", 0.0),
     ],
 )
-def test_the_size_of_what_shines_is_kept(sizes, metres):
+def test_the_size_of_the_luminous_area_is_read(sizes, metres):
     text = f"IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 2 1 1 {sizes}\n1 1 10\n0 90\n0\n100 100\n"
     assert ies.read(text.splitlines(), "lamp.ies").size == pytest.approx(metres)

@@ -1,4 +1,4 @@
-"""Illuminances under photometric files, as Radiance has them.
+"""Illuminances under photometric files, compared with Radiance.
 
 Radiance's ies2rad reads the files by itself; rtrace then interpolates between their angles.  It is
 told the lamp type "default", so that no lamp table takes a share away.
@@ -18,7 +18,7 @@ from radcalc.distributions.pose import Pose
 try:
     import pyradiance
 except ImportError:
-    if platform.machine() != "aarch64":  # for which there is no wheel
+    if platform.machine() != "aarch64":  # there is no wheel for aarch64
         raise
     pytest.skip("pyradiance is not installed", allow_module_level=True)
 
@@ -35,7 +35,7 @@ WHOLE = (*HALF, 200, 260, 300, 360)
 
 
 def table(azimuth, polar, seed=1):
-    """Intensities that differ in all directions, but for the pole and the end of the circle."""
+    """Return intensities that differ except at the pole and the end of the circle."""
     values = numpy.random.default_rng(seed).uniform(50, 150, (len(azimuth), len(polar))).round(2)
     values[:, 0] = 100
     if azimuth[-1] == 360:
@@ -48,7 +48,7 @@ def lines(*rows):
 
 
 def ies(azimuth, polar, values, edition="IESNA:LM-63-2002", system=1, factors=(1, 1, 1)):
-    """A photometric file, with a multiplier, a ballast factor and what follows that."""
+    """Return a photometric file with a multiplier, a ballast factor and the factor after it."""
     multiplier, ballast, last = factors
     counts = (1, 1000, multiplier, len(polar), len(azimuth), system, 2, 0, 0, 0)
     label = f"{edition}\n[TEST] none\n[LAMP] metal halide\nTILT=NONE\n"
@@ -63,7 +63,7 @@ def eulumdat(symmetry, planes, polar, values):
 
 
 def points(below=True, count=40, seed=2):
-    """Points about a source, and the directions that small surfaces at them face."""
+    """Return points about a source, and the normals of small surfaces at them."""
     random = numpy.random.default_rng(seed)
     at, faces = random.normal(size=(2, count, 3))
     at[:, 2] = -abs(at[:, 2]) - 0.2 if below else at[:, 2]
@@ -105,7 +105,7 @@ def of_radcalc(text, at, faces, folder, pose=None, name="lamp.ies"):
 
 @pytest.fixture
 def agree(tmp_path, monkeypatch):
-    """Both have the same of a file, or of two files of one luminaire."""
+    """Check that both agree on a file, or on two files of one luminaire."""
 
     def compare(text, below=True, other="", name="lamp.ies", mirror=(1, 1, 1)):
         at, faces = points(below)
@@ -124,7 +124,7 @@ def test_every_symmetry_of_type_c(azimuth, polar, agree):
 
 
 def test_a_file_of_90_to_270_degrees(agree):
-    """Radiance has the mirror image of it, C90 where C270 is."""
+    """Radiance has the mirror image, with C90 at C270."""
     agree(ies(BACK, POLAR, table(BACK, POLAR)), mirror=(1, -1, 1))
 
 
@@ -133,14 +133,14 @@ def test_a_file_of_90_to_270_degrees(agree):
     ["Lamps of 1986", "IESNA91", "IESNA:LM-63-1995", "IESNA:LM-63-2002", "IES:LM-63-2019"],
 )
 def test_the_factors_of_every_edition(edition, agree):
-    """The last one counts in the editions of 1986 and 1991 only."""
+    """The last factor applies to the editions of 1986 and 1991 only."""
     values = table(QUADRANT, POLAR)
     agree(ies(QUADRANT, POLAR, values, edition, factors=(1.7, 0.9, 0.8)))
 
 
 @pytest.mark.parametrize("angle", ["vertical", "horizontal"])
 def test_type_b(angle, tmp_path, monkeypatch):
-    """In its two planes through the axis: Radiance's angles are those of type B only there."""
+    """Compare two planes through the axis; only there are Radiance's angles those of type B."""
     azimuth, polar = (-90, -60, -25, 0, 40, 90), (-90, -50, -20, 0, 15, 60, 90)
     text = ies(azimuth, polar, table(azimuth, polar), system=2)
     at, faces = points()
@@ -153,7 +153,7 @@ def test_type_b(angle, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("symmetry", range(5))
 def test_every_symmetry_of_eulumdat(symmetry, agree):
-    """The same table, as the file of LM-63 that Radiance reads."""
+    """Compare with the same table as an LM-63 file in Radiance."""
     planes = tuple(range(0, 360, 30))
     kept = {0: planes, 1: (0,), 2: planes[:7], 3: (-90, -60, -30, 0, 30, 60, 90), 4: planes[:4]}
     values = table(kept[symmetry], SPHERE)
@@ -190,7 +190,7 @@ def test_aimed_and_rotated(tilt, turned, rotated, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("name", ["lamp.ies", "lamp.ldt"])
 def test_the_command(name, tmp_path, monkeypatch):
-    """Under a lamp that hangs and is turned about its axis."""
+    """Compare a lamp that shines down and is rotated about its axis."""
     planes = tuple(range(0, 360, 30))
     values = table(planes, POLAR)
     text = ies((*planes, 360), POLAR, numpy.concatenate([values, values[:1]]))

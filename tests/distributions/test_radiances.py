@@ -1,4 +1,4 @@
-"""Radiances by expressions: what receivers get that face anywhere."""
+"""Radiances from expressions: irradiances of receivers with any normal."""
 
 import math
 
@@ -17,7 +17,7 @@ def radiances(text: str) -> FormulaRadiances:
 
 
 def plain_sum(function, normal, count=800):
-    """The irradiance as a sum over the middles of equal cells."""
+    """Return the irradiance as a sum over the centres of equal cells."""
     theta = (numpy.arange(count) + 0.5)[:, None] * math.pi / count
     phi = (numpy.arange(2 * count) + 0.5) * math.pi / count
     x, y, z = numpy.sin(theta) * numpy.cos(phi), numpy.sin(theta) * numpy.sin(phi), numpy.cos(theta)
@@ -28,7 +28,7 @@ def plain_sum(function, normal, count=800):
 
 
 @pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0), (0, 0, -1), (0.3, -0.8, 0.2)])
-def test_a_constant_gives_pi_times_it_wherever_the_receiver_faces(normal):
+def test_a_constant_gives_pi_times_it_in_any_direction(normal):
     found = radiances("2 + 0*theta").irradiance(normal)
     assert found.value == pytest.approx(2 * math.pi, rel=1e-9)
 
@@ -81,7 +81,7 @@ def sun_in_a_sky_of(around):
 
 @pytest.mark.parametrize(("around", "normal"), [(0, (1, 0, 0)), (100, (1, -1, 1))])
 def test_a_disc_of_the_size_of_the_sun(around, normal):
-    """L pi sin(radius)^2 times the cosine, and pi times what is around it."""
+    """E is L pi sin(radius)^2 times the cosine, plus pi times the surrounding radiance."""
     cosine = sum(a * b for a, b in zip(normal, SUN, strict=True)) / math.dist(normal, (0, 0, 0))
     true = 1.6e9 * math.pi * math.sin(RADIUS) ** 2 * cosine + math.pi * around
     found = sun_in_a_sky_of(around).irradiance(normal)

@@ -1,4 +1,4 @@
-"""Sources in their places against a plain double loop, closed forms and quadrature."""
+"""Sources at their positions, compared with a double loop, closed forms and quadrature."""
 
 import math
 import random
@@ -27,7 +27,7 @@ UP = (0.0, 0.0, 1.0)
 
 
 def turned(vector, aim, rotate):
-    """Rodrigues' rotation of a vector by the least angle that takes straight down to the aim.
+    """Rotate a vector (Rodrigues) by the least angle from straight down to the aim.
 
     Beforehand it is turned about the vertical by `rotate`.
     """
@@ -67,7 +67,7 @@ CANDELAS = [300, 290, 260, 200, 110, 30, 0]
 
 
 def tabulated(theta, phi):
-    """The table with straight lines between its values."""
+    """Return the table with linear interpolation."""
     degrees = math.degrees(theta)
     if degrees >= 90:
         return 0.0
@@ -88,7 +88,7 @@ DISTRIBUTIONS = [
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_the_sum_is_that_of_a_plain_double_loop(seed):
+def test_the_sum_equals_a_double_loop(seed):
     chance = random.Random(seed)
     sources, rows = [], []
     for k in range(7):
@@ -120,7 +120,7 @@ def test_a_ring_of_sources_above_its_centre():
 
 
 @pytest.mark.parametrize(("exponent", "power"), [(0.0, 3), (1.0, 4), (2.0, 5)])
-def test_a_lobe_falls_off_with_the_cosine_law(exponent, power):
+def test_a_lobe_follows_the_cosine_law(exponent, power):
     """On a plane E = I0 cos^(n+3) / h^2; cos^4 of a Lambertian source."""
     angles = numpy.radians([0, 10, 30, 60, 80])
     points = [[2 * math.tan(a), 0, 0] for a in angles]
@@ -130,7 +130,7 @@ def test_a_lobe_falls_off_with_the_cosine_law(exponent, power):
 
 
 def panel_by_quadrature(place, pose, width, length, radiance, point, normal, count=700):
-    """L times the sum of cos cos dA / d^2 over small parts of a rectangle."""
+    """Return Return L times the sum of cos cos dA / d^2 over small parts of a rectangle."""
     u, v = ((numpy.arange(count) + 0.5) / count * side - side / 2 for side in (width, length))
     u, v = numpy.meshgrid(u, v)
     a, b, ahead = pose.axes
@@ -148,11 +148,11 @@ def panel_by_quadrature(place, pose, width, length, radiance, point, normal, cou
         ((0, 0, 1), DOWN, 0.0, (0, 0, 0), UP),
         ((0, 0, 1), DOWN, 0.5, (0.3, 0.2, 0), UP),
         ((1, 2, 3), (1.0, 0.5, -1.0), 1.0, (2, 2, 0.5), UP),
-        ((0, 0, 1), DOWN, 0.0, (0.2, 0, 0), (1.0, 0.0, 0.0)),  # which cuts it
+        ((0, 0, 1), DOWN, 0.0, (0.2, 0, 0), (1.0, 0.0, 0.0)),  # the plane cuts it
         ((0, 0, 1), (1.0, 0.0, -0.2), 0.3, (1, 0.5, 1), (-0.6, 0.0, 0.8)),
     ],
 )
-def test_a_panel_is_exact_however_it_is_turned(place, aim, rotate, point, normal):
+def test_a_panel_is_exact_in_any_orientation(place, aim, rotate, point, normal):
     pose = Pose(aim, rotate)
     panel = Panel("panel", place, pose, 0.6, 1.2, 3000.0)
     expected = panel_by_quadrature(place, pose, 0.6, 1.2, 3000.0, point, normal)
@@ -160,7 +160,7 @@ def test_a_panel_is_exact_however_it_is_turned(place, aim, rotate, point, normal
     assert panel.irradiance(next(blocks([point])), normal) == pytest.approx([expected], rel=2e-4)
 
 
-def test_a_panel_shines_on_one_side_and_not_into_its_own_plane():
+def test_a_panel_emits_on_one_side_only():
     panel = Panel("panel", (0.0, 0.0, 1.0), Pose(), 2.0, 2.0, 100.0)
     points = next(blocks([[0, 0, 2], [5, 0, 1], [0, 0, 0.5]]))
     assert (panel.irradiance(points, UP) > 0).tolist() == [False, False, True]
@@ -177,7 +177,7 @@ def test_points_at_sources_are_refused():
         field([panel], next(blocks([[0.9, 0.4, 0]])), UP)
 
 
-def test_a_patch_that_is_too_near_is_refused_and_a_luminaire_is_counted():
+def test_a_near_patch_is_refused_and_a_near_luminaire_counted():
     where = next(blocks([[0, 0, 1.1], [0, 0, 0]]))
     patch = Emitter("the patch", (0.0, 0.0, 2.0), Pose(), Lobe(1.0), 1.0, 0.2, is_patch=True)
     with pytest.raises(ConditionError, match="nearer than five times"):
@@ -186,20 +186,20 @@ def test_a_patch_that_is_too_near_is_refused_and_a_luminaire_is_counted():
     assert field([lamp], where, UP).near == (1,)
 
 
-def test_light_from_behind_does_not_count_and_is_counted():
+def test_light_from_behind_is_excluded_and_its_points_counted():
     lamps = [Emitter("", (0.0, 0.0, z), Pose(), Isotropic(), 9.0) for z in (3.0, -3.0)]
     found = field(lamps, next(blocks([[0, 0, 0], [0, 0, -5]])), UP)
     assert found.total.tolist() == pytest.approx([1.0, 9 / 64 + 9 / 4])
     assert found.behind == 1
 
 
-def test_a_grid_has_its_ends_and_runs_along_z_fastest():
+def test_a_grid_includes_its_ends_and_z_varies_fastest():
     found = list(grid(Axis(0.0, 1.0, 3), Axis(5.0, 7.0, 2), Axis(2.0, 2.0, 1)))
     points = numpy.transpose(numpy.hstack(found)).tolist()
     assert points == [[x, y, 2.0] for x in (0.0, 0.5, 1.0) for y in (5.0, 7.0)]
 
 
-def test_statistics_over_blocks_are_those_of_all_points():
+def test_statistics_do_not_depend_on_blocks():
     lamps = [Emitter("", (1.0, 0.5, 3.0), Pose(), Lobe(2.0), 500.0)]
     told, everything = Statistics(), []
     for points in grid(Axis(0.0, 2.0, 301), Axis(0.0, 3.0, 300), Axis(0.0, 0.0, 1)):
@@ -214,6 +214,6 @@ def test_statistics_over_blocks_are_those_of_all_points():
 
 
 @pytest.mark.parametrize("points", [[], [[1, 2]], [1, 2, 3], 5.0, [[0, 0, math.nan]]])
-def test_what_are_no_points_is_refused(points):
+def test_arrays_that_are_not_points_are_refused(points):
     with pytest.raises(ConditionError):
         next(blocks(points))

@@ -1,4 +1,4 @@
-"""What a user names as a distribution."""
+"""Distributions as a user gives them."""
 
 import math
 from pathlib import Path
@@ -44,20 +44,20 @@ def test_an_expression_may_have_a_unit(text, kind, on_axis):
         (5.0, "not a distribution"),
     ],
 )
-def test_what_is_neither_a_file_nor_an_expression_is_refused(text, said):
+def test_texts_that_are_neither_files_nor_expressions_are_refused(text, said):
     with pytest.raises(RadcalcError) as refused:
         photometry(text)
     assert said in refused.value.message
     assert refused.value.hint
 
 
-def test_a_name_that_is_nearly_one_of_a_distribution_is_told():
+def test_a_similar_name_of_a_distribution_is_suggested():
     with pytest.raises(ConditionError) as refused:
         photometry("lobee")
     assert refused.value.hint.startswith("lobe")
 
 
-def test_a_distribution_is_taken_as_it_is():
+def test_a_distribution_is_returned_unchanged():
     lobe = Lobe(3.0)
     assert photometry(lobe).distribution is lobe
     assert photometry(photometry(lobe)).distribution is lobe

@@ -1,4 +1,4 @@
-"""Tables of angles and intensities: as laboratories write them, and as they get them wrong."""
+"""Tables of angles and intensities: layouts of laboratories, and their mistakes."""
 
 import math
 
@@ -66,7 +66,7 @@ WRITTEN = {
 
 
 @for_each(WRITTEN.values())
-def test_a_laboratory_table_is_read_however_it_is_written(lines):
+def test_a_laboratory_table_is_read_in_any_layout(lines):
     found = table(*lines)
     assert found.distribution.flux().value == pytest.approx(LUMENS, abs=5e-5)
     assert found.distribution.kind == "v"
@@ -137,7 +137,7 @@ def planes_of(wave, planes, gammas=range(0, 181, 30)):
         (lambda c: 2.0, [0, 120, 240]),
     ],
 )
-def test_planes_go_all_around_or_stand_for_their_images(wave, planes):
+def test_planes_cover_the_circle_or_are_mirrored(wave, planes):
     found = table(*planes_of(wave, planes)).distribution
     for c in range(0, 360, 30):
         expected = wave(math.radians(c)) * 91
@@ -146,7 +146,7 @@ def test_planes_go_all_around_or_stand_for_their_images(wave, planes):
     assert found.flux().value == pytest.approx(2 * 2 * math.pi * (2 + math.pi * degrees), rel=1e-12)
 
 
-def test_what_is_negative_belongs_to_the_half_plane_opposite():
+def test_negative_angles_are_in_the_opposite_half_plane():
     rows = ["-90,0", "-30,10", "10,50", "90,0"]
     found = table("angle,I (cd)", *rows)
     lamp = found.distribution
@@ -160,7 +160,7 @@ def test_what_is_negative_belongs_to_the_half_plane_opposite():
     assert lamp.flux().value == pytest.approx(flux("angle,I (cd)", *halves), rel=1e-12)
 
 
-def test_a_photometer_s_noise_counts_as_nothing():
+def test_noise_of_a_photometer_counts_as_0():
     found = table("gamma,I (cd)", "0,300", "60,20", "90,-0.1")
     assert found.notes == ("1 negative intensity (down to -0.1) counts as 0",)
     assert found.distribution.flux().value == flux("gamma,I (cd)", "0,300", "60,20", "90,0")
@@ -253,7 +253,7 @@ def test_a_bad_table_is_refused(lines, message):
 
 
 def again(lines):
-    """Flux of a table of C planes from 0 to 90 degrees in commas, without radcalc."""
+    """Return the flux of a table of C planes from 0 to 90 degrees with commas, without radcalc."""
     rows = [[float(cell) for cell in line.split(",")] for line in lines[1:] if line.strip()]
     titles = [float(cell.strip(" Ccd()")) for cell in lines[0].split(",")[1:]]
     gammas = np.radians([row[0] for row in rows])
@@ -285,14 +285,14 @@ def mutants(lines):
 
 
 def outcome(lines):
-    """What a table is, or how it is refused."""
+    """Return the contents of a table, or the error."""
     try:
         return table(*lines)
     except RadcalcError as error:
         return error
 
 
-def test_damage_is_refused_or_does_not_matter():
+def test_damage_is_refused_or_harmless():
     whole = planes_of(lambda c: 2 + math.cos(2 * c), [0, 45, 90], [0, 20, 40, 60, 90])
     assert again(whole) == pytest.approx(flux(*whole), rel=1e-12)
     count = accepted = 0

@@ -1,4 +1,4 @@
-"""The names in tables follow the locale, and nothing else does."""
+"""Only names in tables follow the locale."""
 
 import pytest
 from conftest import run
@@ -30,7 +30,7 @@ LOCALES = {"C": 0, "en_GB.UTF-8": 0, "cs_CZ.UTF-8": 1, "ru_RU.UTF-8": 2}
 
 
 @pytest.mark.parametrize("words", TABLES, ids=" ".join)
-def test_the_names_in_tables_follow_the_locale_and_nothing_else_does(words, monkeypatch):
+def test_only_names_in_tables_follow_the_locale(words, monkeypatch):
     english = {}
     for locale, place in LOCALES.items():
         monkeypatch.setenv("LC_ALL", locale)

@@ -1,4 +1,4 @@
-"""SI prefixes that put a number from 1 to below 1000, by the SI brochure's table 7."""
+"""SI prefixes that put a number between 1 and 1000 (SI brochure, table 7)."""
 
 import csv
 import json
@@ -16,7 +16,7 @@ from radcalc.units.table import resolve, spellings
 
 
 def prefixed(text, size):
-    """The unit that a number in another is told in."""
+    """Return the unit in which a number in another unit is shown."""
     (result,) = with_prefixes([Result((Row("", "", size, text),))], PLAIN, None)
     return result.rows[0].unit
 
@@ -37,10 +37,10 @@ SUITED = {
     ("мклк", 1e-4): "плк",
     ("kg", 1e-5): "mg",
     ("mm", 2e-4): "nm",
-    ("fc", 1e-5): "mfc",  # which has kilo and milli alone
-    ("lm", 999.9999999999999): "klm",  # it is told as 1000
+    ("fc", 1e-5): "mfc",  # fc has only kilo and milli
+    ("lm", 999.9999999999999): "klm",  # it is shown as 1000
     ("lm", 1e40): "Qlm",
-    ("lm", 1e300): "Qlm",  # of which 1e270 are held by a number
+    ("lm", 1e300): "Qlm",  # a number can hold 1e270 of them
     ("lm", 1e-300): "qlm",
 }
 LEFT = [
@@ -68,7 +68,7 @@ def test_a_unit_takes_the_prefix_that_suits(text, size):
 
 
 @pytest.mark.parametrize(("text", "size"), LEFT)
-def test_a_unit_without_prefixes_or_need_is_left(text, size):
+def test_a_unit_without_prefixes_or_need_stays(text, size):
     assert prefixed(text, size) == text
 
 
@@ -120,7 +120,7 @@ def test_a_column_has_the_prefix_of_its_smallest():
 
 
 # 800 lm / (4 pi) / d^2 are 63.7 lx at 1 m, and at 200 m 1.59 mlx: in mlx 63662 and 1.59155
-# stand without an exponent; at 0.1 m there are 6366.2 lx, which would be 6.3662e+06 mlx.
+# have no exponent; at 0.1 m there are 6366.2 lx, which would be 6.3662e+06 mlx.
 @pytest.mark.parametrize(("distances", "unit"), [("1m,200m", "mlx"), ("0.1m,200m", "lx")])
 def test_no_prefix_brings_an_exponent_into_a_table(distances, unit):
     words = f"point-source --flux 800lm --distance {distances} --auto -q --format table"

@@ -1,4 +1,4 @@
-"""How far a long piece of work is, on a terminal."""
+"""Progress bars on a terminal."""
 
 import pytest
 
@@ -8,15 +8,15 @@ from radcalc.render.progress import progress
 
 @pytest.fixture
 def terminal(monkeypatch):
-    """A terminal whose clock is turned by hand: the list has the seconds."""
+    """A terminal with a clock set by the test: the list has the seconds."""
     now = [100.0]
     monkeypatch.setattr("radcalc.terminal.error_is_terminal", lambda: True)
     monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
-    monkeypatch.setenv("FORCE_COLOR", "1")  # by which Rich takes what is captured for a terminal
+    monkeypatch.setenv("FORCE_COLOR", "1")  # makes Rich treat captured output as a terminal
     return now
 
 
-def test_work_of_a_second_has_no_bar(terminal, capsys):
+def test_work_of_a_second_has_no_progress_bar(terminal, capsys):
     with progress("a map") as tick:
         tick(1, 4)
         terminal[0] += 0.9
@@ -24,7 +24,7 @@ def test_work_of_a_second_has_no_bar(terminal, capsys):
     assert capsys.readouterr() == ("", "")
 
 
-def test_longer_work_has_one_that_is_wiped_away(terminal, capsys):
+def test_longer_work_has_a_bar_that_is_erased(terminal, capsys):
     with progress("a map") as tick:
         terminal[0] += 1.1
         tick(1, 4)
@@ -34,7 +34,7 @@ def test_longer_work_has_one_that_is_wiped_away(terminal, capsys):
     assert out == ""
     assert "a map" in drawn
     assert "75%" in drawn
-    assert drawn.endswith("\x1b[2K")  # which clears the line
+    assert drawn.endswith("\x1b[2K")  # clears the line
 
 
 @pytest.mark.parametrize(("choice", "has_color"), [("always", True), ("never", False)])
@@ -47,7 +47,7 @@ def test_a_bar_has_the_colours_that_are_chosen(terminal, monkeypatch, capsys, ch
     assert ("\x1b[3" in capsys.readouterr().err) == has_color  # SGR 30 to 38: a colour of letters
 
 
-def test_a_bar_stops_where_the_work_is_interrupted(terminal, capsys):
+def test_a_bar_stops_when_the_work_is_interrupted(terminal, capsys):
     def work():
         with progress("a map") as tick:
             terminal[0] += 2.0
@@ -60,7 +60,7 @@ def test_a_bar_stops_where_the_work_is_interrupted(terminal, capsys):
 
 
 @pytest.mark.parametrize(("on_terminal", "is_wanted"), [(False, True), (True, False)])
-def test_there_is_none_in_a_pipe_or_where_it_is_not_wanted(
+def test_there_is_no_bar_in_a_pipe_or_if_unwanted(
     terminal, monkeypatch, capsys, on_terminal, is_wanted
 ):
     monkeypatch.setattr("radcalc.terminal.error_is_terminal", lambda: on_terminal)

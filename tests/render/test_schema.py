@@ -28,13 +28,13 @@ ROOM = "name,x,y,z,flux\ndesk,1,2,1.2,400lm\ndoor,5,0.5,2.5,800lm\n"
 
 
 def words_of(command):
-    """The words of a call, but for what chooses its format."""
+    """Return the words of a call without those that select its format."""
     words = iter(shlex.split(command, comments=True)[1:])
     return [word for word in words if word not in BARE or (word == "--format" and next(words) * 0)]
 
 
 def calls():
-    """The calls of radcalc that are answered in the transcripts."""
+    """Return the calls of radcalc with an answer in the transcripts."""
     for path in FILES:
         for command, output in transcripts(path):
             is_plain = command.startswith("radcalc ") and not set("|<>;&$`") & set(command)
@@ -45,7 +45,7 @@ def calls():
 
 
 def piped(called):
-    """The calls of a command that answer what is piped into them, with that."""
+    """Return the calls of a command with piped input, and the input."""
     for path in FILES:
         for command, output in transcripts(path):
             text, pipe, words = command.partition(" | ")
@@ -61,21 +61,21 @@ ANSWERS = [text for text in CALLS if not text.startswith(LISTS)]
 
 
 def command_of(text):
-    """The command of a call, which is a conversion where it begins with a value."""
+    """Return the command of a call; it is a conversion if it begins with a value."""
     word = shlex.split(text)[0]
     return word if word in COMMANDS else "convert"
 
 
 @cache
 def as_json(text, *more):
-    """The answers to a call, which are valid; several tests look at one."""
+    """Return the answers to a call, checked against the schema; several tests use one."""
     done = call([*shlex.split(text), *more, "--json"])
     assert done.status in (0, 1), (done.error, done.error and done.error.hint)
     VALIDATOR.validate(json.loads(done.output))
     return answers(done.output)
 
 
-def test_the_schema_and_the_transcripts_are_there():
+def test_the_schema_and_the_transcripts_exist():
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
     assert len(CALLS) > 250
     assert len(STREAMS) > 10
@@ -131,12 +131,12 @@ def test_csv_has_the_same_numbers_on_a_line_an_answer(text):
 
 
 def listed(text):
-    """Whether a call lists all results of a calculator."""
+    """Return whether a call lists all results of a calculator."""
     return command_of(text) != "convert" and not {"-g", "--get", "--check"} & {*shlex.split(text)}
 
 
 @for_each([text for text in ANSWERS if listed(text)])
-def test_every_name_of_a_result_is_one_that_get_takes(text):
+def test_get_accepts_every_name_of_a_result(text):
     found = as_json(text)
     names = [*found[0]["results"]]
     again = as_json(text, *(word for name in names for word in ("-g", name)))

@@ -1,4 +1,4 @@
-"""Tables on a terminal: their width, their colours, and what stands below them."""
+"""Tables on a terminal: width, colours, and the lines below them."""
 
 import os
 import re
@@ -14,7 +14,7 @@ from radcalc.render import table
 from radcalc.render.formats import Style
 
 
-def test_a_terminal_gets_a_table_with_what_was_assumed_below():
+def test_a_terminal_gets_a_table_with_assumptions_below():
     screen = screen_of("convert", "800", "lm", "cd", "--isotropic", NO_COLOR="1")
     assert "\x1b" not in screen
     assert "quantity" in screen
@@ -50,23 +50,23 @@ def test_colour_is_decided_by_option_then_environment_then_terminal(words, envir
     assert ("\x1b[" in screen) == coloured
 
 
-def test_markup_in_what_a_user_typed_is_no_markup():
+def test_markup_in_user_text_is_not_interpreted():
     screen = screen_of("convert", "1", "lx", "[bold]", NO_COLOR="1")
     assert "[bold]" in screen
 
 
-def test_a_table_can_be_had_in_a_pipe_and_plain_text_on_a_terminal():
+def test_format_options_override_the_terminal():
     assert "illuminance" in run("convert", "1", "lx", "fc", "--format", "table").stdout
     assert screen_of("convert", "100", "lx", "fc", "--format", "plain") == "9.290304\tfc\n"
     assert screen_of("convert", "100", "lx", "fc", "-n") == "9.290304\n"
 
 
 @pytest.mark.parametrize("columns", [15, 28, 40, 80])
-def test_a_list_is_a_table_where_its_words_fit_and_lines_elsewhere(columns):
+def test_a_list_is_a_table_if_its_words_fit_and_lines_otherwise(columns):
     screen = terminal_of("typical", "moon", columns=columns, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert ("───" in screen) == (columns == 80)
     assert all(part in screen for part in ("0.1 to 0.3", "0.0002 to 0.002", "6.418e-5", "cd/m2"))
-    longest = len("    0.0002 to 0.002")  # which is not folded
+    longest = len("    0.0002 to 0.002")  # this is not folded
     assert max(len(line) for line in screen.splitlines()) <= max(columns, longest)
     drawn = terminal_of("units", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert "───" in drawn
@@ -82,7 +82,7 @@ def test_no_word_is_folded_where_all_fit():
 
 @for_each(product(range(36, 64), ["en", "cs", "ru"]))
 def test_words_of_names_are_parted_at_slashes_only(columns, language):
-    """What stands between blanks is a word of a name, or a part of one up to its slash."""
+    """A word of a name ends at a blank; a part of it ends at a slash."""
     names = ("scotopic/photopic ratio", "correlated colour temperature", "lux per PPFD")
     rows = tuple(Row(name, "T_cp", 0.000600783, "lm.s/umol") for name in names)
     words = {
@@ -106,7 +106,7 @@ def test_two_answers_with_the_same_rows_are_a_line_each():
     assert [line.split() for line in lines[:2]] == [["1", "100"], ["2", "25"]]
 
 
-def test_what_all_answers_have_alike_is_told_once_and_only_in_tables():
+def test_shared_rows_are_shown_once_in_tables_only():
     words = ("point-source", "--intensity", "100cd", "--exponent", "2", "--distance", "1m,2m")
     drawn = run(*words, "--format", "table").stdout
     assert "given: luminous intensity 100 cd · exponent 2\n" in drawn
@@ -117,13 +117,13 @@ def test_what_all_answers_have_alike_is_told_once_and_only_in_tables():
         2.0,
         2.0,
     ]
-    alike = run("convert", "1lx,1lx", "fc", "--format", "table").stdout  # in all they have
+    alike = run("convert", "1lx,1lx", "fc", "--format", "table").stdout  # in all rows
     assert alike.count("0.092903") == 2
     asked = ("-g", "illuminance", "-g", "flux", "--format", "table", "-q")
     assert run(*words[:-2], "--distance", "1m,1m", *asked).stdout.count("100") == 2
 
 
-def test_a_column_that_says_the_same_in_all_rows_of_a_list_is_told_above_it():
+def test_a_constant_column_of_a_list_is_shown_above_it():
     drawn = run("units", "lambert", "--format", "table").stdout
     told, head, *_ = drawn.splitlines()
     assert told == "quantity: luminance"
@@ -143,7 +143,7 @@ PIPED = [
 
 
 @pytest.mark.parametrize("words", PIPED, ids=" ".join)
-def test_no_escape_comes_into_a_pipe_nor_where_colour_is_not_wanted(words, monkeypatch):
+def test_no_escapes_in_a_pipe_or_without_colour(words, monkeypatch):
     monkeypatch.setenv("TERM", "xterm")
     assert "\x1b" not in run(*words, together=True).stdout
     if words:
@@ -170,7 +170,7 @@ COLORS = {
 
 
 @pytest.mark.parametrize("words", COLORS, ids=" ".join)
-def test_the_first_word_of_a_line_is_coloured_and_says_the_same_without(words):
+def test_the_first_word_of_a_line_is_coloured_without_change_of_text(words):
     screen = terminal_of(*words)
     assert all(text in screen for text in COLORS[words])
     assert re.sub(r"\x1b\[[\d;]*m", "", screen) == terminal_of(*words, NO_COLOR="1")
@@ -188,7 +188,7 @@ def test_the_first_word_of_a_line_is_coloured_and_says_the_same_without(words):
     assert "\x1b" not in terminal_of(*words, "--color=never")
 
 
-def test_rules_and_symbols_are_ascii_where_the_encoding_has_no_others():
+def test_rules_and_symbols_are_ascii_if_the_encoding_requires_it():
     words = ("point-source", "--flux", "800lm", "--exponent", "2", "--distance", "1m,2m")
     env = os.environ | {"PYTHONIOENCODING": "ascii"}
     drawn = process(*words, "--format", "table", env=env).stdout
@@ -201,7 +201,7 @@ def test_rules_and_symbols_are_ascii_where_the_encoding_has_no_others():
         assert "\\u" not in text
 
 
-def test_a_row_says_itself_that_its_number_is_read_as_a_fraction():
+def test_a_row_marks_a_number_read_as_a_fraction():
     row = Row("quelque durée", "t", 1 / 60, "s", form=FRACTION)
     assert "1/60 " in table.results([Result((row,))], Style())
     assert "16.6667 " in table.results(
@@ -210,7 +210,7 @@ def test_a_row_says_itself_that_its_number_is_read_as_a_fraction():
     assert "1/60" not in table.results([Result((row._replace(form=""),))], Style())
 
 
-def test_a_table_may_be_as_wide_as_its_room():
+def test_a_table_may_fill_the_terminal():
     header, cells = ["what", "value"], ["a" * 10, "123"]
     width = 10 + 3 + 5  # the two columns, and what is between them
     head, rule, line = table.draw(

@@ -1,4 +1,4 @@
-"""How a number with its uncertainty is written."""
+"""Numbers with their uncertainty as text."""
 
 import random
 import re
@@ -43,7 +43,7 @@ def test_a_precision_gives_the_digits_of_both():
     assert uncertain(9.290304, 0.27870912, 4) == "9.29 ± 0.2787"
 
 
-def test_it_is_what_the_uncertainties_package_writes_and_can_be_read_again():
+def test_numbers_agree_with_the_uncertainties_package():
     generator = random.Random(20260801)
     for _ in range(2000):
         value = generator.choice((-1, 1)) * 10 ** generator.uniform(-8, 8)

@@ -6,12 +6,12 @@ TOP = "-Y {height} +X {width}"
 
 
 def head(*lines, size="-Y 1 +X 1", form="32-bit_rle_rgbe"):
-    """The header, with lines of one's own before the format."""
+    """Return the header, with additional lines before the format."""
     return "\n".join(["#?RADIANCE", *lines, f"FORMAT={form}", "", size, ""]).encode()
 
 
 def flat(line):
-    """A scanline of rows of R, G, B and exponent, without any encoding."""
+    """Return a scanline of rows of R, G, B and exponent, without encoding."""
     return bytes(int(byte) for pixel in line for byte in pixel)
 
 
@@ -95,7 +95,7 @@ def picture(rows, encoding=flat, *lines, form="32-bit_rle_rgbe"):
 
 
 def values(rows):
-    """What R, G, B are: mantissa * 2^(exponent - 136), and 0 for an exponent of 0."""
+    """Return R, G, B: mantissa * 2^(exponent - 136), and 0 for an exponent of 0."""
     rows = np.asarray(rows)
     powers = np.array([0.0, *(2.0 ** (exponent - 136) for exponent in range(1, 256))])
     return rows[..., :3] * powers[rows[..., 3:]]

@@ -1,4 +1,4 @@
-"""Images for tests: what pixels show by the definitions of the projections, not by radcalc."""
+"""Images for tests, from the definitions of the projections, without radcalc."""
 
 import math
 from functools import lru_cache
@@ -21,7 +21,7 @@ TILTS = [
 
 @lru_cache(4)  # large, and the same for many tests
 def directions(projection, width, height, part=None):
-    """What pixels show, in the map's axes; NaN outside of the circle.
+    """Return the directions of pixels in the map's axes; NaN outside the circle.
 
     Those of all pixels, or of a part: its left, top, width and height.
     """
@@ -56,7 +56,7 @@ def solid_angles(projection, width, height, part=None):
 
 
 def image(projection, function, size=None, count=1):
-    """An image of a function of direction: of means over places in each pixel."""
+    """Return an image of a function of direction: means over sample points in each pixel."""
     width, height = size or SIZES[projection]
     values = function(*directions(projection, width * count, height * count))
     parts = values.reshape(height, count, width, count)

@@ -1,4 +1,4 @@
-"""OpenEXR pictures: files made by the package OpenEXR itself, read and written."""
+"""OpenEXR pictures, read and written; files come from the package OpenEXR."""
 
 import io
 import struct
@@ -88,7 +88,7 @@ def test_tiles_are_read():
     assert (read(planes(pixels), **tiles(16, 32)).pixels == pixels).all()
 
 
-def test_a_latlong_map_is_known_and_a_cube_refused():
+def test_a_latlong_map_is_read_and_a_cube_refused():
     found = read(planes(colours()), envmap=OpenEXR.ENVMAP_LATLONG)
     assert found.projection == "latlong"
     assert "poles" in found.assumptions[0]
@@ -104,13 +104,13 @@ def test_a_latlong_map_is_known_and_a_cube_refused():
         ((1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3), (0, 1, 0)),  # R, G, B are X, Y, Z
     ],
 )
-def test_luminance_is_by_the_primaries_of_the_file(chromaticities, weights):
+def test_luminance_follows_the_primaries_of_the_file(chromaticities, weights):
     found = read(planes(colours()), chromaticities=chromaticities)
     assert found.weights == pytest.approx(weights, abs=1e-6)
 
 
-def test_a_white_luminance_makes_cd_m2():
-    """By the standard attributes: the luminance of R = G = B = 1."""
+def test_with_a_white_luminance_pixels_are_in_cd_m2():
+    """The standard attribute is the luminance of R = G = B = 1."""
     found = read(planes(colours()), whiteLuminance=179.0)
     assert found.unit == "cd/m2"
     assert (found.pixels == colours() * 179).all()
@@ -119,7 +119,7 @@ def test_a_white_luminance_makes_cd_m2():
 
 
 @pytest.mark.parametrize("white", [0.0, -1.0, float("nan"), float("inf")])
-def test_a_white_luminance_that_cannot_be_tells_nothing(white):
+def test_an_impossible_white_luminance_is_ignored_with_a_note(white):
     found = read(planes(colours()), whiteLuminance=white)
     assert found.unit == ""
     assert (found.pixels == colours()).all()
@@ -132,7 +132,7 @@ def test_a_data_window_within_the_display_window_is_a_frame():
     assert found.frame == (8, 4, 40, 20)
     assert (found.pixels == colours()).all()
     found = read(planes(colours()), envmap=OpenEXR.ENVMAP_LATLONG, **window)
-    assert found.frame is None  # a map is all of its data window: ImfEnvmap.h
+    assert found.frame is None  # a map is its whole data window: ImfEnvmap.h
 
 
 def test_a_data_window_is_cut_to_the_display_window():
@@ -147,7 +147,7 @@ def test_a_data_window_is_cut_to_the_display_window():
 
 
 def chroma_file(luminance):
-    """Luminance and chroma, of every other column and row, which the package cannot write."""
+    """Return luminance and subsampled chroma, which the package cannot write."""
     height, width = luminance.shape
     sampled = (("BY", 2), ("RY", 2), ("Y", 1))
     channels = b"".join(
@@ -191,7 +191,7 @@ def test_a_grey_picture_has_one_channel():
     assert found.notes == ()
 
 
-def test_layers_beside_the_main_one_are_passed_over():
+def test_other_layers_are_ignored():
     other = planes(colours() * 2, ("diffuse.R", "diffuse.G", "diffuse.B"))
     assert (read({**planes(colours()), **other}).pixels == colours()).all()
     assert refused(made(other)) == (
@@ -199,7 +199,7 @@ def test_layers_beside_the_main_one_are_passed_over():
     )
 
 
-def test_any_channel_is_read_alone_by_its_name():
+def test_a_single_channel_is_read_by_its_name():
     other = planes(colours() * 2, ("diffuse.R", "diffuse.G", "A"))
     file = {**planes(colours()), **other}
     for channel, pixels in (
@@ -219,7 +219,7 @@ def test_any_channel_is_read_alone_by_its_name():
     assert caught.value.hint == option("channel", "R")
 
 
-def test_alpha_is_said():
+def test_alpha_has_a_note():
     """Colours are premultiplied: Technical Introduction to OpenEXR, alpha."""
     alpha = np.ones((4, 8), np.float32)
     assert read({**planes(colours()), "A": alpha.copy()}).notes == ()
@@ -243,7 +243,7 @@ def test_of_several_parts_the_first_with_colour_is_read():
     found = exr.read(data, "sky.exr")
     assert (found.pixels == colours()).all()
     assert found.notes == ("part 2 ('beauty') of 3 is read: the first with R, G, B",)
-    # a part that the library cannot decode, it leaves out, and the others move up
+    # the library omits a part that it cannot decode, and the others move up
     broken = bytearray(data)
     start = struct.unpack_from("<Q", data, first_table(data, 3))[0]
     broken[start + 8 : start + 12] = struct.pack("<i", 1)
@@ -251,7 +251,7 @@ def test_of_several_parts_the_first_with_colour_is_read():
 
 
 def first_table(data, parts):
-    """Where the tables of chunks begin: behind the headers and a byte of 0."""
+    """Return the start of the chunk tables, after the headers and a byte of 0."""
     place = 8
     for _ in range(parts):
         while data[place]:
@@ -262,7 +262,7 @@ def first_table(data, parts):
 
 
 def test_a_text_need_not_be_utf_8():
-    """Which the package refuses; an owner's name in Latin-1 says nothing of the pixels."""
+    """The package refuses an owner's name in Latin-1, which does not concern the pixels."""
     data = made(planes(colours()), owner="J. Muller").replace(b"J. Muller", b"J. M\xfcller")
     assert (exr.read(data, "sky.exr").pixels == colours()).all()
 
@@ -275,7 +275,7 @@ def test_a_deep_picture_is_refused():
     assert "is deep" in refused(data)
 
 
-def test_sizes_that_the_file_does_not_hold_are_refused():
+def test_sizes_beyond_the_file_are_refused():
     data = made(planes(colours()))
     wide = struct.pack("<4i", 0, 0, 65535, 3)
     many = struct.pack("<4i", 0, 0, 65535, 65535)
@@ -297,8 +297,8 @@ def test_sizes_of_tiles_are_limited():
     assert "tiles of 8 x 16777216 pixels, in 8 x 4 pixels" in refused(edited(data, "tiles", tile))
 
 
-def test_channels_are_limited_by_the_room_that_they_take():
-    """Five channels of 2^28 pixels, which the library would make room for."""
+def test_the_memory_of_channels_is_limited():
+    """The library would allocate memory for five channels of 2^28 pixels."""
     data = made(planes(np.ones((1, 1, 5), np.float32), ("R", "G", "B", "A", "Z")))
     window = struct.pack("<4i", 0, 0, (1 << 14) - 1, (1 << 14) - 1)
     assert "5120 MiB of pixels, more than 4096" in refused(edited(data, "dataWindow", window))
@@ -332,7 +332,7 @@ def test_the_size_in_a_small_file_costs_no_memory(compression, tmp_path):
 
 
 @pytest.mark.parametrize("window", ["dataWindow", "displayWindow"])
-def test_a_window_that_is_missing_is_refused(window):
+def test_a_missing_window_is_refused(window):
     """The library takes 64 x 64 pixels."""
     data = made(planes(colours())).replace(window.encode(), window[:-1].encode() + b"x", 1)
     assert "its header cannot be read" in refused(data)
@@ -410,8 +410,8 @@ def test_the_package_reads_what_is_written(tmp_path):
     assert file.header()["whiteLuminance"] == 1
 
 
-def test_without_the_package_the_message_says_how_to_get_it(tmp_path):
-    """A process in which OpenEXR cannot be imported, as where it is not installed."""
+def test_the_message_without_the_package_names_the_command_to_install_it(tmp_path):
+    """Run a process in which OpenEXR cannot be imported."""
     path = tmp_path / "sky.exr"
     path.write_bytes(made(planes(colours())))
     program = (

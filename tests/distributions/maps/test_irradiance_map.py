@@ -13,8 +13,8 @@ from radcalc.errors import ConditionError
 
 
 @pytest.mark.parametrize("order", [None, 2])
-def test_of_a_uniform_sky(order):
-    """E = pi L (1 + cos t)/2, which has no harmonics above the first: with order 2 the same."""
+def test_a_uniform_sky(order):
+    """E = pi L (1 + cos t)/2 has no harmonics above the first, so order 2 is exact."""
     sky = numpy.repeat([3000.0, 0.0], 64)[:, None, None] * [1.0, 2.0] + numpy.zeros((256, 1))
     found = irradiance_map(RadianceMap(sky, "latlong", weights=(1, 0)), 16, 8, order)
     polar = (numpy.arange(8) + 0.5) * math.pi / 8
@@ -27,8 +27,8 @@ def test_of_a_uniform_sky(order):
     assert found.rms <= found.largest
 
 
-def test_which_way_it_is():
-    """Light from +y alone: pixels to the left of the middle get it, as those of a latlong map."""
+def test_the_orientation_of_the_map():
+    """Light from +y reaches pixels left of the centre, as in a latlong map."""
     found = irradiance_map(
         RadianceMap(image("latlong", lambda x, y, z: y > 0.9, (64, 32)), "latlong"), 64, 32
     ).pixels[..., 0]
@@ -40,7 +40,7 @@ def test_which_way_it_is():
 
 @pytest.mark.parametrize("projection", SIZES)
 def test_order_2_of_a_polynomial(projection):
-    """By its harmonics: those of order 0, 1 and 2 count pi, 2 pi/3 and pi/4."""
+    """The harmonics of order 0, 1 and 2 have the factors pi, 2 pi/3 and pi/4."""
     size = [count // 16 for count in SIZES[projection]]
     radiance = image(projection, lambda x, y, z: 3 + x - z / 2 + x * y + 0.7 * z * z, size, 2)
     around = RadianceMap(radiance, projection)
@@ -55,7 +55,7 @@ def test_order_2_of_a_polynomial(projection):
 
 
 def test_order_2_of_a_small_sun():
-    """1/4 + cos/2 + 5/32 (3 cos^2 - 1) in place of the cosine: 9.4 % of the peak at 90 degrees.
+    """1/4 + cos/2 + 5/32 (3 cos^2 - 1) replaces the cosine: 9.4 % of the peak at 90 degrees.
 
     Ramamoorthi and Hanrahan 2001: up to 9 % where all light comes from one direction.
     """

@@ -1,4 +1,4 @@
-"""Portable float maps, against OpenImageIO and the description of Netpbm, pfm(5)."""
+"""Portable float maps, compared with OpenImageIO and Netpbm's pfm(5)."""
 
 import struct
 
@@ -30,13 +30,13 @@ def test_rows_begin_at_the_bottom_and_the_sign_is_the_byte_order(order):
         assert found.pixels.dtype == np.dtype("=f4")
 
 
-def test_what_is_no_number_is_passed_on():
+def test_nan_and_infinity_are_read():
     values = struct.pack("<3f", float("nan"), float("inf"), -1)
     found = read(b"PF\n1 1\n-1\n" + values, NAME).pixels
     np.testing.assert_array_equal(found, [[[np.nan, np.inf, -1]]])
 
 
-def test_the_scale_multiplies_and_is_told():
+def test_the_scale_multiplies_with_a_note():
     found = read(b"Pf\n1 1\n-2.5\n" + struct.pack("<f", 3), NAME)
     assert found.pixels.tolist() == [[[7.5]]]
     assert found.notes == ("all pixels are multiplied by 2.5, the scale of sky.pfm",)
@@ -85,7 +85,7 @@ def test_what_is_no_map_is_refused(case):
 
 
 def openimageio(path):
-    """Pixels as OpenImageIO reads them with its documented default, which it has to be told."""
+    """Return pixels from OpenImageIO with its documented default, which must be set."""
     wish = OpenImageIO.ImageSpec()
     wish.attribute("pnm:pfmflip", 1)
     file = OpenImageIO.ImageInput.open(str(path), wish)
@@ -108,14 +108,14 @@ def test_what_is_written_is_read_again_and_by_openimageio(channels, height, widt
     np.testing.assert_array_equal(openimageio(path).reshape(shape), pixels)
 
 
-def test_a_scale_is_that_of_openimageio(tmp_path):
+def test_a_scale_is_read_as_in_openimageio(tmp_path):
     path = tmp_path / NAME
     stored = np.random.default_rng(1).normal(0, 1e3, (4, 5, 3))
     path.write_bytes(b"PF\n5 4\n0.37\n" + stored.astype(">f4").tobytes())
     np.testing.assert_array_equal(openimageio(path), read_picture(str(path)).pixels)
 
 
-def test_what_it_cannot_say_is_told(tmp_path):
+def test_lost_information_has_a_note(tmp_path):
     path = str(tmp_path / NAME)
     pixels = np.ones((1, 2, 3), np.float32)
     picture = Picture(pixels, ("R", "G", "B"), (0.3, 0.6, 0.1), "OpenEXR", "cd/m2", "latlong")

@@ -1,4 +1,4 @@
-"""Picture files: told apart, opened safely, written whole or not at all."""
+"""Picture files: recognised, opened safely, written completely or not at all."""
 
 import os
 import stat
@@ -39,7 +39,7 @@ NO_PICTURES = {
 
 
 @pytest.mark.parametrize("case", NO_PICTURES)
-def test_what_is_no_picture_is_told_what_it_is(case, tmp_path):
+def test_other_files_are_recognised(case, tmp_path):
     data, said = NO_PICTURES[case]
     path = tmp_path / "sky.hdr"
     path.write_bytes(data)
@@ -74,7 +74,7 @@ def test_what_cannot_be_read_is_refused(path, said):
         ("s\0ky.hdr", "not a file name"),
     ],
 )
-def test_where_nothing_can_be_written_is_said_before(name, said, tmp_path):
+def test_a_path_that_cannot_be_written_is_refused_in_advance(name, said, tmp_path):
     (tmp_path / "folder.hdr").mkdir()
     with pytest.raises((ConditionError, OutputError), match=said):
         check_target(str(tmp_path / name))
@@ -114,7 +114,7 @@ def test_luminance_follows_the_primaries():
         (0,) * 8,
     ],
 )
-def test_primaries_of_no_light_are_refused(primaries):
+def test_impossible_primaries_are_refused(primaries):
     with pytest.raises(ConditionError, match="primaries"), np.errstate(all="raise"):
         luminance_weights(primaries, "sky.hdr")
 
@@ -124,7 +124,7 @@ FORMATS = {".hdr": "Radiance RGBE", ".pic": "Radiance RGBE", ".HDR": "Radiance R
 
 
 @pytest.mark.parametrize("extension", FORMATS)
-def test_the_extension_chooses_what_is_written_and_the_content_what_is_read(extension, tmp_path):
+def test_writing_depends_on_the_extension_and_reading_on_the_contents(extension, tmp_path):
     path = str(tmp_path / f"sky{extension}")
     write_picture(path, GREY)
     other = str(tmp_path / "no extension")
@@ -136,7 +136,7 @@ def test_the_extension_chooses_what_is_written_and_the_content_what_is_read(exte
 
 
 def test_a_radiance_picture_may_begin_without_its_mark(tmp_path):
-    """As those of old versions do; then the format is in the header all the same."""
+    """Those of old versions do; the format is in the header nevertheless."""
     path = tmp_path / "sky.pic"
     size = b"\n-Y 1 +X 1\n" + bytes([128, 64, 0, 129])
     path.write_bytes(b"pfilt -1 -e .2\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=0.5\n" + size)
@@ -160,7 +160,7 @@ def test_a_radiance_picture_keeps_unit_weights_channels_and_projection(tmp_path)
 
 
 @pytest.mark.parametrize("name", ["sky.hdr", "sky.pfm"])
-def test_a_part_of_a_picture_is_not_written_as_a_whole_one(name, tmp_path):
+def test_a_part_of_a_picture_is_not_written_as_a_whole(name, tmp_path):
     with pytest.raises(ConditionError, match="only OpenEXR can store a part of a picture"):
         write_picture(str(tmp_path / name), GREY._replace(frame=(1, 0, 8, 4)))
     assert not os.listdir(tmp_path)
@@ -175,8 +175,8 @@ def test_what_a_format_cannot_hold_is_refused_and_leaves_nothing(value, tmp_path
     assert not os.listdir(tmp_path)
 
 
-def test_a_picture_takes_the_place_of_another_as_a_whole(tmp_path):
-    """Its permissions stay, and a link still leads to it."""
+def test_a_picture_replaces_another_completely(tmp_path):
+    """Its permissions and a link to it are kept."""
     path, link = tmp_path / "sky.pfm", tmp_path / "link.pfm"
     link.symlink_to(path)
     write_picture(str(path), GREY)
@@ -198,7 +198,7 @@ def test_a_new_file_has_the_permissions_of_any_other(tmp_path):
 
 
 @pytest.mark.parametrize("error", [OSError(28, "No space left on device"), KeyboardInterrupt()])
-def test_what_cannot_be_written_leaves_what_was_there(error, tmp_path, monkeypatch):
+def test_a_failed_write_keeps_the_previous_file(error, tmp_path, monkeypatch):
     path = tmp_path / "sky.pfm"
     write_picture(str(path), GREY)
 
@@ -240,8 +240,8 @@ def test_a_full_disk_leaves_nothing(name, tmp_path):
     assert not os.listdir(tmp_path)
 
 
-def test_what_lossy_encoding_left_below_0_counts_as_0(tmp_path):
-    """As in real maps: three of two million values down to -6.6e-7, beside a sun of 224."""
+def test_negative_values_of_lossy_encoding_count_as_0(tmp_path):
+    """Real maps have three such values in two million, down to -6.6e-7, with a sun of 224."""
     path = str(tmp_path / "sky.pfm")
     pixels = np.ones((4, 8, 3), np.float32)
     pixels[1, 2, 0], pixels[3, 4, 1] = -6.6e-7, -6e-8
@@ -252,7 +252,7 @@ def test_what_lossy_encoding_left_below_0_counts_as_0(tmp_path):
 
 
 @pytest.mark.parametrize("value", [-1e-3, -np.inf, np.nan])
-def test_what_is_more_than_noise_stays(value, tmp_path):
+def test_larger_negative_values_stay(value, tmp_path):
     path = str(tmp_path / "sky.pfm")
     pixels = np.ones((4, 8, 3), np.float32)
     pixels[1, 2, 0] = value

@@ -1,4 +1,4 @@
-"""Maps of radiances, against closed forms, plain sums of many samples and definitions."""
+"""Maps of radiances, compared with closed forms, plain sums of many samples and definitions."""
 
 import math
 
@@ -78,7 +78,7 @@ def test_the_overcast_sky(projection):
     ],
 )
 def test_any_map_against_a_plain_sum(projection, aim):
-    """Sum of L max(0, cos) over many places in pixels of one radiance, of random size."""
+    """Compare with the sum of L max(0, cos) over sample points in pixels of random size."""
     width, height = (48, 24) if projection == "latlong" else (40, 40)
     many = 16
     values = numpy.random.default_rng(3).exponential(size=(height, width)) ** 3
@@ -97,7 +97,7 @@ def test_any_map_against_a_plain_sum(projection, aim):
 
 @pytest.mark.parametrize("projection", SIZES)
 def test_a_single_bright_pixel(projection):
-    """Wherever it is: its radiance times its solid angle times the cosine; it is the peak."""
+    """E is radiance times solid angle times cosine for any pixel, and the pixel is the peak."""
     width, height = SIZES[projection]
     width, height = width // 8, height // 8
     places, weights = (of(projection, width, height) for of in (directions, solid_angles))
@@ -144,7 +144,7 @@ def test_a_bright_pixel_that_the_circle_cuts(projection):
         assert around.irradiances(normals) == pytest.approx(true, rel=0.02)
 
 
-def test_the_error_covers_a_pixel_that_is_cut_at_its_corner():
+def test_the_error_bound_holds_for_a_pixel_cut_at_its_corner():
     values = numpy.zeros((32, 64))
     values[15, 32] = 1e9
     around = RadianceMap(values, "latlong")
@@ -162,7 +162,7 @@ def test_the_error_covers_a_pixel_that_is_cut_at_its_corner():
 
 
 @pytest.mark.parametrize("projection", SIZES)
-def test_radiance_is_that_of_the_pixel(projection):
+def test_radiance_is_the_value_of_the_pixel(projection):
     width, height = (32, 16) if projection == "latlong" else (21, 21)
     values = numpy.arange(width * height, dtype=float).reshape(height, width)
     around = RadianceMap(values, projection)
@@ -205,7 +205,7 @@ def test_channels_and_factor():
     assert red.irradiances(TILTS) == pytest.approx(each[:, 0], rel=1e-12)
 
 
-def test_what_is_done_is_told():
+def test_progress_is_reported():
     told = []
     around = RadianceMap(numpy.ones((128, 256)), "latlong")
     around.irradiances(TILTS, progress=lambda done, of: told.append((done, of)))
@@ -214,7 +214,7 @@ def test_what_is_done_is_told():
 
 
 class Chunks:
-    """Rows of an image that are made when they are read; it counts how many at most."""
+    """Rows of an image, made when they are read; it counts the most rows at a time."""
 
     def __init__(self, image):
         self.image, self.most, self.read = image, 0, 0
@@ -251,7 +251,7 @@ def test_dask_arrays():
 
 
 def test_a_signalling_nan_is_refused_without_a_warning():
-    """As a half float is widened to, and of which NumPy warns when it computes."""
+    """Half floats are widened to signalling NaN, about which NumPy warns."""
     pixels = numpy.ones((4, 8, 3), numpy.float32)
     pixels.view(numpy.uint32)[1, 2, 1] = 0x7F800001
     with pytest.raises(ConditionError, match=r"column 2 of row 1, .* is nan"):
@@ -259,7 +259,7 @@ def test_a_signalling_nan_is_refused_without_a_warning():
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, -1e-30])
-def test_pixels_that_are_no_radiances(bad):
+def test_invalid_pixels_are_refused(bad):
     values = numpy.ones((64, 128, 3), numpy.float32)
     values[40, 17, 1] = bad
     values[50, 3, 0] = bad
@@ -272,7 +272,7 @@ def test_pixels_that_are_no_radiances(bad):
 
 
 @pytest.mark.parametrize("projection", ["mirror-ball", "angular"])
-def test_outside_of_the_circle_pixels_may_be_anything(projection):
+def test_pixels_outside_the_circle_may_have_any_value(projection):
     clean = numpy.random.default_rng(9).random((20, 20))
     around = RadianceMap(clean, projection)
     lit = around.irradiances(TILTS[-4:])  # one of their horizons passes next to the rim
@@ -299,7 +299,7 @@ def test_outside_of_the_circle_pixels_may_be_anything(projection):
         ((0, 0), "latlong", "shape"),
     ],
 )
-def test_shapes_that_are_no_map(shape, projection, words):
+def test_wrong_shapes_are_refused(shape, projection, words):
     weights = (1.0,) * shape[2] if len(shape) == 3 else None
     with pytest.raises(ConditionError, match=words):
         RadianceMap(numpy.ones(shape), projection, weights=weights)

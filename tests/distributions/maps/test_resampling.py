@@ -1,4 +1,4 @@
-"""Maps in other projections: what they must keep."""
+"""Maps in other projections: conserved quantities."""
 
 import math
 
@@ -19,7 +19,7 @@ def sizes(projection):
 
 
 class Mapped:
-    """A map, and what follows from each of its channels: their means and irradiances."""
+    """A map, with the means and irradiances of its channels."""
 
     def __init__(self, *given):
         self.map = RadianceMap(*given, weights=(1, 1, 1, 1))
@@ -47,7 +47,7 @@ def new(old, request):
 
 
 def test_a_constant_map_stays_constant(new):
-    """In each pixel; outside of the circle there is nothing."""
+    """Each pixel is constant; outside the circle it is 0."""
     inside = new.map.solid_angles(0, new.map.size[1]) > 1e-12
     found = new.map.pixels[inside][:, :2]
     numpy.testing.assert_allclose(found, numpy.full_like(found, (3.0, 0.5)), rtol=1e-12)
@@ -57,7 +57,7 @@ def test_a_constant_map_stays_constant(new):
 
 
 def test_the_light_of_a_single_pixel_stays(old, new):
-    """All of it, and where it is, to a pixel's size; nothing is brighter than it was."""
+    """It keeps its amount and its place, to a pixel's size, and does not become brighter."""
     assert new.means[2] == pytest.approx(old.means[2], rel=1e-6)
     assert new.map.pixels[..., 2].max() <= 1e5 * (1 + 1e-12)
     # a pixel of the new map is up to 2 pi / 64 wide, and more next to the rim of the ball
@@ -71,8 +71,8 @@ def test_irradiances_of_a_smooth_map_stay(old, new):
 
 
 @pytest.mark.parametrize("projection", SIZES)
-def test_the_same_again(projection):
-    """Of the same projection, size and aim: the same pixels."""
+def test_the_same_projection_gives_the_same_pixels(projection):
+    """The same projection, size and aim give the same pixels."""
     width, height = sizes(projection)
     values = numpy.random.default_rng(1).random((height, width, 3))
     around = RadianceMap(values, projection, weights=(1, 1, 1))
@@ -85,8 +85,8 @@ def test_the_same_again(projection):
     numpy.testing.assert_allclose(found, values, rtol=1e-9)
 
 
-def test_what_is_finer_than_the_new_pixels_is_averaged():
-    """A checkerboard of single pixels is grey, and no pattern of larger squares."""
+def test_fine_detail_is_averaged():
+    """A checkerboard of single pixels becomes grey, without a pattern of larger squares."""
     board = (numpy.indices((256, 512)).sum(0) % 2).astype(float)
     found = reproject(RadianceMap(board, "latlong"), "mirror-ball", 33, 33, aim=AIM)[..., 0]
     inside = RadianceMap(found, "mirror-ball").solid_angles(0, 33) > 0.9 * 4 * (2 / 33) ** 2
@@ -105,7 +105,7 @@ def test_a_part_is_dark_elsewhere():
     assert found == pytest.approx(same, rel=1e-9, abs=1e-12)
 
 
-def test_a_factor_and_what_is_done():
+def test_factor_and_progress():
     told = []
     around = RadianceMap(numpy.ones((32, 64)), "latlong", factor=179.0)
     found = reproject(around, "latlong", 128, 64, progress=lambda done, of: told.append((done, of)))

@@ -1,4 +1,4 @@
-"""Radiance pictures, against the description of the format, OpenImageIO and Radiance itself."""
+"""Radiance pictures, compared with the format's description, OpenImageIO and Radiance."""
 
 import math
 import platform
@@ -18,7 +18,7 @@ from radcalc.errors import ConditionError
 try:
     import pyradiance
 except ImportError:
-    if platform.machine() != "aarch64":  # for which there is no wheel
+    if platform.machine() != "aarch64":  # there is no wheel for aarch64
         raise
     pyradiance = None
 with_radiance = pytest.mark.skipif(not pyradiance, reason="pyradiance is not installed")
@@ -31,7 +31,7 @@ def pixels(data):
 
 
 def openimageio(path):
-    """Pixels as OpenImageIO reads them: by scanlines, in whatever order the file has them."""
+    """Return pixels from OpenImageIO, by scanlines in the order of the file."""
     file = OpenImageIO.ImageInput.open(str(path))
     assert file, OpenImageIO.geterror()
     found = file.read_image("float")
@@ -121,7 +121,7 @@ def test_every_orientation_is_turned_upright(order, encoding):
 
 
 def test_exposures_and_corrections_are_undone():
-    """They are cumulative, and count at the beginning of a line alone."""
+    """They are cumulative, and apply only at the beginning of a line."""
     rows = hdr.noise(2, 9)
     lines = [
         "pcomb -e something",
@@ -141,7 +141,7 @@ def test_exposures_and_corrections_are_undone():
 
 
 def test_xyze_has_luminance_in_y():
-    """As in "File Formats": the units of the Y primary are already lm/sr/m2."""
+    """According to "File Formats", the units of the Y primary are already lm/sr/m2."""
     rows = hdr.noise(2, 9)
     lines = "EXPOSURE=0.25", "PRIMARIES=.67 .33 .21 .71 .14 .08 .33 .33"
     found = read(hdr.picture(rows, hdr.new, *lines, form="32-bit_rle_xyze"), NAME)
@@ -151,15 +151,15 @@ def test_xyze_has_luminance_in_y():
 
 
 def test_primaries_give_the_weights():
-    """Radiance's, with a white of 0.3333, of which its color.h names CIE_rf, CIE_gf and CIE_bf."""
+    """Radiance's primaries have a white of 0.3333; see CIE_rf, CIE_gf and CIE_bf in color.h."""
     line = "PRIMARIES= 0.640 0.330 0.290 0.600 0.150 0.060 0.3333 0.3333"
     found = read(hdr.picture(hdr.noise(1, 1), hdr.flat, line), NAME)
     assert found.weights == pytest.approx((0.265074126, 0.670114631, 0.064811243), abs=1e-7)
     assert not any("Rec. 709" in text for text in found.assumptions)
 
 
-def test_eight_zeros_are_no_primaries():
-    """As Photoshop and some panorama programs write them."""
+def test_eight_zeros_are_not_primaries():
+    """Photoshop and some panorama programs write them."""
     line = "PRIMARIES=0 0 0 0 0 0 0 0"
     found = read(hdr.picture(hdr.noise(1, 1), hdr.flat, line), NAME)
     assert found.weights == (0.2126, 0.7152, 0.0722)
@@ -170,7 +170,7 @@ def test_eight_zeros_are_no_primaries():
 
 
 def test_a_picture_without_a_format_is_rgbe():
-    """As Radiance's checkheader() takes it, which refuses another format, but not none."""
+    """Radiance's checkheader() refuses another format, but not a missing one."""
     rows = hdr.noise(1, 9)
     data = hdr.picture(rows, hdr.new).replace(b"FORMAT=32-bit_rle_rgbe\n", b"")
     found = read(data, NAME)
@@ -186,7 +186,7 @@ def test_four_bytes_for_each_pixel_have_no_repetitions():
 
 @pytest.mark.parametrize(("height", "width"), [(6, 9), (2, 3), (300, 700)])
 def test_a_picture_that_is_not_encoded_may_have_pixels_that_look_so(height, width):
-    """Where all exponents are 128, as in pictures made of bytes, dark pixels are not normalized."""
+    """With exponents of 128, as in pictures made from bytes, dark pixels are not normalized."""
     rows = np.random.default_rng(1).integers(0, 4, (height, width, 4))
     rows[..., 3] = 128
     rows[0, :3] = [(1, 1, 1, 128), (2, 2, 1, 128), (1, 1, 1, 1)]
@@ -196,8 +196,8 @@ def test_a_picture_that_is_not_encoded_may_have_pixels_that_look_so(height, widt
     assert found.notes == ()
 
 
-def test_repetitions_of_one_pixel_are_none_the_less():
-    """Each takes the place of the pixel that it repeats, so the size is that without encoding."""
+def test_repetitions_of_one_pixel_are_decoded():
+    """Each replaces the pixel that it repeats, so the size is that without encoding."""
     rows = [[(200, 100, 50, 130), (200, 100, 50, 130), (9, 8, 140, 131), (9, 8, 140, 131)]]
     data = hdr.picture(rows, hdr.old)
     assert len(data) == len(hdr.picture(rows, hdr.flat))
@@ -219,12 +219,12 @@ def test_repetitions_of_one_pixel_are_none_the_less():
         (["\tVIEW= -vtv -vh 30"], ""),
     ],
 )
-def test_a_view_of_a_part_of_the_sphere_is_told(lines, told):
+def test_a_view_of_a_part_of_the_sphere_has_a_note(lines, told):
     notes = read(hdr.picture(hdr.noise(1, 9), hdr.new, *lines), NAME).notes
     assert notes == ((f"sky.hdr has VIEW={told}, which is not the whole sphere",) if told else ())
 
 
-def test_what_is_odd_is_told():
+def test_oddities_have_notes():
     data = hdr.picture(hdr.noise(1, 9), hdr.new, "PIXASPECT=1.25", "PIXASPECT=0.5") + b"abc"
     assert read(data, NAME).notes == (
         "sky.hdr has PIXASPECT=0.625, but its pixels are read as square",
@@ -242,7 +242,7 @@ START = GOOD.index(b"+X 20\n") + 6
 
 
 def changed(at, byte, data=GOOD, start=START):
-    """A good file with another byte, counted from the first scanline."""
+    """Return a good file with another byte, counted from the first scanline."""
     return data[: start + at] + bytes([byte]) + data[start + at + 1 :]
 
 
@@ -308,7 +308,7 @@ REFUSED = {
 
 
 @for_each(REFUSED)
-def test_what_is_damaged_is_refused_with_its_place(case):
+def test_damage_is_refused_with_its_place(case):
     data, said = REFUSED[case]
     with pytest.raises(ConditionError) as caught:
         read(data, NAME)
@@ -317,7 +317,7 @@ def test_what_is_damaged_is_refused_with_its_place(case):
     assert caught.value.hint
 
 
-def test_a_file_that_ends_early_is_refused_wherever_it_does():
+def test_a_file_is_refused_wherever_it_is_cut_off():
     for encoding in hdr.ENCODINGS.values():
         data = hdr.picture(hdr.noise(2, 20, steps=4), encoding)
         for end in range(2, len(data)):
@@ -325,8 +325,8 @@ def test_a_file_that_ends_early_is_refused_wherever_it_does():
                 read(data[:end], NAME)
 
 
-def test_memory_is_that_of_what_the_file_holds(tmp_path):
-    """A picture of 3 GiB that is damaged in its second scanline is not made before that is seen."""
+def test_memory_is_limited_by_the_contents(tmp_path):
+    """No memory is allocated for a picture of 3 GiB with a damaged second scanline."""
     line = hdr.old([(200, 100, 50, 130)] * 16384)
     data = hdr.head(size="-Y 16384 +X 16384") + line + bytes([1, 1, 1, 1]) + line * 20000
     path = tmp_path / NAME
@@ -396,7 +396,7 @@ def test_openimageio_reads_the_same(order, encoding, tmp_path):
     np.testing.assert_array_equal(found, openimageio(path))
 
 
-def test_what_openimageio_writes_is_read_as_it_reads_it(tmp_path):
+def test_pictures_of_openimageio_are_read_as_by_openimageio(tmp_path):
     path = tmp_path / NAME
     random = np.random.default_rng(5)
     written = random.lognormal(0, 4, (64, 700, 3)).astype(np.float32)
@@ -410,7 +410,7 @@ def test_what_openimageio_writes_is_read_as_it_reads_it(tmp_path):
 
 
 @pytest.mark.parametrize("width", [1, 7, 8, 700, 32767, 32768])
-def test_what_is_written_is_read_by_openimageio(width, tmp_path):
+def test_written_pictures_are_read_by_openimageio(width, tmp_path):
     """To the nearest mantissa: within half of 1 part in 128 of the brightest channel."""
     path = tmp_path / NAME
     random = np.random.default_rng(width)
@@ -453,8 +453,8 @@ def test_radiance_reads_the_same_but_for_half_a_step(encoding, tmp_path):
 
 
 @with_radiance
-def test_radiance_and_its_xyz_have_one_luminance(tmp_path):
-    """What its ra_xyze makes of a picture, of which it also says the luminance."""
+def test_radiance_and_its_xyz_have_the_same_luminance(tmp_path):
+    """Compare with a picture from ra_xyze, and its luminance."""
     rows = hdr.noise(20, 90)
     rows[..., :3] = np.maximum(rows[..., :3], 100)
     path, other = tmp_path / NAME, tmp_path / "xyz.hdr"
@@ -468,7 +468,7 @@ def test_radiance_and_its_xyz_have_one_luminance(tmp_path):
     assert np.mean(found.pixels[..., 1][lit] / luminance[lit]) == pytest.approx(1, abs=0.005)
 
 
-def test_a_grey_picture_comes_back_grey(tmp_path):
+def test_a_grey_picture_stays_grey(tmp_path):
     path = str(tmp_path / "grey.hdr")
     pixels = np.arange(1, 33, dtype=np.float32).reshape(4, 8, 1)
     write_picture(path, Picture(pixels, ("Y",), (1.0,), "", "umol/m2/s/sr", "latlong"))

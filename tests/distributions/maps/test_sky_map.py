@@ -1,4 +1,4 @@
-"""Maps of skies: their pixels, summed up, give what the sky gives; and Radiance's skies."""
+"""Maps of skies: sums over pixels compared with the sky, and with Radiance's skies."""
 
 import math
 import platform
@@ -18,7 +18,7 @@ PLACE = (math.radians(50), math.radians(30))
 
 
 def summed(pixels, normal):
-    """Irradiance by a plain sum over the pixels of a latlong map, +x in its middle."""
+    """Return the irradiance by a plain sum over the pixels of a latlong map, +x at its centre."""
     height, width = pixels.shape
     lit = np.flatnonzero(pixels.any(1))
     pixels, polar = pixels[lit], ((lit + 0.5) * math.pi / height)[:, None]
@@ -95,7 +95,7 @@ def test_a_pixel_of_a_coarse_map_has_its_mean(name):
 @pytest.mark.parametrize(
     ("size", "message"), [((100, 60), "latlong"), ((62, 31), "across the horizon")]
 )
-def test_a_size_that_no_map_has_is_refused(size, message):
+def test_an_impossible_size_is_refused(size, message):
     with pytest.raises(ConditionError, match=message):
         sky_map(Sky("5", kind="v"), *size)
 
@@ -146,7 +146,7 @@ def test_a_saved_map(tmp_path, extension):
         ),
     ],
 )
-def test_what_cannot_be_saved_is_refused(tmp_path, words, message):
+def test_impossible_maps_are_not_saved(tmp_path, words, message):
     done = run("sky", *words.format("sky.hdr").split(), cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert message in done.stderr
@@ -156,7 +156,7 @@ def test_what_cannot_be_saved_is_refused(tmp_path, words, message):
 try:
     import pyradiance
 except ImportError:
-    if platform.machine() != "aarch64":  # for which there is no wheel
+    if platform.machine() != "aarch64":  # there is no wheel for aarch64
         raise
     pyradiance = None
 
