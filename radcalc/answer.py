@@ -1,4 +1,4 @@
-"""What an answer is, before anybody renders it: it knows no terminal and no format."""
+"""Answers, independent of terminals and formats."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -9,7 +9,7 @@ from radcalc.units.unit import Dimension
 
 
 class Step(NamedTuple):
-    """One step of a derivation: the law in symbols, then in numbers, and where it comes from."""
+    """One step of a derivation: the law in symbols, in numbers, and its source."""
 
     law: str
     formula: str
@@ -18,10 +18,10 @@ class Step(NamedTuple):
 
 
 class ShownInput(NamedTuple):
-    """What somebody gave: a number in a unit, a text that is none, or True for a flag.
+    """A shown input: a number in a unit, another text, or True for a flag.
 
-    `uncertainty` is the standard one of the number, in the unit.  What `tells` an answer from
-    others is shown with it even if it is the only one: the day of a log.
+    `uncertainty` is the standard uncertainty of the number, in the unit.  An input that `tells`
+    answers apart (the day of a log) is shown even with a single answer.
     """
 
     name: str
@@ -33,23 +33,23 @@ class ShownInput(NamedTuple):
 
     @property
     def is_quantity(self) -> bool:
-        """Check whether it is a number in a unit."""
+        """Return whether the input is a number in a unit."""
         return bool(self.unit)
 
 
 def texts_of(texts: Mapping[str, str]) -> tuple[ShownInput, ...]:
-    """Inputs that are texts, but for empty ones."""
+    """Return shown inputs for texts that are not empty."""
     return tuple(ShownInput(name, text=text) for name, text in texts.items() if text)
 
 
-FRACTION = "fraction"  # of a second, as the times of a shutter are marked: 1/60
+FRACTION = "fraction"  # of a second, like the times of a shutter: 1/60
 
 
 class Row(NamedTuple):
-    """One value of an answer; `case` says which of several answers it belongs to.
+    """One value of an answer; `case` identifies one of several answers.
 
-    `name` is what `--get` calls the result.  `given` tells what the user gave from what follows;
-    `uncertainty` is the standard one, in the unit.  The `form` is how people read the number.
+    `name` is the name for `--get`.  `given` marks inputs; `uncertainty` is the standard
+    uncertainty in the unit; `form` is the form of the number.
     """
 
     quantity: str
@@ -64,10 +64,9 @@ class Row(NamedTuple):
 
 
 class Result(NamedTuple):
-    """One answer: its rows, what was assumed and noted, the derivation, and what was given.
+    """One answer: rows, assumptions, notes, derivation and inputs.
 
-    A conversion has one result, whose name goes without saying where people read it: it is not
-    `named`.
+    The single result of a conversion is not `named`: texts omit its name.
     """
 
     rows: tuple[Row, ...]
@@ -78,7 +77,7 @@ class Result(NamedTuple):
     named: bool = True
 
     def spelled(self, spell: Callable[[str], str]) -> "Result":
-        """Return the same with the symbols that its texts mention spelled as a gate spells them."""
+        """Return the result with the mentions in its texts spelled by `spell`."""
         return self._replace(
             assumptions=tuple(map(spell, self.assumptions)), notes=tuple(map(spell, self.notes))
         )
@@ -88,17 +87,15 @@ ALONE: dict[Dimension, Any] = {}
 
 
 class Value(NamedTuple):
-    """One result of a calculator, in coherent SI units, with the units it is shown in.
+    """One result of a calculator, in coherent SI units, with its shown units.
 
-    `dimensions` are those of the units in which it may be asked for; the first is its own.  `si`
-    may be a function, where working it out is worth waiting until it is looked at.  `reach` has
-    the same thing of other kinds, by their dimensions, where the conditions link them.  `given`
-    is the number that the user gave, in the first of the units; `also` is another name of it.
-    `exact` is the number in that unit where it is known so, and not by way of SI units.
-    Where what was given is uncertain, the numbers are those of the `uncertainties` package.
-    The `form` is how people read them.
-    A result that does not follow has no units; `lacking` tells in words what would do, or
-    `because` why none would.
+    `dimensions` are those of the accepted units; the first is the result's own.  `si` may be a
+    function, called on demand.  `reach` has the amounts in linked kinds, by dimension.  `given` is
+    the input number in the first unit, `exact` a number known in that unit without a conversion
+    from SI; `also` is another name.  With uncertain inputs, numbers are those of the
+    `uncertainties` package.  `form` is the form of the numbers.
+    A result that does not follow has no units; `lacking` returns the inputs that would give it, or
+    `because` is the reason why none would.
     """
 
     name: str
@@ -117,7 +114,7 @@ class Value(NamedTuple):
 
     @property
     def in_first(self) -> Any:
-        """The number in the first of the units, as it was typed or is known; None elsewhere."""
+        """The number in the first unit, as typed or known exactly; otherwise None."""
         return self.exact if self.given is None else self.given
 
     @property
@@ -127,12 +124,12 @@ class Value(NamedTuple):
 
     @property
     def is_absent(self) -> bool:
-        """Check whether it does not follow from what is given."""
+        """Return whether the inputs do not give the result."""
         return self.lacking is not None or self.because is not None
 
 
 class Answer(NamedTuple):
-    """What a calculator gives; `more` are the other answers, where several fit what is given."""
+    """The answer of a calculator; `more` are further answers if several fit the inputs."""
 
     values: Sequence[Value]
     assumptions: Sequence[str] = ()
@@ -142,10 +139,7 @@ class Answer(NamedTuple):
 
 
 def varying(inputs: Sequence[Sequence[ShownInput]]) -> list[str]:
-    """Return the names of the inputs that are not the same in all answers, and of arrays.
-
-    And of those that tell an answer from others, of which there may be none.
-    """
+    """Return the names of inputs that differ between answers, are arrays, or `tells` marks."""
     by_name = [{shown_input.name: shown_input for shown_input in group} for group in inputs]
     names = dict.fromkeys(name for group in by_name for name in group)
     return [
@@ -162,5 +156,5 @@ def _differ(first: ShownInput | None, second: ShownInput | None) -> bool:
 
 
 def shows(row: Row, name: str) -> bool:
-    """Check whether a row has what was given under a name."""
+    """Return whether a row shows the input of a name."""
     return row.given and name in (row.name, row.quantity.replace(" ", "-"))

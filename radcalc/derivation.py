@@ -1,4 +1,4 @@
-"""The steps of a derivation: a formula in symbols, then in numbers, and where it comes from."""
+"""The steps of a derivation: a formula in symbols, then in numbers, with its source."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -10,7 +10,7 @@ from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.unit import unit_behind
 
-# What derivations write in other than coherent units, and how many of these are in one.
+# Units of derivations that are not coherent, and their number in one coherent unit.
 CUSTOMARY = {"nm": 1e9, "THz": 1e-12, "cm-1": 0.01, "mrad": 1e3}
 ASCII = {
     "2α": "2 alpha",
@@ -39,7 +39,7 @@ DIGITS, MOST_DIGITS = 6, 17
 
 
 def format_number(value: Any, digits: int = DIGITS) -> str:
-    """A number for a derivation or a message; an array by its least and its greatest element."""
+    """Return a number for a derivation or a message; for an array, its least and greatest."""
     if not isinstance(value, (int, float)) and is_array(value):
         if not value.size:
             return "no numbers"
@@ -49,7 +49,7 @@ def format_number(value: Any, digits: int = DIGITS) -> str:
 
 
 def digits_apart(first: Any, second: Any) -> int:
-    """Return how many digits tell two numbers from each other, and their ratio from 1."""
+    """Return how many digits distinguish two numbers, and their ratio from 1."""
     digits = DIGITS
     if isinstance(first, float) and isinstance(second, float) and first != second:
         while abs(first - second) < 10.0 ** (1 - digits) * abs(first) and digits < MOST_DIGITS:
@@ -58,12 +58,12 @@ def digits_apart(first: Any, second: Any) -> int:
 
 
 def format_angle(angle: Any, digits: int = DIGITS) -> str:
-    """An angle [rad] for a derivation."""
+    """Return an angle [rad] for a derivation, in degrees."""
     return f"{format_number(angle * (180 / math.pi), digits)} deg"
 
 
 def format_value(value: Any, unit: str, digits: int = DIGITS) -> str:
-    """A value in a coherent unit, for a derivation."""
+    """Return a value in a coherent unit, for a derivation."""
     if unit == "rad":
         return format_angle(value, digits)
     if unit in CUSTOMARY:
@@ -72,24 +72,24 @@ def format_value(value: Any, unit: str, digits: int = DIGITS) -> str:
 
 
 def with_unit(number: str, unit: str) -> str:
-    """A number and its unit; one without a unit alone."""
+    """Return a number with its unit, if it has one."""
     return number + unit_behind(unit)
 
 
 def letter_of(name: str) -> str:
-    """Return how a formula in ASCII writes a symbol."""
+    """Return the letter of a symbol in ASCII formulas."""
     return in_ascii(SYMBOLS[name].letter or name)
 
 
 def in_ascii(letter: str) -> str:
-    """Return the letter of a symbol without Greek and signs."""
+    """Return a letter with Greek letters and signs spelled in ASCII."""
     for sign, word in ASCII.items():
         letter = letter.replace(sign, word)
     return letter
 
 
 def coherent_unit_of(name: str, kind: str = "") -> str:
-    """Return the unit in which a derivation shows a symbol; a light quantity is of a kind."""
+    """Return the unit of a symbol in derivations; for a light quantity, of a kind."""
     symbol = SYMBOLS[name]
     if symbol.geometry:
         return light_unit(symbol.generic, symbol.kind or kind, coherent=True)
@@ -97,9 +97,9 @@ def coherent_unit_of(name: str, kind: str = "") -> str:
 
 
 def fill(template: str, write: Callable[[str, bool], str]) -> str:
-    """A template with each {name} replaced by `write(name, is_factor)`.
+    """Return a template with each {name} replaced by `write(name, is_factor)`.
 
-    What is raised to a power, or followed by another factor, needs brackets round its unit.
+    A factor, raised to a power or followed by another factor, needs brackets if it has a unit.
     """
     head, *parts = template.split("{")
     text = head
@@ -110,11 +110,11 @@ def fill(template: str, write: Callable[[str, bool], str]) -> str:
     return text
 
 
-FOLLOWING = tuple("/+-*=),")  # what follows a value that is no factor, or the last of them
+FOLLOWING = tuple("/+-*=),")  # characters after a value that is not a factor, or the last one
 
 
 class Formula(NamedTuple):
-    """A formula with {names} of symbols in it, and where it comes from."""
+    """A formula with {names} of symbols, and its source."""
 
     name: str
     template: str
@@ -126,9 +126,9 @@ class Formula(NamedTuple):
         return fill(self.template, lambda name, _: letter_of(name))
 
     def step(self, values: Mapping[str, Any], result: str, kind: str = "") -> Step:
-        """The formula with values [SI] put in, and what was found; other symbols stay letters.
+        """Return the formula with values [SI] and a result; symbols without values stay letters.
 
-        Light quantities are of a kind.
+        `kind` is the kind of light quantities.
         """
 
         def write(name: str, is_factor: bool) -> str:
@@ -137,12 +137,12 @@ class Formula(NamedTuple):
             text = format_value(values[name], coherent_unit_of(name, kind))
             return f"({text})" if is_factor and not text.endswith(" deg") else text
 
-        body = self.template.partition(", ")[0]  # what stands behind a comma is a remark
+        body = self.template.partition(", ")[0]  # a remark may follow a comma
         numbers = fill(body.replace("Omega0", "sr"), write)
         return self.with_numbers(f"{numbers} = {result}")
 
     def with_numbers(self, numbers: str) -> Step:
-        """Return the formula, and a sentence where its numbers are too many to be put in."""
+        """Return the formula with a text of its numbers."""
         left, _, right = self.text.partition(" = ")
         formula = "" if left == right else self.text  # cos(theta) = cos(theta)
         return Step(self.name, formula, numbers, self.reference)

@@ -186,9 +186,9 @@ CONVERSIONS = {
     "a bandwidth of metres is out of range": (
         "lm/m", "lm", {"bandwidth": "5m"}, "out of range", "1 mm"),
     "a distance beyond all measure is refused": (
-        "cd", "lx", {"distance": "1e200m"}, "beyond", "1e+100"),
+        "cd", "lx", {"distance": "1e200m"}, "out of range", "1e+100"),
     "a distance below all measure is refused": (
-        "cd", "lx", {"distance": "1e-200m"}, "beyond", "1e-100"),
+        "cd", "lx", {"distance": "1e-200m"}, "out of range", "1e-100"),
     "steradians are no angle": (
         "lm", "cd", {"half-angle": "1sr"}, "takes an angle, not solid angle", "30deg"),
     "a comma in a number is refused": ("lx", "cd/m2", {"reflectance": "0,8"}, "comma", "0.8"),
@@ -412,7 +412,7 @@ COMMANDS = {
     "an expression that is 0 everywhere is refused": ("integrate x-x --sphere", "is 0"),
     "an expression that has no value is refused": ("integrate 1/(x-x) --sphere", "no value"),
     "what is not per solid angle is not integrated over it": (
-        "integrate z --sphere --unit lx", "illuminance (lx) is nothing per solid angle"),
+        "integrate z --sphere --unit lx", "illuminance (lx) is not a quantity per solid angle"),
     "an attribute is not allowed in an expression": ("integrate x.real --sphere", "is not allowed"),
     "a long chain of attributes is not allowed in an expression": (
         "integrate " + "x" + ".a" * 490 + " --sphere", "is not allowed"),

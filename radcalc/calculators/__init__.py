@@ -1,1 +1,1 @@
-"""One module a command: which symbols it takes, which laws, what it assumes."""
+"""Calculators, one module each: inputs, laws and assumptions."""

@@ -1,4 +1,4 @@
-"""Light measured by the heat it leaves in a body that absorbs it."""
+"""Radiant flux and energy from the temperature rise of an absorbing body."""
 
 from radcalc.answer import Answer
 from radcalc.calculators.page import Page
@@ -16,11 +16,11 @@ PAGE = Page(
     (*BODY, "absorptance", "time", "receiver-area"),
     QUANTITIES,
     ("heat", *BODY, "absorptance", "time", "receiver-area"),
-    about="Give the radiant flux that heats a body, or how warm a flux makes it.",
+    about="Give the radiant flux that heats a body, or the temperature rise by a flux.",
     sections={"Light": QUANTITIES, "Body": (*BODY, "absorptance", "receiver-area", "time")},
     texts={
         "receiver-area": "The area that the light falls on.",
-        "time": "How long it is in the light.",
+        "time": "Time for which the body is in the light.",
         "flux": ("100W", "The flux on the body."),
         "irradiance": ("100W/m2", "The irradiance on the body (with {receiver-area})."),
         "energy": ("100J", "The energy that reaches the body (with {time})."),
@@ -35,7 +35,7 @@ PAGE = Page(
 
 
 def calorimeter(given: Inputs) -> Answer:
-    """Radiant flux and energy from a temperature rise, or any of them from the others."""
+    """Return radiant flux, energy and temperature rise from a sufficient set."""
     sheet, placed = worksheet(PAGE, given), Placed()
     if sheet.lit.kind != RADIANT or sheet.lit.links:
         raise ConditionError(
@@ -43,7 +43,7 @@ def calorimeter(given: Inputs) -> Answer:
         )
     if not given:
         hint = mention("{mass}, {specific-heat} and {temperature-rise}")
-        raise MissingInput("nothing is given", hint)
+        raise MissingInput("the inputs are missing", hint)
     placed.default(sheet, LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed")
     placed.assume("no heat is lost")
     solved = solve(sheet, LAWS, placed)

@@ -1,4 +1,4 @@
-"""The page of conversions, which are worked out in `conversion`."""
+"""The page of conversions; `conversion` has the calculations."""
 
 from radcalc.calculators.page import CONVERSION, Operand, Page
 from radcalc.quantities.symbols import LINKS, METER_UNITS, REFINEMENTS
@@ -36,10 +36,10 @@ PAGE = Page(
         "diameter": "Diameter of a circular area.",
         "area": "Uniform over that area.",
         "distance": "Straight line from a small source to the receiver.",
-        "tilt": "Angle between the normal of a surface and the way its light takes.",
-        "incidence": "Angle between the light and the normal of the surface that is lit.",
-        "half-angle": "Uniform over the cone of that half angle, from axis to edge.",
-        "apex-angle": "Uniform over the cone of that full angle, from edge to edge.",
+        "tilt": "Angle between the normal of a luminous surface and the direction of its light.",
+        "incidence": "Angle between the light and the normal of the illuminated surface.",
+        "half-angle": "Uniform over a cone of that half angle, from axis to edge.",
+        "apex-angle": "Uniform over a cone of that full angle, from edge to edge.",
         "solid-angle": "Uniform over that solid angle.",
         "exponent": "A lobe that falls off as a power of the cosine; 1 is Lambertian.",
         "beam-angle": "A cosine-power lobe of that full angle at half the peak intensity.",

@@ -1,4 +1,4 @@
-"""A direction, or what a mirror makes of it, in spherical coordinates and as a unit vector."""
+"""A direction or its reflection, in spherical coordinates and as a unit vector."""
 
 import math
 from collections.abc import Sequence
@@ -24,8 +24,7 @@ from radcalc.units.unit import NUMBER
 ANGLES, MIRRORS = ("polar", "elevation", "azimuth"), ("reflect-at", "reflect-to")
 ON_BALL = ("mirror-ball-u", "mirror-ball-v", "mirror-ball-w")
 PAGE = Page(
-    about="Give a direction in spherical coordinates and as a unit vector, or what a mirror makes "
-    "of it.",
+    about="Give a direction, or its reflection, in spherical coordinates and as a unit vector.",
     operand=Operand("vector", "[X Y Z]"),
     sections={"Angles": ANGLES, "Mirrors": ("mirror-ball", *MIRRORS)},
     examples=(
@@ -39,16 +38,16 @@ PAGE = Page(
         "0 0 1 reflect-to=1,0,0                (the mirror's normal)",
     ),
     remarks="The polar angle is counted from +z, the azimuth from +x towards +y; the elevation "
-    "is 90 degrees less the polar angle. Directions point away from a mirror: to where "
-    "the light comes from, and to where it goes. A mirror ball is seen along -z from "
-    "far away, x to the right and y up; where it shows a direction is a result when "
-    "asked for by name: mirror-ball-u and mirror-ball-v, and mirror-ball-w, with which "
-    "they are the ball's normal there.",
+    "is 90 degrees minus the polar angle. Directions point away from a mirror: towards the "
+    "source of the light, and to where the light goes. A mirror ball is seen along -z from "
+    "far away, x to the right and y up. The results mirror-ball-u and mirror-ball-v, shown on "
+    "request, are the place on the ball that shows a direction; with mirror-ball-w they are "
+    "the ball's normal there.",
     mistakes=("direction",),
 )
 
 CONVENTION = "polar angle from +z, azimuth from +x towards +y (ISO 80000-2)"
-UNIT = "x, y and z are those of the unit vector"
+UNIT = "x, y and z are the unit vector"
 AWAY = "the direction d and its reflection r point away from the mirror"
 BALL_AXES = (
     "a mirror ball seen along -z, from far away: x to the right, y up, z towards the camera; "
@@ -60,14 +59,14 @@ UNIT_VECTOR = Formula(
     "unit vector", "x = sin(theta) cos(phi), y = sin(theta) sin(phi), z = cos(theta)"
 )
 REFLECTION = Formula("reflection", "r = 2 (n.d) / (n.n) n - d")
-BISECTOR = Formula("normal of the mirror", "n = d/|d| + r/|r|, over its length")
+BISECTOR = Formula("normal of the mirror", "n = d/|d| + r/|r|, divided by its length")
 BALL = Formula("mirror ball", "(x, y, z) = (2 u w, 2 v w, 2 w^2 - 1), w = sqrt(1 - u^2 - v^2)")
-POLE = "at a pole every azimuth is right"
-LEAST = 2**-53  # of a unit vector's coordinate: below it is what the angle's rounding makes of 0
+POLE = "at a pole the azimuth is arbitrary"
+LEAST = 2**-53  # a smaller coordinate of a unit vector is a rounded 0
 
 
 def task(words: Sequence[str], wants: Wants) -> Task:
-    """Return the task of a call, whose words may be the coordinates of a vector."""
+    """Return the task of a call, with or without the coordinates of a vector."""
     coordinates = words[0].split(",") if len(words) == 1 else list(words)
     vector, unit = _read(coordinates) if words else (None, "")
     with_ball = any(map(wants, ON_BALL))
@@ -96,11 +95,11 @@ def _read(coordinates: list[str]) -> tuple[Vector, str]:
 def direction(
     given: Inputs, vector: Vector | None = None, unit: str = "", with_ball: bool = False
 ) -> Answer:
-    """Return the answer to a direction given by coordinates, by angles or by a mirror ball.
+    """Return the answer for a direction given by coordinates, angles or a mirror ball.
 
-    `given` are the angles or the place on the ball, and the mirror that reflects it; a `vector`
-    is in SI units where its coordinates had a `unit`.  `with_ball` adds the place on a mirror
-    ball that shows what is found.
+    `given` are the angles or the place on the ball, and a mirror; a `vector` is in SI units if
+    its coordinates have a `unit`.  `with_ball` adds the place on a mirror ball that shows the
+    resulting direction.
     """
     refuse_foreign(given, (*ANGLES, *MIRRORS, "mirror-ball"), "a direction")
     if "mirror-ball" in given:
@@ -120,10 +119,10 @@ def direction(
 
 
 def of_vector(x: Number, y: Number, z: Number, unit: str = "") -> Answer:
-    """Return the direction of a vector; its coordinates in SI units where they had a unit."""
+    """Return the direction of a vector; its coordinates are in SI units if they have a unit."""
     polar, azimuth, length = spherical(x, y, z)
     unit_vector = (x / length, y / length, z / length)
-    notes = [f"{POLE}, and 0 is given"] if any_true(_is_at_pole(x, y)) else []
+    notes = [f"{POLE}; 0 is shown"] if any_true(_is_at_pole(x, y)) else []
     from_axis, far = format_number(hypot(x, y)), format_number(z)
     steps = [
         POLAR.with_numbers(f"theta = atan2({from_axis}, {far}) = {format_angle(polar)}"),
@@ -148,13 +147,13 @@ def _is_at_pole(x: Number, y: Number) -> Any:
 
 
 def _from_angles(given: Inputs) -> tuple[Number, Number, Vector, Step]:
-    """Polar angle, azimuth and unit vector, with its derivation."""
+    """Return polar angle, azimuth and unit vector, with the derivation of the vector."""
     given_angle = one_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = one_of(given, "the azimuth", "azimuth").value
     polar = given_angle.value if given_angle.name == "polar" else math.pi / 2 - given_angle.value
     x, y, z = cartesian(polar, azimuth)
     if given_angle.name == "elevation":
-        z = sin(given_angle.value)  # without the rounding of a right angle
+        z = sin(given_angle.value)  # avoids the rounding error of a right angle
         x, y = cos(given_angle.value) * cos(azimuth), cos(given_angle.value) * sin(azimuth)
     x, y, z = _without_rounding((x, y, z), LEAST)
     numbers = f"theta = {format_angle(polar)}, phi = {format_angle(azimuth)}; "
@@ -212,7 +211,7 @@ def _angle(first: Vector, second: Vector) -> Number:
 
 
 def _refuse_behind(normal: Input, incidence: Number) -> None:
-    """Refuse a direction from which only the back of a mirror is seen."""
+    """Refuse a direction behind a mirror."""
     if any_true(incidence > math.pi / 2 * (1 + SLACK)):
         turned = ",".join(format_number(-component, 15) for component in normal.value)
         raise ConditionError(
@@ -232,16 +231,16 @@ def _of_ball(place: Input) -> Answer:
     if is_outside(MIRROR_BALL, u, v):
         ratio = format_number(hypot(u, v))
         raise ConditionError(
-            f"{option('mirror-ball', quote(place.text))} is beside the ball, {ratio} times its "
+            f"{option('mirror-ball', quote(place.text))} is outside the ball, {ratio} times its "
             "radius from the middle",
             "u and v with u^2 + v^2 of at most 1",
         )
-    z, x, y = direction_at(MIRROR_BALL, u, v)  # whose x is towards the camera
+    z, x, y = direction_at(MIRROR_BALL, u, v)  # returns x towards the camera
     answer = _on_ball(of_vector(x, y, z), (u, v))
     w = next(row.si for row in answer.values if row.name == "mirror-ball-w")
     numbers = f"u = {format_number(u)}, v = {format_number(v)}, w = {format_number(w)}; "
     step = BALL.with_numbers(f"{numbers}(x, y, z) = {_format_vector((x, y, z))}")
-    notes = ["at its rim the ball shows what is behind it"] if w == 0 else []
+    notes = ["the rim of the ball shows the direction behind it"] if w == 0 else []
     return answer._replace(
         assumptions=[CONVENTION, BALL_AXES],
         notes=[*notes, *answer.notes],
@@ -250,11 +249,11 @@ def _of_ball(place: Input) -> Answer:
 
 
 def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer:
-    """An answer with the place on a mirror ball that shows its direction, and the normal there."""
+    """Add the place on a mirror ball that shows the direction, and the normal there."""
     coordinates = {item.name: item.si for item in answer.values}
     x, y, z = (coordinates[name] for name in "xyz")
     u, v = given or place_of(MIRROR_BALL, z, x, y)
-    # 1 + z, next to -z without losing digits
+    # sqrt((1 + z) / 2), without cancellation for z near -1
     w = piecewise(
         z > 0,
         lambda across, z: sqrt((1 + z) / 2),
@@ -278,7 +277,7 @@ def _length(length: Any, unit: str = "") -> Value:
 
 
 def _rows(polar: Any, azimuth: Any, vector: Vector, given: Inputs) -> list[Value]:
-    """Return the results that both have; an angle that was given as it was given."""
+    """Return the angles, as given where they are inputs, and the unit vector."""
     x, y, z = vector
     angles = {"polar": polar, "azimuth": azimuth, "elevation": atan2(z, hypot(x, y))}
     rows = [

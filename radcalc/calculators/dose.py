@@ -1,7 +1,7 @@
-"""What samples of light in time add up to: exposure or energy, by the trapezoidal rule.
+"""Exposure or energy of samples of light over time, by the trapezoidal rule.
 
-Between two samples the light is taken to run straight.  A step that is longer than `max-gap`, or
-from which a sample was left out, is a gap: nothing is added there, and it is told.
+Values between samples are interpolated linearly.  A step that is longer than `max-gap`, or that
+lacks a sample, is a gap: it adds nothing, and a note reports it.
 """
 
 from bisect import bisect_left
@@ -26,9 +26,9 @@ from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.units.unit import Unit, divide
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
-WHOLE = (3600, 86400)  # seconds of an hour and of a day without a change of clocks
-NOISE = 0.05  # of the peak: negative readings within it are a meter's offset
-LONG = 10  # times the mean of the others: a step that is told
+WHOLE = (3600, 86400)  # seconds of an hour, and of a day without a clock change
+NOISE = 0.05  # of the peak: smaller negative readings are a meter's offset
+LONG = 10  # times the mean of the others: longer steps are noted
 MOST = 100_000  # periods: 11 years of hours
 SLACK = 1e-9  # of a number of units
 ROUNDED = 1e-3  # of a gap's limit: times in a log are rounded, as 600.05 s for 10 min in days
@@ -45,42 +45,42 @@ SUM = {
 OF = {IRRADIANCE: ("exposure", "maximum-irradiance"),
       FLUX: ("energy", "maximum-flux")}  # fmt: skip
 MEANS, PEAKS = ("mean-irradiance", "mean-flux"), ("maximum-irradiance", "maximum-flux")
-# Why a time has none of them, and what to do.
-EMPTY = "nothing is covered", mention("a longer {max-gap}, or all results, in which it is empty")
+# The problem and the hint for a period without samples.
+EMPTY = "no time is covered", mention("a longer {max-gap}, or all results, in which it is empty")
 PAGE = Page(
     "a dose",
     ("receiver-area",),
     ("exposure", "energy", *MEANS, *PEAKS),
-    about="Add up samples of light in time: exposure, energy, daily light integral.",
+    about="Add up samples of light over time: exposure, energy, daily light integral.",
     operand=Operand("file", "FILE|-", FILE, ENDINGS),
     sections={"Times": ("max-gap",), "Light": ("receiver-area", *LINKS, *REFINEMENTS)},
     takes_lines=False,
 )
-# What people read an exposure or an energy in, by the unit that is shown beside it.
+# Customary units of an exposure or an energy, by the coherent unit.
 CUSTOMARY_UNITS = {
     "lx s": "lx h", "J/m2": "Wh/m2", "umol/m2": "mol/m2", "umol": "mol", "lm s": "lm h", "J": "Wh",
 }  # fmt: skip
 
-Spans = Callable[[float], tuple[float, float, str]]  # the period of a time: from, to, its name
+Spans = Callable[[float], tuple[float, float, str]]  # a time's period: start, end and name
 
 
 def check_unit(unit: Unit) -> None:
-    """Refuse samples whose sum over time is no exposure and no energy."""
+    """Refuse samples whose integral over time is neither an exposure nor an energy."""
     reading = read_light(unit)
     if reading and not reading.axis and not reading.retinal:
         if reading.geometry in OF and not unit.is_scale:
             return
         if reading.time:
-            problem = f"{describe(unit)} is a sum over time already"
+            problem = f"{describe(unit)} is already integrated over time"
             raise ConditionError(problem, "samples of an irradiance, illuminance, PPFD or flux")
     raise ConditionError(
-        f"{describe(unit)} adds up to no exposure and no energy",
+        f"the integral of {describe(unit)} over time is neither an exposure nor an energy",
         "samples of an irradiance, illuminance, PPFD or flux: W/m2, lx, umol/m2/s, W, lm",
     )
 
 
 class SampleStep(NamedTuple):
-    """From one sample to the next: the length and the ends [ticks]."""
+    """The step from one sample to the next: its length and its ends [ticks]."""
 
     length: float
     start: float
@@ -114,11 +114,11 @@ class Period:
         self.total = self.low = 0.0
         self.covered: float = 0
         self.count = 0
-        self.is_in_gap = False  # the whole of it, or a sample between two gaps
+        self.is_in_gap = False  # also for a single sample between two gaps
         self.peak, self.when = -inf, start
 
     def take(self, times: list[Any], values: list[float], steps: list[Any]) -> None:
-        """Add what lies between samples, of which the first may have been counted before."""
+        """Add the light between samples; the first may have been counted before."""
         highest = max(values)
         if highest > self.peak:
             self.peak, self.when = highest, times[values.index(highest)]
@@ -133,12 +133,12 @@ class Period:
 
 
 class Dose:
-    """Samples as they come, added up over all of the log, or by periods of it."""
+    """Samples added up over the whole log or by period."""
 
     def __init__(self, longest: float = inf, bridges: bool = False, spans: Spans | None = None):
-        """Take the longest step to be bridged [ticks], and what cuts time into periods.
+        """Take the longest step to bridge [ticks], and the periods.
 
-        It `bridges` a sample that was left out, where somebody said how long a step may be.
+        With `bridges`, a missing sample does not make a gap by itself.
         """
         self.longest = longest * (1 + ROUNDED)
         self.bridges = bridges
@@ -152,15 +152,15 @@ class Dose:
         self.plain, self.first_value = 0.0, 0.0  # the sum of the samples, without their times
         self.peak, self.peak_at = -inf, 0.0
         self.gaps, self.gap_time, self.widest = 0, 0.0, NO_STEP
-        self.step = NO_STEP  # the longest that is bridged
+        self.step = NO_STEP  # the longest bridged step
         self.negative, self.below, self.least, self.least_at = 0, 0.0, 0.0, 0.0
 
     def interrupt(self) -> None:
-        """A sample is missing here: what lies between its neighbours is not known."""
+        """Record that a sample is missing here."""
         self.is_broken = not self.bridges
 
     def add(self, times: list[Any], values: list[float]) -> None:
-        """Take samples in the order of their times, of which there is at least one."""
+        """Add one or more samples in the order of their times."""
         self._watch(times, values)
         counted = 0  # samples of the run that were counted before
         if self.first is None:
@@ -181,7 +181,7 @@ class Dose:
         self._run(times[start:], values[start:], steps[start:], counted)
 
     def _watch(self, times: list[Any], values: list[float]) -> None:
-        """Keep the greatest sample, and what is below 0."""
+        """Record the greatest sample and negative ones."""
         self.count += len(times)
         self.plain += sum(values)
         high, low = max(values), min(values)
@@ -204,7 +204,7 @@ class Dose:
             self._period(period.end)
 
     def _run(self, times: list[Any], values: list[float], steps: list[Any], counted: int) -> None:
-        """Add samples without a gap between them, cut at the ends of periods."""
+        """Add samples without gaps, split at the ends of periods."""
         if steps:
             longest = max(steps)
             if longest > self.step.length:
@@ -253,7 +253,7 @@ class Dose:
 
 
 class SummedLog(NamedTuple):
-    """Samples added up: the unit they are in, a tick as a ratio of seconds, how a time is said."""
+    """A summed log: the unit of its samples, a tick as a ratio of seconds, a format of times."""
 
     dose: Dose
     unit: Unit
@@ -261,30 +261,30 @@ class SummedLog(NamedTuple):
     say: Callable[[float], str]
 
     def seconds(self, ticks: float) -> float:
-        """A number of ticks in seconds."""
+        """Return a number of ticks in seconds."""
         return _exact(ticks, self.tick)
 
     def check(self) -> None:
-        """Refuse what is no dose: too few samples, or readings that are no light."""
+        """Refuse a log with too few samples, without covered time, or with negative light."""
         dose, unit = self.dose, self.unit.text
         if dose.count < 2:
-            problem = "one sample makes no dose" if dose.count else "there is no sample"
+            problem = "one sample is not enough" if dose.count else "there is no sample"
             raise ConditionError(problem, "two samples or more")
         if not any(period.covered for period in dose.periods):
             longest = _duration_text(self.seconds(dose.widest.length))
             raise ConditionError(
-                "every step is a gap, and nothing is added up",
+                "every step is a gap, so there is nothing to add up",
                 f"{option('max-gap', longest)}, which bridges all of them",
             )
         if dose.least < -NOISE * dose.peak:
             raise ConditionError(
                 f"a sample of {format_number(dose.least)} {unit} at {self.say(dose.least_at)} is "
                 f"too far below 0 for a meter's offset (the peak is {format_number(dose.peak)})",
-                "a column of light, and no marks such as -99 for what is missing",
+                "a column of light, without marks such as -99 for missing values",
             )
 
     def remarks(self) -> list[str]:
-        """Return what is to be said of the samples."""
+        """Return the notes on the samples."""
         dose, unit = self.dose, self.unit.text
         notes = [
             f"the greatest sample, {format_number(dose.peak)} {unit}, is at "
@@ -303,7 +303,7 @@ class SummedLog(NamedTuple):
             if other_steps > 0 and dose.step.length > LONG * mean:
                 between = self._between(mean, dose.step.length)
                 notes.append(
-                    f"bridged by a straight line: a step of {self._describe(dose.step)}; the "
+                    f"interpolated linearly: a step of {self._describe(dose.step)}; the "
                     f"others have {_duration(self.seconds(mean))} on average "
                     f"({option('max-gap', between)} would leave it out)"
                 )
@@ -317,7 +317,7 @@ class SummedLog(NamedTuple):
         return notes
 
     def _between(self, mean: float, longest: float) -> str:
-        """A duration that is as far from both, as one types it."""
+        """Return the geometric mean of two durations, as typed."""
         return _duration_text(self.seconds(mean) ** 0.5 * self.seconds(longest) ** 0.5)
 
     def _describe(self, step: SampleStep) -> str:
@@ -346,7 +346,7 @@ class SummedLog(NamedTuple):
         )
 
     def of_periods(self, given: Inputs) -> Iterator[tuple[str, Answer]]:
-        """Yield the dose of each day or hour, by its name; the first has the remarks on all."""
+        """Yield the dose of each day or hour, with its name; the first has the notes on all."""
         notes = self.remarks()
         for period in self.dose.periods:
             if period.covered or period.is_in_gap:
@@ -354,13 +354,13 @@ class SummedLog(NamedTuple):
                 seconds = self.seconds(period.end - period.start)
                 covered, length = _duration(self.seconds(period.covered)), _duration(seconds)
                 if period.count and not period.covered:
-                    notes = [f"{period.label}: nothing is covered", *notes]
+                    notes = [f"{period.label}: no time is covered", *notes]
                 elif period.covered and covered != length:
                     notes = [f"{period.label}: {covered} of {length} are covered", *notes]
                 if seconds not in WHOLE:
-                    beginning = f"{period.label} has {length}: the clocks are changed, and"
+                    beginning = f"{period.label} has {length}: the clocks change, and"
                     notes = [
-                        f"{beginning} time-of-maximum is what has passed since it began",
+                        f"{beginning} time-of-maximum is the time since its start",
                         *notes,
                     ]
                 yield period.label, answer._replace(notes=[*answer.notes, *notes])
@@ -382,7 +382,7 @@ class SummedLog(NamedTuple):
         unit = coherent_unit_of(amount, reading.kind)
         sum_text = f"{format_value(size, unit)}, of {period.count} samples"
         placed.steps.append(SUM[geometry].with_numbers(f"{letter_of(amount)} = {sum_text}"))
-        placed.assume("the light runs straight between samples (the trapezoidal rule)")
+        placed.assume("values between samples are interpolated linearly (trapezoidal rule)")
         laws = [MEAN[geometry], RECEIVED] if covered else [RECEIVED]
         answer = solve(sheet, laws, placed).answer()
         duration = self.seconds(period.end - period.start)
@@ -409,7 +409,7 @@ def _sum(values: list[float], steps: list[Any]) -> float:
     """Return the area under straight lines between values."""
     try:
         return fsum(map(mul, map(add, values[1:], values), steps)) / 2
-    except (OverflowError, ValueError):  # beyond a float, in sum or with both signs
+    except (OverflowError, ValueError):  # too large for a float, or infinities of both signs
         return inf
 
 
@@ -422,13 +422,13 @@ def _area_below(first: float, second: float, step: float) -> float:
 
 
 def _customary(result: Value) -> Value:
-    """An exposure or energy in the unit that people read it in, too."""
+    """Return a result with its customary unit added, if it has one."""
     also = CUSTOMARY_UNITS.get(result.units[0]) if result.units else None
     return result._replace(units=(also, *result.units)) if also else result
 
 
 def _exact(number: float, *ratios: tuple[int, int]) -> float:
-    """A number times ratios, rounded once."""
+    """Return a number times ratios, rounded once."""
     if number - number == 0:
         over, under = number.as_integer_ratio()
         for top, bottom in ratios:
@@ -436,18 +436,18 @@ def _exact(number: float, *ratios: tuple[int, int]) -> float:
             under *= bottom
         number = divide(over, under)
     if number - number:
-        raise NumberError("the sum cannot be held by a number", "less extreme samples")
+        raise NumberError("the sum is too large for a number", "less extreme samples")
     return number
 
 
 def _duration(seconds: float) -> str:
-    """A duration for people."""
+    """Return a duration as text, in a suitable unit."""
     size, unit = _unit_of_time(seconds)
     return f"{format_number(seconds / size)} {unit}"
 
 
 def _duration_text(seconds: float) -> str:
-    """A duration as one types it, of two digits, and no shorter."""
+    """Return a duration as typed, rounded up to two digits."""
     size, unit = _unit_of_time(seconds)
     number = seconds / size
     last = 10.0 ** (floor(log10(number)) - 1)
@@ -455,7 +455,7 @@ def _duration_text(seconds: float) -> str:
 
 
 def _unit_of_time(seconds: float) -> tuple[int, str]:
-    """Return the unit in which people tell a duration, and its seconds."""
+    """Return a suitable unit of a duration, as its seconds and its name."""
     for least, size, unit in ((172800, 86400, "d"), (3600, 3600, "h"), (60, 60, "min")):
         if seconds >= least:
             return size, unit

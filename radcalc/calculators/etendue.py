@@ -1,4 +1,4 @@
-"""The etendue between a source and a receiver or a cone, and the flux that a radiance gives it."""
+"""The etendue of a source with a receiver or a cone, and the flux of a radiance."""
 
 from typing import Any
 
@@ -35,7 +35,7 @@ PAGE = Page(
     about="Give the etendue of a source, and the flux that a radiance sends through it.",
     sections={
         "Source": (*SOURCES, "tilt"),
-        "Cone of its light": CONES,
+        "Cone of light": CONES,
         "Receiver": (*RECEIVERS, "distance", "incidence"),
         "Light": ("etendue", "radiance", "flux"),
         "Kinds of light": (*LINKS, *REFINEMENTS),
@@ -52,17 +52,17 @@ PAGE = Page(
         "etendue=1mm2.sr area=4mm2 get=half-angle:deg",
         "etendue=1mm2.sr flux=1W",
     ),
-    remarks="A source and a cone, or a source and a receiver: two discs ({radius}, "
-    "{receiver-radius}) that face each other are exact, other patches must be small beside their "
-    "distance.  Any sufficient set of them, the etendue, the flux and the radiance gives the rest.",
+    remarks="Give a source and a cone, or a source and a receiver.  Two discs ({radius}, "
+    "{receiver-radius}) that face each other are exact; other patches must be small compared to "
+    "their distance.  Any sufficient set of sizes, etendue, flux and radiance gives the others.",
     mistakes=("projected cone",),
 )
 
 
 def etendue(given: Inputs) -> Answer:
-    """Return the etendue of a source and a cone of light, or of a source and a receiver.
+    """Return the etendue of a source and a cone or a receiver, with the sizes, flux and radiance.
 
-    Any sufficient set of the sizes, the etendue, the flux and the radiance gives the others.
+    Any sufficient set of these gives the others.
     """
     has_cone = any(name in given for name in CONES)
     has_receiver = any(name in given for name in RECEIVERS)
@@ -86,7 +86,7 @@ def etendue(given: Inputs) -> Answer:
     if any_true(size == 0):
         solved.note("one of the patches is seen from its edge or from behind")
     elif any_true(size < FAINTEST):
-        raise NumberError("the etendue is too small to be held by a number", "larger sizes")
+        raise NumberError("the etendue is too small for a number", "larger sizes")
     _note_far_field(solved)
     first = value("etendue", size, "m2 sr", "mm2 sr")
     if "etendue" in given:
@@ -95,12 +95,12 @@ def etendue(given: Inputs) -> Answer:
 
 
 def _unlimited(given: Inputs) -> MissingInput:
-    """Return the refusal of a source without a size or a limit of its light."""
+    """Return the error for a source without a size or a limit of its light."""
     if set(given) & {*CONES, *RECEIVERS}:
         sizes = "{area=1cm2}, {radius=10cm}, {diameter=20cm}, or {width=2cm} with {length=1cm}"
         return MissingInput("the size of the source is missing", mention(sizes))
     limits = "{half-angle}, {apex-angle}, {na}, {f-number}, or {receiver-area} (-radius, -diameter)"
-    return MissingInput("what limits the light is missing", mention(limits + " with {distance}"))
+    return MissingInput("a limit of the light is missing", mention(limits + " with {distance}"))
 
 
 def _source(given: Inputs) -> list[AnyLaw]:
@@ -114,14 +114,14 @@ def _source(given: Inputs) -> list[AnyLaw]:
 
 
 def _with_cone(sheet: Worksheet) -> Placed:
-    """Place a source whose light is limited to a cone."""
+    """Place a source with a cone of light."""
     given = sheet.given
     placed = Placed(*_source(given))
     at_most_one(given, "the cone", *CONES)
     if sheet.has("area", "radius", "diameter", "width", *CONES):
         placed.assume(
-            "every point of the source sends its light into the same cone about its normal",
-            "in air, where the numerical aperture is the sine of the half angle",
+            "every point of the source sends light into the same cone around the normal",
+            "in air: the numerical aperture is the sine of the half angle",
         )
     angles: list[AnyLaw] = [laws_of.NUMERICAL_APERTURE, APEX]
     if "na" in given:
@@ -166,7 +166,7 @@ def _with_receiver(sheet: Worksheet) -> Placed:
 
 
 def _refuse_near(solved: Solved) -> None:
-    """Refuse small patches that are not small beside their distance; say how far they are off."""
+    """Refuse patches that are too large for their distance, and add the far-field assumption."""
     if not solved.has("cosine") or not solved.has("area"):
         return
     if not solved.has("receiver-area") or not solved.has("distance"):
@@ -187,7 +187,7 @@ def _refuse_near(solved: Solved) -> None:
     off = far_field.error(source, away, tilt, incidence, bool(sides))
     off += far_field.error(receiver, away, incidence, tilt)
     good = far_field.percent(off)
-    solved.assume(f"patches small beside their distance: A1 A2 cos cos / d^2 is {good}")
+    solved.assume(f"patches small compared to their distance: A1 A2 cos cos / d^2 is {good}")
 
 
 def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:
@@ -199,7 +199,7 @@ def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:
 
 
 def _note_far_field(solved: Solved) -> None:
-    """Say how far the far field is off, where the exact etendue of two discs is known."""
+    """Note the ratio of the far field to the exact etendue of two discs."""
     if solved.has("far-field-etendue"):
         ratio = solved.value("far-field-etendue") / solved.value("etendue")
         away = format_number(solved.value("distance"))

@@ -1,4 +1,4 @@
-"""The light meter: exposure values, and what light they stand for; filters and flashes."""
+"""The light meter: exposure values and their luminances and illuminances; filters and flashes."""
 
 import math
 
@@ -58,7 +58,7 @@ PAGE = Page(
         "c",
     ),
     goal="ev100",
-    about="Give exposure values, and the light that a light meter shows them for.",
+    about="Give exposure values, and the luminance and illuminance that they correspond to.",
     sections={
         "Light": LIGHT,
         "Camera": ("ev", "f-number", "time", "iso"),
@@ -67,7 +67,7 @@ PAGE = Page(
         "Meter": ("k", "c"),
     },
     texts={
-        "distance": ("3m", "Distance from the flash to what it lights."),
+        "distance": ("3m", "Distance from the flash to the subject."),
         "time": ("1/100s", "Exposure time, with any filter."),
         "illuminance": "Illuminance on the scene.",
         "luminance": "Luminance of the scene.",
@@ -83,14 +83,14 @@ PAGE = Page(
     bare={**METER_UNITS, "time": "s", "unfiltered-time": "s"},
     labels={"time": "exposure time"},
     forms={"time": FRACTION, "unfiltered-time": FRACTION},
-    remarks="{ev} is that of the f-number and the time, at the ISO speed given; {ev100} is that "
-    "of the light.  From {luminance} to {illuminance} it takes an average scene; both of them give "
+    remarks="{ev} follows from the f-number and the time; {ev100} follows from the light, and is "
+    "{ev} at ISO 100.  {luminance} gives {illuminance} for an average scene; both together give "
     "the reflectance of the scene.  {f-number} may be f/2.8, a fraction for {time} is in seconds, "
-    "and a bare {k} or {c} in its usual unit.  {nd} is a density, 0.9 or ND0.9, or with ND8 the "
-    "factor of the filter.  Of a flash, {guide-number}, {distance}, {f-number}, {iso} and the "
+    "and a bare {k} or {c} is in its usual unit.  {nd} is a density (0.9 or ND0.9), or the factor "
+    "of the filter (ND8).  For a flash, {guide-number}, {distance}, {f-number}, {iso} and the "
     "filter give each other.",
 )
-LEAST_STOPS = 1e-9  # of rounding
+LEAST_STOPS = 1e-9  # fewer stops are rounding errors
 FLASHING = PAGE._replace(
     title="a flash",
     takes=(*OF_FLASH, "f-number", "iso", "nd", "stops"),
@@ -100,11 +100,11 @@ FLASHING = PAGE._replace(
 
 
 def ev(given: Inputs) -> Answer:
-    """Exposure values, f-number, time, luminance and illuminance, from any that suffice."""
+    """Return exposure values, f-number, time and light from any sufficient set of them."""
     answer = _solve_exposure(given)
     for row in answer.values:
         if row.name == "stops" and any_true(row.amount < -LEAST_STOPS):
-            problem = "behind a filter the time is longer than without it, not shorter"
+            problem = "the time with a filter must be longer than without it"
             raise ConditionError(
                 problem, mention("a longer {time}, or a shorter {unfiltered-time}")
             )
@@ -112,7 +112,7 @@ def ev(given: Inputs) -> Answer:
 
 
 def _solve_exposure(given: Inputs) -> Answer:
-    """Return what follows of an exposure, a filter or a flash."""
+    """Return the answer for an exposure, a filter or a flash."""
     for item in given.values():
         if isinstance(item.unit, ScaleUnit) and item.unit.scale.constant:
             problem = f"{option(item.name, quote(item.text))} is an exposure value"
@@ -145,35 +145,35 @@ def _solve_exposure(given: Inputs) -> Answer:
     laws = [law for law in all_laws if law is not REFLECTED] + [REFLECTANCE]
     try:
         solved = solve(sheet, laws, placed, STEPS)
-        solved.assume("exposed for the illuminance, whatever the scene reflects of it")
+        solved.assume("exposed for the illuminance, independent of the scene's reflectance")
     except ConditionError:  # exposed for the luminance, if that fits
         laws = [law for law in all_laws if law is not INCIDENT] + [REFLECTANCE]
         solved = solve(sheet, laws, placed, STEPS)
-        solved.assume("exposed for the luminance, whatever light falls on the scene")
+        solved.assume("exposed for the luminance, independent of the illuminance")
     solved.refuse_impossible(
         "reflectance",
-        because="the scene sends out more light than falls on it",
+        because="the scene reflects more light than it receives",
         hint="less luminance, or more illuminance",
     )
     return solved.answer()
 
 
 def _flash(given: Inputs) -> Answer:
-    """Guide number, distance, f-number, ISO speed and filter of a flash."""
+    """Return guide number, distance, f-number, ISO speed and filter of a flash."""
     sheet, placed = worksheet(FLASHING, given, with_light=False), Placed()
     if "iso" not in given and not {*OF_FLASH, "f-number"} <= set(given):
         placed.add("iso", 100.0)
         placed.assume("ISO 100")
-    placed.assume("a flash straight at what it lights, with no other light")
+    placed.assume("direct flash, without other light")
     laws = FILTERED_FLASH if {"nd", "stops"} & set(given) else FLASH
     return solve(sheet, laws, placed).answer()
 
 
 def _assume_average(solved: Solved) -> None:
-    """Assume an average scene between a luminance and an illuminance."""
+    """Add the assumption of an average scene between luminance and illuminance."""
     if {"luminance", "illuminance"} & set(solved.given):
         average = format_number(100 * math.pi * solved.value("k") / solved.value("c"), 3)
         solved.assume(
-            "between luminance and illuminance a scene of the average reflectance pi K / C, "
+            "luminance and illuminance of a scene with the average reflectance pi K / C, "
             f"{average} %"
         )

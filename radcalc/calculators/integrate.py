@@ -21,10 +21,10 @@ from radcalc.units.dimensions import SOLID_ANGLE, times
 from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Dimension
 
-FINEST, COARSEST = 1e-13, 0.1  # accuracies that can be asked for
+FINEST, COARSEST = 1e-13, 0.1  # the range of accuracies
 USUAL = 1e-9
 DIRECTIONS = ("sphere", "hemisphere", "half-angle", "polar")
-SINE = "sin(theta) of the solid angle is included: that in the expression comes on top of it"
+SINE = "the integral includes sin(theta) of the solid angle, in addition to that in the expression"
 INTEGRAL = Formula(
     "integral over directions", "I = integral of f(theta, phi) sin(theta) dtheta dphi"
 )
@@ -43,7 +43,7 @@ PAGE = Page(
         "half-angle": "The cone of that half angle about +z.",
         "hemisphere": "The hemisphere about +z.",
         "polar": ("30deg:60deg", "A zone between two polar angles."),
-        "azimuth": ("0deg:90deg", "Only between these azimuths."),
+        "azimuth": ("0deg:90deg", "A range of azimuths (default: all)."),
     },
     draws=True,
     takes_lines=False,
@@ -59,11 +59,11 @@ PAGE = Page(
     EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
     vector), numbers, pi, e, deg, + - * / **, brackets, sin cos tan asin acos atan atan2 sinh cosh
     tanh exp log log10 sqrt abs min max, and comparisons by < <= > >=, which are 1 where they hold
-    and 0 elsewhere; one that begins with a minus goes in brackets: '(-x)'.  The integral is over
-    solid angle: sin(theta) is there already.  What does not converge is refused.
+    and 0 elsewhere.  An expression that starts with a minus needs brackets: '(-x)'.  The integral
+    is over solid angle, so it includes sin(theta).  An integral that does not converge is refused.
 
-    With {unit} the integral of an intensity is a flux.  That of a radiance is the irradiance of a
-    plane whose normal is +z only if the expression has its cosine, cos(theta).
+    With {unit} the integral of an intensity is a flux.  The integral of a radiance is the
+    irradiance of a plane with the normal +z only if the expression has the factor cos(theta).
     """,
 )
 
@@ -71,7 +71,7 @@ PAGE = Page(
 class Integrand(NamedTuple):
     """The unit of an expression, and that of its integral over solid angle.
 
-    `factor` makes coherent SI of the expression; `dimension` and `unit` are those of the integral.
+    `factor` converts the expression to coherent SI; `dimension` and `unit` are the integral's.
     """
 
     factor: float = 1.0
@@ -91,7 +91,7 @@ def integrand(text: str) -> Integrand:
         return Integrand(unit.factor, NUMBER, "1")
     if reading is None or reading.retinal or not reading.solid_angle:
         raise ConditionError(
-            f"{describe(unit)} is nothing per solid angle, to be integrated over it",
+            f"{describe(unit)} is not a quantity per solid angle",
             "an intensity or a radiance: cd, W/sr, cd/m2, W/m2/sr; or 1/sr",
         )
     integrated = resolve(f"({text}).sr")
@@ -100,8 +100,9 @@ def integrand(text: str) -> Integrand:
     assumption = f"the expression is in {quote(text)}"
     if reading.area:
         assumption += (
-            ": with the factor cos(theta) its integral is the irradiance of a plane whose normal "
-            "is +z, without one that on the cross section of a small sphere (spherical irradiance)"
+            ": with the factor cos(theta) its integral is the irradiance of a plane with the "
+            "normal +z, without it the spherical irradiance (on the cross section of a small "
+            "sphere)"
         )
     return Integrand(unit.factor, integrated.dimension, integral_unit, assumption)
 
@@ -109,8 +110,8 @@ def integrand(text: str) -> Integrand:
 def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     """Integrate an expression in theta, phi, x, y, z over a part of the sphere.
 
-    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy; `of` is what the
-    expression is in.
+    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy; `of` describes the
+    unit of the expression.
     """
     polar, azimuth = directions(given)
     accuracy = given["accuracy"].value if "accuracy" in given else USUAL
@@ -145,20 +146,22 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     ]
     assumptions = [
         "theta is the polar angle from +z, phi the azimuth from +x, in radians (from "
-        f"{format_number(azimuth[0])} to {format_number(azimuth[1])}); x, y, z the unit vector",
+        f"{format_number(azimuth[0])} to {format_number(azimuth[1])}); x, y, z are the unit vector",
         f"peaks narrower than {' or '.join(narrow)} may be missed",
     ]
     if of.assumption:
         assumptions.append(of.assumption)
     if expression.comparisons:
-        assumptions.append(f"1 where it holds, 0 elsewhere: {listed(expression.comparisons)}")
+        assumptions.append(
+            f"comparisons are 1 where they hold, 0 elsewhere: {listed(expression.comparisons)}"
+        )
     (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
     points = f"{POINTS}" if expression.is_axial else f"{POINTS} x {POINTS}"
     integral = format_number(integrated.value * of.factor)
     step = INTEGRAL.with_numbers(
         f"f = {quote(text)}, theta from {format_number(t0)} to {format_number(t1)} deg, phi from "
         f"{format_number(p0)} to {format_number(p1)} deg; I = {integral} {of.unit}, "
-        f"from {integrated.cells} cells of {points} points of Gauss and Legendre"
+        f"from {integrated.cells} cells of {points} Gauss-Legendre points"
     )
     notes = [SINE] if WITH_SINE.search(text) else []
     return Answer(values, assumptions, notes, [step])

@@ -1,7 +1,7 @@
-"""The light quantities of a calculator: given in any kind, shown in every kind that is linked.
+"""The light quantities of a calculator: inputs in any kind, results in every linked kind.
 
-A generic name (`flux`) serves every kind, and the unit decides; a name of one kind
-(`luminous-flux`) takes that kind alone.
+A generic name (`flux`) takes any kind, depending on the unit; a specific name (`luminous-flux`)
+takes one kind.
 """
 
 from contextlib import suppress
@@ -40,12 +40,12 @@ from radcalc.units.unit import Dimension
 
 
 def dimension(name: str, kind: str) -> Dimension:
-    """Return the dimension of a light quantity by its generic name, in a kind."""
+    """Return the dimension of a light quantity (generic name) in a kind."""
     return SYMBOLS[name].dimensions[KINDS.index(kind)]
 
 
 def kind_of(given: Input) -> str:
-    """Return the kind in which a light quantity was given."""
+    """Return the kind of a light quantity as given."""
     return KINDS[SYMBOLS[given.symbol.generic].dimensions.index(given.dimension)]
 
 
@@ -54,10 +54,10 @@ if TYPE_CHECKING:
 
 
 class LightInputs(NamedTuple):
-    """The inputs about light: quantities of one kind [SI], and the links to other kinds.
+    """Light inputs: quantities of one kind [SI], and links to other kinds.
 
-    `given_in_two_kinds` has the quantity, by its generic name, that was given in another kind too:
-    the two link the kinds, and their ratio is among the `links`.
+    `given_in_two_kinds` maps the generic name of a quantity to its value in a second kind; their
+    ratio is one of the `links`.
     """
 
     kind: str
@@ -74,9 +74,9 @@ NO_LIGHT = LightInputs(RADIANT, {}, {}, {}, (), (), (), {})
 
 
 def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs:
-    """Sort the light quantities that were given, by generic names, and turn them into one kind.
+    """Return light quantities by generic names, converted to one kind.
 
-    The kind is that of the first, or a preferred one where they are linked; another needs a
+    The kind is that of the first, or the preferred one if they are linked.  Other kinds need a
     wavelength, a spectrum or an efficacy, or one quantity in both kinds.
     """
     given: Inputs = {}
@@ -118,7 +118,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
                 first_name = option(given[first].name)
                 raise MissingInput(
                     f"{option(item.name)} is {KIND_NAMES[of_kind]}, "
-                    f"{first_name} {KIND_NAMES[kind]}: what links them is missing",
+                    f"{first_name} {KIND_NAMES[kind]}: a link between them is missing",
                     LINKS_HINT,
                 )
             amounts[name] = item.value * factor.value
@@ -138,7 +138,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
 
 
 class Ratio(NamedTuple):
-    """The ratio of one quantity in two kinds, which links them: its name, over and under."""
+    """The ratio of one quantity in two kinds, which links them: numerator and denominator."""
 
     name: str
     over: Input
@@ -178,7 +178,7 @@ class Ratio(NamedTuple):
         return law(label, f"{{{over}}} = {{{self.name}}} {{{under}}}")
 
     def step(self) -> Step:
-        """Return how it follows."""
+        """Return the step of the derivation."""
         from radcalc.conversion.spectral import KIND_UNITS
 
         generic, kinds = self.over.symbol.generic, (kind_of(self.over), kind_of(self.under))
@@ -194,7 +194,7 @@ class Ratio(NamedTuple):
 
 
 def rounding(lit: LightInputs, name: str) -> Any:
-    """Return how far a light quantity [SI] may be off, by its digits and those of the link."""
+    """Return the rounding error of a light quantity [SI], from its digits and those of the link."""
     given, amount = lit.values[name], abs(lit.amounts[name])
     off = given.rounding * amount
     kind = kind_of(given)
@@ -213,7 +213,7 @@ def rounding(lit: LightInputs, name: str) -> Any:
 
 
 def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
-    """Refuse one quantity in two kinds that no light has together."""
+    """Refuse one quantity in two kinds with an impossible ratio."""
     kinds = (kind_of(quantity) for quantity in ratio[1:])
     try:
         linking_factor(links, *kinds)
@@ -228,7 +228,7 @@ def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
 
 
 def _refuse_idle_refinements(links: Inputs) -> None:
-    """Refuse refinements of what is not there."""
+    """Refuse refinements without a link to refine."""
     for name in REFINEMENTS:
         useful = LINKS if name == "observer" else ("spectrum",)
         if name in links and not set(useful) & set(links):
@@ -239,16 +239,16 @@ def _refuse_idle_refinements(links: Inputs) -> None:
 
 
 def linking_factor(links: Inputs, over: str, under: str) -> "Factor | None":
-    """Return the ratio of two kinds by the conditions; None where they do not link them."""
+    """Return the ratio of two kinds from the conditions; None if they do not link them."""
     if not links:
         return None
-    from radcalc.conversion import spectral  # with the tables of the observers
+    from radcalc.conversion import spectral  # loads the tables of the observers
 
     return spectral.linked(links, over, under)
 
 
 def _multiple(name: str, amount: Any, factor: Any) -> Any:
-    """An amount of one kind in another, unless a number cannot hold it."""
+    """Return an amount in another kind; refuse one that is too small for a number."""
     product = amount * factor
     if is_lost(product, amount, factor):
         raise NumberError(f"{name} is too small for a number", "less extreme values")
@@ -256,7 +256,7 @@ def _multiple(name: str, amount: Any, factor: Any) -> Any:
 
 
 class LightResults(NamedTuple):
-    """Light quantities as results, with what their kinds assume."""
+    """Light quantities as results, with the assumptions of their kinds."""
 
     values: dict[str, list[Value]]
     assumptions: tuple[str, ...]
@@ -265,7 +265,7 @@ class LightResults(NamedTuple):
 
 
 def show_light(lit: LightInputs, amounts: dict[str, Any]) -> LightResults:
-    """Light quantities [SI, by generic name] as results, in every kind that is linked."""
+    """Return light quantities [SI, by generic name] as results in every linked kind."""
     factors: dict[str, Factor] = {}
     refused: dict[str, TooNarrow] = {}
     for kind in KINDS:
@@ -304,7 +304,7 @@ def show_light(lit: LightInputs, amounts: dict[str, Any]) -> LightResults:
 def _value(
     lit: LightInputs, name: str, kind: str, amount: Any, reach: dict[Dimension, Any]
 ) -> Value:
-    """One light quantity in one kind; as it was given, where it was given in that kind."""
+    """Return a light quantity in a kind; as given if it was given in that kind."""
     candidates = (lit.values.get(name), lit.given_in_two_kinds.get(name))
     given = next(
         (candidate for candidate in candidates if candidate and kind_of(candidate) == kind), None
@@ -326,14 +326,14 @@ def _value(
 
 
 def efficacies(lit: LightInputs) -> list[tuple[str, Any]]:
-    """Return the ratios of kinds to show [SI]: lm/W if linked, and that of a quantity in two."""
+    """Return the ratios of kinds to show [SI]: lm/W if linked, and ratios of inputs."""
     ratio_names = {
         Ratio.of(lit.values[name], twin).name for name, twin in lit.given_in_two_kinds.items()
     }
     ratios = []
     for name, over, under in EFFICACIES:
         if name in ratio_names or (over, under) == (LUMINOUS, RADIANT):
-            with suppress(TooNarrow):  # which the results say that want it
+            with suppress(TooNarrow):  # results that need the ratio report it
                 if factor := linking_factor(lit.links, over, under):
                     ratios.append((name, factor.value))
     return ratios

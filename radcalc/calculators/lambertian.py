@@ -1,7 +1,7 @@
-"""A source of the same radiance in all directions, or a perfectly diffuse reflector.
+"""A Lambertian source or reflector: the same radiance in all directions.
 
-The radiance goes over into an irradiance by the projected solid angle under which the receiver
-sees the source, which is exact at any distance; the far field is shown beside it.
+The irradiance is the radiance times the projected solid angle of the source at the receiver, which
+is exact at any distance.  The far-field irradiance is given for comparison.
 """
 
 import math
@@ -47,7 +47,7 @@ QUANTITIES = (
     "energy",
 )
 INPUTS = (*SIZES, *POSITION, "tilt", "half-angle", "reflectance", "time")
-SHOWN_AS_1 = 0.9999995, 1.000005  # a ratio between these, in six digits
+SHOWN_AS_1 = 0.9999995, 1.000005  # ratios in between print as 1 with six digits
 OPERAND = Operand("shape", "[SHAPE]", CHOICE, tuple(SHAPES), "patch")
 PAGE = Page(
     "",
@@ -64,7 +64,7 @@ PAGE = Page(
         "configuration-factor",
         "time",
     ),
-    about="Give what follows for a diffuse source or reflector, exactly at any distance.",
+    about="Solve for a diffuse source or reflector, exactly at any distance: luminance, lux, size.",
     operand=OPERAND,
     sections={
         "Light": (*QUANTITIES, "reflectance", "time"),
@@ -80,7 +80,7 @@ PAGE = Page(
         ),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
-    texts={"half-angle": "Half angle of the part of a hemisphere that shines, about its zenith."},
+    texts={"half-angle": "Half angle of the luminous part of a hemisphere, around its zenith."},
     draws=True,
     examples=(
         "radiance=2.0e7W/m2/sr",
@@ -99,12 +99,12 @@ PAGE = Page(
     remarks="""
     \b
     SHAPE is one of:
-      patch (default)  {area} or other sizes, small beside {distance} ({tilt}, {incidence})
-                       or {height} and {offset}
+      patch (default)  {area} or other sizes, small compared to {distance} ({tilt}, {incidence})
+                       or to {height} and {offset}
       disc             {radius} or {diameter}, {height} and {offset} (on the axis {distance})
       sphere           {radius} or {diameter}, {distance} to its centre
       rectangle        {width}, {length}, {height}, {offset}, {offset-y} or {corner}
-      plane            endless
+      plane            infinite
       hemisphere       a uniform sky, or a cone of it ({half-angle}); radcalc sky has others
 
     \b
@@ -115,11 +115,11 @@ PAGE = Page(
           (1) _^_    |  (2) |>
             receiver
 
-    The receiver faces the source's plane, as in (1).  {incidence} turns it from the line to the
-    centre, in the plane of the offset, off the axis.  {perpendicular}: its normal runs along the
-    rectangle's length, towards its centre, as in (2).
+    The receiver faces the source's plane, as in (1).  {incidence} is the angle between its normal
+    and the line to the source's centre, away from the axis.  With {perpendicular} its normal is
+    parallel to the rectangle's length and points towards its centre, as in (2).
 
-    The irradiance is that on the receiver, the incident one that on the reflector.
+    The irradiance is that of the receiver; the incident irradiance is that of the reflector.
     """,
     mistakes=("flat source", "projected cone"),
 )
@@ -127,19 +127,19 @@ ENDLESS = ("plane", "hemisphere")
 
 
 def task(words: Sequence[str], wants: Wants) -> Task:
-    """Return the task of a call, whose words may be a shape."""
+    """Return the task of a call, whose only word may be a shape."""
     shape, *more_words = words or [OPERAND.default]
     shape = OPERAND.choice(shape)
     if more_words:
-        raise UsageError(f"too many words: '{quote(' '.join(more_words))}'", "one shape")
+        raise UsageError(f"unexpected argument '{quote(more_words[0])}'", "one shape")
     return Task("lambertian", partial(lambertian, shape), texts_of({"shape": shape}), shape)
 
 
 def lambertian(shape: str, given: Inputs) -> Answer:
-    """Return everything that follows for a Lambertian source of a shape of `SHAPES`.
+    """Return the answer for a Lambertian source of a shape of `SHAPES`.
 
-    `given` are light quantities by whichever name, sizes, the receiver's place, and what links
-    the kinds.
+    `given` are light quantities (generic or specific names), sizes, the receiver's position, and
+    links between kinds.
     """
     try:
         return _answer(shape, SHAPES[shape].place, given)
@@ -150,7 +150,7 @@ def lambertian(shape: str, given: Inputs) -> Answer:
         if not received or "reflectance" not in given:
             raise
         incident = option("incident-irradiance", quote(received[0]))
-        hint = f"{incident} for what falls on the reflector; {error.hint}"
+        hint = f"{incident} for the light on the reflector; {error.hint}"
         raise error.reworded(hint=hint) from None
     except ConditionError as error:
         without, other_way = OTHERWISE.get(shape, ((), None))
@@ -163,7 +163,7 @@ def lambertian(shape: str, given: Inputs) -> Answer:
 
 
 def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> Answer:
-    """Return the answer for a shape and its place; refuse a small patch that is near."""
+    """Return the answer for a shape and its position; refuse a small patch that is too near."""
     accepts = (*SHAPES[shape].takes, "reflectance", "time")
     sheet = worksheet(PAGE._replace(title=f"a {shape}"), given, accepts=accepts)
     _refuse_dark(given, sheet.lit)
@@ -185,7 +185,7 @@ def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> A
 
 
 def _refuse_dark(given: Inputs, lit: LightInputs) -> None:
-    """Refuse to begin without any light."""
+    """Refuse inputs without a light quantity."""
     hint = mention("{radiance}, {exitance}, {flux} ...")
     if not lit.values and ({"reflectance", "time"} & set(given) or lit.links):
         raise MissingInput("a light quantity is missing", hint)
@@ -194,21 +194,21 @@ def _refuse_dark(given: Inputs, lit: LightInputs) -> None:
 
 
 def _refuse_whole(shape: str, lit: LightInputs) -> None:
-    """Refuse what an endless source has no end of."""
+    """Refuse the total flux, energy or intensity of an infinite source."""
     for name in ("flux", "energy", "intensity"):
         if name in lit.values:
             raise ConditionError(
-                f"{option(lit.values[name].name)}: a {shape} has no end, and no {name} of its own",
+                f"{option(lit.values[name].name)}: a {shape} is infinite and has no total {name}",
                 mention("{radiance}, {exitance} or {irradiance} in its place"),
             )
 
 
 def _judge(solved: Solved) -> None:
-    """Refuse what no Lambertian source does; say how far the far field is off."""
+    """Refuse results that no Lambertian source has; note the error of the far field."""
     solved.refuse_impossible(
         "projected-solid-angle",
-        because="that is more irradiance than a source of that radiance gives, though it filled "
-        "all that the receiver sees",
+        because="no source of that radiance gives so much irradiance, even if it fills the whole "
+        "hemisphere",
         hint="at most pi times the radiance",
     )
     solved.refuse_impossible(
@@ -222,23 +222,23 @@ def _judge(solved: Solved) -> None:
 
 
 def _compare(solved: Solved, far: Number, exact: Number) -> None:
-    """Note how the far field differs from the exact irradiance, where there is any."""
+    """Note how the far-field irradiance differs from the exact one."""
     ratio = piecewise(exact == 0, lambda f, e: 1.0 + 0.0 * e, lambda f, e: f / e, far, exact)
     differs = (ratio < SHOWN_AS_1[0]) | (ratio > SHOWN_AS_1[1])
-    law = "the inverse square law, from the centre,"
+    law = "the inverse square law, applied at the centre,"
     if any_true(differs & (far == 0)):
         solved.note(f"{law} gives no light")
     nearest, away = far_field.FAR * solved.value("extent"), solved.value("distance")
     if any_true(is_near := differs & (far != 0) & (away < nearest)):
         times, least = (format_number(chosen(x, is_near)) for x in (ratio, nearest))
-        validity = f"it is for {least} m and more, five times the size"
-        solved.note(f"{law} gives {times} times that; {validity}")
+        validity = f"it holds from {least} m on, five times the size"
+        solved.note(f"{law} gives {times} times the irradiance; {validity}")
     if any_true(is_far := differs & (far != 0) & (away >= nearest)):
-        solved.note(f"{law} gives {format_number(chosen(ratio, is_far))} times that")
+        solved.note(f"{law} gives {format_number(chosen(ratio, is_far))} times the irradiance")
 
 
 def _exact_call(given: Inputs) -> str:
-    """Return the exact call to use in place of a small patch; empty where there is none."""
+    """Return the exact call to use instead of a small patch, or an empty text."""
     if any(is_array(item.value) for item in given.values()):
         return ""
     inputs = {
@@ -259,7 +259,7 @@ def _exact_call(given: Inputs) -> str:
             inputs["offset"] = _length("offset", offset)
     if "tilt" in given:
         if sides or "incidence" in given or "distance" not in given:
-            return ""  # which does not say about which axis
+            return ""  # the axis of the tilt is not known
         away, tilt = inputs.pop("distance").value, given["tilt"].value
         inputs["height"] = _length("height", away * math.cos(tilt))
         inputs["offset"] = _length("offset", away * math.sin(tilt))
@@ -278,11 +278,11 @@ def _length(name: str, size: float) -> Input:
 
 
 def _check_far(solved: Solved) -> tuple[str, ...]:
-    """Return the far field's assumptions for a patch; refuse one that is near or cut."""
+    """Return the far-field assumptions for a patch; refuse one that is too near or cut."""
     if not solved.has("distance"):
         return ()
     if not solved.has("area"):
-        return ("a source small beside its distance",)
+        return ("a source small compared to its distance",)
     away = solved.value("distance")
     sides = [solved.value(name) for name in ("width", "length") if solved.has(name)]
     longest = far_field.size(solved.value("area"), *sides)
@@ -298,7 +298,7 @@ def _check_far(solved: Solved) -> tuple[str, ...]:
         raise cut_by_horizon(given, reach, away)
     if "height" in given:
         tilt = acos(solved.value("cosine-of-source"))
-        if "incidence" not in given:  # the planes are parallel: neither cuts the other
+        if "incidence" not in given:  # parallel planes do not cut each other
             incidence = tilt
     good = far_field.percent(far_field.error(longest, away, tilt, incidence, bool(sides)))
-    return (f"a source small beside its distance: the inverse square law is {good}",)
+    return (f"a source small compared to its distance: the inverse square law is {good}",)

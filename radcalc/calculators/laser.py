@@ -1,4 +1,4 @@
-"""A laser beam: its spot at a distance, how bright that is, and from where it is below a limit."""
+"""A laser beam: its spot at a distance, the irradiance, and the hazard distance."""
 
 import math
 
@@ -19,8 +19,8 @@ BEAM = ("diameter", "divergence", "profile")
 SPOT = ("distance", "spot-diameter", "time", "receiver-diameter")
 LIGHT = ("flux", "energy", "irradiance", "peak-irradiance", "exposure")
 PROFILES = {
-    GAUSSIAN: "a Gaussian beam with its waist at the laser's exit, by the diameters where 1/e^2 of "
-    "the peak is left: 86.5 % of the flux is inside, and the peak is twice the mean",
+    GAUSSIAN: "a Gaussian beam with its waist at the laser's exit; diameters at 1/e^2 of the peak, "
+    "with 86.5 % of the flux inside and a peak of twice the mean",
     UNIFORM: "a uniform beam, which widens by phi d",
 }
 PAGE = Page(
@@ -29,7 +29,7 @@ PAGE = Page(
     ("irradiance", "peak-irradiance", "exposure", "flux", "energy", "received-flux", "limit"),
     ("spot-diameter", HAZARD, "distance", "diameter", "divergence", "time", "receiver-diameter"),
     goal="spot-diameter",
-    about="Give the spot of a laser beam, its irradiance, and the distance where that is a limit.",
+    about="Give the spot of a laser beam, its irradiance, and its hazard distance for a limit.",
     sections={
         "Beam": (*BEAM, *LIGHT),
         "Spot": SPOT,
@@ -38,17 +38,17 @@ PAGE = Page(
     },
     texts={
         "diameter": ("1mm", "Diameter of the beam at the laser's exit."),
-        "distance": ("10m", "Distance from the laser's exit, where the spot is without it."),
+        "distance": ("10m", "Distance of the spot from the laser's exit (default: at the exit)."),
         "receiver-diameter": (
             "7mm",
-            "Diameter of a round receiver about the beam's axis: a pupil, a sensor.",
+            "Diameter of a round receiver centred on the beam's axis: a pupil, a sensor.",
         ),
-        "time": ("10ns", "How long the flux is constant: a pulse, or an exposure."),
+        "time": ("10ns", "Duration of the constant flux: a pulse, or an exposure."),
         "flux": ("5mW", "The flux of the beam, or within a pulse."),
-        "irradiance": ("1W/m2", "The flux over the area of the spot."),
+        "irradiance": ("1W/m2", "The flux divided by the area of the spot."),
         "exposure": ("100J/m2", "The exposure of the spot (with {time})."),
         "energy": ("10mJ", "The energy of a pulse, or of the beam in the {time}."),
-        "peak-irradiance": ("10W/m2", "The irradiance on the axis, where it is greatest."),
+        "peak-irradiance": ("10W/m2", "The irradiance on the axis, the maximum."),
         "limit": ("25W/m2", "A limit of the peak, from the standard (with {hazard-distance})."),
     },
     examples=(
@@ -59,10 +59,10 @@ PAGE = Page(
         "energy=10mJ time=8ns diameter=6mm get=peak-irradiance:MW/cm2",
         "flux=1mW diameter=8mm receiver-diameter=7mm get=received-flux:mW",
     ),
-    remarks="{divergence} is the full angle far away, and a diameter's definition that of "
-    "{profile}.  Formulas of laser safety, 1.27 P / (a + phi d)^2, are those of a uniform beam, or "
-    "of diameters at 1/e of the peak.  The limit is yours, from the standard: radcalc looks none "
-    "up, and gives no advice on safety.  Any sufficient set gives the others.",
+    remarks="{divergence} is the full angle far away; {profile} defines the diameters.  The "
+    "formula of laser safety, 1.27 P / (a + phi d)^2, is for a uniform beam, or for diameters at "
+    "1/e of the peak.  Take the limit from the standard: radcalc has no table of limits and gives "
+    "no advice on safety.  Any sufficient set gives the others.",
 )
 
 
@@ -85,29 +85,27 @@ def laser(given: Inputs) -> Answer:
         limit_text = option("limit", quote(sheet.lit.values["limit"].text))
         lacking = [n for n in ("flux", "diameter", "divergence") if not solved.has(n)]
         hint = options(lacking, " and ")
-        raise MissingInput(
-            f"there is no hazard distance to {limit_text}: more is to be known", hint
-        )
+        raise MissingInput(f"{limit_text} alone is not enough for a hazard distance", hint)
     if solved.has("spot-diameter"):
         if is_at_exit:
-            solved.assume(mention("the spot is that at the laser's exit (no {distance})"))
-        solved.assume("irradiance: the mean, of the flux over the area of the spot")
+            solved.assume(mention("the spot is at the laser's exit (no {distance})"))
+        solved.assume("irradiance: the mean, the flux divided by the area of the spot")
     if solved.has("divergence"):
         solved.assume("divergence: the full angle, far from the laser")
         _note_diffraction(solved, profile)
     if solved.has("received-flux"):
-        solved.assume("the receiver is round, about the beam's axis")
+        solved.assume("the receiver is round and centred on the beam's axis")
     if solved.has("limit"):
         solved.assume(
-            "the limit is as given, and held against the peak; nothing absorbs on the way"
+            "the limit, as given, applies to the peak irradiance; nothing absorbs on the way"
         )
         if solved.has(HAZARD) and any_true(solved.value(HAZARD) == 0):
-            solved.note("the peak irradiance is below the limit at the laser's exit already")
+            solved.note("the peak irradiance is already below the limit at the laser's exit")
     return solved.answer()
 
 
 def _note_diffraction(solved: Solved, profile: str) -> None:
-    """Say where the waves of that light spread by more than the divergence."""
+    """Note a divergence below the limit of diffraction."""
     wave = solved.lit.links.get("wavelength")
     if wave is None or profile != GAUSSIAN or not solved.has("diameter"):
         return
@@ -115,5 +113,5 @@ def _note_diffraction(solved: Solved, profile: str) -> None:
     if any_true(solved.value("divergence") < least):
         solved.note(
             f"a waist of that diameter spreads by {format_number(1e3 * least, 3)} mrad or more, "
-            f"by diffraction at {wave.text}: the waist is elsewhere, or the divergence is none"
+            f"by diffraction at {wave.text}: the waist is elsewhere, or the divergence is wrong"
         )

@@ -1,6 +1,6 @@
-"""A small source of any distribution: of a file or an expression, or one that is aimed.
+"""A point source with any distribution: of a file or an expression, or an aimed one.
 
-What `radcalc.calculators.point_source` answers for a distribution that is a function of direction.
+`radcalc.calculators.point_source` uses it for distributions that are functions of direction.
 """
 
 import math
@@ -79,21 +79,21 @@ PAGE = Page(
     LIGHT,
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
-OF_DIRECTION = ("intensity-toward", "off-axis", "azimuth")  # shown where one is given
-EXPRESSION = "expression"  # the format of what is typed
+OF_DIRECTION = ("intensity-toward", "off-axis", "azimuth")  # shown if a direction is given
+EXPRESSION = "expression"  # a format of distributions
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))
 PLANES = (("", 0.0), ("-90", math.pi / 2))
 
 
 def luminaire(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
-    """Return what follows for a receiver below the source or in a direction, or aside of it."""
+    """Return the answer for a receiver below the source, in a direction or off the axis."""
     return _Luminaire(given, is_aside, any_incidence).answer()
 
 
 class Figures(NamedTuple):
-    """The figures of a distribution, relative to its own unit of intensity.
+    """The figures of a distribution, relative to its unit of intensity.
 
-    The flux is a refusal where it cannot be told.
+    The flux is an error if it cannot be computed.
     """
 
     axial: float
@@ -103,7 +103,7 @@ class Figures(NamedTuple):
 
 @lru_cache(maxsize=8)
 def _figures(distribution: Any) -> Figures:
-    """Return the figures of a distribution, once for all answers of a list."""
+    """Return the figures of a distribution, cached for the answers of a list."""
     flux: Integral | ConditionError
     try:
         flux = distribution.flux()
@@ -123,7 +123,7 @@ def _beam(distribution: Any, azimuth: float, share: float) -> "Beam":
 def _upward(
     distribution: Any, flux: "Integral", aim: tuple[float, float, float], rotate: float
 ) -> float:
-    """Flux into the upper half of the world, of that in all directions."""
+    """Return the flux above the horizon, in units of the distribution."""
     from radcalc.distributions.places import upward_flux
     from radcalc.distributions.pose import Pose
 
@@ -131,14 +131,14 @@ def _upward(
 
 
 class _Luminaire:
-    """One attempt at an answer: the source, how it stands, and the worksheet."""
+    """One attempt at an answer: the source, its pose and the worksheet."""
 
     def __init__(self, given: Inputs, is_aside: bool, any_incidence: bool) -> None:
         from radcalc.distributions.pose import DOWN, Pose
 
         self.given, self.is_aside, self.any_incidence = given, is_aside, any_incidence
         _refuse_idle(given)
-        shape = spread(given)  # which refuses inputs of another distribution
+        shape = spread(given)  # refuses inputs of other distributions
         chosen: Any = given["distribution"].value if "distribution" in given else shape
         self.of_shape = isinstance(chosen, str)
         kind = "" if self.of_shape else chosen.distribution.kind
@@ -167,7 +167,7 @@ class _Luminaire:
         self.bearing = atan2(offset_of(given, "offset-y"), offset_of(given))
 
     def _make_shape(self, shape: str) -> "Photometry":
-        """An isotropic source, a cone or a lobe as a function of direction."""
+        """Return an isotropic source, a cone or a lobe as a function of direction."""
         from radcalc.distributions import shapes
         from radcalc.distributions.photometry import Photometry
 
@@ -182,7 +182,7 @@ class _Luminaire:
         except Disagreement as error:
             raise contradiction(self.sheet, error, {}) from None
         if name not in values:
-            raise MissingInput(f"how wide the {shape} is, is missing", options(SHAPED[shape]))
+            raise MissingInput(f"the width of the {shape} is missing", options(SHAPED[shape]))
         width = values[name].value
         for measure in SHAPED[shape]:
             if measure in values and measure not in known:
@@ -193,7 +193,7 @@ class _Luminaire:
         return Photometry(shapes.of_shape(shape, width), shape)
 
     def answer(self) -> Answer:
-        """Everything that follows."""
+        """Return the answer, with further ones if several fit."""
         self._place_figures()
         self._place_receiver()
         self._place_scale()
@@ -207,7 +207,7 @@ class _Luminaire:
         answers = [self._with_remarks(solved) for solved in solutions]
         return answers[0]._replace(more=tuple(answers[1:]))
 
-    # -- what is known ------------------------------------------------------------------------
+    # -- figures and scale --------------------------------------------------------------------
 
     def _place_figures(self) -> None:
         """Add the figures of the distribution, by the symbols of the laws."""
@@ -217,7 +217,7 @@ class _Luminaire:
         if self.figures.axial == 0 and "intensity" in light:
             name = option(light["intensity"].name)
             raise ConditionError(
-                f"{name} is that on the axis, where this distribution has none",
+                f"{name} is the intensity on the axis, which is 0 in this distribution",
                 mention("{flux} or {peak-intensity} in its place"),
             )
         if isinstance(flux, ConditionError):
@@ -226,7 +226,7 @@ class _Luminaire:
             placed.note(f"no flux: {flux.message}")
             return
         if not flux.value:
-            dark = "the distribution has no intensity in any direction that was looked at"
+            dark = "the distribution has no intensity in the sampled directions"
             raise ConditionError(
                 "; ".join((dark, *self.photometry.assumptions)),
                 "a wider one, or a table of its angles and intensities",
@@ -248,11 +248,11 @@ class _Luminaire:
         placed.laws.append(laws_of.part(self.source, flux.value))
 
     def _place_scale(self) -> None:
-        """Add a scale of 1 for a source in its own unit, unless a light quantity gives another."""
+        """Add a scale of 1 for an absolute source that no light quantity scales."""
         sheet, kind = self.sheet, self.source.kind
         if not sheet.lit.values and not kind:
             raise MissingInput(
-                "the distribution is relative, and what scales it is missing",
+                "the distribution is relative: a light quantity to scale it is missing",
                 mention("{flux}, {intensity} or {peak-intensity}") + self._unit_hint,
             )
         known = {*sheet.known_with(self.placed)}
@@ -264,32 +264,32 @@ class _Luminaire:
         if sheet.lit.kind != kind:
             name = option(next(iter(sheet.lit.values.values())).name)
             raise MissingInput(
-                f"the distribution is in {light_unit('intensity', kind)}, {name} of another kind: "
-                "what links them is missing",
+                f"the distribution is in {light_unit('intensity', kind)}, {name} is of another "
+                "kind: a link between them is missing",
                 LINKS_HINT,
             )
         self.placed.add("scale", 1.0)
 
     @property
     def _unit_hint(self) -> str:
-        """Return where a unit would make a distribution absolute."""
+        """Return a hint at the place of a unit that makes the distribution absolute."""
         if self.of_shape:
             return ""
         if self.photometry.format == EXPRESSION:
-            return ", or a unit behind the expression, such as cd"
+            return ", or a unit after the expression, such as cd"
         return ", or a unit in the titles of the file, as in I (cd)"
 
     @property
     def _asks_place(self) -> bool:
-        """Check whether an irradiance asks for the offset of a source that is taken as it is."""
+        """Return whether an irradiance gives the offset from an unscaled source."""
         strength = {"flux", "intensity", "peak-intensity", "energy"} & set(self.sheet.lit.values)
         placed = {"distance", *OFFSETS} & set(self.given)
         return bool(self.sheet.lit.values) and "height" in self.given and not strength | placed
 
-    # -- where the receiver is ------------------------------------------------------------------
+    # -- the receiver ---------------------------------------------------------------------------
 
     def _place_receiver(self) -> None:
-        """Add the receiver's place, and its laws."""
+        """Add the receiver's position and its laws."""
         given, placed = self.given, self.placed
         if "incidence" in given:
             placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
@@ -325,11 +325,11 @@ class _Luminaire:
             placed.laws.append(laws_of.FLAT)
         if "aim" in given:
             placed.assume(
-                f"aimed at {quote(given['aim'].text)}; heights and offsets are counted from the "
-                "vertical through the source"
+                f"aimed at {quote(given['aim'].text)}; heights are vertical, and offsets are "
+                "counted from the vertical through the source"
             )
             if "incidence" not in given:
-                placed.assume("the receiver lies flat")
+                placed.assume("the receiver is horizontal")
         else:
             placed.assume("the source points straight down")
             if "incidence" not in given:
@@ -343,34 +343,34 @@ class _Luminaire:
 
     @property
     def _axis_input(self) -> str:
-        """Return the input that tells how far along the axis the receiver is, or an empty name."""
+        """Return the input with the receiver's distance along the axis, or an empty name."""
         if self.is_below:
             return "" if "aim" in self.given else "height"
         return "" if "toward" in self.given else "distance"
 
     def _receiver(self) -> AnyLaw:
-        """Return the law of what the receiver gets."""
+        """Return the law of the received flux."""
         if self.is_flat:
             return laws_of.lying_disc(self.source, self.pose, self.bearing)
         return laws_of.SMALL if self.is_turned else laws_of.facing_disc(self.source)
 
     @property
     def is_flat(self) -> bool:
-        """Check for a receiver in a horizontal plane."""
+        """Return whether the receiver is horizontal."""
         return self.is_below and "incidence" not in self.given
 
     @property
     def is_turned(self) -> bool:
-        """Check for a receiver that is turned about an axis that no input gives."""
+        """Return whether the receiver is turned around an unknown axis."""
         incidence = angle_of(self.given, "incidence")
         return not self.is_flat and (self.any_incidence or any_true(incidence != 0))
 
     @property
     def is_scaled(self) -> bool:
-        """Check for a light quantity that scales the distribution."""
+        """Return whether a light quantity scales the distribution."""
         return "scale" not in self.placed.known
 
-    # -- what is said of it ---------------------------------------------------------------------
+    # -- remarks --------------------------------------------------------------------------------
 
     def _with_remarks(self, solved: Solved) -> Answer:
         """Return the answer with remarks on the source and the receiver."""
@@ -387,8 +387,8 @@ class _Luminaire:
         size = self.photometry.size
         if size and solved.has("distance") and far_field.is_near(solved.value("distance"), size):
             solved.note(
-                f"what shines is {format_value(size, 'm')} long: nearer than five times that the "
-                "inverse square does not hold"
+                f"the luminous part is {format_value(size, 'm')} long: at less than five times "
+                "that distance the inverse square law does not hold"
             )
         facts = [*self._facts(solved)]
         answer = solved.answer()
@@ -403,7 +403,7 @@ class _Luminaire:
         if self.of_shape:
             yield ASSUMED[source.format].partition(";")[0]
         elif source.format == EXPRESSION:
-            yield f"the intensity is {quote(source.name)}, with theta from the source's axis"
+            yield f"the intensity is {quote(source.name)}; theta is counted from the source's axis"
         else:
             yield f"distribution: {source.format}" + f": {quote(source.name)}" * bool(source.name)
         yield from source.assumptions
@@ -411,28 +411,28 @@ class _Luminaire:
             yield from self._of_scale(solved)
 
     def _of_scale(self, solved: Solved) -> Iterator[str]:
-        """Yield the factor of the distribution, and what it makes void."""
+        """Yield the factor of the distribution, and a remark on declared values."""
         if solved.lit.kind == self.source.kind:
             times = (
                 format_number(solved.value("scale"))
                 if solved.has("scale")
-                else "as much as it takes"
+                else "an unknown number of"
             )
             yield f"scaled: {times} times the intensities of the distribution"
         else:
-            yield "scaled: of the distribution the shape alone counts"
+            yield "scaled: only the shape of the distribution is used"
         if self.photometry.declared:
-            yield ("what is declared of its lamps and watts holds no longer")
+            yield "the declared lamp flux and power do not apply to a scaled distribution"
 
     def _judge_receiver(self, solved: Solved) -> None:
-        """Add the assumptions on the receiver, and how well its flux is known."""
+        """Add the assumptions about the receiver, and note uneven light on it."""
         solved.assume("the receiver is a disc of that area")
         if self.is_turned:
             self._refuse_uneven(solved)
         compare_mean(solved)
 
     def _refuse_uneven(self, solved: Solved) -> None:
-        """A receiver that is turned, nobody says about which axis, has to be evenly lit."""
+        """Refuse uneven light on a receiver that is turned around an unknown axis."""
         from radcalc.distributions.places import unevenness
         from radcalc.geometry.receivers import UNEVEN
 
@@ -441,16 +441,16 @@ class _Luminaire:
         uneven = unevenness(self.source, radius, *place)
         if uneven > UNEVEN:
             raise ConditionError(
-                f"the light varies by {format_number(100 * uneven, 2)} % over that receiver, and "
-                "nobody tells about which axis it is turned",
+                f"the light varies by {format_number(100 * uneven, 2)} % over the receiver, and "
+                "the axis of its incidence is not known",
                 mention("a smaller {receiver-area}, or the same without {incidence}"),
             )
-        solved.assume(f"the light on it is even, within {format_number(100 * uneven, 2)} %")
+        solved.assume(f"the light varies by {format_number(100 * uneven, 2)} % over the receiver")
 
     # -- facts about the source -----------------------------------------------------------------
 
     def _facts(self, solved: Solved) -> Iterator[Value]:
-        """Yield what is known of the distribution beside its light."""
+        """Yield results about the distribution: flux error, peak, beam angles, declared values."""
         flux = self.figures.flux
         if isinstance(flux, ConditionError):
             yield absent("flux", flux.message, flux.hint)
@@ -466,7 +466,7 @@ class _Luminaire:
         yield from self._declared(solved)
 
     def _error(self, solved: Solved, flux: "Integral") -> Value:
-        """Return how far the flux may be off, by how it was integrated."""
+        """Return the estimated error of the integrated flux."""
         kind = solved.lit.kind
         if zonal := getattr(self.source, "zonal_flux", None):
             part = zonal() / flux.value
@@ -485,12 +485,12 @@ class _Luminaire:
     def _width(
         self, solved: Solved, name: str, azimuth: float, share: float, percentage: str
     ) -> Value:
-        """A beam angle or a field angle in a plane, and what is to be said of it."""
+        """Return a beam angle or a field angle in a plane, and add its remarks."""
         beam = _beam(self.source, 0.0 if self.source.is_axial else azimuth, share)
         if beam.outermost is None:
             return absent(
                 name,
-                f"there is no edge at which {percentage} of the plane's greatest intensity is left",
+                f"the intensity does not fall to {percentage} of the plane's maximum",
                 mention("{within}, and the flux within it"),
             )
         solved.assume(
@@ -499,17 +499,17 @@ class _Luminaire:
         )
         row = value(name, beam.outermost)
         if beam.is_ambiguous and not (azimuth and self.source.is_axial):
-            other = "there is none"
+            other = "does not exist"
             if beam.from_axis is not None:
-                other = f"it is {format_angle(beam.from_axis)}"
+                other = f"is {format_angle(beam.from_axis)}"
             solved.note(
-                f"the {row.label} is ambiguous: counted from the axis, to {percentage} of the "
-                f"intensity on it, {other}"
+                f"the {row.label} is ambiguous: the angle to {percentage} of the intensity on the "
+                f"axis {other}"
             )
         return row
 
     def _declared(self, solved: Solved) -> Iterator[Value]:
-        """Yield what a file declares; nothing of what is scaled."""
+        """Yield the values that a file declares, unless the distribution is scaled."""
         declared = {} if self.is_scaled else self.photometry.declared
         flux = solved.value("flux") if solved.has("flux") else None
         lamps, watts = declared.get("lamp-flux"), declared.get("input-power")
@@ -528,16 +528,16 @@ class _Luminaire:
 
     @property
     def _not_declared(self) -> tuple[str, str]:
-        """Why there is nothing to be declared of the lamps, and what to do."""
+        """The reason why declared values are missing, and a hint."""
         if self.photometry.declared and self.is_scaled:
             scaling = options([item.name for item in self.sheet.lit.values.values()], " and ")
-            problem = "the light is scaled, and what is declared of its lamps holds no longer"
+            problem = "declared values do not apply to a scaled distribution"
             return problem, f"the same without {scaling}"
-        return "nothing declares it", "a file that tells the flux of its lamps and the watts"
+        return "it is not declared", "a file with the flux of its lamps and their power"
 
 
 def _refuse_idle(given: Inputs) -> None:
-    """Refuse what has no use beside each other: places in two ways, turns without a place."""
+    """Refuse two positions of the receiver, and a rotation without a position or an aim."""
     placed = next((name for name in ("height", *OFFSETS) if name in given), None)
     if "toward" in given and placed:
         raise Exclusive(("toward", placed), "both place the receiver")
@@ -551,7 +551,7 @@ def _refuse_idle(given: Inputs) -> None:
 
 def _one_at_a_time(name: str) -> ConditionError:
     return ConditionError(
-        f"{option(name)} is a long range, and a source has one", "a list of at most 1000 values"
+        f"{option(name)} cannot be a long range here", "a list of at most 1000 values"
     )
 
 

@@ -1,4 +1,4 @@
-"""Mesopic luminance, between night and day, by CIE 191:2010."""
+"""Mesopic luminance by CIE 191:2010."""
 
 from radcalc.answer import Answer
 from radcalc.calculators.page import Page
@@ -16,10 +16,10 @@ PAGE = Page(
     ("luminance", "sp-ratio", "spectrum", "mesopic-luminance", "scotopic-luminance"),
     others=RESULTS,
     goal="mesopic-luminance",
-    about="Give the mesopic luminance of CIE 191:2010, between night and day.",
+    about="Give the mesopic luminance by CIE 191:2010, between scotopic and photopic vision.",
     sections={
         "Light": ("luminance", "sp-ratio", "spectrum"),
-        "Solved for the others": ("mesopic-luminance", "scotopic-luminance"),
+        "Other luminances": ("mesopic-luminance", "scotopic-luminance"),
     },
     texts={
         "spectrum": ("SOURCE", "A spectrum, for its S/P ratio."),
@@ -31,11 +31,11 @@ PAGE = Page(
         "mesopic-luminance=0.1cd/m2 sp-ratio=2 get=luminance:cd/m2",
     ),
 )
-HIGHEST = 1e12  # cd/m2, beyond any source
+HIGHEST = 1e12  # [cd/m2], above any source
 
 
 def mesopic(given: Inputs) -> Answer:
-    """Mesopic luminance from luminance and S/P ratio, or one of these from the others."""
+    """Return mesopic luminance, luminance and S/P ratio from any two of them."""
     sheet, placed = worksheet(PAGE, given, with_light=False), Placed()
     if "luminance" in given:
         bright = any_true(given["luminance"].value > HIGHEST)
@@ -57,16 +57,16 @@ def mesopic(given: Inputs) -> Answer:
     solved = solve(sheet, LAWS, placed)
     if solved.has("adaptation"):
         if any_true(solved.value("adaptation") == 1):
-            solved.note("photopic vision: from 5 cd/m2 on, m is 1")
+            solved.note("photopic vision: m is 1 from 5 cd/m2 on")
         if any_true(solved.value("adaptation") == 0):
-            solved.note("scotopic vision: up to 0.005 cd/m2, m is 0")
+            solved.note("scotopic vision: m is 0 up to 0.005 cd/m2")
     return solved.answer()
 
 
 def _ratio_of(given: Input) -> float:
-    """Return the ratio of scotopic to photopic of a spectrum."""
+    """Return the S/P ratio of a spectrum."""
     source = given.value
     photopic = source.lumens(OBSERVERS["photopic"])
     if not photopic > 0:
-        raise ConditionError(f"nothing of {quote(source.label)} is seen by day", "another spectrum")
+        raise ConditionError(f"{quote(source.label)} is invisible by day", "another spectrum")
     return float(source.lumens(OBSERVERS["scotopic"]) / photopic)

@@ -1,4 +1,4 @@
-"""Hints about missing inputs: what makes use of an idle input, and what gives a result."""
+"""Hints about missing inputs: inputs that make use of an idle one, or that give a result."""
 
 from collections.abc import Iterable, Sequence, Set
 from itertools import combinations
@@ -17,14 +17,14 @@ GOALS = frozenset(
 
 
 class Search(NamedTuple):
-    """A search for inputs that would help, by the symbols that are known and the laws."""
+    """A search for helpful inputs, from the known symbols and the laws."""
 
     sheet: Worksheet
     known: frozenset[str]
     laws: Sequence[AnyLaw]
 
     def refuse_idle(self, solved: Set[str], used: Set[str]) -> None:
-        """Refuse inputs that lead to no result; suggest what would make use of them."""
+        """Refuse inputs that lead to no result; suggest inputs that make use of them."""
         live = self._live(solved)
         inputs = self.sheet.quantities
         idle = {}
@@ -40,7 +40,7 @@ class Search(NamedTuple):
             for other in self._inputs()
             if other not in solved
         }
-        # inputs that make use of all idle ones, or else of this
+        # inputs that make use of all idle ones, or else of this one
         useful = [other for other, symbols in lively.items() if idle.keys() <= symbols]
         useful = (useful or [other for other, symbols in lively.items() if name in symbols])[:4]
         problem = "needs further inputs"
@@ -56,7 +56,7 @@ class Search(NamedTuple):
         raise Idle(f"{option(item.name, item.text)} {problem}", hint)
 
     def lacking(self, name: str) -> str:
-        """Return the inputs that would give a result, one or two of them."""
+        """Return one or two inputs that would give a result."""
         light = self.sheet.page.light
         candidates = [
             candidate
@@ -77,7 +77,7 @@ class Search(NamedTuple):
         return "more of the quantities"
 
     def _partners(self, name: str) -> list[str]:
-        """Return the inputs that one of the laws of a symbol lacks, the fewest that help."""
+        """Return the fewest missing inputs of a law of a symbol that help."""
         inputs = set(self._inputs())
         lacking = [
             [other for other in law.names[1:] if other not in self.known]
@@ -93,8 +93,8 @@ class Search(NamedTuple):
         return min(helpful, key=len, default=[])
 
     def _inputs(self) -> Iterable[str]:
-        """Return the symbols that can be given, light quantities by generic names."""
-        hints = self.sheet.hints  # they may have light quantities, in the order of the hint
+        """Return the accepted symbols, light quantities by generic names."""
+        hints = self.sheet.hints  # may have light quantities, in the order of the hint
         light = [n for n in self.sheet.page.light if SYMBOLS[n].help and n not in hints]
         return (*light, *hints)
 

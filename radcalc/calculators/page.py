@@ -1,4 +1,4 @@
-"""The page of a calculator: its one description, which the command and the function are made of."""
+"""The page of a calculator: the description from which its command and function are made."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -9,16 +9,16 @@ from radcalc.errors import UsageError, nearest, quote
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS, WORD, Symbol
 
-# The forms of operands that no symbol has.
+# Forms of operands, in addition to those of symbols.
 CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 
 class Operand(NamedTuple):
-    """The words of a call without an option: a shape, a source, coordinates.
+    """The arguments of a call: a shape, a source, coordinates.
 
-    `usage` shows it in the help; `form` and `choices` say which words it may be.  `default` is
-    the choice of a call without one.
+    `usage` is the text in the help; `form` and `choices` define valid words, `default` the choice
+    of a call without one.
     """
 
     name: str
@@ -28,7 +28,7 @@ class Operand(NamedTuple):
     default: str = ""
 
     def choice(self, word: str) -> str:
-        """Return the choice that a word names, in any case."""
+        """Return the choice for a word; ignore case."""
         if word.lower() in self.choices:
             return word.lower()
         near = nearest(word.lower(), self.choices, 1) or self.choices
@@ -38,24 +38,22 @@ class Operand(NamedTuple):
 class Page(NamedTuple):
     """A calculator: its inputs, its results and its texts.
 
-    The worksheet reads the first fields.  `takes` are the symbols that can be given; `light` are
-    the results that are light quantities, by generic names, and `others` the remaining ones, in
-    the order of the answer; `goal` is the result that inputs must lead to where it is not light.
+    Fields for the worksheet: `takes` are the accepted symbols; `light` the results that are light
+    quantities (generic names), and `others` the other results, in the order of the answer; `goal`
+    is a result that inputs must lead to if it is not light.
 
-    The command and the Python function read the others.  `about` is one line that says what the
-    calculator gives.  `sections` are the symbols of the options by the titles of the help;
-    `kinds` are the kinds of light that they take.  `texts` replace the example and the help of a
-    symbol, or the help alone, where it means less here.  `like` names the symbol whose quantity a
-    result measures.  A calculator that `draws` has a picture; `takes_lines` is false where no input
-    can come from lines of standard input.  `mistakes` are those that belong to this calculator, as
-    `homework` calls them.
+    Fields for the command and the Python function: `about` is a one-line summary; `sections` map
+    titles of the help to the symbols of options, `kinds` are their kinds of light.  `texts` replace
+    the example and the help of a symbol, or the help alone.  `like` maps a result to the symbol of
+    the same quantity.  `draws` allows pictures, `takes_lines` inputs from lines of standard input.
+    `mistakes` are names of `homework` for this calculator.
 
     `examples` have NAME=VALUE for each symbol, NAME= for a flag, and may end in two or more blanks
     and a remark.  In `remarks` {name} mentions a symbol, and a paragraph that begins with a line of
     `\\b` keeps its lines.
 
     `bare` are the units of numbers that are usually written without one; `labels` replace those
-    of symbols, and `forms` say how people read their numbers.
+    of symbols, and `forms` are the forms of their numbers.
     """
 
     title: str = ""
@@ -79,7 +77,7 @@ class Page(NamedTuple):
     forms: Mapping[str, str] = NOTHING
 
     def symbol(self, name: str) -> Symbol:
-        """Return a symbol with the example, the help and the dimensions that it has here."""
+        """Return a symbol with this page's example, help and dimensions."""
         symbol = SYMBOLS[name]
         if name in self.texts:
             text = self.texts[name]
@@ -110,7 +108,7 @@ class Page(NamedTuple):
 
 
 def words_of(example: str) -> tuple[list[str], str]:
-    """Return the words of an example, and the remark on it with the blanks before it."""
+    """Return the words of an example, and its remark with the blanks before it."""
     call = re.sub(" {2,}.*", "", example)
     words = re.findall(r"(?:'[^']*'|[^\s'])+", call)
     return [word.replace("'", "") for word in words], example[len(call) :]

@@ -1,4 +1,4 @@
-"""What follows from a wavelength: frequency, wavenumber, energy, and what the eye sees of it."""
+"""A photon: wavelength, frequency, wavenumber, energy and luminous efficacy."""
 
 from functools import reduce
 from typing import Any
@@ -18,11 +18,10 @@ from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import LENGTH
 
 PAGE = Page(
-    about="Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of "
-    "it.",
+    about="Give the wavelength, frequency, wavenumber, energy and luminous efficacy of a photon.",
     operand=Operand("wavelength", "WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY", QUANTITY),
     sections={"Light": ("observer",)},
-    texts={"observer": "Whose eyes the luminous efficiency is for."},
+    texts={"observer": "Observer (eye response) of the luminous efficiency."},
     draws=True,
     examples=(
         "555nm",
@@ -32,24 +31,24 @@ PAGE = Page(
         "400nm:780nm:1nm get=luminous-efficacy plot=",
         "400nm:700nm:50nm get=wavelength:nm get=luminous-efficacy:lm/W",
     ),
-    remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  A length is "
-    "looked up in the eye's tables as it is; the others are first turned into a wavelength in "
-    "standard air.",
+    remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  The tables of "
+    "the eye are used at the wavelength as given, or at the wavelength in standard air that "
+    "follows from a frequency, a wavenumber or an energy.",
 )
 
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}
 
 
 def named(wave: Input) -> Input:
-    """Return what is given for the wavelength, by the name of what it is."""
+    """Return the input with the symbol of its quantity (wavelength, frequency ...)."""
     return wave._replace(symbol=SYMBOLS[PHOTON_NAMES[wave.dimension]])
 
 
 def photon(given: Inputs) -> Answer:
-    """Everything that follows from one wavelength, frequency, wavenumber or photon energy.
+    """Return the answer for a wavelength, frequency, wavenumber or photon energy.
 
-    `given` has it as its wavelength, and may have an observer.  The wavelength, frequency,
-    wavenumber and energy are those in vacuum; the eye's tables are in standard air.
+    `given` has it as the wavelength, and may have an observer.  The wavelength, frequency,
+    wavenumber and energy are those in vacuum; the tables of the eye are for standard air.
     """
     wave = given["wavelength"]
     solution = solve(LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})
@@ -71,12 +70,12 @@ def photon(given: Inputs) -> Answer:
     efficiencies = [row.si for row in values if row.name.endswith("efficiency")]
     is_dark = reduce(larger, efficiencies) == 0
     if any_true(is_dark):
-        notes.append(f"nothing is seen at {wave.text_where(is_dark)}: it lies outside the tables")
+        notes.append(f"{wave.text_where(is_dark)} is invisible: it is outside the tables")
     return Answer(values, _assumptions(light, wave), notes, Derivation(solution))
 
 
 def _visibility(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
-    """Efficiency and efficacy of one wavelength [m]."""
+    """Return efficiency and efficacy of a wavelength [m]."""
     efficiency = luminous_efficiency(wavelength, observer)
     return [
         value(f"{kind}-efficiency", efficiency),
@@ -88,6 +87,6 @@ def _assumptions(light: spectral.Light, wave: Input) -> list[str]:
     eyes = dict.fromkeys([light.observer.assumption, OBSERVERS["scotopic"].assumption])
     if wave.dimension == LENGTH:
         taken = spectral.VACUUM.format(wave.text)
-        return [f"{taken}, and looked up in the eye's tables as it is", *eyes]
+        return [f"{taken}; the tables of the eye are used at this value", *eyes]
     air = f"{wave.text} is {format_number(light.table * 1e9)} nm in standard air"
-    return [f"the wavelength is that in vacuum; {air}, where the eye's tables are", *eyes]
+    return [f"the wavelength is that in vacuum; {air}, as used in the tables of the eye", *eyes]

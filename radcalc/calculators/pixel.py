@@ -1,4 +1,4 @@
-"""The solid angle of a pixel of a map of the sphere, and the direction of its middle."""
+"""The solid angle of a pixel of a map of all directions, and the direction of its middle."""
 
 import math
 
@@ -25,7 +25,7 @@ TAKES = ("size", "pixel", "projection")
 RESULTS = ("solid-angle", "sphere-fraction", "half-angle", "apex-angle")
 AXES = {
     LATLONG: "the middle of the map shows +x, its top +z, and +y is to the left of the middle",
-    MIRROR_BALL: "the middle of the map shows +x, the camera's own direction; +z is up, and +y to "
+    MIRROR_BALL: "the middle of the map shows +x, the direction to the camera; +z is up, and +y to "
     "the right, as in a mirror",
     ANGULAR: "the middle of the map shows +x; +z is up, and +y to the left",
 }
@@ -59,7 +59,7 @@ def pixel(given: Inputs) -> Answer:
     refuse_shape(size, projection, "projection" in given)
     if column >= width or row >= height:
         raise ConditionError(
-            f"{option('pixel', quote(place.text))} is beside the map",
+            f"{option('pixel', quote(place.text))} is outside the map",
             f"columns from 0 to {width - 1}, rows from 0 to {height - 1}",
         )
     omega = pixel_solid_angle(projection, width, height, column, row)
@@ -73,18 +73,18 @@ def pixel(given: Inputs) -> Answer:
     if "projection" not in given:
         assumptions.insert(0, mention("a latlong map ({projection})"))
     if not is_outside(projection, u, v):
-        assumptions += [AXES[projection], f"of the pixel's middle: {CONVENTION}"]
+        assumptions += [AXES[projection], f"direction of the pixel's middle: {CONVENTION}"]
     notes = []
     if not omega:
         notes = ["the pixel shows nothing: it is outside the circle of the map"]
     elif is_outside(projection, abs(u) + 1 / width, abs(v) + 1 / height):  # its outer corner
-        notes = ["the circle of the map cuts the pixel: the part inside counts"]
+        notes = ["the circle of the map cuts the pixel: only the part inside counts"]
     step = _step(projection, size, place, omega, (u, v))
     return Answer([*results, *_middle(projection, u, v)], assumptions, notes, [step])
 
 
 def refuse_shape(size: Input, projection: str, is_given: bool = True) -> None:
-    """Refuse a size that no map in a projection has, which may go without saying."""
+    """Refuse a size that does not suit a projection; the hint depends on `is_given`."""
     width, height = size.value
     if has_shape(projection, width, height):
         return
@@ -102,7 +102,7 @@ def refuse_shape(size: Input, projection: str, is_given: bool = True) -> None:
 
 
 def _middle(projection: str, u: float, v: float) -> list[Value]:
-    """Return the direction of a place, as far as there is one."""
+    """Return the direction of a place on the map, if it has one."""
     if is_outside(projection, u, v):
         problem = "the middle of the pixel is outside the circle of the map"
         return [absent(name, problem, "a pixel further inside") for name in ("polar", "azimuth")]

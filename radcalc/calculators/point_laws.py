@@ -1,4 +1,4 @@
-"""Parts that every small source has: its receiver, its spread and its laws."""
+"""Common parts of point sources: receivers, angular distributions and laws."""
 
 import math
 from collections.abc import Sequence
@@ -15,29 +15,29 @@ from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED
 from radcalc.maths import is_array
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
-# What takes a distribution as a function of direction, and not the laws of its own shape.
+# Inputs that need the distribution as a function of direction, not the laws of its shape.
 DIRECTED = ("peak-intensity", "toward", "aim", "rotate")
 CONE = ("half-angle", "apex-angle", "solid-angle")
 LOBE = ("exponent", "beam-angle", "field-angle")
 POSITION = ("distance", "height", *OFFSETS, "incidence")
 RECEIVER = ("within", "time", "receiver-area")
 SHAPED = {ISOTROPIC: (), CONICAL: CONE, LOBED: LOBE}
-FLAGS = {"isotropic": ISOTROPIC, "hemisphere": CONICAL}  # which tell all of a distribution
+FLAGS = {"isotropic": ISOTROPIC, "hemisphere": CONICAL}  # complete distributions
 OF = {ISOTROPIC: "an isotropic source", CONICAL: "a uniform cone", LOBED: "a cosine-power lobe"}
 ASSUMED = {
     ISOTROPIC: "isotropic: the same intensity in all directions",
     CONICAL: "the same intensity everywhere in the cone, none outside",
     LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
 }
-LYING = "the receiver lies flat, in a plane across the source's axis"
+LYING = "the receiver lies in a plane perpendicular to the source's axis"
 
 
 def require_height(solved: Solved) -> None:
-    """Refuse an offset for which no height is given or follows."""
+    """Refuse an offset without a height."""
     if not solved.has("height"):
         offset = next(solved.given[name] for name in OFFSETS if name in solved.given)
         raise MissingInput(
-            f"{option('height')} is missing beside {option(offset.name)}",
+            f"{option(offset.name)} alone is not enough: {option('height')} is missing",
             mention("{height=6m}, along the source's axis"),
         )
 
@@ -45,9 +45,9 @@ def require_height(solved: Solved) -> None:
 def solve_facing(
     sheet: Worksheet, laws: list[AnyLaw], placed: Placed, any_incidence: bool, is_flat: bool
 ) -> list[Solved]:
-    """Return every solution; without an incidence light comes along the receiver's normal.
+    """Return every solution; without an incidence, light arrives along the receiver's normal.
 
-    That of a receiver that is flat follows from its place.
+    The incidence at a flat receiver follows from its position.
     """
     known = sheet.known_with(placed)
     is_turned = is_flat or "incidence" in known
@@ -59,7 +59,7 @@ def solve_facing(
     facing = Placed()
     facing.merge(placed)
     facing.add("incidence", 0.0)
-    facing.assume("light along the receiver's normal")
+    facing.assume("light arrives along the receiver's normal")
     try:
         return solve_all(sheet, laws, facing)
     except ConditionError as error:
@@ -81,16 +81,16 @@ def _explaining_incidence(sheet: Worksheet, laws: list[AnyLaw], placed: Placed) 
 
 
 def refuse_light_of_surfaces(lit: LightInputs, takes: Sequence[str] = QUANTITIES) -> None:
-    """Refuse what a point has not: a radiance, an exitance."""
+    """Refuse quantities of surfaces, which a point source does not have: radiance, exitance."""
     for name, item in lit.values.items():
         if name not in takes:
             raise ConditionError(
-                f"{option(item.name)}: a point source has none", command("lambertian")
+                f"{option(item.name)}: a point source has no {name}", command("lambertian")
             )
 
 
 def spread(given: Inputs) -> str:
-    """Return how the light is spread: as it was chosen, or as an input of its own tells."""
+    """Return the angular distribution, as chosen or as implied by its inputs."""
     chosen = given["distribution"].value if "distribution" in given else None
     shapes = {name: shape for shape, names in SHAPED.items() for name in names if name in given}
     shapes |= {name: shape for name, shape in FLAGS.items() if name in given}
@@ -100,30 +100,30 @@ def spread(given: Inputs) -> str:
     for name, other in further:
         if other != shape:
             raise ConditionError(
-                f"{option(first)} is of {OF[shape]}, {option(name)} of {OF[other]}", "one of them"
+                f"{option(first)} describes {OF[shape]}, {option(name)} {OF[other]}", "one of them"
             )
         if name in FLAGS:
             raise Exclusive([first, name], "both give the cone")
     if chosen not in (None, shape):
         distribution = option("distribution", quote(given["distribution"].text))
-        message = f"{option(first)} cannot be used with {distribution}: it is of {OF[shape]}"
+        message = f"{option(first)} cannot be used with {distribution}: it describes {OF[shape]}"
         raise ConditionError(message, "one of them")
     return shape
 
 
 def place_hemisphere(given: Inputs, placed: Placed) -> None:
-    """Add the right angle of a cone that is a hemisphere."""
+    """Add the half angle of a hemisphere."""
     if "hemisphere" in given:
         placed.add("half-angle", math.pi / 2)
         placed.assume("uniform over 2 pi sr (a hemisphere)")
 
 
 def compare_mean(solved: Solved) -> None:
-    """Note where the irradiance at a receiver's centre is not its mean."""
+    """Note a mean irradiance of the receiver that differs from that at its centre."""
     mean = solved.value("received-flux") / solved.value("receiver-area")
     if not is_array(mean) and abs(solved.value("irradiance") - mean) > 0.01 * mean:
         unit = coherent_unit_of("irradiance", solved.lit.kind)
         solved.note(
-            "the irradiance is that at the receiver's centre; its mean over the receiver is "
+            "the irradiance is that at the receiver's centre; the mean over the receiver is "
             f"{format_value(mean, unit)}"
         )

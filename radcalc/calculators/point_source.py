@@ -1,7 +1,4 @@
-"""A source that is small beside its distance: flux, intensity, irradiance, and what gives them.
-
-The intensity is that on the source's axis.
-"""
+"""A point source: flux, intensity (on the axis), irradiance, and the position of a receiver."""
 
 import math
 from collections.abc import Sequence
@@ -78,10 +75,10 @@ PAGE = Page(
         "flux-within",
         "beam-flux",
     ),
-    about="Give what follows for a source that is small beside its distance.",
+    about="Solve for a small source (lamp, spot, luminaire file): intensity, lux, distance, beam.",
     sections={
         "Light": (*QUANTITIES, "peak-intensity"),
-        "Its directions": (
+        "Directions": (
             "distribution",
             "isotropic",
             "hemisphere",
@@ -96,7 +93,7 @@ PAGE = Page(
             "aim",
             "rotate",
         ),
-        "The receiver": (
+        "Receiver": (
             "distance",
             "height",
             "offset",
@@ -109,7 +106,7 @@ PAGE = Page(
     },
     texts={
         "distance": "Straight line from the source to the receiver.",
-        "height": "Height of the source above the receiver's plane, along its axis.",
+        "height": "Height of the source above the receiver's plane, along the source's axis.",
         "solid-angle": "Solid angle of a uniform cone.",
     },
     draws=True,
@@ -138,16 +135,16 @@ PAGE = Page(
         "distribution=lamp.ies aim=1,0,-2 rotate=90deg height=3m offset=2m",
     ),
     remarks="""
-    Any sufficient set of the quantities gives the others; what is given twice is checked, to the
-    digits typed.  The irradiance is at the receiver.  Light comes along the receiver's normal,
-    unless {incidence} tells otherwise or {get=incidence} asks what it is; under a {height} the
-    source points straight down and the receiver lies flat.  An offset, a height or an exponent
-    follows from the light; where two fit, both are shown.
+    Any sufficient set of quantities gives the others; redundant quantities are checked against
+    each other, to the digits typed.  The irradiance is that of the receiver.  Light arrives along
+    the receiver's normal, unless {incidence} is given or {get=incidence} asks for it; with a
+    {height} the source points straight down and the receiver is horizontal.  An offset, a height
+    or an exponent can follow from the light; if two values fit, both are shown.
 
     {distribution} also reads the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
     intensities (CSV), or an expression in theta, the angle from the source's axis, and phi, the
-    azimuth about it, with a unit behind a blank; - is standard input.  Such a source is taken as it
-    is, unless a light quantity scales it.  {offset} is towards C0, {offset-y} towards C90.
+    azimuth around it, followed by a blank and a unit; - is standard input.  A light quantity scales
+    such a source.  {offset} is towards C0, {offset-y} towards C90.
 
     Several sources add up (see also radcalc scene):
 
@@ -158,25 +155,24 @@ PAGE = Page(
     """,
     mistakes=("beam",),
 )
-# What a distribution is about where no light is given.
+# The width of a distribution, solved for if no light is given.
 WIDTH = {CONICAL: "half-angle", LOBED: "exponent"}
-# The angle from edge to edge, and the law of how wide that is across the axis.
+# The full angle, and the law of the beam diameter.
 BEAMS = {CONICAL: ("apex-angle", beam_of_cone), LOBED: ("beam-angle", beam_of_lobe)}
 
 
 def task(words: Sequence[str], wants: Wants) -> Task:
-    """Return the task of a call; the incidence is solved for where it is asked for."""
+    """Return the task of a call; the incidence is solved for if it is requested."""
     return Task("point-source", partial(point_source, any_incidence=wants("incidence")))
 
 
 def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
-    """Everything that follows for a point source from whatever is known of it.
+    """Return the answer for a point source.
 
-    Without any light, the widths of a cone or a lobe follow from one of them.  `given` are light
-    quantities by whichever name, the distribution, lengths, angles, times, and what links the
-    kinds.  With `any_incidence` that is looked for, and not taken to be 0.  Where
-    nothing tells how far aside of the axis the receiver is, it is on it, unless the rest tells
-    another place.
+    Without a light quantity, one width of a cone or a lobe gives the others.  `given` are light
+    quantities (generic or specific names), the distribution, lengths, angles, times, and links
+    between kinds.  With `any_incidence` the incidence is solved for instead of assumed to be 0.
+    Without an offset the receiver is on the axis, unless the other inputs contradict that.
     """
     work_out = _answer
     shaped = "distribution" not in given or isinstance(given["distribution"].value, str)
@@ -195,7 +191,7 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
 
 
 def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
-    """Return what follows for a receiver on the source's axis, or aside of it."""
+    """Return the answer for a receiver on or off the source's axis."""
     shape = spread(given)
     results = (*POSITION, "off-axis", *SHAPED[shape], "beam-diameter", *RECEIVER)
     hints = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
@@ -213,7 +209,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     is_explicit = not given.keys().isdisjoint(("distribution", "isotropic"))
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_explicit:
         placed.note(
-            mention("4 pi times the intensity is not the flux of a beam: {beam-angle} gives that")
+            mention("the flux is that of an isotropic source; {beam-angle} gives that of a beam")
         )
     solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
     if is_aside:
@@ -223,7 +219,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
 
 
 def _width(sheet: Worksheet, placed: Placed, shape: str) -> Answer:
-    """Return the width of the beam by any of its measures."""
+    """Return the widths of the beam from one of them."""
     if sheet.lit.links or not {*SHAPED[shape], "hemisphere"} & set(sheet.given):
         hint = mention("{flux}, {intensity} or {irradiance}")
         raise MissingInput("a light quantity is missing", hint)
@@ -232,16 +228,16 @@ def _width(sheet: Worksheet, placed: Placed, shape: str) -> Answer:
     page = sheet.page._replace(goal="beam-diameter" if beam else WIDTH[shape])
     placed.assume(ASSUMED[shape].partition(";")[0])
     solved = solve(sheet._replace(page=page), [*WIDTHS[shape], *beam], placed)
-    # light gives more without a beam: its laws say which inputs would be of use
+    # without a beam, the laws of light say which inputs would help
     return solved.answer(laws=None if beam else [*placed.laws, INVERSE_SQUARE])
 
 
 def _beam(sheet: Worksheet, placed: Placed, shape: str, away: str) -> list[AnyLaw]:
-    """Return the law of the beam's width across the axis, if its edge is ahead of the source."""
+    """Return the law of the beam diameter, if the beam's edge is in front of the source."""
     name, beam = BEAMS.get(shape, ("", None))
     try:
         width = follow(LAWS[shape], sheet.known_with(placed)).values.get(name)
-    except ConditionError:  # the solution of all laws refuses it
+    except ConditionError:  # the solution of all laws raises it
         return []
     return [beam(away)] if beam and width and not any_true(width.value >= math.pi) else []
 
@@ -262,7 +258,7 @@ def _with_remarks(solved: Solved, shape: str) -> Answer:
 
 
 def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
-    """Place a receiver somewhere on the source's axis, or about a source without one."""
+    """Place a receiver on the source's axis, or anywhere around an isotropic source."""
     given = sheet.given
     _place_incidence(given, placed)
     placed.laws += [INVERSE_SQUARE, RECEIVER_ON_AXIS[shape]]
@@ -276,7 +272,7 @@ def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
 
 
 def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
-    """Place a receiver off the source's axis; its offset or height may be looked for."""
+    """Place a receiver off the source's axis; its offset or height may be unknown."""
     given, laws = sheet.given, placed.laws
     _place_incidence(given, placed)
     laws.append(AXIS)
@@ -314,7 +310,7 @@ def _place_incidence(given: Inputs, placed: Placed) -> None:
 
 
 def _compare_cone(solved: Solved) -> None:
-    """Say what a uniform cone of a beam angle would give, which is often meant by it."""
+    """Note the result for a uniform cone, which is often meant by a beam angle."""
     omega = cones.cone(solved.value("beam-angle") / 2)
     name = "intensity" if "flux" in solved.lit.values else "flux"
     other = (
@@ -326,7 +322,7 @@ def _compare_cone(solved: Solved) -> None:
 
 
 def _judge_receiver(solved: Solved, shape: str) -> None:
-    """Say what is assumed of the receiver, and where the light on it is not even."""
+    """Add the assumptions about the receiver, and note uneven light on it."""
     solved.assume("the receiver is a disc of that area")
     area, away, off = solved.value("receiver-area"), solved.value("distance"), 0.0
     if solved.has("off-axis"):
@@ -337,5 +333,5 @@ def _judge_receiver(solved: Solved, shape: str) -> None:
         uneven = receivers.unevenness(
             solved.value("exponent"), power(area / math.pi, 0.5), away, off
         )
-        solved.assume(f"the intensity on it is even, within {format_number(100 * uneven)} %")
+        solved.assume(f"the intensity varies by {format_number(100 * uneven)} % over the receiver")
     compare_mean(solved)

@@ -40,15 +40,15 @@ PAGE = Page(
         "index=1/1.52 incidence=60deg",
         "brewster-angle=56.66deg get=index",
     ),
-    remarks="{index} is that of the medium after the surface over that before it: 1.52 into glass, "
-    "1/1.52 out of it.  s is light with its electric field perpendicular to the plane of "
-    "incidence, p parallel to it; {reflectance} is for unpolarised light.  The slab has the first "
-    "medium on both sides, and all reflections inside it are counted.",
+    remarks="{index} is the refractive index after the surface divided by that before it: 1.52 "
+    "into glass, 1/1.52 out of it.  s is light with its electric field perpendicular to the plane "
+    "of incidence, p parallel to it; {reflectance} is for unpolarised light.  The slab has the "
+    "first medium on both sides; its transmittance includes all internal reflections.",
 )
 
 
 def refraction(given: Inputs) -> Answer:
-    """Return what follows at a surface, for light that no medium absorbs."""
+    """Return angles, reflectances and transmittances at a surface, without absorption."""
     if not given:
         raise MissingInput("the index is missing", mention("{index=1.52} and {incidence=60deg}"))
     sheet, placed = worksheet(PAGE, given, with_light=False), Placed()
@@ -63,17 +63,17 @@ def refraction(given: Inputs) -> Answer:
         for name in ("reflectance-s", "reflectance-p"):
             placed.add(name, 1.0 + 0.0 * given["incidence"].value)
         placed.use("incidence")
-        placed.note("total reflection: the incidence is past the critical angle")
+        placed.note("total reflection: the incidence is above the critical angle")
         solved = solve(sheet, [*TOTAL, critical], placed)
     else:
         solved = solve(sheet, [*LAWS, critical], placed)
     if solved.has("slab-transmittance"):
-        solved.assume("unpolarised light; a slab reflects it at both faces, without interference")
+        solved.assume("unpolarised light; a slab reflects at both faces, without interference")
     return solved.answer()
 
 
 def _is_total(given: Inputs) -> bool:
-    """Check whether all of the light is reflected; refuse a range of which a part is."""
+    """Return whether all light is totally reflected; refuse a range that is so only in part."""
     if not {"index", "incidence"} <= given.keys():
         return False
     index, sine = given["index"].value, sin(angle_of(given, "incidence"))

@@ -1,4 +1,4 @@
-"""Results in the units that are asked for: floats, or arrays where a range was given."""
+"""Results in the requested units: floats, or arrays for a range."""
 
 import math
 from collections.abc import Sequence
@@ -19,13 +19,13 @@ from radcalc.units.unit import Unit
 if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit
 
-MOST_OF_A_UNIT = 5  # results that are named in place of their unit
-OF_UNCERTAINTY = "-uncertainty"  # behind the name of a result
+MOST_OF_A_UNIT = 5  # results to suggest for a unit
+OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
 
 
 def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") -> Value:
-    """A result of a symbol [SI], in the units it is shown in: the symbol's own, or others."""
+    """Return a result of a symbol [SI], shown in its own unit or in the given ones."""
     symbol = SYMBOLS[name]
     return Value(
         name,
@@ -38,7 +38,7 @@ def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") ->
 
 
 def of_directions(given: Inputs, name: str, size: Any) -> Value:
-    """Return a result that every shape of directions has."""
+    """Return a result of a solid angle."""
     more = ("sr", "deg2") if name == "solid-angle" else ()
     if name in given:
         return known(given[name], *more)
@@ -48,20 +48,20 @@ def of_directions(given: Inputs, name: str, size: Any) -> Value:
 
 
 def absent(name: str, problem: str, hint: str) -> Value:
-    """A result that has no meaning here, which says why when it is asked for."""
+    """Return a result without a value; requesting it raises an error with the reason."""
     message = f"there is no {SYMBOLS[name].label}: {problem}"
     return value(name, 0.0)._replace(units=(), because=UsageError(message, hint))
 
 
 def known(given: Input, *more_units: str) -> Value:
-    """An input as a result: in the unit it was given in, as it was typed; then in others."""
+    """Return an input as a result: as typed, then in other units."""
     text = given.unit_text
     units = (text, *(unit for unit in more_units if unit != text.replace(".", " ")))
     return value(given.name, given.value, *units)._replace(given=given.number)
 
 
 def in_unit(value: Value, unit: Unit) -> Any:
-    """A value in one of the units it may be asked for, or its reading on a scale."""
+    """Return a value in a unit, or its reading on a scale."""
     _refuse_absent(value)
     if unit.is_scale:
         return _on_scale(value, cast("ScaleUnit", unit))
@@ -71,7 +71,7 @@ def in_unit(value: Value, unit: Unit) -> Any:
     if amount is None:
         own_grid, wanted_grid = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
         if own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]:
-            message = f"{value.name} in {quote(unit.text)} takes what links the kinds of light"
+            message = f"{value.name} in {quote(unit.text)} needs a link between the kinds of light"
             raise MissingInput(message, LINKS_HINT)
         raise UsageError(
             f"{value.name} is not measured in {describe(unit)}",
@@ -86,7 +86,7 @@ def in_unit(value: Value, unit: Unit) -> Any:
 
 
 def _on_scale(value: Value, unit: "ScaleUnit") -> Any:
-    """Return the reading of a value; what is no part of light has none in dB."""
+    """Return the reading of a value on a scale, if its quantity has one."""
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
     scale = unit.measures((*value.dimensions, *value.reach))
@@ -118,7 +118,7 @@ def _unit_of(text: str, name: str, values: Sequence[Value]) -> Unit:
 
 
 def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]:
-    """Return how the scales are read in which results are asked for, NAME:SCALE."""
+    """Return the assumptions of the scales in requested results, NAME:SCALE."""
     from radcalc.units.scales import find
 
     assumptions = []
@@ -134,7 +134,7 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
 
 
 def _in_shown_unit(value: Value, text: str) -> Any:
-    """A value in one of the units it is shown in, of which most are coherent or as typed."""
+    """Return a value in one of its shown units, mostly coherent or as typed."""
     if text == value.units[0] and (typed := value.in_first) is not None:
         return typed + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
     if text == COHERENT.get(value.dimensions[0]):
@@ -143,16 +143,16 @@ def _in_shown_unit(value: Value, text: str) -> Any:
 
 
 def _refuse_absent(value: Value, case: str = "") -> None:
-    """Say what a result lacks that does not follow, and in which of several answers."""
+    """Refuse a result that does not follow, with its missing inputs."""
     of_case = f"{case}: " if case else ""
     if (because := value.because) is not None:
         raise because.reworded(f"{of_case}{because.message}")
     if value.lacking is not None:
-        raise MissingInput(f"{of_case}no {value.label} follows from what is given", value.lacking())
+        raise MissingInput(f"{of_case}the inputs do not give the {value.label}", value.lacking())
 
 
 def element(value: Value, k: int) -> Value:
-    """One element of a value that is an array."""
+    """Return an element of an array value."""
 
     def of(x: Any) -> Any:
         return float(x[k]) if is_column(x) else x
@@ -164,9 +164,9 @@ def element(value: Value, k: int) -> Value:
 
 
 def check_representable(name: str, number: Any, of: Any = None) -> Any:
-    """A result as floats, unless it has left what a number can hold.
+    """Return a result as floats; refuse one that is too large or too small for a float.
 
-    It is too small where it has lost digits, or is 0 and what it is a multiple `of` is not.
+    It is too small if it has lost digits, or is 0 though it is a multiple `of` a non-zero value.
     """
     if type(number) is float and SMALLEST <= abs(number) < math.inf:
         return number
@@ -183,19 +183,19 @@ def check_representable(name: str, number: Any, of: Any = None) -> Any:
         number = float(number)
         good = math.isfinite(number)
     if not good:
-        raise NumberError(f"{name} cannot be held by a number", "less extreme values")
+        raise NumberError(f"{name} is too large for a number", "less extreme values")
     return number + 0.0
 
 
 def name_of(wanted: str) -> str:
-    """Return the name of a result that is asked for as NAME[:UNIT]."""
+    """Return the name of a requested result, NAME[:UNIT]."""
     return wanted.partition(":")[0].strip()
 
 
 def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
-    """Return the result NAME[:UNIT]; without a unit, in the first unit of the listing.
+    """Return the result NAME[:UNIT]; without a unit, in its first shown unit.
 
-    NAME-uncertainty asks for the standard uncertainty of NAME, 0 where nothing is uncertain.
+    NAME-uncertainty is the standard uncertainty of NAME, 0 without uncertain inputs.
     """
     name, _, text = wanted.partition(":")
     name, text = name.strip(), text.strip()
@@ -220,7 +220,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     generic = SPECIFIC.get(name, ("", ""))[0]
     if generic in names:
         raise MissingInput(
-            f"{name} takes what links the kinds of light", f"{LINKS_HINT}, or {generic}"
+            f"{name} needs a link between the kinds of light", f"{LINKS_HINT}, or {generic}"
         )
     of_case = f"{case}: " if case else ""
     hint = _right_names(name, values, names)
@@ -228,12 +228,12 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
 
 
 def names_of(values: Sequence[Value]) -> list[str]:
-    """Return the results that follow, by their names."""
+    """Return the names of the results that follow."""
     return list(dict.fromkeys(value.name for value in values if not value.is_absent))
 
 
 def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> str:
-    """Return names in place of an unknown one: results of that unit, similar names, or all."""
+    """Return suggestions for an unknown name: results of that unit, similar names, or all."""
     from radcalc.units.scales import find
 
     scale = find(name)
@@ -250,7 +250,7 @@ def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> st
 
 
 def _apart(row: Row) -> Row:
-    """A row in which the number stands beside its uncertainty."""
+    """Return a row with number and uncertainty separated."""
     if not is_uncertain(row.value):
         return row
     return row._replace(value=row.value.nominal_value, uncertainty=row.value.std_dev)
@@ -269,9 +269,9 @@ def _of_kind(value: Value, unit: Unit) -> tuple[str, str]:
 
 
 def rows(values: Sequence[Value], case: str = "") -> list[Row]:
-    """All the results, each in the units it is shown in.
+    """Return a row for each shown unit of each result.
 
-    Of several answers each begins with what was given, which tells them apart.
+    With several answers, each starts with its inputs.
     """
     result_rows = [
         Row(

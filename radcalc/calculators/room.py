@@ -1,4 +1,4 @@
-"""The lighting of a room by the lumen method: how many luminaires give which illuminance."""
+"""The lumen method: the number of luminaires in a room, and their illuminance."""
 
 from typing import Any
 
@@ -20,23 +20,23 @@ LOSSES = ("utilance", "maintenance")
 
 
 def _side(other: Any, height: Any, index: Any) -> Any:
-    """One side of a room, by the other one."""
+    """Return one side of a room from the other."""
     least = index * height
-    problem = "no room of that side and height has that room index"
+    problem = "no room with that side and height has that room index"
     cones.refuse(other <= least, problem, "less height, or a smaller index")
     return least * other / (other - least)
 
 
 def _shorter(area: Any, total: Any) -> Any:
-    """Return the shorter side of a room, by its area and the sum of two sides."""
-    problem = "no room of that area and height has that room index: a square one has less"
+    """Return the shorter side of a room from its area and the sum of both sides."""
+    problem = "no room with that area and height has that room index: a square room has less"
     cones.refuse(total < 2 * sqrt(area), problem, "less height, or a smaller index")
-    # without the difference of nearly equal numbers that a long room has
+    # avoids the difference of nearly equal numbers in a long room
     return 2 * area / (total + sqrt(total * total - 4 * area))
 
 
 def _rounded_up(number: Any) -> Any:
-    """Return the next whole number, or the nearest where the number is one up to rounding."""
+    """Round up to a whole number; round down numbers that exceed it by rounding errors only."""
     return -(-number * (1 - EXACT) // 1)
 
 
@@ -44,7 +44,7 @@ LIT: list[AnyLaw] = [
     law(
         "lumen method",
         "{irradiance} = {luminaires} {flux} {utilance} {maintenance} / {area}",
-        "ISO 80000-7, illuminance: what of the flux gets to the area",
+        "ISO 80000-7, illuminance: the part of the flux that reaches the area",
     ),
     RECTANGLE,
     relation(
@@ -63,7 +63,7 @@ LIT: list[AnyLaw] = [
     ),
 ]
 SIDES = relation(
-    "sides of a room, by its area and index",
+    "sides of a room from its area and index",
     "{width} = (s - sqrt(s^2 - 4 {area})) / 2, s = {area} / ({room-index} {height})",
     {"width": lambda at: _shorter(at("area"), at("area") / (at("room-index") * at("height")))},
 )
@@ -85,7 +85,7 @@ PAGE = Page(
     ("irradiance", "installed-irradiance", "flux"),
     ("luminaires", "luminaires-to-install", "room-index", *SIZES, *LOSSES),
     goal="room-index",
-    about="Give the luminaires that light a room, or the illuminance that they give it.",
+    about="Give the number of luminaires for a room, or the illuminance that they give.",
     sections={
         "Room": (*SIZES, "room-index"),
         "Light": ("irradiance", "flux", "luminaires", *LOSSES),
@@ -105,26 +105,25 @@ PAGE = Page(
         "area=54m2 illuminance=500lx luminaires=12 utilance=0.6 get=flux:klm",
         "width=6m length=9m height=2m get=room-index",
     ),
-    remarks="The lumen method: the mean illuminance of the working plane is the flux that gets "
-    "there over its area.  The {utilance} of a luminaire is in its data sheet, by the room index "
-    "and the reflectances.  Any sufficient set of these gives the others.",
+    remarks="Lumen method: the mean illuminance of the working plane is the flux that reaches it, "
+    "divided by its area.  The data sheet of a luminaire gives its {utilance} for the room index "
+    "and the reflectances.  Any sufficient set of these quantities gives the others.",
 )
 
 
 def room(given: Inputs) -> Answer:
-    """Return the luminaires of a room, its index and illuminance, from any that suffice."""
+    """Return the luminaires of a room, its index and illuminance from a sufficient set."""
     sheet, placed = worksheet(PAGE, given), Placed()
     if not given:
         hint = mention("{width}, {length}, {illuminance}, {flux} and {utilance}")
-        raise MissingInput("nothing is given", hint)
+        raise MissingInput("the inputs are missing", hint)
     laws = LIT if "luminaires" in given else LAWS
     if given.keys() >= {"area", "room-index", "height"} and not given.keys() & {"width", "length"}:
         laws = [*laws, SIDES]
         placed.assume("a rectangular room, whose width is the shorter side")
     if "luminaires" in given and any_true(given["luminaires"].value % 1 != 0):
         raise ConditionError(
-            f"{option('luminaires', quote(given['luminaires'].text))} is no whole number of "
-            "luminaires",
+            f"{option('luminaires', quote(given['luminaires'].text))} is not a whole number",
             "a whole number, or what it follows from",
         )
     if sheet.lit.values:
@@ -133,7 +132,7 @@ def room(given: Inputs) -> Answer:
     solved = solve(sheet, laws, placed)
     solved.refuse_impossible(*LOSSES)
     if solved.has("room-index"):
-        solved.assume("room index by the height of the luminaires above the working plane")
+        solved.assume("room index: for the height of the luminaires above the working plane")
     if solved.has("luminaires", "irradiance"):
-        solved.assume("luminaires spread evenly; illuminance: the mean over the working plane")
+        solved.assume("evenly distributed luminaires; illuminance: the mean over the working plane")
     return solved.answer()

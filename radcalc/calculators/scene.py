@@ -1,4 +1,4 @@
-"""A scene: what many sources give together at points, and how even that is."""
+"""A scene: the irradiance of many sources at points, and its uniformity."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os.path import dirname
@@ -20,10 +20,10 @@ from radcalc.units.dimensions import LENGTH
 from radcalc.units.unit import NUMBER
 
 PAGE = Page(
-    about="Add up the light of many sources at points, or over a grid of them.",
+    about="Add up the light of many sources at points or over a grid.",
     operand=Operand("file", "FILE.csv", FILE, ENDINGS),
     sections={"The points": ("grid", "normal"), "Kinds of light": (*LINKS, *REFINEMENTS)},
-    texts={"normal": "Where the receivers face (0,0,1: up)."},
+    texts={"normal": "Normal of the receivers (0,0,1: up)."},
     draws=True,
     takes_lines=False,
 )
@@ -34,18 +34,18 @@ SHARE = "share-"  # before the name of a source
 
 
 def is_of_all(name: str) -> bool:
-    """Check whether a result is of all the points, and not of each."""
+    """Return whether a result is for all points together."""
     symbol = SYMBOLS.get(name.removeprefix("radiant-"))
     return symbol is not None and (symbol.generic in LIGHT_OF_ALL or symbol.name in EVENNESS)
 
 
 def is_share(name: str) -> bool:
-    """Check whether a result is the share of a source."""
+    """Return whether a result is the share of a source."""
     return name.startswith(SHARE)
 
 
 class Scene(NamedTuple):
-    """Sources in one kind of light, what links that to others, and what was assumed of them."""
+    """Sources in one kind of light, with links to other kinds, assumptions and notes."""
 
     sources: Sequence[NamedSource]
     lit: kinds.LightInputs
@@ -56,7 +56,7 @@ class Scene(NamedTuple):
 def scene(
     sources: str | Sequence[Mapping[str, Any]], links: Inputs, assumptions: Sequence[str] = ()
 ) -> Scene:
-    """Return the sources of a file, or of a list with a dict for each."""
+    """Return the sources of a file, or of a list of dicts."""
     if isinstance(sources, str):
         reader = Reader(links, dirname(sources))
         rows, notes = rows_of_file(sources)
@@ -84,7 +84,7 @@ class Survey:
             self.assumptions.append("the receivers face up")
 
     def fields(self, blocks: Iterable[Vector]) -> Iterator[Field]:
-        """Yield what points get, a block of them at a time; the statistics take them in."""
+        """Yield the irradiances at each block of points, and add them to the statistics."""
         sources = [placed.source for placed in self.scene.sources]
         for points in blocks:
             irradiances = field(sources, points, self.normal, self.with_shares)
@@ -92,7 +92,7 @@ class Survey:
             yield irradiances
 
     def at_points(self, blocks: Iterable[Vector]) -> Iterator[Answer]:
-        """An answer for each block of points, whose values are arrays."""
+        """Return an answer with arrays for each block of points."""
         return map(self._values, self.fields(blocks))
 
     def at_point(self, point: Vector) -> Answer:
@@ -130,7 +130,7 @@ class Survey:
         return Answer(values)
 
     def remarks(self, is_grid: bool = False, with_values: bool = False) -> Answer:
-        """Return the assumptions and notes on all points, on request with results over them."""
+        """Return the assumptions and notes on all points, optionally with results over them."""
         statistics = self.statistics
         amounts = dict(
             zip(LIGHT_OF_ALL, (statistics.mean, statistics.least, statistics.most), strict=True)
@@ -158,13 +158,13 @@ class Survey:
             if near:
                 where = f" at {near}{of_points}" if of_points else ""
                 size = f"{placed.source.size:.3g} m"
-                yield f"{placed.source.name} is nearer than five times its size, {size}{where}"
+                yield f"{placed.source.name} is nearer than five times its size ({size}){where}"
         if is_grid and statistics.most > statistics.least:
             ends = point_text(*statistics.least_at), point_text(*statistics.most_at)
             yield f"the least light is at {ends[0]}, the most at {ends[1]}"
 
     def _steps(self, point: Vector) -> list[Step]:
-        """Return the derivation at one point: the term of each source, and their sum."""
+        """Return the derivation at one point: the term of each source, and the sum."""
         steps, terms = [], []
         for placed in self.scene.sources:
             step, part = self._term(placed, point)

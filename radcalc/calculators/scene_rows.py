@@ -1,6 +1,6 @@
-"""The rows of a scene: what is typed of each source, and the source that it makes.
+"""The rows of a scene: the columns of each source, and a reader of sources.
 
-A row has a value for some of the columns; it is a line of a file, or a dict of Python's.
+A row is a line of a file or a Python dict, with values for some of the columns.
 """
 
 import os
@@ -54,7 +54,7 @@ PLACE, AIM, DIRECTION = (
 )
 SIZE = ("area", "width", "length")
 STRENGTH = ("flux", "intensity")  # of any source
-SURFACE = ("radiance", "exitance")  # of a Lambertian one
+SURFACE = ("radiance", "exitance")  # of a Lambertian source
 TAKES = {**SHAPED, LAMBERTIAN: (*SIZE, *SURFACE)}
 
 
@@ -74,15 +74,15 @@ COLUMNS: dict[str, Symbol] = {
 COMMENT = "#"
 TEXTS = ("name", "distribution")
 KNOWN = (*TEXTS, *COLUMNS)
-NO_NAME = re.compile(r"[^\w.+-]+")  # what the name of a result has not
+NO_NAME = re.compile(r"[^\w.+-]+")  # characters that names of results do not have
 MARKED = re.compile(r"[\d.,]*[.,]\d+(?:[eE][-+]?\d+)?")  # a number with a point or a comma
 
 
 class Row(NamedTuple):
-    """A source as it is typed.
+    """A source as typed.
 
-    `where` is what a message calls the row; `cells` are the values by the names of the columns,
-    without those that are blank, and `titles` what the columns are called there.
+    `where` names the row in messages; `cells` are its values by column, without blank ones;
+    `titles` are the titles of the columns in the file.
     """
 
     where: str
@@ -90,7 +90,7 @@ class Row(NamedTuple):
     titles: dict[str, str]
 
     def error(self, column: str, problem: str, hint: str) -> ConditionError:
-        """Return what is wrong in a column of the row."""
+        """Return the error for a column of the row."""
         place = f"{self.where}, {_title(self.titles, column)}"
         return ConditionError(f"{place}: {problem}", hint)
 
@@ -101,7 +101,7 @@ class Row(NamedTuple):
 
 
 class NamedSource(NamedTuple):
-    """A source of a scene, and what it is called in results."""
+    """A source of a scene, and its name in results."""
 
     name: str
     source: Source
@@ -112,7 +112,7 @@ def _title(titles: Mapping[str, str], column: str) -> str:
 
 
 def typed(column: str) -> str:
-    """Return the name of a column, as one types it.
+    """Return the name of a column as typed.
 
     Examples
     --------
@@ -123,19 +123,19 @@ def typed(column: str) -> str:
 
 
 def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
-    """Return the rows of a file, with a header and a line for each source; and what is odd."""
+    """Return the rows of a file with a header and a line for each source, and notes."""
     name, all_lines = read_lines(path, "a CSV file with a row for each source")
     lines = [(number, line) for number, line in enumerate(all_lines, 1) if line.strip(" \t;,|")]
     comments = [entry for entry in lines if entry[1].lstrip().startswith(COMMENT)]
     lines = [entry for entry in lines if entry not in comments]
     if len(lines) < 2:
-        problem = "there is a header and no source" if lines else "there is no source"
+        problem = "the file has a header but no source" if lines else "the file has no source"
         raise ConditionError(f"{name}: {problem}", "a header such as x,y,z,flux and rows below it")
     number, header = lines[0]
     delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
     if delimiter is None:
         raise ConditionError(
-            f"{text.where(name, number)}: there is one column only", "a header such as x,y,z,flux"
+            f"{text.where(name, number)}: there is only one column", "a header such as x,y,z,flux"
         )
     titles, units = _header(columns.cells(header, delimiter), text.where(name, number))
     rows = []
@@ -145,7 +145,7 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         where = text.where(name, number)
         if len(cells) != len(titles):
             problem = f"{len(cells)} cells under {len(titles)} titles"
-            hint = "a cell under each title; one with a comma stands in quotation marks"
+            hint = "a cell under each title; quote a cell that has a comma"
             raise ConditionError(f"{where}: {problem}", hint)
         filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
         rows.append(Row(where, filled, titles))
@@ -157,12 +157,12 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         for number, line in comments
         if len(columns.cells(line, delimiter)) == len(titles)
     ]
-    notes = [f"{name}: passed over, as they begin with {COMMENT}: lines {listed(like_rows)}"]
+    notes = [f"{name}: comments with as many cells as the rows, skipped: lines {listed(like_rows)}"]
     return rows, notes if like_rows else []
 
 
 def _check_marks(row: Row, line: int, decimals: columns.Decimals) -> None:
-    """Refuse a number whose decimal mark is not that of the rows before."""
+    """Refuse a number whose decimal mark differs from that of earlier rows."""
     for column, cell in row.cells.items():
         for number in MARKED.findall(cell) if column in COLUMNS else ():
             if problem := decimals.conflict(number, line):
@@ -170,7 +170,7 @@ def _check_marks(row: Row, line: int, decimals: columns.Decimals) -> None:
 
 
 def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], have_commas: bool) -> None:
-    """Give decimal commas points, and numbers the units of their columns."""
+    """Replace decimal commas by points, and give bare numbers the units of their columns."""
     places = [(row.cells, column) for row in rows for column in row.cells if column in COLUMNS]
     if have_commas:
         for row, column in places:
@@ -180,7 +180,7 @@ def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], have_commas: b
 
 
 def _in_unit(value: Any, unit: Unit | None) -> Any:
-    """A bare number in the unit of its title, as it is typed; anything else as it is."""
+    """Return a bare number with the unit of its title and its text; other values unchanged."""
     if unit is None or not _is_bare(value):
         return value
     number = split_value(value)[0] if isinstance(value, str) else value
@@ -188,7 +188,7 @@ def _in_unit(value: Any, unit: Unit | None) -> Any:
 
 
 def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str, Unit]]:
-    """Return the title of each column by its name, and the units that titles have."""
+    """Return the title of each column by its name, and the units in the titles."""
     names: dict[str, str] = {}
     units: dict[str, Unit] = {}
     for number, title in enumerate(titles, 1):
@@ -197,7 +197,7 @@ def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str
         name, unit = _column(title, where)
         if name in names:
             raise ConditionError(
-                f"{where}: column '{quote(title)}' stands there twice", "each column once"
+                f"{where}: column '{quote(title)}' appears twice", "each column once"
             )
         names[name] = title
         if unit:
@@ -222,7 +222,7 @@ def _column(title: str, where: str) -> tuple[str, Unit | None]:
         return name, unit
     near = [typed(head) for head in nearest(normalized, KNOWN, 3)]
     hint = ", ".join(near) or "x, y, z, flux, intensity, distribution, aim_x, rotate, name ..."
-    raise ConditionError(f"{where}: there is no column '{quote(title)}'", hint)
+    raise ConditionError(f"{where}: unknown column '{quote(title)}'", hint)
 
 
 def _name(title: str) -> str:
@@ -230,7 +230,7 @@ def _name(title: str) -> str:
 
 
 def _unit(name: str, title: str, where: str) -> Unit | None:
-    """Return the unit in a title, which must suit the column; None where there is more text."""
+    """Return the unit in a title, which must suit the column; None if there is more text."""
     symbol = COLUMNS[name]
     example = typed(name) if symbol.unit == "1" else f"{typed(name)} ({symbol.unit})"
     units = (COLUMNS[key].unit for key in (name, *names_of_kinds(name)))
@@ -240,7 +240,7 @@ def _unit(name: str, title: str, where: str) -> Unit | None:
         unit = matched and matched.unit
         if not matched or not unit:
             for text in columns.units_in(title)[0]:
-                resolve(text)  # which refuses it
+                resolve(text)  # raises the error of an unknown unit
             return None
         if unit.is_scale:
             raise UnitError(f"{quote(unit.text)} is a scale", example)
@@ -256,7 +256,7 @@ def _unit(name: str, title: str, where: str) -> Unit | None:
 
 
 def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
-    """Return the rows of a list of dicts, whose keys are titles; None counts as missing."""
+    """Return the rows of a list of dicts, whose keys are titles; None means missing."""
     rows = []
     headers: dict[tuple[str, ...], tuple[dict[str, str], dict[str, Unit]]] = {}
     for number, source in enumerate(sources, 1):
@@ -280,10 +280,7 @@ def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
 
 
 class Reader:
-    """Turns rows into sources, in one kind of light.
-
-    `assumptions` and `notes` are what is to be said of them.
-    """
+    """A reader that turns rows into sources of one kind of light, with assumptions and notes."""
 
     def __init__(self, links: Inputs, folder: str = "") -> None:
         self.links, self.folder = links, folder
@@ -294,18 +291,18 @@ class Reader:
         self.fluxes: dict[Distribution, float] = {}
 
     def sources(self, rows: Sequence[Row]) -> list[NamedSource]:
-        """A source for each row, with a name of its own."""
+        """Return a source for each row; names must be unique."""
         placed: list[NamedSource] = []
         names: dict[str, Row] = {}
         for number, row in enumerate(rows, 1):
             given = row.cells.get("name", number)
             if not isinstance(given, (str, Real)):
-                raise row.error("name", f"a {type(given).__name__} is no name", "a text")
+                raise row.error("name", f"a {type(given).__name__} is not a name", "a text")
             name = NO_NAME.sub("-", str(given))
             if name in names:
                 raise row.error(
                     "name",
-                    f"'{quote(name)}' is the source of {names[name].where} already",
+                    f"'{quote(name)}' is already the source of {names[name].where}",
                     "a name for each source, or none",
                 )
             names[name] = row
@@ -327,7 +324,7 @@ class Reader:
         label = f"'{quote(name)}' ({row.where})"
         if shape == LAMBERTIAN:
             return NamedSource(name, self.patch(label, row, given, strength, place, pose))
-        self.assumptions["sources count as points, but for rectangles"] = None
+        self.assumptions["sources are points, except for rectangles"] = None
         factor = self.factor(row, photometry.distribution, strength)
         source = Emitter(label, place, pose, photometry.distribution, factor, photometry.size)
         return NamedSource(name, source)
@@ -337,7 +334,9 @@ class Reader:
         symbol, value = COLUMNS[column], row.cells[column]
         number = value[0] if isinstance(value, tuple) else value
         if isinstance(number, bool) or not isinstance(number, (str, Real)):
-            raise row.error(column, f"a {type(number).__name__} is no value", "one number or text")
+            raise row.error(
+                column, f"a {type(number).__name__} is not a value", "one number or text"
+            )
         is_place = symbol.dimensions == (LENGTH,) and column in (*PLACE, *AIM, *DIRECTION)
         if is_place and _is_bare(value):
             self.assumptions[IN_METRES] = None
@@ -353,7 +352,7 @@ class Reader:
             raise row.error(column, message.replace(column, typed(column), 1), hint) from None
 
     def point(self, row: Row, given: Inputs, names: Sequence[str]) -> Vector:
-        """Three coordinates, of which none may be missing."""
+        """Return three coordinates; refuse missing ones."""
         for name in names:
             if name not in given:
                 problem = "is blank" if name in row.titles else "is missing"
@@ -363,7 +362,7 @@ class Reader:
         return x, y, z
 
     def pose(self, row: Row, given: Inputs, place: Vector, is_aimed: bool) -> Pose:
-        """Return where the source is aimed: at a point, in a direction, or straight down."""
+        """Return the pose of the source: aimed at a point, in a direction, or straight down."""
         aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
         if len(aims) > 1:
             raise ConditionError(
@@ -379,19 +378,19 @@ class Reader:
         direction = minus(toward, place) if aims[0] == AIM else toward
         if not any(direction):
             if aims[0] == AIM:
-                raise row.error(AIM[0], "it is aimed at its own place", "another point")
+                raise row.error(AIM[0], "the source is aimed at its own position", "another point")
             raise row.error(DIRECTION[0], "0,0,0 has no direction", "a vector other than 0")
         return Pose(direction, rotate)
 
     def shape(self, row: Row, given: Inputs) -> tuple[str, Photometry]:
-        """Return how the light is spread: the name of a shape, or nothing, and the distribution."""
+        """Return the name of a shape, empty for other distributions, and the distribution."""
         text = row.cells.get("distribution")
         names = set(given) | {item.symbol.generic for item in given.values()}
         shapes = [shape for shape, takes in TAKES.items() if names.intersection(takes)]
         if text is None:
             if len(shapes) > 1:
                 raise ConditionError(
-                    f"{row.where}: it has columns of {' and of '.join(shapes)}", "one of them"
+                    f"{row.where}: it has columns for {' and for '.join(shapes)}", "one of them"
                 )
             shape = shapes[0] if shapes else ISOTROPIC
             if not shapes:
@@ -410,7 +409,7 @@ class Reader:
         return shape, Photometry(Isotropic(), "")
 
     def photometry(self, row: Row, text: Any) -> Photometry:
-        """A distribution that is no shape: a file beside the scene's, or an expression."""
+        """Return the distribution of a file, relative to the scene's folder, or an expression."""
         if not isinstance(text, str):
             return self._photometry(row, text)
         in_folder = os.path.join(self.folder, text)
@@ -430,13 +429,13 @@ class Reader:
             raise row.error("distribution", *error.spelled(Plain)) from None
 
     def one_of(self, row: Row, given: Inputs, names: Sequence[str], shape: str) -> Input:
-        """Return the one column of several that a shape takes."""
+        """Return the only given column of several for a shape; refuse none and two."""
         matches = [name for name in names if name in given]
         if len(matches) > 1:
             raise row.both(*matches[:2])
         if not matches:
             raise ConditionError(
-                f"{row.where}: a {shape} has no width", " or ".join(map(typed, names))
+                f"{row.where}: the width of the {shape} is missing", " or ".join(map(typed, names))
             )
         return given[matches[0]]
 
@@ -447,7 +446,7 @@ class Reader:
         return float(values[wanted].value)
 
     def refuse_idle(self, row: Row, given: Inputs, shape: str) -> None:
-        """Refuse columns that are of another distribution."""
+        """Refuse columns of other distributions."""
         useful = (*PLACE, *AIM, *DIRECTION, "rotate", *STRENGTH, *TAKES.get(shape, ()))
         idle = [n for n, item in given.items() if {n, item.symbol.generic}.isdisjoint(useful)]
         if idle:
@@ -455,16 +454,16 @@ class Reader:
             raise row.error(idle[0], f"does not apply to {what}", "a blank cell there")
 
     def factor(self, row: Row, distribution: Distribution, strength: Input | None) -> float:
-        """Return what the intensities of a distribution are multiplied by, in the scene's kind."""
+        """Return the factor from a distribution to intensities in the scene's kind."""
         if strength is None:
             if not distribution.kind:
                 raise ConditionError(
-                    f"{row.where}: the source has no strength",
+                    f"{row.where}: the flux or intensity of the source is missing",
                     "flux or intensity, with its unit: 800lm",
                 )
             return self.in_kind(row, "distribution", distribution.kind)
         if distribution.kind:
-            self.assumptions["of a distribution that is scaled the shape alone counts"] = None
+            self.assumptions["scaling keeps only the shape of the distribution"] = None
         if strength.symbol.generic == "intensity":
             unscaled = float(distribution.intensity(0.0, 0.0))
             what = "intensity on its axis"
@@ -475,7 +474,7 @@ class Reader:
         return self.amount(row, strength) / unscaled
 
     def flux(self, row: Row, distribution: Distribution) -> float:
-        """Return the flux of a distribution, which is worked out once."""
+        """Return the flux of a distribution, computed once."""
         if distribution not in self.fluxes:
             try:
                 self.fluxes[distribution] = distribution.flux().value
@@ -484,12 +483,12 @@ class Reader:
         return self.fluxes[distribution]
 
     def amount(self, row: Row, given: Input) -> float:
-        """A light quantity in the scene's kind."""
+        """Return a light quantity in the scene's kind."""
         kind = kinds.kind_of(given)
         return float(given.value) * self.in_kind(row, given.name, kind)
 
     def in_kind(self, row: Row, column: str, kind: str) -> float:
-        """Return the factor from a kind of light to the scene's, which is that of its first."""
+        """Return the factor from a kind of light to the scene's, the kind of the first source."""
         if not self.kind:
             self.kind = kind
         if kind == self.kind:
@@ -499,7 +498,7 @@ class Reader:
             raise row.error(
                 column,
                 f"it is {KIND_NAMES[kind]}, other sources are {KIND_NAMES[self.kind]}: "
-                "what links them is missing",
+                "a link between them is missing",
                 LINKS_HINT,
             )
         self.assumptions[factor.assumption] = None
@@ -509,16 +508,16 @@ class Reader:
     def patch(
         self, label: str, row: Row, given: Inputs, strength: Input | None, place: Vector, pose: Pose
     ) -> Source:
-        """A Lambertian patch: a rectangle, which is exact, or an area that is small."""
+        """Return a Lambertian patch: an exact rectangle, or a small area."""
         sides = [given[name].value for name in ("width", "length") if name in given]
         if len(sides) == 1 or ("area" in given) == bool(sides):
             raise ConditionError(
-                f"{row.where}: the size of the patch is missing or told twice",
+                f"{row.where}: the size of the patch is missing or given twice",
                 "width and length, or area",
             )
         if strength is None:
             raise ConditionError(
-                f"{row.where}: the patch has no strength",
+                f"{row.where}: a light quantity of the patch is missing",
                 "luminance, exitance, flux or intensity, with its unit",
             )
         area = float(given["area"].value if "area" in given else sides[0] * sides[1])
@@ -526,16 +525,14 @@ class Reader:
         radiance = float(follow([*surface.LAWS, surface.FLAT], known).values["radiance"].value)
         if sides:
             return Panel(label, place, pose, float(sides[0]), float(sides[1]), radiance)
-        self.assumptions["a patch given by its area alone counts as small beside its distance"] = (
-            None
-        )
+        self.assumptions["a patch given by its area is small compared to its distance"] = None
         return Emitter(
             label, place, pose, Lobe(1.0), radiance * area, far_field.size(area), is_patch=True
         )
 
 
 def _is_bare(value: Any) -> bool:
-    """Check whether a number has no unit."""
+    """Return whether a number has no unit."""
     if not isinstance(value, str):
         return not isinstance(value, tuple)
     try:

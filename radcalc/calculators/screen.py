@@ -1,4 +1,4 @@
-"""A projection screen: how bright the picture of a projector is."""
+"""A projection screen: the luminance and the illuminance of a projected picture."""
 
 from typing import Any
 
@@ -81,12 +81,12 @@ PAGE = Page(
         "luminance=48cd/m2 width=12m aspect=2.39 gain=1 get=flux:lm",
     ),
     remarks="The luminance is that along the screen's normal, in a dark room.  Any sufficient set "
-    "of the light, the picture's sizes and the gain gives the others.",
+    "of light quantities, sizes of the picture and the gain gives the others.",
 )
 
 
 def screen(given: Inputs) -> Answer:
-    """Return the light of a picture, from the projector's flux, the picture's size and the gain."""
+    """Return luminance, illuminance, flux and sizes of a picture from a sufficient set."""
     sheet, placed = worksheet(PAGE, given), Placed()
     if not sheet.lit.values:
         hint = mention("{flux=3000lm}, {illuminance} or {luminance}")

@@ -1,4 +1,4 @@
-"""A sensor behind a lens, or a detector: its light, its photons, its electrons, its current."""
+"""A camera sensor or a detector: its light, photons, electrons and current."""
 
 from typing import Any
 
@@ -30,7 +30,7 @@ ON_SENSOR = ("irradiance", "exposure", "flux", "energy")
 def _magnification(at: At) -> Any:
     cones.refuse(
         at("working-f-number") < at("f-number"),
-        "a working f-number is not below the lens's",
+        "the working f-number must not be below the lens's",
         "a working f-number of that or more",
     )
     return at("working-f-number") / at("f-number") - 1
@@ -51,7 +51,7 @@ OPTICS: list[AnyLaw] = [
             "f-number": lambda at: at("working-f-number") / (1 + at("magnification")),
             "magnification": _magnification,
         },
-        "a lens whose pupils are of one size",
+        "a lens with pupils of equal size",
     ),
     law(
         "etendue of a pixel",
@@ -116,7 +116,7 @@ PAGE = Page(
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
     texts={
-        "photon-range": "Where the photons of {spectrum} are counted (as the watts).",
+        "photon-range": "Wavelengths of {spectrum} for counting photons (default: as for watts).",
         "etendue": ("1um2.sr", "Etendue of the light on a pixel."),
         "time": ("1/100s", "Exposure time."),
         "flux": ("0.1uW", "The flux on a pixel, or on the detector."),
@@ -139,21 +139,21 @@ PAGE = Page(
     ),
     bare={"time": "s"},
     forms={"time": FRACTION},
-    remarks="{radiance} is the scene's, the rest of the light is on the sensor: the camera "
-    "equation stands between.  {f-number} is the marked one, of a lens focused far away, and "
-    "{working-f-number} N (1 + m).  The area of a pixel is what collects light, and that of any "
-    "other detector.  Electrons need photons: those of {wavelength} or {spectrum}, or light that "
-    "is counted in photons.  Any sufficient set gives the others.",
+    remarks="{radiance} is that of the scene, the other light quantities are those of the sensor; "
+    "the camera equation relates them.  {f-number} is the marked one, of a lens focused far away; "
+    "{working-f-number} is N (1 + m).  The area of a pixel, or of another detector, is the area "
+    "that collects light.  Electrons need photons: give {wavelength} or {spectrum}, or light in "
+    "photon units.  Any sufficient set gives the others.",
 )
-GOALS = {  # without any light
+GOALS = {  # without light
     "responsivity": ("quantum-efficiency", "responsivity"),
     "etendue": ("f-number", "working-f-number"),
 }
-SILICON = 1200.0  # [nm] beyond which it lets light through
+SILICON = 1200.0  # [nm]; silicon is transparent beyond
 
 
 def sensor(given: Inputs) -> Answer:
-    """Return light, photons, electrons and current of a sensor, from any that suffice."""
+    """Return light, photons, electrons and current of a sensor from a sufficient set."""
     if not given:
         hint = mention("{luminance} and {f-number}, or {irradiance} and {pixel-pitch}")
         raise MissingInput("the light is missing", hint)
@@ -177,12 +177,12 @@ def sensor(given: Inputs) -> Answer:
     if solved.has("working-f-number") and solved.has("radiance", "etendue"):
         solved.use("off-axis-angle")
     if solved.has("electrons", "current"):
-        solved.assume("the whole area of a pixel collects light, as much everywhere")
+        solved.assume("the whole area of a pixel collects light uniformly")
         if "spectrum" in sheet.lit.links:
-            solved.assume("a quantum efficiency that is the same over all that is counted")
+            solved.assume("the same quantum efficiency for all counted photons")
             _note_infrared(solved)
     if solved.has("snr"):
-        solved.assume("signal to noise: the shot noise alone")
+        solved.assume("signal to noise: shot noise only")
     answer = solved.answer()
     if kind != LUMINOUS:
         return answer
@@ -196,14 +196,14 @@ def sensor(given: Inputs) -> Answer:
 
 
 def _kind(given: Inputs) -> str:
-    """Return the kind to reckon in: photons where nothing links them with watts."""
+    """Return the kind to calculate in: photons if the efficacy links them with lumens."""
     links = (RATIOS[LUMINOUS, PHOTON], RATIOS[PHOTON, LUMINOUS])
     ratio = given.get("efficacy")
     return PHOTON if ratio and ratio.dimension in links else RADIANT
 
 
 def _with_photons_counted(given: Inputs) -> Inputs:
-    """Return what is given, with photons counted where watts are unless somebody says otherwise."""
+    """Return the inputs, with the range of the watts as the photon range unless one is given."""
     if "spectrum" not in given or "photon-range" in given:
         return given
     limits = given["range"].value if "range" in given else given["spectrum"].value.limits
@@ -212,15 +212,15 @@ def _with_photons_counted(given: Inputs) -> Inputs:
 
 
 def _note_infrared(solved: Solved) -> None:
-    """Note that photons are counted which silicon does not take up."""
+    """Note counted photons that silicon does not absorb."""
     limits = solved.lit.links["photon-range"].value
     if limits[1] > SILICON:
-        narrower = mention("{range=400nm:700nm} counts those that a filter lets through")
+        narrower = mention("{range=400nm:700nm} counts those that a filter transmits")
         solved.note(f"photons are counted over {range_text(limits)}: {narrower}")
 
 
 def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
-    """Refuse what takes watts or photons where the light is of another kind."""
+    """Refuse inputs that need watts or photons if the light is of another kind."""
     kind = sheet.lit.kind
     lacking: tuple[str, ...] = ()
     if kind == LUMINOUS:
@@ -232,15 +232,15 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
     for name in lacking:
         if name in sheet.given and sheet.lit.values:
             option_text = option(name, sheet.given[name].text)
-            problem = f"{option_text} takes what links the kinds of light"
+            problem = f"{option_text} needs a link between the kinds of light"
             raise MissingInput(problem, LINKS_HINT)
 
 
 def _place_lens(sheet: Worksheet, placed: Placed, laws: list[AnyLaw]) -> None:
-    """Add and assume the defaults of a lens."""
+    """Add the defaults of a lens, as assumptions."""
     given = sheet.given
     if "off-axis-angle" in given:
-        placed.assume("off the axis by the fourth power of the cosine; no vignetting")
+        placed.assume("off the axis: the fourth power of the cosine, without vignetting")
     placed.merge(place(sheet, _off_axis))
     placed.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)")
     if "working-f-number" not in given:
@@ -249,7 +249,7 @@ def _place_lens(sheet: Worksheet, placed: Placed, laws: list[AnyLaw]) -> None:
     lossless = mention("a lens without losses: a transmittance of 1 ({transmittance})")
     placed.default(sheet, laws, "transmittance", 1.0, lossless)
     if "magnification" in given:
-        placed.assume("pupils of one size: the working f-number is N (1 + m)")
+        placed.assume("pupils of equal size: the working f-number is N (1 + m)")
 
 
 def _off_axis(sheet: Worksheet) -> Placed:

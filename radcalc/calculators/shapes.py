@@ -1,4 +1,4 @@
-"""Shapes of a Lambertian source: the laws of each, and the values that its place gives."""
+"""Shapes of a Lambertian source: their laws, and the values that follow from their position."""
 
 import math
 from collections.abc import Callable
@@ -45,14 +45,14 @@ PROJECTED_SOLID_ANGLE = Formula(
 
 
 class Shape(NamedTuple):
-    """A source's shape: the inputs that it takes, and what it finds in them."""
+    """A shape of a source: its inputs, and a function from inputs to values and laws."""
 
     takes: tuple[str, ...]
     place: Callable[[Worksheet], Placed]
 
 
 class Seen(Placed):
-    """What a shape finds in its inputs, from where a receiver sees it."""
+    """Values and laws of a shape, seen by a receiver."""
 
     def __init__(self, given: Inputs, *laws: AnyLaw) -> None:
         super().__init__(*laws)
@@ -66,22 +66,22 @@ class Seen(Placed):
         self.steps.append(PROJECTED_SOLID_ANGLE.with_numbers(numbers))
 
     def note_horizon(self, shape: str, lowest: Any, highest: Any) -> None:
-        """Note what the receiver's horizon cuts of a shape that lies between two heights."""
+        """Note a shape between two heights that is partly or wholly below the horizon."""
         if any_true(lowest < -1e-12 * abs(highest)):
             cut = "partly " if any_true(highest > 1e-12 * abs(lowest)) else ""
             self.note(f"the {shape} is {cut}below the receiver's horizon")
 
     def face(self) -> None:
-        """Assume a receiver that faces the source, unless an incidence is given."""
+        """Assume that the receiver faces the source, unless an incidence is given."""
         self.use("incidence")
         if "incidence" not in self.given:
             self.assume("the receiver faces the source")
 
     def centre(self, height: Any, lateral: Any, tilt: Any) -> None:
-        """Add the place of the source's centre, as a receiver sees it that has this tilt."""
+        """Add the position of the source's centre, seen by a receiver with this tilt."""
         self.use(*POSITION)
         if "incidence" in self.given:
-            self.assume("the incidence is counted from the line to the centre, off the axis")
+            self.assume("the incidence is counted from the line to the centre, away from the axis")
         else:
             self.assume("the receiver faces the source's plane")
         distance = hypot(height, lateral)
@@ -91,23 +91,23 @@ class Seen(Placed):
             self.add("distance", distance)
 
     def stand_aside(self) -> None:
-        """Add the laws of a disc off its axis, of which a length is looked for."""
+        """Add the laws of a disc off its axis with an unknown length."""
         self.assume("the receiver faces the source's plane")
         self.laws += [DISC_ASIDE, OFFSET]
 
 
 def _is_sized(given: Inputs) -> bool:
-    """Check that the radius is known."""
+    """Return whether the radius is known."""
     return "radius" in given or "diameter" in given
 
 
 def _radius(given: Inputs) -> Any:
-    """Return the radius, given as such or as the diameter."""
+    """Return the radius, given as a radius or a diameter."""
     return radius_of(one_of(given, "the size of the source", "radius", "diameter"))
 
 
 def _tilt(given: Inputs, height: Any, lateral: Any) -> Any:
-    """Return how far the receiver is turned from facing the source's plane.
+    """Return the angle between the receiver's normal and that of the source's plane [rad].
 
     Without an incidence it faces the plane.  With one it is turned by that angle from the line to
     the centre, away from the source's axis: from the centre to facing the plane, and on.
@@ -119,7 +119,7 @@ def _tilt(given: Inputs, height: Any, lateral: Any) -> Any:
 
 
 def _patch(sheet: Worksheet) -> Placed:
-    """Place a flat source of whatever shape, which is small where it is seen from a distance."""
+    """Place a flat source of any shape; at a distance it must be small."""
     given = sheet.given
     placed = Seen(given, FLAT, *_without_size(given, FLAT_FLUX))
     if "width" in given or "length" in given:
@@ -139,7 +139,7 @@ def _patch(sheet: Worksheet) -> Placed:
 
 
 def _patch_above(placed: Seen) -> None:
-    """Place a small flat source by the height of the receiver, on its axis or aside of it."""
+    """Place a small flat source by the height of the receiver, on or off its axis."""
     given = placed.given
     height = _height(given)
     if "height" not in given:
@@ -163,7 +163,7 @@ def _patch_toward(placed: Seen) -> None:
         if not _is_sized(given) or any_true(tilt != 0):
             raise cut_by_horizon(given, _reach(given), given["distance"].value)
         placed.add("incidence", incidence, given["incidence"])
-        placed.assume("a disc that faces the receiver, of which the horizon leaves a part")
+        placed.assume("a disc that faces the receiver, partly cut by the horizon")
         placed.laws.append(CUT_DISC)
     else:
         placed.laws += _small(given)
@@ -175,25 +175,25 @@ def _small(given: Inputs) -> list[AnyLaw]:
 
 
 def _without_height(name: str) -> MissingInput:
-    """Return the refusal of a receiver's place without its height."""
+    """Return the error for a receiver without a height."""
     message = f"{option(name)} does not apply without a height"
     return MissingInput(message, mention("{height=1.5m} with it"))
 
 
 def _without_size(given: Inputs, *laws: AnyLaw) -> tuple[AnyLaw, ...]:
-    """Return laws that need no size, if none is given."""
+    """Return the laws unless a size is given."""
     return () if set(SIZES) & set(given) else laws
 
 
 def _is_cut(given: Inputs, distance: Any) -> Any:
-    """Check whether the receiver's horizon may cut a patch of the known size."""
+    """Return whether the receiver's horizon may cut a patch of the known size."""
     reach = _reach(given)
     angle = angle_of(given, "incidence")
     return reach is not None and far_field.is_cut(reach, distance, angle)
 
 
 def _reach(given: Inputs) -> Any:
-    """Return how far a patch reaches from its centre, or None if its size is not given."""
+    """Return the greatest distance of a patch's points from its centre; None without a size."""
     if size := given.get("radius") or given.get("diameter"):
         return radius_of(size)
     sides = [given[name].value for name in ("width", "length") if name in given]
@@ -203,13 +203,13 @@ def _reach(given: Inputs) -> Any:
 
 
 def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> HorizonCuts:
-    """Return the refusal of a patch that the receiver's horizon may cut."""
+    """Return the error for a patch that the receiver's horizon may cut."""
     least = far_field.steepest(reach, distance)
     return HorizonCuts("incidence", given["incidence"].text, least)
 
 
 def _height(given: Inputs) -> Any:
-    """Return the height above a flat source, which is the distance on its axis, or None."""
+    """Return the height above a flat source, which may be given as the distance, or None."""
     given_names = [name for name in ("height", "distance") if name in given]
     if len(given_names) == 2:
         raise Exclusive(given_names)
@@ -229,7 +229,7 @@ def _disc(sheet: Worksheet) -> Placed:
         return placed
     if "incidence" in given:
         missing = mention("{height=75cm}" if _is_sized(given) else "{radius=25cm}")
-        raise MissingInput(mention("too little is given beside {incidence}"), missing)
+        raise MissingInput(mention("{incidence} alone is not enough"), missing)
     if "offset" in given:
         placed.add("lateral", abs(offset_of(given)), given["offset"])
         placed.stand_aside()
@@ -242,7 +242,7 @@ def _disc(sheet: Worksheet) -> Placed:
 
 
 def _disc_seen(placed: Seen, height: Any) -> None:
-    """Add the solid angles of a disc that is seen from a known place."""
+    """Add the solid angles of a disc at a known position."""
     placed.use("radius", "diameter")
     size, offset = _radius(placed.given), offset_of(placed.given)
     tilt = _tilt(placed.given, height, abs(offset))
@@ -257,9 +257,9 @@ def _disc_seen(placed: Seen, height: Any) -> None:
 
 
 def _disc_off_axis(sheet: Worksheet) -> Placed:
-    """Place a disc so far off its axis as the light demands."""
+    """Place a receiver off the disc's axis, at the offset that the irradiance gives."""
     placed = Seen(sheet.given, *round_sizes(sheet.given), CIRCLE, FLAT)
-    placed.assume("the receiver is as far off the disc's axis as the light tells")
+    placed.assume("the receiver is off the disc's axis, at the offset that the light gives")
     placed.stand_aside()
     return placed
 
@@ -313,13 +313,13 @@ def _rectangle(sheet: Worksheet) -> Placed:
 
 
 def _lacks_side(sheet: Worksheet) -> bool:
-    """Check for one side of a rectangle where the light gives the other one."""
+    """Return whether one side of a rectangle is given and the light gives the other."""
     sides = [name for name in ("width", "length") if name in sheet.given]
     return len(sides) == 1 and "projected-solid-angle" in reached(LAWS, {*sheet.known})
 
 
 def _rectangle_seen(placed: Seen, height: Any) -> None:
-    """Add the solid angles of a rectangle that is seen from a known place."""
+    """Add the solid angles of a rectangle at a known position."""
     given = placed.given
     width, length = (
         one_of(given, f"the {name} of the rectangle", name).value for name in ("width", "length")
@@ -346,7 +346,7 @@ def _rectangle_seen(placed: Seen, height: Any) -> None:
 def _corner(given: Inputs) -> tuple[Any, Any]:
     """Return the offsets of a rectangle's corner; refuse other offsets and a distance."""
     if {*OFFSETS, "distance"} & set(given):
-        message = mention("{corner}, with {height}, already says where")
+        message = mention("{corner} with {height} already places the receiver")
         raise ConditionError(message, "one of them")
     return given["width"].value / 2, given["length"].value / 2
 
@@ -356,7 +356,7 @@ def _upward(placed: Seen, height: Any, x: Any, y: Any) -> Any:
     lateral = hypot(x, y)
     tilt = _tilt(placed.given, height, lateral)
     placed.centre(height, lateral, tilt)
-    over = 1.0 * (lateral == 0)  # above the centre it is turned along the width
+    over = 1.0 * (lateral == 0)  # above the centre the receiver is turned along the width
     away = (-x / (lateral + over) - over, -y / (lateral + over))
     if "incidence" in placed.given and any_true(lateral == 0):
         placed.assume("the receiver is turned along the width")
@@ -364,30 +364,30 @@ def _upward(placed: Seen, height: Any, x: Any, y: Any) -> Any:
 
 
 def _sideways(placed: Seen, height: Any, x: Any, y: Any) -> Any:
-    """Place an upright receiver that looks along a rectangle's length; return its normal."""
+    """Place an upright receiver that faces along a rectangle's length; return its normal."""
     if "incidence" in placed.given:
         raise Exclusive(("perpendicular", "incidence"), hint="one")
     distance = hypot(height, hypot(x, y))
     placed.add("cosine", abs(y) / distance)
     placed.add("cosine-of-source", height / distance)
     placed.add("distance", distance)
-    placed.assume("the receiver's normal runs along the rectangle's length")
+    placed.assume("the receiver's normal is parallel to the rectangle's length")
     return 0.0, 1.0 - 2.0 * (y > 0), 0.0
 
 
 def _plane(sheet: Worksheet) -> Placed:
-    """Place an endless plane: half of all directions at any distance."""
+    """Place an infinite plane: half of all directions at any distance."""
     placed = Placed()
     placed.use("incidence")
     tilt = angle_of(sheet.given, "incidence")
     placed.add("projected-solid-angle", projected.cone(math.pi / 2, tilt))
     placed.add("solid-angle", cones.HEMISPHERE)
-    placed.assume("an endless plane, seen under the same light from any distance")
+    placed.assume("an infinite plane: the same light at any distance")
     return placed
 
 
 def _hemisphere(sheet: Worksheet) -> Placed:
-    """Place the sky, or the part of it in a cone about the zenith."""
+    """Place a uniform sky, or a cone of it around the zenith."""
     given, placed = sheet.given, Seen(sheet.given)
     placed.use("half-angle")
     placed.face()
@@ -400,10 +400,10 @@ def _hemisphere(sheet: Worksheet) -> Placed:
 
 
 def _part_of_hemisphere(sheet: Worksheet) -> Placed:
-    """Place a hemisphere that shines as far from its zenith as the light demands."""
+    """Place a luminous cone of a hemisphere, whose half angle the irradiance gives."""
     placed = Seen(sheet.given, PROJECTED_CONE, CONE)
     placed.face()
-    placed.assume("a hemisphere shines as far from its zenith as the light tells")
+    placed.assume("a cone of the hemisphere shines, of the half angle that the light gives")
     return placed
 
 
@@ -415,8 +415,8 @@ SHAPES = {
     "plane": Shape(("incidence",), _plane),
     "hemisphere": Shape(("half-angle", "incidence"), _hemisphere),
 }
-# Other ways to place a shape if the light contradicts the usual one, unless one of these inputs
-# is given.
+# Other positions of a shape, tried if the light contradicts the usual one and none of these
+# inputs is given.
 OTHERWISE = {
     "disc": (("distance", "offset", "incidence"), _disc_off_axis),
     "hemisphere": (("half-angle", "incidence"), _part_of_hemisphere),

@@ -1,6 +1,6 @@
-"""The solid angle of a shape, and what goes with it: one small function a shape.
+"""Solid angles and projected solid angles of shapes.
 
-Each imports the geometry that it needs: a cone is to be answered without that of polygons.
+The function of each shape imports its own geometry, so that a cone does not load polygons.
 """
 
 import math
@@ -79,21 +79,21 @@ CONTOUR = Formula(
 
 
 class Shape(NamedTuple):
-    """A shape: the inputs that it takes, and what it finds in them."""
+    """A shape: its inputs, and a function from inputs to values and laws."""
 
     takes: tuple[str, ...]
     place: Callable[[Worksheet], Placed]
 
 
 def task(words: Sequence[str], wants: Wants) -> Task:
-    """Return the task of a call, whose words are a shape and the vertices of a polygon."""
+    """Return the task of a call: a shape, and the vertices of a polygon."""
     if not words:
         raise UsageError("a shape is missing", ", ".join(NAMES))
     shape, *vertices = words
     shape = OPERAND.choice(shape)
     shape = ALIASES.get(shape, shape)
     if shape != "polygon" and vertices:
-        problem = f"too many words: '{quote(' '.join(vertices))}'"
+        problem = f"unexpected argument '{quote(vertices[0])}'"
         raise UsageError(problem, mention("options, as in {help}"))
     points = [read_point(vertex, "the vertex") for vertex in vertices]
     work_out: Callable[[Inputs], Answer] = partial(solid_angle, shape, points=points)
@@ -106,9 +106,9 @@ def task(words: Sequence[str], wants: Wants) -> Task:
 
 
 def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answer:
-    """Return the solid angle of a shape of `SHAPES`, with all that follows from it.
+    """Return the solid angle of a shape of `SHAPES`, with the equal cone and other results.
 
-    `given` are its inputs; `points` the vertices of a polygon.
+    `given` are the inputs of the shape, `points` the vertices of a polygon.
     """
     named = "all directions" if shape == "full" else f"a {shape}"
     takes = SHAPES[shape].takes
@@ -128,7 +128,7 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
 
 
 def _sizes(takes: Sequence[str], given: Inputs) -> tuple[str, ...]:
-    """Return the sizes to show: those that are given, and one that they are solved for."""
+    """Return the sizes to show: the given ones, and the one that follows."""
     round_one = set(ROUND) & set(given)
     if "area" in given:
         round_one |= {"area"}
@@ -137,7 +137,7 @@ def _sizes(takes: Sequence[str], given: Inputs) -> tuple[str, ...]:
 
 
 def _in_units_given(answer: Answer, given: Inputs) -> Answer:
-    """Return the answer with a length that was solved for in the unit of one that was given."""
+    """Return the answer with computed lengths in the unit of a given length."""
     units = [item.unit_text for item in given.values() if item.dimension == LENGTH]
     values = [
         item._replace(units=(units[0],))
@@ -149,22 +149,22 @@ def _in_units_given(answer: Answer, given: Inputs) -> Answer:
 
 
 def _missing_input(sheet: Worksheet) -> UsageError:
-    """Return the refusal of a shape with too few inputs."""
+    """Return the error for a shape with too few inputs."""
     optional = ("diameter", "offset", "tilt", *sheet.given)
     choices = [name for name in sheet.page.takes if name not in optional]
-    message = f"something is missing: {sheet.page.title} takes two"
+    message = f"an input is missing: {sheet.page.title} takes two"
     return MissingInput(message, options(choices))
 
 
 def _onto(plane: str, *laws: AnyLaw) -> Placed:
-    """Start the place of a shape with the plane onto which it is projected, and its laws."""
+    """Return a new `Placed` with the laws of a shape and its plane of projection."""
     placed = Placed(*laws)
     placed.assume(f"projected onto {plane}")
     return placed
 
 
 def _enter(sheet: Worksheet, placed: Placed, omega: Any, flat: Any, *steps: Step) -> Placed:
-    """Add solid angles that were worked out from all of the inputs, with their steps."""
+    """Add solid angles that use all inputs, with their steps."""
     placed.add("solid-angle", omega)
     placed.add("projected-solid-angle", flat)
     placed.steps += steps
@@ -179,7 +179,7 @@ def _sr(size: Any) -> str:
 def _full(sheet: Worksheet) -> Placed:
     placed = _onto("a plane of any normal, from its front")
     placed.add("half-angle", math.pi)
-    placed.note("a surface faces one half of the sphere: its projected solid angle is pi")
+    placed.note("a surface faces only half of the sphere: the projected solid angle is pi")
     step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, _sr(cones.FULL))
     return _enter(sheet, placed, cones.FULL, math.pi, step)
 
@@ -203,7 +203,7 @@ def _cone(sheet: Worksheet) -> Placed:
     if "apex-angle" in sheet.given:
         placed.laws.append(APEX)
     if any_true(solve(sheet, placed.laws).value("half-angle") > math.pi / 2):
-        placed.note("what is behind that plane does not count: a hemisphere is left")
+        placed.note("the part behind that plane does not count: only a hemisphere does")
     return placed
 
 
@@ -220,7 +220,7 @@ def _zone(sheet: Worksheet) -> Placed:
     width = azimuth.value[1] - azimuth.value[0] if azimuth else 2 * math.pi
     omega, flat = solid.zone(low, high, width), projected.zone(low, high, width)
     if high > math.pi / 2 * (1 + SLACK):
-        placed.note("what is below that plane, past 90 deg, does not count")
+        placed.note("the part below that plane, past 90 deg, does not count")
     t0, t1 = format_angle(low), format_angle(high)
     numbers = f"2 ({format_number(width)}) sin(({t0} + {t1})/2) sin(({t1} - {t0})/2) sr"
     around = f"azimuths from {_span(azimuth)} deg" if azimuth else "all azimuths"
@@ -248,17 +248,17 @@ def _sphere(sheet: Worksheet) -> Placed:
         takes = ("radius", "distance", "solid-angle")
         if len(sizes) < 2:
             missing = options(name for name in takes if name not in sizes)
-            raise MissingInput("something is missing: a sphere takes two", missing)
+            raise MissingInput("an input is missing: a sphere takes two", missing)
         given = [name for name in sheet.given if name != "solid-angle" or len(sizes) > 2]
         raise MissingInput(
-            "too much is given: a sphere takes two", f"without one of {options(given, ', ')}"
+            "too many inputs: a sphere takes two", f"without one of {options(given, ', ')}"
         )
     laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
     return _onto("a plane whose normal points to the sphere's centre", *laws)
 
 
 def _height_above(given: Inputs) -> Input:
-    """Return the height above a flat shape; on its axis, the distance is the same."""
+    """Return the height above a flat shape; on the axis it may be given as the distance."""
     height = one_of(given, "the height above the source", "height", "distance")
     if height.name == "distance" and {"corner", *OFFSETS} & set(given):
         refuse_slant_for_height()
@@ -331,7 +331,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
 
     given = sheet.given
     placed = _onto("a plane whose normal is the pyramid's axis", PYRAMID)
-    placed.assume("the angles are full ones, from face to face through the axis")
+    placed.assume("the angles are full angles, from face to face through the axis")
     if "solid-angle" not in given:
         for name in ("horizontal", "vertical"):
             one_of(given, f"the {name} angle", name)
@@ -366,19 +366,19 @@ def _patch(sheet: Worksheet) -> Placed:
         if any_true(solved.value("solid-angle") == 0):
             placed.note("the patch is seen from its edge or from behind")
         good = far_field.percent(far_field.error(far_field.size(area), away, tilt))
-        placed.assume(f"a patch small beside its distance: A cos(theta) / d^2 is {good}")
+        placed.assume(f"a patch small compared to its distance: A cos(theta) / d^2 is {good}")
     return placed
 
 
 def _on_sphere(sheet: Worksheet) -> Placed:
-    """A patch of a sphere, seen from the sphere's centre."""
+    """Place a patch of a sphere, seen from the sphere's centre."""
     from radcalc.laws.solid_angles import ON_SPHERE
 
     given = sheet.given
     one_of(given, "the size of the sphere", *ROUND)
     if foreign := [name for name in given if name not in ("area", *ROUND)]:
         raise Unused(foreign, "to a patch of a sphere")
-    plane = "a plane whose normal points to the patch, as if it were a round one"
+    plane = "a plane whose normal points to the patch, taken as a circle"
     placed = _onto(plane, *round_sizes(given), ON_SPHERE)
     solved = solve(sheet, placed.laws)
     omega = solved.value("solid-angle")
@@ -387,12 +387,12 @@ def _on_sphere(sheet: Worksheet) -> Placed:
         problem = f"{solved.describe('area')} is {size} times the whole sphere"
         raise ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
     placed.add("projected-solid-angle", cones.projected_cone(cones.cone_of(omega)))
-    placed.assume("a patch of the sphere, in any shape, seen from its centre")
+    placed.assume("a patch of the sphere, of any shape, seen from its centre")
     return placed
 
 
 def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
-    """Refuse a patch seen from so near that A cos(theta) / d^2 is off."""
+    """Refuse a patch that is too near for A cos(theta) / d^2."""
     from radcalc.geometry import far_field
 
     size = far_field.size(area)
@@ -424,7 +424,7 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     placed = _onto(plane)
     placed.note(*shape.notes)
     if normal and shape.dips_below(normal):
-        placed.note(mention("what is below the horizon of {normal} is cut away"))
+        placed.note(mention("the part below the horizon of {normal} does not count"))
     step = TRIANGLES._replace(name="polygon, as triangles").with_numbers(
         f"{len(points)} vertices; Omega = {_sr(omega)}"
     )
@@ -446,7 +446,7 @@ SHAPES = {
     "polygon": Shape(("viewpoint", "normal"), lambda sheet: _polygon(sheet, ())),
 }
 ALIASES = {"band": "zone", "triangle": "polygon"}
-NAMES = (*SHAPES, "pixel", *ALIASES)  # a pixel has a page of its own
+NAMES = (*SHAPES, "pixel", *ALIASES)  # `pixel.py` has the pixel
 OPERAND = Operand("shape", "SHAPE [X,Y,Z ...]", CHOICE, NAMES)
 PAGE = Page(
     about="Give the solid angle of a shape, and its projected solid angle.",
@@ -477,11 +477,11 @@ PAGE = Page(
         "width": "Width of a rectangle, along x.",
         "length": "Length of a rectangle, along y.",
         "area": "Area of a small patch.",
-        "tilt": "Angle by which a patch is turned from the line of sight.",
+        "tilt": "Angle between the normal of a patch and the line of sight.",
         "solid-angle": "Solid angle of the cone, or of the sphere.",
         "polar": ("30deg:60deg", "Polar angles of a zone, from +z."),
         "azimuth": ("0deg:90deg", "Azimuths of a zone (default: all)."),
-        "corner": "Seen from above a corner of the rectangle.",
+        "corner": "Viewpoint above a corner of the rectangle.",
     },
     examples=(
         "cone half-angle=30deg",
@@ -498,7 +498,7 @@ PAGE = Page(
     remarks="""
     \b
     SHAPE is one of:
-      full, hemisphere   all directions, one half of them
+      full, hemisphere   all directions, half of them
       cone               {half-angle}, {apex-angle}, {solid-angle} or {projected-solid-angle}
       zone (band)        {polar} A:B, {azimuth} A:B
       sphere             two of {radius} (or {diameter}), {distance}, {solid-angle}
@@ -506,11 +506,11 @@ PAGE = Page(
       rectangle          {width}, {length}, {height} ({distance}), {offset}, {offset-y}, {corner}
       pyramid            {horizontal} and {vertical}, full angles
       patch              {area} (or {radius}, {diameter}), {distance}, {tilt}: small and flat;
-                         or {area} and {radius}, a part of that sphere seen from its centre
+                         or {area} and {radius}: a part of a sphere seen from its centre
       polygon (triangle) X,Y,Z of each vertex in order, {viewpoint}, {normal}
-      pixel              {size}, {pixel}, {projection}: of a map of all directions
+      pixel              {size}, {pixel}, {projection}: a pixel of a map of all directions
 
-    Quantities may be lists (1m,2m) or ranges (1m:5m:1m), for an answer each.
+    Quantities may be lists (1m,2m) or ranges (1m:5m:1m), with an answer for each value.
     """,
     mistakes=("projected cone", "pair of full angles", "disc off its axis"),
 )

@@ -1,4 +1,4 @@
-"""The solutions of a worksheet: they are judged by the page, and give the answer."""
+"""The solutions of a worksheet, and the answer that they give."""
 
 from collections.abc import Iterable, Sequence
 from functools import partial
@@ -18,7 +18,7 @@ from radcalc.maths import any_true
 from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, specific_name
 
 LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
-ROUNDING = 1e-9  # by which a result may exceed a limit
+ROUNDING = 1e-9  # relative tolerance of limits of results
 
 
 def solve(
@@ -27,16 +27,16 @@ def solve(
     placed: Placed | None = None,
     steps: dict[str, float] | None = None,
 ) -> "Solved":
-    """Return the first solution; `placed` is what the page found outside the laws.
+    """Return the first solution; `placed` has the laws, values and remarks of the page.
 
-    `steps` are the distances between the marked values of logarithmic symbols.
+    `steps` are the intervals between the marked values of logarithmic symbols.
     """
     placed = placed or Placed()
     return Solved(sheet, placed, laws, _solutions(sheet, laws, placed, steps or {})[0])
 
 
 def solve_all(sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed) -> list["Solved"]:
-    """Return every solution; each has a note where there are several."""
+    """Return every solution, with a note if there are several."""
     solutions = _solutions(sheet, laws, placed, {})
     answers = [Solved(sheet, placed, laws, solution) for solution in solutions]
     if len(answers) > 1:
@@ -48,7 +48,7 @@ def solve_all(sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed) -> list[
 def _solutions(
     sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed, steps: dict[str, float]
 ) -> list[Solution]:
-    """Solve the laws; a contradiction is in the units typed."""
+    """Solve the laws; report a contradiction in the units typed."""
     try:
         return solver.solve_all(laws, sheet.known_with(placed), steps, LIGHT)
     except Disagreement as error:
@@ -69,7 +69,7 @@ class Solved(Remarks):
         self.use(*sheet.lit.given_in_two_kinds, *placed.used)
 
     def has(self, *names: str) -> bool:
-        """Check that one of the symbols has a value."""
+        """Return whether one of the symbols has a value."""
         return not self.solution.values.keys().isdisjoint(names)
 
     def value(self, name: str) -> Any:
@@ -77,14 +77,14 @@ class Solved(Remarks):
         return self.solution.values[name].value
 
     def describe(self, name: str) -> str:
-        """Return a value for a message, as it was typed or as it follows."""
+        """Return the text of a value for a message, as typed or as computed."""
         if name in self.given:
             return option(name, quote(self.given[name].text))
         size = format_value(self.value(name), coherent_unit_of(name, self.lit.kind))
         return f"{article(SYMBOLS[name].label)} of {size}"
 
     def refuse_impossible(self, *names: str, because: str = "", hint: str = "") -> None:
-        """Refuse results beyond the limits of their symbols, with the reason."""
+        """Refuse results outside the limits of their symbols, with the reason."""
         for name in names:
             limits = SYMBOLS[name].limits
             if not self.has(name):
@@ -100,12 +100,12 @@ class Solved(Remarks):
                 )
 
     def note_behind(self) -> None:
-        """Note light from the side of the receiver, or from behind it."""
+        """Note light from the side of the receiver or from behind."""
         if self.has("cosine") and any_true(self.value("cosine") == 0):
             self.note("light from the side or behind does not reach the receiver")
 
     def answer(self, first: Iterable[Value] = (), laws: Sequence[AnyLaw] | None = None) -> Answer:
-        """Return all results, `first` those of the page; refuse inputs that lead to none.
+        """Return the answer, with results of the page `first`; refuse inputs that lead to none.
 
         `laws` replace the solved ones in hints.
         """
@@ -147,7 +147,7 @@ class Solved(Remarks):
         return results
 
     def _absent(self, search: Search) -> list[Value]:
-        """Return the results that do not follow; each finds what it lacks when asked."""
+        """Return the results that do not follow; each looks for its missing inputs on demand."""
         absent = []
         page, values = self.sheet.page, self.solution.values
         for name in dict.fromkeys((*page.light, *page.others, *page.takes)):
@@ -163,7 +163,7 @@ class Solved(Remarks):
 
 
 def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]) -> ConditionError:
-    """Return the refusal of two values of a symbol, with their units and ratio."""
+    """Return the error for two values of a symbol, with their units and ratio."""
     inputs = sheet.quantities
     names = [item.name for item in inputs.values()]
     if error.name in INNER:

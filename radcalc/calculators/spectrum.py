@@ -1,4 +1,4 @@
-"""What a spectrum amounts to: its shape, its efficacies, its colour."""
+"""A spectrum: its shape, efficacies, photons and colour."""
 
 import math
 
@@ -21,9 +21,9 @@ PAGE = Page(
     operand=Operand("spectrum", "SOURCE ...", SPECTRUM),
     sections={"Light": ("observer", "range", "photon-range")},
     texts={
-        "observer": "Whose eyes the luminous efficacy is for.",
-        "range": ("LOW:HIGH", "Where watts are counted."),
-        "photon-range": ("LOW:HIGH", "Where photons are counted."),
+        "observer": "Observer (eye response) of the luminous efficacy.",
+        "range": ("LOW:HIGH", "Wavelengths for counting watts."),
+        "photon-range": ("LOW:HIGH", "Wavelengths for counting photons."),
     },
     draws=True,
     takes_lines=False,
@@ -41,34 +41,34 @@ PAGE = Page(
     ),
     remarks="""
     SOURCE is a name, blackbody:T, daylight:T, line:WAVELENGTH, gaussian:CENTRE,FWHM,
-    band:LOW:HIGH, a file, or - for standard input. Of several each has a row in a table, and a line
-    of numbers elsewhere.
+    band:LOW:HIGH, a file, or - for standard input. Several sources give a row each in a table, or
+    a line of numbers each in a pipe.
 
-    A file has columns of text, or is what OceanView, SpectraSuite, Jaz, UPRtek, Sekonic or LI-COR
-    write, CGATS (X-Rite), or IES TM-27 (.spdx).
+    A file has columns of text, or is in a format of OceanView, SpectraSuite, Jaz, UPRtek, Sekonic,
+    LI-COR, CGATS (X-Rite), or IES TM-27 (.spdx).
     """,
     mistakes=("efficacies of eyes",),
 )
 
 COLOURS = ("x", "y", "cct", "duv", "cri")
 CHROMATICITY = "the chromaticity: x and y"
-UNSEEN = "nothing of this spectrum is seen"
-RELATIVE = "the spectrum is relative, how much light there is it does not say"
+UNSEEN = "this spectrum is invisible"
+RELATIVE = "the spectrum is relative"
 LIT = "a spectrum with light from 360 nm to 830 nm"
 
 
 def spectrum(given: Inputs) -> Answer:
-    """Everything that follows from a spectrum.
+    """Return the results of a spectrum.
 
-    Watts are counted over the given range (the source's own where there is none), photons over
-    the given photon range (400 nm to 700 nm, all of them for lines).
+    Watts are counted over the given range (default: the source's own), photons over the given
+    photon range (default: 400 nm to 700 nm; for lines, all).
     """
     source: Spectrum = given["spectrum"].value
     chosen = {name: item.value for name, item in given.items()}
     eye, night = OBSERVERS[chosen.get("observer", "photopic")], OBSERVERS["scotopic"]
     ranges = chosen.get("range"), chosen.get("photon-range")
     counts = Counts(source, eye, *ranges)
-    known = f"; {source.label} is known over {counts.known}" if counts.known else ""
+    known = f"; the data of {source.label} cover {counts.known}" if counts.known else ""
     if not counts.amount(RADIANT) > 0:
         problem = f"there is no power in {counts.over(RADIANT)}{known}"
         raise ConditionError(problem, f"another {option('range')}")
@@ -80,7 +80,7 @@ def spectrum(given: Inputs) -> Answer:
         *colours,
         *_absolute(source, {kind: counts.amount(kind) for kind in (RADIANT, LUMINOUS, PHOTON)}),
     ]
-    shares = f"; range-fraction is of {counts.known}, all that is known" if known else ""
+    shares = f"; range-fraction is relative to {counts.known}, all of the data" if known else ""
     assumptions = [
         f"{source.described}; watts counted over {counts.over(RADIANT)}, "
         f"photons over {counts.over(PHOTON)}{shares}",
@@ -88,14 +88,14 @@ def spectrum(given: Inputs) -> Answer:
     ]
     notes = [*source.notes, *counts.notes((RADIANT, PHOTON, LUMINOUS)), *remarks]
     if known and source.peak()[0] in source.known:
-        notes.append("the peak is where the data end: the source itself may have it beyond")
+        notes.append("the peak is at the end of the data: the peak of the source may be beyond")
     if not counts.amount(LUMINOUS):
         notes.append(UNSEEN)
     return Answer(values, assumptions, notes, _steps(counts))
 
 
 def _nanometres(name: str, size: float) -> Value:
-    """A wavelength [nm]."""
+    """Return a wavelength [nm] as a result."""
     return value(name, size * 1e-9)._replace(exact=size)
 
 
@@ -117,7 +117,7 @@ def _shape(counts: Counts) -> list[Value]:
 
 
 def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
-    """Lumens per watt, by the observer and by night."""
+    """Return lumens per watt for the observer and for scotopic vision."""
     eye, lumens, dark = counts.eye, counts.amount(LUMINOUS), by_night.amount(LUMINOUS)
     results = [
         *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficiency", eye.maximum),
@@ -126,7 +126,7 @@ def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
     if eye is not by_night.eye:
         results += _ratio(by_night, LUMINOUS, RADIANT, "scotopic-luminous-efficacy")
     if eye is not OBSERVERS["photopic"]:
-        reason = f"it is by {OBSERVERS['photopic'].label}"
+        reason = f"it is defined for {OBSERVERS['photopic'].label}"
         results.append(absent("sp-ratio", reason, f"the same without {option('observer')}"))
     elif lumens:
         results.append(value("sp-ratio", dark / lumens))
@@ -136,7 +136,7 @@ def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
 
 
 def _ratio(counts: Counts, over: str, under: str, name: str, scale: float = 1.0) -> list[Value]:
-    """One ratio of kinds, or why a range makes none of it."""
+    """Return a ratio of kinds, or a result with the reason why the range has none."""
     if problem := counts.impossible(over, under):
         return [absent(name, problem.message, problem.hint)]
     return [value(name, counts.amount(over) / counts.amount(under) / scale)]
@@ -145,7 +145,7 @@ def _ratio(counts: Counts, over: str, under: str, name: str, scale: float = 1.0)
 def _photons(counts: Counts) -> list[Value]:
     limits, photons = counts.ranges[PHOTON], counts.amount(PHOTON)
     if not photons:
-        why = f"no photons are in {counts.over(PHOTON)}"
+        why = f"there are no photons in {counts.over(PHOTON)}"
         hint = f"another {option('photon-range')}"
         return [absent(n, why, hint) for n in ("photon-energy", "photon-efficacy", "lux-per-ppfd")]
     energy = counts.source.power(limits) / photons
@@ -157,7 +157,7 @@ def _photons(counts: Counts) -> list[Value]:
 
 
 def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
-    """Chromaticity, colour temperature and colour rendering, or why there is none; and notes."""
+    """Return chromaticity, colour temperature and colour rendering, or reasons, and notes."""
     light = source.moments(*colorimetry.AT)
     tristimulus = colorimetry.tristimulus(light)
     total = sum(tristimulus)
@@ -165,7 +165,7 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
         return [absent(name, UNSEEN, LIT) for name in COLOURS], []
     results = [value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)]
     try:
-        if isinstance(source, BlackBody):  # its own temperature, by definition
+        if isinstance(source, BlackBody):  # the temperature, by definition
             temperature, distance = source.temperature, 0.0
         else:
             temperature, distance = colorimetry.temperature_and_distance(light)
@@ -177,20 +177,20 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
     except colorimetry.Undefined as error:
         return [*results, absent("cri", str(error), "cct and duv")], []
     if not colorimetry.is_adapted(light):
-        why = "the adaptation of CIE 13.3 has no meaning for its chromaticity"
+        why = "the adaptation of CIE 13.3 is undefined for its chromaticity"
         return [*results, absent("cri", why, "cct and duv")], []
     results.append(value("cri", lambda: colorimetry.colour_rendering_index(light, like)))
     away = colorimetry.difference(light, like)
     if away <= colorimetry.SIMILAR:
         return results, []
-    beyond = f"the colour is {away:.4g} in (u, v) from that of the reference"
-    return results, [f"cri: {beyond}, and CIE 13.3 is for up to {colorimetry.SIMILAR:g}"]
+    beyond = f"the distance in (u, v) from the reference is {away:.4g}"
+    return results, [f"cri: {beyond}, CIE 13.3 is for up to {colorimetry.SIMILAR:g}"]
 
 
 def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
     """Return irradiance and illuminance of an absolute source, or a black body's radiation.
 
-    `amounts` are its watts, lumens and photons; each result can be asked for in all three kinds.
+    `amounts` are its watts, lumens and photons; each result has all three kinds.
     """
     if isinstance(source, BlackBody):
         leaving = {kind: amount / math.pi for kind, amount in amounts.items()}
@@ -209,7 +209,7 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
 
 
 def _of_light(name: str, kind: str, amounts: dict[str, float]) -> Value:
-    """A light quantity in one kind, under its generic name where that is radiant."""
+    """Return a light quantity in one kind, with its generic name if that is radiant."""
     symbol = SYMBOLS[specific_name(name, kind) if kind != RADIANT else name]
     geometry = symbol.geometry or (0, 0, 0)
     reach = {light_dimension(k, geometry, ""): amount for k, amount in amounts.items()}

@@ -1,4 +1,4 @@
-"""A task: a calculation that both the command line and the Python functions hand out."""
+"""A task: a calculation for the command line or a Python function."""
 
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
@@ -7,14 +7,14 @@ from typing import Any, NamedTuple
 from radcalc.answer import Answer, ShownInput
 from radcalc.inputs.given import Inputs, any_uncertain
 
-Wants = Callable[[str], bool]  # whether a result is asked for by its name
+Wants = Callable[[str], bool]  # returns whether the result of a name is requested
 
 
 class Task(NamedTuple):
-    """A calculation: the name of its command, its function, and what is given besides inputs.
+    """A calculation: its command, its function, and arguments in addition to the inputs.
 
-    `operands` are shown with the inputs; `shape` is the kind of source or solid angle among them.
-    `samples` are facts of a log, for `--check`; `drawn` is what a picture needs besides the inputs.
+    `operands` are shown with the inputs; `shape` is the shape among them.  `samples` are facts of
+    a log, for `--check`; `drawn` is extra data of a picture.
     """
 
     command: str
@@ -25,11 +25,11 @@ class Task(NamedTuple):
     drawn: Any = None
 
     def nominal(self, inputs: Inputs) -> Answer:
-        """Work out what follows from the values of inputs, and say how these were read."""
-        return _saying_how_read(self.work_out(inputs), inputs)
+        """Return the answer for the values of inputs, with assumptions about their readings."""
+        return _with_readings(self.work_out(inputs), inputs)
 
     def solve(self, inputs: Inputs) -> Answer:
-        """Work out what follows from inputs, with their uncertainties."""
+        """Return the answer for inputs, with uncertainties."""
         if not any_uncertain(inputs.values()):
             return self.nominal(inputs)
         from radcalc.calculators.uncertainty import with_uncertainties
@@ -37,8 +37,8 @@ class Task(NamedTuple):
         return with_uncertainties(self.nominal, inputs)
 
 
-def _saying_how_read(answer: Answer, inputs: Inputs) -> Answer:
-    """Return the answer with an assumption for each input that was read in one of several ways."""
+def _with_readings(answer: Answer, inputs: Inputs) -> Answer:
+    """Return the answer with the assumptions about ambiguous inputs."""
     readings = dict.fromkeys([text for given in inputs.values() for text in given.assumptions])
     if not readings:
         return answer

@@ -1,8 +1,7 @@
-"""The cinematographer's light: how it is attenuated at a point, and what arrives there.
+"""The cinematographer's light (uberlight): its attenuation and irradiance at a point.
 
-The light stands at the origin; a spot shines along +z.  With an inverse square in place of its
-own fall-off, and nothing else to attenuate it, its irradiance is that of its intensity; at the
-fall-off distance L both agree, so that E = I a / L^2.
+The light is at the origin; a spot shines along +z.  Its irradiance is E = I a / L^2, with the
+attenuation a and the fall-off distance L, where it equals that of an inverse square law.
 """
 
 from functools import partial
@@ -29,8 +28,8 @@ BARZEL = "R. Barzel, J. Graphics Tools 2(1) (1997) 1; the formulas are L. Gritz'
 PARTS = ("depth", "superellipse", "beam", "falloff")
 OF_SPOTS = ("beam-exponent", "superellipse", "roundness", "shear")
 NUMBERS = ("falloff", "falloff-distance", "maximum", "beam-exponent", "roundness")
-NEAREST = 1e-100  # [m] to the light
-HARDLY_ROUND = 1e-9  # a roundness next to 0
+NEAREST = 1e-100  # [m], the shortest distance to the light
+HARDLY_ROUND = 1e-9  # a roundness just above 0
 LAWS: list[AnyLaw] = [
     COSINE,
     law(
@@ -43,7 +42,7 @@ LAWS: list[AnyLaw] = [
         "{irradiance} = {intensity} {attenuation} {cosine} Omega0 / {falloff-distance}^2",
     ),
     law(
-        "intensity that an inverse square would take",
+        "intensity of an equal source with an inverse square",
         "{intensity-toward} = {intensity} {attenuation} {distance}^2 / {falloff-distance}^2",
     ),
 ]
@@ -56,7 +55,7 @@ PAGE = Page(
     ("intensity", "irradiance", "intensity-toward"),
     ("attenuation", *(f"{part}-attenuation" for part in PARTS), "distance", "incidence", *NUMBERS),
     goal="attenuation",
-    about='Give what a cinematographer\'s light ("uberlight") sends to points.',
+    about='Give the light that a cinematographer\'s light ("uberlight") sends to points.',
     operand=Operand("point", "X,Y,Z ..."),
     sections={
         "Light": ("intensity", "irradiance", "omni"),
@@ -65,7 +64,7 @@ PAGE = Page(
         "Receiver": ("normal", "incidence"),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
-    texts={"normal": "Normal of the receiver (it faces the light)."},
+    texts={"normal": "Normal of the receiver (default: towards the light)."},
     takes_lines=False,
     examples=(
         "0,0,4 intensity=1000cd",
@@ -76,16 +75,16 @@ PAGE = Page(
         "0.5,0,0 omni= intensity=100cd maximum=4 falloff=0,1,2",
     ),
     remarks="""
-    The light is at 0,0,0; a spot shines along +z, an {omni} everywhere.  X,Y,Z are three lengths
-    (1m,0m,2m), or bare numbers of metres.  The attenuation is the product of four: by the depth z
-    ({near}, {far}), by the superellipse, by the beam and by the fall-off ({falloff}, {maximum}).
-    The irradiance is I a cos(theta) / L^2, a the attenuation and L the {falloff-distance}, so that
-    a fall-off of 2 is the inverse square, whatever L is.  intensity-toward is the intensity that
-    a source with an inverse square would need to give the same.  Notes say which settings are no
-    physics.
+    The light is at 0,0,0; a spot shines along +z, an {omni} light everywhere.  X,Y,Z are three
+    lengths (1m,0m,2m), or bare numbers in metres.  The attenuation is the product of four factors:
+    depth z ({near}, {far}), superellipse, beam and fall-off ({falloff}, {maximum}).  The
+    irradiance is I a cos(theta) / L^2, with the attenuation a and the {falloff-distance} L: a
+    fall-off of 2 is the inverse square, for any L.  intensity-toward is the intensity of a source
+    with an inverse square that gives the same irradiance.  Notes point out settings that are not
+    physical.
 
-    The other lights of computer graphics, a spot with a power of the cosine, one with a cone, and
-    the general point source, are point sources:
+    The other lights of computer graphics (a spot with a power of the cosine, a spot with a cone,
+    a general point source) are point sources:
 
     \b
       radcalc point-source {intensity} 1000cd {exponent} 20 {height} 3m {offset} 1m {steps}
@@ -132,10 +131,10 @@ Settings = dict[str, Any]  # the settings and the point, by symbols
 
 
 def uberlight(given: Inputs) -> Answer:
-    """Return what a cinematographer's light sends to a point.
+    """Return the light that a cinematographer's light sends to a point.
 
-    `given` are the point, the settings of the light, its intensity or the irradiance that it
-    gives, how the receiver is turned, and what links the kinds.
+    `given` are the point, the settings of the light, its intensity or irradiance, the receiver's
+    normal or incidence, and links between kinds.
     """
     is_omni = "omni" in given
     _refuse_useless(given, is_omni)
@@ -143,7 +142,7 @@ def uberlight(given: Inputs) -> Answer:
     x, y, z = sheet.given["point"].value
     distance = hypot(hypot(x, y), z)
     if any_true(distance < NEAREST):
-        raise ConditionError("the point is at the light", "a point aside of it")
+        raise ConditionError("the point is at the light", "another point")
     placed.add("distance", distance)
     _assume(sheet, placed, is_omni)
     settings = {name: known.value for name, known in sheet.known_with(placed).items()}
@@ -151,7 +150,7 @@ def uberlight(given: Inputs) -> Answer:
     if any_true((ratio > FARTHEST) | (ratio < 1 / FARTHEST)):
         raise ConditionError(
             mention(
-                "the point's distance beside {falloff-distance} is beyond what radcalc reckons with"
+                "the ratio of the point's distance to {falloff-distance} is too large or too small"
             ),
             "less extreme values",
         )
@@ -168,7 +167,7 @@ def uberlight(given: Inputs) -> Answer:
 
 
 def _refuse_useless(given: Inputs, is_omni: bool) -> None:
-    """Refuse settings that others leave without use, and those that cannot be."""
+    """Refuse unused settings and invalid superellipses."""
     useless = [name for name in OF_SPOTS if name in given]
     if is_omni and useless:
         raise Unused(
@@ -185,7 +184,7 @@ def _refuse_useless(given: Inputs, is_omni: bool) -> None:
     option_text = f"{option('superellipse', quote(given_shape.text))}, a,b,A,B,"
     if min(a, b) < NEAREST:
         raise ConditionError(
-            f"{option_text} has no inside",
+            f"{option_text} has no area inside",
             mention("a and b above 0, as in {superellipse=0.4,0.3,0.5,0.4}"),
         )
     if a > outer_a or b > outer_b:
@@ -201,7 +200,7 @@ def _sorted(first: float, second: float) -> tuple[float, float]:
 
 
 def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
-    """Add and assume the defaults of settings."""
+    """Add the defaults of settings, as assumptions."""
     given = sheet.given
     aim = "shines everywhere" if is_omni else "shines along +z"
     placed.assume(f"the light is at 0,0,0 and {aim}")
@@ -217,11 +216,11 @@ def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
         placed.add("roundness", 1.0)
         placed.assume(mention("an ellipse, with a roundness of 1 ({roundness})"))
     if sheet.lit.values:
-        placed.assume("the full light has the irradiance I / L^2 at the fall-off distance")
+        placed.assume("without attenuation, the irradiance is I / L^2 at the fall-off distance")
 
 
 def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
-    """Add the incidence, which the normal may give."""
+    """Add the incidence, as given or from the normal."""
     given = sheet.given
     if "normal" in given and "incidence" in given:
         raise Exclusive(("normal", "incidence"), "both give the incidence")
@@ -243,7 +242,7 @@ def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
 
 
 def _attenuate(settings: Settings, sheet: Worksheet) -> Placed:
-    """Find the four attenuations, which follow from no law, with a step each."""
+    """Compute the four attenuations, with a step for each."""
     at = {**settings, **{name: item.value for name, item in sheet.given.items()}}
     placed = Placed()
     placed.use(*NUMBERS)
@@ -310,7 +309,7 @@ def _by_superellipse(at: Settings, placed: Placed) -> None:
 
 
 def _sizes(at: Settings) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the half axes of the inner and of the outer superellipse."""
+    """Return the semi-axes of the inner and the outer superellipse."""
     a, b, outer_a, outer_b = at["superellipse"]
     return (a, b), (outer_a, outer_b)
 
@@ -358,16 +357,12 @@ def _by_falloff(at: Settings, placed: Placed) -> None:
 
 
 def _judge(solved: Solved) -> None:
-    """Say what is no physics, and why a point is dark."""
+    """Note settings that are not physical, and why a point is dark."""
     given = solved.given
     if "near" in given:
-        solved.note(
-            mention("{near} is no physics: dark up to A and lit from B on, light is created")
-        )
+        solved.note(mention("{near} is not physical: it is dark up to A and lit from B on"))
     if "far" in given:
-        solved.note(
-            mention("{far} is no physics: nothing stops the light between C and D, and it is lost")
-        )
+        solved.note(mention("{far} is not physical: the light vanishes between C and D"))
     _judge_falloff(solved)
     shaping = ["superellipse"] if "superellipse" in given else []
     if "beam-exponent" in given and any_true(given["beam-exponent"].value > 0):
@@ -394,20 +389,20 @@ def _judge_falloff(solved: Solved) -> None:
     if not breaking:
         return
     several = len(breaking) > 1
-    note = f"{' and '.join(breaking)} {'are' if several else 'is'} no inverse square"
+    note = f"{' and '.join(breaking)} {'are' if several else 'is'} not an inverse square law"
     ratio = solved.value("falloff-attenuation") * square(distance / reference)
     if is_array(ratio):
         note += ": light is created or lost"
     elif abs(ratio - 1) > 1e-9:
         note += (
-            f": {'they give' if several else 'it gives'} {format_number(ratio)} times the light "
-            f"of one here, so light is {'created' if ratio > 1 else 'lost'}"
+            f": {'they give' if several else 'it gives'} {format_number(ratio)} times the light of "
+            f"that law here, so light is {'created' if ratio > 1 else 'lost'}"
         )
     solved.note(note)
 
 
 def _judge_corner(solved: Solved) -> None:
-    """Say what a hair of roundness would make of a rectangle's soft edge."""
+    """Note how a roundness just above 0 would change a rectangle's soft edge."""
     if "superellipse" not in solved.given or not any_true(solved.value("roundness") == 0):
         return
     clip = solved.value("superellipse-attenuation")
@@ -416,14 +411,14 @@ def _judge_corner(solved: Solved) -> None:
         rounded_text = "" if is_array(rounded) else f" and gives {format_number(rounded)} here"
         solved.note(
             mention(
-                "{roundness} of 0 multiplies the steps of x and y, as the published shader does; "
-                f"just above 0 the formula for rounded corners is another{rounded_text}"
+                "{roundness} of 0 multiplies the steps of x and y, as in the published shader; "
+                f"just above 0 the formula for rounded corners applies{rounded_text}"
             )
         )
 
 
 def _judge_dark(solved: Solved) -> None:
-    """Say why no light arrives."""
+    """Note why no light arrives."""
     z = solved.given["point"].value[2]
     if "omni" not in solved.given and any_true(z <= 0):
         solved.note("a spot has no light where z is 0 or less")

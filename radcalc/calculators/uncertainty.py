@@ -1,7 +1,7 @@
-"""Standard uncertainties of what is given, carried linearly to what follows.
+"""Linear propagation of the standard uncertainties of inputs to results.
 
-No formula knows of them: the whole answer is worked out anew with each uncertain input moved a
-little, and the slopes found so are combined by the `uncertainties` package.
+Formulas do not handle uncertainties: the answer is computed again with each uncertain input shifted
+slightly, and the `uncertainties` package combines the resulting slopes.
 """
 
 import math
@@ -34,23 +34,23 @@ from radcalc.units.table import resolve
 from radcalc.units.uncertain import variable
 from radcalc.units.unit import Unit
 
-ASSUMED = "standard uncertainties (k = 1), carried linearly"
-INDEPENDENT = "standard uncertainties (k = 1) of independent inputs, carried linearly"
+ASSUMED = "standard uncertainties (k = 1), propagated linearly"
+INDEPENDENT = "standard uncertainties (k = 1) of independent inputs, propagated linearly"
 FORMULA = "u(y)^2 = sum of (dy/dx u(x))^2"
 REFERENCE = "JCGM 100:2008, 5.1.2"
-CURVED = 0.1  # of an uncertainty: by how much more a result may leave its straight line
+CURVED = 0.1  # of an uncertainty: greater deviations from the straight line are noted
 MANY = "one value of each, or without the uncertainty"
 
 Key = tuple[Any, ...]
 Numbers = Mapping[Key, Any]
-VALUE = Symbol("", "", (), limits=ANY)  # of a conversion: no option names it
+VALUE = Symbol("", "", (), limits=ANY)  # the value of a conversion, which has no name
 
 
 class Bend(NamedTuple):
-    """An uncertain input, as a note names it, over which a result is not a straight line.
+    """An uncertain input on which results depend non-linearly.
 
-    `bent` are those results, and `at` gives all where the input is moved by so much of what is
-    uncertain, from -1 to 1; `problem` says why there are none at one of the ends.
+    `named` is its name in notes; `bent` are the results; `at` returns all results with the input
+    shifted by a multiple (-1 to 1) of its uncertainty; `problem` is the reason for missing ones.
     """
 
     named: str
@@ -59,7 +59,7 @@ class Bend(NamedTuple):
     problem: str = ""
 
     def note(self, label: str, key: Key, in_its_unit: Callable[[float], Any], unit: str) -> str:
-        """Return the note on a result: its range, in digits that tell its ends apart."""
+        """Return the note on a result: its range, with enough digits to distinguish the ends."""
 
         def number(shift: float) -> float | None:
             amount = self.at(shift).get(key)
@@ -76,18 +76,18 @@ class Bend(NamedTuple):
         least, most = (_amount(end, unit, digits) for end in (low, high))
         ends = f"{least} to {most}"
         if math.inf in (-low, high):
-            ends = f"{least} and more, without a bound"
+            ends = f"{least} and more, unbounded"
             if low == -math.inf:
-                ends = f"{most} and less, without a bound"
+                ends = f"{most} and less, unbounded"
                 if high == math.inf:
-                    ends = "without a bound, down or up"
+                    ends = "unbounded below and above"
         return f"{label} is far from linear within {self.named}: {ends}"
 
 
 def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> Answer:
-    """Return the answer to what is given; where that is uncertain, the numbers are.
+    """Return the answer for the inputs, with uncertain numbers if inputs are uncertain.
 
-    Raises ConditionError where more is given than needed, and nothing tells what counts.
+    Raises ConditionError if redundant inputs contradict an uncertain one.
     """
     answer = work_out(given)
     if not any_uncertain(given.values()):
@@ -122,7 +122,7 @@ def of_conversion(result: Result, conversion: "Converted") -> Result:
 
 
 class Converted(NamedTuple):
-    """A converted number with its uncertainty, what is assumed of it, and the bends on the way."""
+    """A converted number with its uncertainty, the assumption about it, and its bends."""
 
     number: Any
     assumed: str
@@ -134,7 +134,7 @@ class Converted(NamedTuple):
         return getattr(self.number, "std_dev", 0.0)
 
     def notes(self, name: str, unit: str) -> list[str]:
-        """Return what to say of the bends, where the number is called so and in that unit."""
+        """Return the notes on the bends, for the name and the unit of the number."""
         notes = [bend.problem for bend in self.bends if bend.problem]
         for bend in self.bends:
             for key in bend.bent:
@@ -143,9 +143,9 @@ class Converted(NamedTuple):
 
 
 def converted(planned: Plan, amount: Amount, given: Sequence[Input], of: Any = None) -> Converted:
-    """Convert an amount that is uncertain, or is converted under uncertain conditions.
+    """Convert an amount, where it or the conditions are uncertain.
 
-    `of` is the variable that the amount is, where it is one of Python's.
+    `of` is the Python variable of the amount, if there is one.
     """
 
     def work_out(inputs: Inputs) -> Numbers:
@@ -161,7 +161,7 @@ def converted(planned: Plan, amount: Amount, given: Sequence[Input], of: Any = N
 def value_of(amount: Amount) -> Input:
     """Return the value of a conversion as an input without a name, in the unit typed."""
     number, off = amount.typed[0], amount.typed_uncertainty
-    parts = () if amount.scale else amount.parts  # of the reading, which is the value here
+    parts = () if amount.scale else amount.parts  # on a scale, the value is the reading
     return Input(VALUE, amount.text, number, number=number, uncertainty=off, parts=parts)
 
 
@@ -170,24 +170,24 @@ AS_TYPED = ("given", "exact")  # the fields of a result in its first unit
 
 
 def _assumed(given: Inputs) -> str:
-    """Return what carrying assumes; variables of Python's know themselves what they depend on."""
+    """Return the assumption of the propagation; Python variables may be correlated."""
     return INDEPENDENT if all(item.variable is None for item in given.values()) else ASSUMED
 
 
 def _named(given: Input) -> str:
-    """An input as it was typed, behind its name, for a note."""
+    """Return the name and the text of an input, for a note."""
     return f"{given.symbol.label or 'the value'} {quote(given.text)}"
 
 
 def _option_text(given: Input) -> str:
-    """An input as it was typed, for a message."""
+    """Return an input as typed, for a message."""
     return option(given.name, quote(given.text)) if given.name else quote(given.text)
 
 
 def _carry(
     work_out: Callable[[Inputs], Numbers], given: Inputs, nominal: Numbers
 ) -> tuple[dict[Key, Any], list[Bend]]:
-    """Numbers with their uncertainties, by the slopes over each uncertain input."""
+    """Return the numbers with uncertainties, from the slopes over each uncertain input."""
     sources = {name: item for name, item in given.items() if item.is_uncertain}
     for item in sources.values():
         check_uncertainty(item.uncertainty, item.text)
@@ -206,7 +206,7 @@ def _carry(
 
 
 def _shift(given: Input) -> Any:
-    """An input less its nominal value [SI]: a variable of the `uncertainties` package."""
+    """Return an input minus its nominal value [SI], as a variable of `uncertainties`."""
     name, factor = given.name or "value", float(given.unit.factor) if given.unit else 1.0
     if len(given.parts) > 1:
         return sum(
@@ -218,7 +218,7 @@ def _shift(given: Input) -> Any:
 
 
 class _Run:
-    """One uncertain input, and what follows where it is moved."""
+    """One uncertain input, and the results with the input shifted."""
 
     def __init__(
         self,
@@ -228,7 +228,7 @@ class _Run:
         nominal: Mapping[Key, float],
     ) -> None:
         self.work_out, self.name, self.nominal = work_out, name, nominal
-        # without the room that roundings leave between inputs that contradict each other
+        # exact: the tolerance for rounded inputs must not hide a contradiction
         self.given = {key: item._replace(is_exact=True) for key, item in given.items()}
         self.input = given[name]
         self.refused: RadcalcError | None = None
@@ -236,14 +236,14 @@ class _Run:
         self.slopes = self._slopes() if self.input.uncertainty else dict.fromkeys(nominal, 0.0)
 
     def at(self, shift: float) -> Numbers:
-        """Return the results with the input moved by so much [SI]; none where that is refused."""
+        """Return the results with the input shifted by `shift` [SI]; none if that is refused."""
         nominal_input = self.given[self.name]
         try:
             return self.work_out({**self.given, self.name: moved(nominal_input, shift)})
         except (Contradiction, Exclusive) as error:
             raise ConditionError(
-                f"more is given than needed beside {_option_text(self.input)}, which is uncertain, "
-                "and nothing tells what of it counts",
+                f"{_option_text(self.input)} is uncertain, and redundant inputs contradict its "
+                "other values",
                 error.hint,
             ) from None
         except RadcalcError as error:
@@ -253,8 +253,8 @@ class _Run:
     def _slopes(self) -> dict[Key, float]:
         """Return the slope of each number over the input; one-sided next to a limit.
 
-        Where it grows without limit, the change over the uncertainty stands for it, by the rule
-        of JCGM 100:2008, 5.1.3, note 2.
+        An infinite slope is replaced by the change over the uncertainty (JCGM 100:2008, 5.1.3,
+        note 2).
         """
         off = self.input.uncertainty
         by_key = {}
@@ -270,11 +270,11 @@ class _Run:
             if (end := self.at(side).get(key)) is not None:
                 return float(end - self.nominal[key]) / side
         why = f": {self.refused.message}" if self.refused else ""
-        problem = f"the uncertainty of {_option_text(self.input)} cannot be carried{why}"
+        problem = f"the uncertainty of {_option_text(self.input)} cannot be propagated{why}"
         raise ConditionError(problem, "the same without it")
 
     def bends(self, numbers: Numbers) -> Iterator[Bend]:
-        """Yield where results leave their straight lines within what is uncertain in the input."""
+        """Yield the bends of results within the uncertainty of the input."""
         given, named = self.input, _named(self.input)
         off, factor = given.uncertainty, given.unit.factor if given.unit else 1
         if not given.parts:
@@ -291,7 +291,10 @@ class _Run:
     def _bend(
         self, numbers: Numbers, named: str, shift: Callable[[float], float | None], rise: float
     ) -> Iterator[Bend]:
-        """A bend where the input is shifted as a part of it is moved; it is taken to rise so."""
+        """Yield a bend if results are not linear; `shift` maps a part's shift to the input's.
+
+        `rise` is the shift of the input on a straight line.
+        """
 
         @cache
         def at(times: float) -> Numbers:
@@ -319,7 +322,7 @@ class _Run:
 
 
 def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
-    """Yield the results of one of several answers, with what tells each from all others."""
+    """Yield the results of answer number `k`, each with a unique key."""
     seen: dict[str, int] = {}
     for value in answer.values:
         seen[value.name] = seen.get(value.name, 0) + 1
@@ -327,7 +330,7 @@ def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
 
 
 def _numbers(answer: Answer) -> Numbers:
-    """All numbers of an answer: of each result that in SI units, as typed, and in other kinds."""
+    """Return all numbers of an answer: each result in SI units, as typed, and in other kinds."""
     numbers: dict[Key, float] = {}
     for k, alternative in enumerate((answer, *answer.more)):
         for key, value in _keys(alternative, k):
@@ -340,12 +343,12 @@ def _numbers(answer: Answer) -> Numbers:
             for dimension, amount in value.reach.items():
                 numbers[*key, dimension] = amount
     if any(map(is_array, numbers.values())):
-        raise ConditionError("several values stand beside an uncertain one", MANY)
+        raise ConditionError("an uncertain value cannot be used with several values", MANY)
     return {key: number for key, number in numbers.items() if math.isfinite(number)}
 
 
 def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
-    """A result with the uncertainties of its numbers."""
+    """Return a result with the uncertainties of its numbers."""
     if value.is_absent:
         return value
     reach = {d: numbers.get((*key, d), amount) for d, amount in value.reach.items()}
@@ -354,7 +357,7 @@ def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
 
 
 def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
-    """Return notes on the bends of one answer: one result of each, and how many more."""
+    """Return notes on the bends of one answer: one result of each, and a count of the others."""
     notes = [bend.problem for bend in bends if bend.problem]
     for bend in bends:
         bent = [key for key in bend.bent if key[:-1] in values and not key[-1]]
@@ -370,7 +373,7 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
 
 
 def _in_unit(value: Value, unit: Unit, amount: float) -> Any:
-    """A result in a unit, where it came to another amount [SI]."""
+    """Return another amount [SI] of a result in a unit."""
     return in_unit(value._replace(si=amount, given=None, exact=None), unit)
 
 
@@ -379,7 +382,7 @@ def _amount(number: float, unit: str, digits: int = DIGITS) -> str:
 
 
 class _WithShares(Sequence[Step]):
-    """The steps of an answer, then what each uncertain input adds to each result."""
+    """The steps of an answer, then the contributions of uncertain inputs to each result."""
 
     def __init__(self, steps: Sequence[Step], values: Sequence[Value]) -> None:
         self.before, self.values = steps, values
@@ -395,23 +398,23 @@ class _WithShares(Sequence[Step]):
             yield from _shares(value.label, in_unit(value, resolve(unit)), unit)
 
     def __len__(self) -> int:
-        """Return how many there are."""
+        """Return the number of steps."""
         return len(self._all())
 
     def __getitem__(self, k: Any) -> Any:
-        """One of them."""
+        """Return a step."""
         return self._all()[k]
 
     def __iter__(self) -> Iterator[Step]:
-        """All of them, worked out once."""
+        """Return an iterator over all steps, computed once."""
         return iter(self._all())
 
 
 def _shares(label: str, number: Any, unit: str) -> list[Step]:
-    """Return what each input adds to a result's uncertainty: in its unit, and of its square."""
+    """Return each input's contribution to a result's uncertainty: in its unit, and its share."""
     if not is_uncertain(number):
         return []
-    # a list: inputs that look alike are still two
+    # a list, as two inputs may have the same text
     parts = [(source.tag or "an input", size) for source, size in number.error_components().items()]
     total = number.std_dev
     contributions = [

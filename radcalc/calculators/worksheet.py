@@ -1,4 +1,4 @@
-"""The worksheet of a calculator: its inputs, and what a page finds in them before it solves."""
+"""The worksheet of a calculator: its checked inputs, and the values that a page adds to them."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -17,17 +17,17 @@ from radcalc.maths import is_array, larger
 from radcalc.quantities.symbols import QUANTITY
 from radcalc.units.dimensions import AREA, LENGTH
 
-FARTHEST = 1e75  # between lengths, whose ratio is squared
+FARTHEST = 1e75  # ratio of lengths, which is squared
 OFFSETS = ("offset", "offset-y")
-PLACES = (*OFFSETS, "incidence", "tilt")  # inputs that pages turn into values of the laws
+PLACES = (*OFFSETS, "incidence", "tilt")  # inputs that pages convert to values of the laws
 
 
 class Worksheet(NamedTuple):
     """The inputs of a calculator, checked and sorted.
 
     `lit` are the light quantities in one kind, `given` the other inputs, and `known` the values
-    of both that laws may use.  A missing input may be one of `hints`, and `defaults` need not be
-    given.
+    of both for the laws.  `hints` are inputs to suggest if one is missing; `defaults` may be
+    omitted.
     """
 
     page: Page
@@ -38,11 +38,11 @@ class Worksheet(NamedTuple):
     defaults: frozenset[str] = frozenset()
 
     def has(self, *names: str) -> bool:
-        """Check that one of the symbols is among the inputs."""
+        """Return whether one of the symbols is among the inputs."""
         return not self.known.keys().isdisjoint(names)
 
     def known_with(self, placed: "Placed") -> dict[str, Known]:
-        """Return the values of the inputs and those that a page found in them."""
+        """Return the values of the inputs and those that a page added."""
         return {**self.known, **placed.known}
 
     @property
@@ -63,9 +63,9 @@ def worksheet(
 ) -> Worksheet:
     """Check and sort the inputs of a page.
 
-    Without `with_light` a light quantity is an input like others.  The kind of light is the
-    `preferred` one where a link leads to it.  Inputs that the case at hand `accepts` are by
-    default those of the page; `hints` are by default those that it accepts.
+    Without `with_light`, light quantities are treated like other inputs.  The kind of light is the
+    `preferred` one if a link leads to it.  `accepts` are the accepted inputs (default: those of
+    the page), `hints` those to suggest (default: the accepted ones).
     """
     accepts = page.takes if accepts is None else accepts
     rest = given
@@ -88,19 +88,19 @@ def worksheet(
 
 
 def known_by(value: Any, *inputs: Input) -> Known:
-    """Return a value with the rounding of the inputs that give it, and the text of the first."""
+    """Return a value with the rounding of its inputs, and the text of the first."""
     if not inputs:
         return Known(value)
     return Known(value, partial(_rounding, value, inputs), inputs[0].text)
 
 
 def _rounding(value: Any, inputs: Sequence[Input]) -> Any:
-    """Return the rounding error [SI] of a value by the digits of the inputs that give it."""
+    """Return the rounding error [SI] of a value from the digits of its inputs."""
     return max([item.rounding for item in inputs]) * abs(value)
 
 
 class Remarks:
-    """Assumptions and notes of an answer, and the inputs that were used outside the laws."""
+    """Assumptions and notes of an answer, and the inputs used outside the laws."""
 
     def __init__(self) -> None:
         self.assumptions: list[str] = []
@@ -116,15 +116,14 @@ class Remarks:
         self.notes += texts
 
     def use(self, *names: str) -> None:
-        """Count inputs as used that no law has."""
+        """Mark inputs as used that are not in any law."""
         self.used.update(names)
 
 
 class Placed(Remarks):
-    """What a page or a shape finds in its inputs outside the laws.
+    """Laws, values and remarks that a page or a shape derives from its inputs.
 
-    `laws` are those that hold for the case, `known` the values that they start from, and `steps`
-    show the way to these.
+    `laws` hold for the case, `known` are values for them, and `steps` derive these values.
     """
 
     def __init__(self, *laws: AnyLaw) -> None:
@@ -134,19 +133,19 @@ class Placed(Remarks):
         self.steps: list[Step] = []
 
     def add(self, name: str, value: Any, *inputs: Input) -> None:
-        """Add a value [SI] that follows from inputs, or one that holds without any."""
+        """Add a value [SI], with the inputs that it follows from."""
         self.known[name] = known_by(value, *inputs)
 
     def default(
         self, sheet: Worksheet, laws: Sequence[AnyLaw], name: str, value: Any, *texts: str
     ) -> None:
-        """Add and assume a value unless it is given or follows by the laws."""
+        """Add a value as an assumption, unless it is given or follows from the laws."""
         if name not in reached(laws, {*sheet.known, *self.known}):
             self.add(name, value)
             self.assume(*texts)
 
     def merge(self, other: "Placed") -> None:
-        """Add everything that another part of the page found."""
+        """Add everything of another `Placed`."""
         self.laws += other.laws
         self.known |= other.known
         self.steps += other.steps
@@ -156,9 +155,9 @@ class Placed(Remarks):
 
 
 def place(sheet: Worksheet, find: Callable[[Worksheet], Placed]) -> Placed:
-    """Return what a function finds in the inputs, with the roundings of its values.
+    """Return what `find` derives from the inputs, with the rounding errors of its values.
 
-    The rounding of a value is worked out by moving each input by its own.
+    The rounding error of a value follows from shifting each input by its own rounding error.
     """
     placed = find(sheet)
     for name, known in placed.known.items():
@@ -171,7 +170,7 @@ def place(sheet: Worksheet, find: Callable[[Worksheet], Placed]) -> Placed:
 def _moved_by_roundings(
     sheet: Worksheet, find: Callable[[Worksheet], Placed], name: str, value: Any
 ) -> Any:
-    """Return how far a value moves [SI] when the inputs move by their roundings."""
+    """Return the change of a value [SI] when the inputs are shifted by their rounding errors."""
     total = 0.0 * value
     for key, item in sheet.given.items():
         if item.symbol.form != QUANTITY or not item.rounding:
@@ -189,14 +188,14 @@ def _moved_by_roundings(
 
 
 def refuse_foreign(given: Inputs, takes: Sequence[str], title: str) -> None:
-    """Refuse inputs that the case at hand does not take."""
+    """Refuse inputs that are not accepted."""
     foreign = [name for name in given if name not in takes]
     if foreign:
         raise Unused(foreign, f"to {title}")
 
 
 def _refuse_disparate(given: Inputs) -> None:
-    """Refuse lengths and areas that are so far apart that a number cannot hold their ratio."""
+    """Refuse lengths and areas whose ratio is too large for a number."""
     powers = {LENGTH: 1.0, AREA: 0.5}
     least, most = {}, {}
     for name, item in given.items():
@@ -210,15 +209,13 @@ def _refuse_disparate(given: Inputs) -> None:
     pairs = permutations(most, 2)
     if any(most[name] > FARTHEST * least[other] for name, other in pairs):
         extremes = min(least, key=least.__getitem__), max(most, key=most.__getitem__)
-        option_texts = " beside ".join(option(name, quote(given[name].text)) for name in extremes)
-        raise ConditionError(
-            f"{option_texts} is beyond what radcalc reckons with", "less extreme values"
-        )
+        option_texts = " and ".join(option(name, quote(given[name].text)) for name in extremes)
+        raise ConditionError(f"{option_texts} are too far apart", "less extreme values")
 
 
 def refuse_slant_for_height() -> None:
-    """Refuse a distance where the height above a flat source is meant."""
+    """Refuse a distance that is not the height above a flat source."""
     raise ConditionError(
-        mention("{distance} is the straight line to the centre, and off the axis no height"),
+        mention("{distance} is the straight line to the centre, not the height"),
         mention("{height} in its place"),
     )

@@ -1,1 +1,1 @@
-"""Inputs: what somebody gave for a symbol, read and held to its limits."""
+"""Inputs: the values of symbols, read and checked against limits."""

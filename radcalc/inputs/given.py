@@ -1,4 +1,4 @@
-"""An input, and what calculators ask of their inputs."""
+"""Inputs, and functions that choose and check them."""
 
 import math
 from collections.abc import Iterable
@@ -27,17 +27,17 @@ if TYPE_CHECKING:
 
 
 class DigitsMatter(Exception):
-    """Raised where an answer depends on the digits with which each of several numbers was typed."""
+    """Raised if an answer depends on the typed digits of each number of an array."""
 
 
 class Input(NamedTuple):
-    """A value that was given: the symbol, the text as typed, the value in SI units.
+    """A given value: the symbol, the text as typed, the value in SI units.
 
-    `number` and `unit` are those typed, a reading and a `ScaleUnit` on a scale; `is_exact` marks
-    a Python number, which has no text.  `uncertainty` is the standard uncertainty in SI units,
-    and `variable` the number of the `uncertainties` package that carries it; `assumptions` say how
-    the text was read.  `off` is the relative rounding error of an expression as typed, and `parts`
-    are the shares of its uncertain numbers, or of a reading, in `unit`.
+    `number` and `unit` are as typed (on a scale, a reading and a `ScaleUnit`); `is_exact` marks a
+    Python number, which has no text.  `uncertainty` is the standard uncertainty in SI units, and
+    `variable` its number of the `uncertainties` package; `assumptions` describe the reading of the
+    text.  `off` is the relative rounding error of an expression, and `parts` are the contributions
+    of its uncertain numbers, or of a reading, in `unit`.
     """
 
     symbol: Symbol
@@ -60,22 +60,22 @@ class Input(NamedTuple):
 
     @property
     def is_uncertain(self) -> bool:
-        """Check for an uncertainty, also of an expression whose slope is 0."""
+        """Return whether the input is uncertain, also with a slope of 0."""
         return bool(self.uncertainty or self.parts)
 
     @property
     def unit_text(self) -> str:
-        """The unit as typed; for a bare number 1."""
+        """The unit as typed; 1 for a bare number."""
         return self.unit.text if self.unit else "1"
 
     def text_where(self, condition: Any) -> str:
-        """Return the text; of an array that of the elements for which a condition holds."""
+        """Return the text; for an array, that of the elements for which a condition holds."""
         if not maths.is_array(self.number):
             return self.text
         return self.text_of(maths.chosen(self.number, condition))
 
     def text_of(self, numbers: Any) -> str:
-        """Return the range of an array, with the unit behind it as it is in the text."""
+        """Return the range of an array, followed by the unit as in the text."""
         range_text, unit = format_number(numbers), self.unit_text
         if self.unit is None or not self.text.endswith(unit):
             return range_text
@@ -84,16 +84,16 @@ class Input(NamedTuple):
 
     @property
     def size(self) -> float:
-        """Size of a single number [SI]; that of an uncertain spectrum is its parameter."""
+        """The value of a single number [SI]; for an uncertain spectrum, its parameter."""
         if self.symbol.form == SPECTRUM:
             return float(self.number * self.unit.factor if self.unit else self.number)
         return float(self.value)
 
     @property
     def rounding(self) -> float:
-        """Relative rounding error of the value as typed; counted things are exact.
+        """The relative rounding error of the value as typed; 0 for counted things.
 
-        An array of typed numbers has no such value, and raises DigitsMatter.
+        Raises DigitsMatter for an array of typed numbers.
         """
         if self.is_exact or self.name in COUNTS:
             return 0.0
@@ -109,11 +109,11 @@ class Input(NamedTuple):
 
 
 Inputs = dict[str, Input]
-COUNTS = ("luminaires",)  # counted things: 12 is not 12.0
+COUNTS = ("luminaires",)  # counted things, which are exact
 
 
 def shown_inputs(given: Inputs) -> tuple[ShownInput, ...]:
-    """Return the inputs as an answer shows them; a place by its coordinates."""
+    """Return the inputs as shown in an answer; a point by its coordinates."""
     return tuple([row for item in given.values() for row in _shown_as(item)])
 
 
@@ -135,29 +135,29 @@ def _shown_as(given: Input) -> list[ShownInput]:
 
 
 def any_uncertain(given: Iterable[Input]) -> bool:
-    """Check whether any input has an uncertainty."""
+    """Return whether any input is uncertain."""
     return any(item.is_uncertain for item in given)
 
 
 def refuse_uncertain(given: Iterable[Input], what: str) -> None:
-    """Refuse uncertain inputs where `what` does not carry uncertainties."""
+    """Refuse uncertain inputs if `what` does not propagate uncertainties."""
     for item in given:
         if item.is_uncertain:
             option_text = option(item.name, quote(item.text))
-            problem = f"{option_text} has an uncertainty, which {what} does not carry"
+            problem = f"{option_text} has an uncertainty, which {what} does not propagate"
             raise ConditionError(problem, "the value alone")
 
 
 def check_limits(given: Input, limits: Limits) -> None:
-    """Refuse a value outside limits, naming the limit.
+    """Refuse a value outside limits, and name the limit.
 
-    A value of 0 or less of a symbol that starts above 0 gets that limit alone.
+    If the symbol must be above 0, the message for 0 or less names that limit only.
     """
     value = given.value
     low, high = limits.low, limits.high
     below = value <= low if limits.without_low else value < low - SLACK * abs(low)
     above = value >= high if limits.without_high else value > high * (1 + SLACK)
-    if below is above is False:  # as of nearly every number
+    if below is above is False:  # the usual case
         return
     if maths.any_true(below):
         limit_text = limits.said
@@ -169,13 +169,13 @@ def check_limits(given: Input, limits: Limits) -> None:
 
 
 def require(given: Input, good: bool, limit: str) -> None:
-    """Refuse a value that the case at hand makes impossible, naming the limit."""
+    """Refuse a value that is not `good`, and name the limit."""
     if not good:
         raise Impossible(given.name, given.text, limit)
 
 
 def split_by_light(given: Inputs) -> tuple[Inputs, Inputs, Inputs]:
-    """Split inputs into light quantities, links between kinds of light, and the rest."""
+    """Split inputs into light quantities, links between kinds, and the rest."""
     quantities = {n: item for n, item in given.items() if item.symbol.generic}
     links = {n: item for n, item in given.items() if n in (*LINKS, *REFINEMENTS)}
     rest = {n: item for n, item in given.items() if n not in quantities and n not in links}
@@ -201,12 +201,12 @@ def one_of(inputs: Inputs, what: str, *names: str) -> Input:
 
 
 def radius_of(given: Input) -> Any:
-    """Return a radius [m] that was given as such or as a diameter."""
+    """Return a radius [m] given as a radius or a diameter."""
     return given.value / (2 if given.name.endswith("diameter") else 1)
 
 
 def half_angle_of(given: Input, most: int = 180) -> Any:
-    """Return a half angle [rad] of at most so many degrees, given as such or as an apex angle."""
+    """Return a half angle [rad] of at most `most` degrees, given as a half or an apex angle."""
     factor = 2 if given.name == "apex-angle" else 1
     limit = Limits(0.0, math.radians(factor * most), f"at most {factor * most} deg", True)
     check_limits(given, limit)
@@ -214,15 +214,15 @@ def half_angle_of(given: Input, most: int = 180) -> Any:
 
 
 def angle_of(inputs: Inputs, name: str) -> Any:
-    """Return an angle from a normal [rad] without its sign; 0 where none is given."""
+    """Return the absolute value of an angle from a normal [rad]; 0 if it is not given."""
     return abs(inputs[name].value) if name in inputs else 0.0
 
 
 def offset_of(inputs: Inputs, name: str = "offset") -> Any:
-    """Return a sideways distance [m]; 0 where none is given."""
+    """Return a sideways distance [m]; 0 if it is not given."""
     return inputs[name].value if name in inputs else 0.0
 
 
 def runs_backwards(symbol: Symbol, text: str, hint: str) -> ConditionError:
-    """Return the refusal of an interval that ends before it starts."""
+    """Return the error for an interval that ends before it starts."""
     return ConditionError(f"{option(symbol.name, quote(text))} ends before it starts", hint)

@@ -39,14 +39,14 @@ Point = tuple[float, float, float]
 
 
 def read_point(text: str, what: str) -> Point:
-    """Read X,Y,Z, three bare numbers in any one unit; `what` names the text in a refusal."""
+    """Read X,Y,Z, three bare numbers in the same unit; `what` names the text in messages."""
     hint = "X,Y,Z, in one unit that is not written: 1,0,0.5"
     x, y, z = _read_bare(text, what, 3, "coordinate", hint)
     return x, y, z
 
 
 def read_vector(text: str, what: str) -> Point:
-    """Read X,Y,Z that are not all 0, as for a point."""
+    """Read X,Y,Z like a point; refuse 0,0,0."""
     vector = read_point(text, what)
     if not any(vector):
         raise ConditionError(
@@ -58,8 +58,8 @@ def read_vector(text: str, what: str) -> Point:
 def read_direction(text: str, what: str) -> tuple[float, float]:
     """Read POLAR or POLAR,AZIMUTH, angles with their units, or a vector X,Y,Z of bare numbers.
 
-    Returns the polar angle, from 0 to pi, and the azimuth, from 0 to below 2 pi [rad], as
-    `radcalc.geometry.directions` counts them.  `what` names the text in a refusal.
+    Returns the polar angle (0 to pi) and the azimuth (0 to below 2 pi) [rad] of
+    `radcalc.geometry.directions`.  `what` names the text in messages.
     """
     from radcalc.geometry.directions import TURN, spherical
 
@@ -70,14 +70,15 @@ def read_direction(text: str, what: str) -> tuple[float, float]:
     polar, azimuth = (*(_read_angle(part, text, what) for part in parts), 0.0)[:2]
     if not 0 <= polar <= math.pi * (1 + SLACK):
         raise ConditionError(
-            f"{what} '{quote(text)}' has a polar angle that is not from 0 to 180 deg", AS_DIRECTION
+            f"{what} '{quote(text)}' is out of range: its polar angle must be from 0 to 180 deg",
+            AS_DIRECTION,
         )
     azimuth %= TURN
-    return min(polar, math.pi), 0.0 if azimuth == TURN else azimuth  # of a hair below 0
+    return min(polar, math.pi), 0.0 if azimuth == TURN else azimuth  # from just below 0
 
 
 def require_azimuth(given: Input, why: str) -> None:
-    """Refuse a direction with a polar angle alone, unless it is a pole."""
+    """Refuse a direction without an azimuth, unless it is a pole."""
     if given.value[0] % math.pi and "," not in given.text:
         typed = quote(given.text)
         problem = f"{option(given.name, typed)} has no azimuth, and {why}"
@@ -91,7 +92,7 @@ def _read_angle(text: str, direction: str, what: str) -> float:
     """Read one of the angles of a direction [rad]."""
     if ":" in text:
         raise ConditionError(
-            f"{what} '{quote(direction)}' has a range where one angle is meant",
+            f"{what} '{quote(direction)}' has a range, not a single angle",
             "one direction, or at a shell a range of polar angles: 0deg:90deg:15deg,90deg",
         )
     try:
@@ -105,7 +106,7 @@ def _read_angle(text: str, direction: str, what: str) -> float:
     if unit is None or unit.dimension != ANGLE:
         description = describe(unit) if unit else "a bare number"
         raise ConditionError(
-            f"{what} '{quote(direction)}' has {description} where an angle is meant", AS_DIRECTION
+            f"{what} '{quote(direction)}' has {description}, not an angle", AS_DIRECTION
         )
     angle = number * unit.factor
     if abs(angle) > LARGEST:
@@ -125,7 +126,7 @@ COUNTED = {2: "two", 3: "three", 4: "four"}
 
 
 def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[float, ...]:
-    """Read so many bare numbers between commas."""
+    """Read `count` bare numbers separated by commas."""
     parts = text.split(",")
     if len(parts) != count:
         how_many = f"{len(parts)} {noun}{'s' if len(parts) > 1 else ''}"
@@ -135,12 +136,13 @@ def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[
     except NumberError as error:
         raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
     if max(map(abs, numbers)) > LARGEST:
-        raise NumberError(f"{what} '{quote(text)}' is beyond what radcalc reckons with", hint)
+        problem = f"{what} '{quote(text)}' is out of range: numbers must be at most {LARGEST:g}"
+        raise NumberError(problem, hint)
     return numbers
 
 
 def joined(value: Any, mark: str = ",", number: Callable[[Any], Any] = float) -> str:
-    """Return Python numbers as they would be typed; the readers refuse anything else."""
+    """Return Python numbers as typed text; the readers refuse other values."""
     if isinstance(value, str):
         return value
     if is_number_with_unit(value):
@@ -171,7 +173,7 @@ def numbers_input(symbol: Symbol, value: Any) -> Input:
 
 
 def pair_input(symbol: Symbol, value: Any) -> Input:
-    """Read two whole numbers with the mark of the example between them: 1024x512, or 0,0."""
+    """Read two whole numbers separated as in the symbol's example: 1024x512, or 0,0."""
     mark = "x" if "x" in symbol.example else ","
     text = joined(value, mark, index)
     parts = [part.strip() for part in text.lower().replace("×", "x").split(mark)]
@@ -185,15 +187,15 @@ def pair_input(symbol: Symbol, value: Any) -> Input:
     return Input(symbol, text, (int(parts[0]), int(parts[1])))
 
 
-DIGITS = 18  # of a whole number that is read at all
+DIGITS = 18  # of a whole number
 IN_METRES = "coordinates without a unit are in metres"
-TOO_FAR = "a coordinate is beyond what radcalc reckons with", "up to 1e100"
+TOO_FAR = "a coordinate is out of range: it must be at most 1e100 m", "up to 1e100"
 
 
 def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
-    """Read coordinates that are all lengths or all bare; return them [m] and the first unit.
+    """Read coordinates, all lengths or all bare; return them [m] and the first unit.
 
-    A 0 needs no unit next to lengths.
+    A 0 among lengths needs no unit.
     """
     if any(":" in part for part in parts):
         raise ConditionError("a coordinate is one number, not a range", "one point at a time")
@@ -210,7 +212,7 @@ def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
 
 
 def _coordinate(text: str, number: float, unit_text: str, unit: Unit, first_unit: str) -> float:
-    """Return a coordinate [m], rounded once; refuse a bare number where others have a unit."""
+    """Return a coordinate [m], rounded once; refuse a bare number if others have a unit."""
     if unit_text and unit.dimension != LENGTH:
         raise ConditionError(
             f"a coordinate is a length or a bare number, not {describe(unit)}",
@@ -226,9 +228,9 @@ def _coordinate(text: str, number: float, unit_text: str, unit: Unit, first_unit
 
 
 def read_place(name: str, text: str, description: str = "") -> Input:
-    """Read X,Y,Z, the place [m] of a symbol: three lengths, or bare numbers of metres.
+    """Read X,Y,Z, the position [m] of a symbol: three lengths, or bare numbers in metres.
 
-    `description` is its name in messages, by default that of the symbol.
+    `description` is the name in messages, by default that of the symbol.
     """
     parts = text.split(",")
     what = f"{description or f'the {name}'} '{quote(text)}'"
@@ -248,12 +250,12 @@ MOST_POINTS = 100_000_000  # of a grid
 
 
 def grid_input(symbol: Symbol, value: Any) -> Input:
-    """Read X0:X1:N,Y0:Y1:N,Z as start, end and count of three axes; each may be one place."""
+    """Read X0:X1:N,Y0:Y1:N,Z as start, end and count of three axes; an axis may be one number."""
     text = joined(value)
     what = f"{option(symbol.name)} '{quote(text)}'"
     parts = [part.split(":") for part in text.split(",")]
     if len(parts) != 3 or any(len(part) not in (1, 3) for part in parts):
-        raise ConditionError(f"{what} is no grid", AS_GRID)
+        raise ConditionError(f"{what} is not a grid", AS_GRID)
     try:
         ends, unit = read_coordinates([word for part in parts for word in part[:2]])
     except RadcalcError as error:
@@ -267,7 +269,7 @@ def grid_input(symbol: Symbol, value: Any) -> Input:
 
 
 def _axis(part: list[str], coordinates: Iterator[float], what: str) -> tuple[float, float, int]:
-    """Return start, end and count of an axis of a grid; take its ends from the coordinates."""
+    """Return start, end and count of an axis of a grid, with the ends from `coordinates`."""
     start = next(coordinates)
     if len(part) == 1:
         return start, start, 1
@@ -280,7 +282,9 @@ def _axis(part: list[str], coordinates: Iterator[float], what: str) -> tuple[flo
 def _count(text: str, what: str) -> int:
     """Read the number of points along an axis of a grid."""
     if not (text.isascii() and text.isdecimal() and 1 < int(text[:12]) <= MOST_POINTS):
-        raise ConditionError(f"{what}: '{quote(text)}' is no number of points from 2 on", AS_GRID)
+        raise ConditionError(
+            f"{what}: '{quote(text)}' is not a number of points (2 or more)", AS_GRID
+        )
     return int(text)
 
 

@@ -25,13 +25,13 @@ from radcalc.units.ranges import real, with_list
 from radcalc.units.reading import read_amount
 from radcalc.units.unit import NUMBER, Unit, divide
 
-LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that OD, stops or dB may give
+LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that can be in OD, stops or dB
 if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit
 
-MARKED = {"f-number": "f/", "nd": "nd"}  # what people write before the number: f/8,f/11 is not 8.11
-MARKS_OF_STOPS = range(101, 114)  # filters' marks for 1 to 13 stops
-NO_SHARES = (  # numbers that are not a part of a whole, and so have no percentage
+MARKED = {"f-number": "f/", "nd": "nd"}  # prefixes of numbers: f/8,f/11 is a list, not 8.11
+MARKS_OF_STOPS = range(101, 114)  # marks of filters for 1 to 13 stops
+NO_SHARES = (  # numbers that are not a part of a whole and do not take %
     "exponent", "beam-exponent", "falloff", "f-number", "working-f-number", "ev", "ev100", "iso",
     "nd", "stops", "luminaires", "room-index", "electrons", "snr",
 )  # fmt: skip
@@ -39,9 +39,9 @@ DIFFERENCES = ("temperature-rise",)  # may be in degrees Celsius, but not in mir
 
 
 def moved(given: Input, shift: float) -> Input:
-    """Return an input with its value moved by so much [SI], within its limits.
+    """Return an input with its value shifted by `shift` [SI], within its limits.
 
-    The uncertain value of a spectrum is its parameter.
+    For a spectrum, the uncertain parameter is shifted.
     """
     number = given.number + shift * (divide(given.unit.bottom, given.unit.top) if given.unit else 1)
     if given.symbol.form == SPECTRUM:
@@ -68,8 +68,8 @@ def moved(given: Input, shift: float) -> Input:
 
 
 def with_numbers(given: Input, numbers: Any) -> Input:
-    """Read an array of numbers as the number of an input was read, in its unit."""
-    if given.name == "nd":  # 3 is refused and 3.0 is not
+    """Return an input with an array of numbers in the same unit."""
+    if given.name == "nd":  # 3 is ambiguous, 3.0 is not
         raise DigitsMatter
     text = given.text_of(numbers)
     sizes, unit = numbers, given.unit
@@ -87,9 +87,9 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
     """Read a quantity: a text, a Python number, or a number with its unit."""
     variable = None
     if isinstance(value, str):
-        text = " ".join(value.split()).replace(MINUS, "-")  # messages show it on one line
+        text = " ".join(value.split()).replace(MINUS, "-")  # on one line for messages
         if symbol.name == "f-number":
-            text = text.removeprefix(MARKED[symbol.name])  # as photographers write it: f/2.8
+            text = text.removeprefix(MARKED[symbol.name])  # f/2.8
         amount = _typed_amount(symbol, text)
     else:
         amount, variable = _python_amount(symbol, value)
@@ -116,7 +116,7 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
 
 
 def _typed_amount(symbol: Symbol, text: str) -> Amount:
-    """Read the text of a quantity, which a few symbols write in forms of their own."""
+    """Read the text of a quantity; a few symbols have special forms."""
     amount = None
     if symbol.name in DIFFERENCES:
         amount = _difference(text)
@@ -126,9 +126,9 @@ def _typed_amount(symbol: Symbol, text: str) -> Amount:
 
 
 def _python_amount(symbol: Symbol, value: Any) -> tuple[Amount, Any]:
-    """Read a Python number or an array, with its unit and its text where it has them.
+    """Read a Python number or an array, optionally with a unit and a text.
 
-    Returns the amount and the number of the `uncertainties` package, or None for any other.
+    Returns the amount, and the number if it is one of the `uncertainties` package, else None.
     """
     number, unit, *texts = value if is_number_with_unit(value) else (value, None)
     variable, uncertainty = None, 0.0
@@ -140,7 +140,7 @@ def _python_amount(symbol: Symbol, value: Any) -> tuple[Amount, Any]:
 
 
 def _check_unit(symbol: Symbol, amount: Amount) -> None:
-    """Refuse a scale that does not suit the symbol, and the share of a number without shares."""
+    """Refuse a scale that does not suit the symbol, and % for numbers that do not take it."""
     scale, unit = amount.scale, amount.unit
     refused = None
     if scale:
@@ -155,7 +155,7 @@ def _check_unit(symbol: Symbol, amount: Amount) -> None:
 
 
 def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionError:
-    """Return the refusal of an amount whose unit is missing or measures another quantity."""
+    """Return the error for an amount whose unit is missing or is of another quantity."""
     name, unit = symbol.name, amount.unit
     if unit is None and maths.is_array(amount.number):
         problem = f"{option(name)} has numbers without a unit"
@@ -174,14 +174,14 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
 
 
 def takes_scale(name: str, scale: Unit) -> bool:
-    """Check that a symbol has readings on a scale: dB and stops are for light that passes."""
+    """Return whether a symbol has readings on a scale; dB and stops are for transmitted light."""
     if scale.dimension == NUMBER:
         return name in LEFT_OF_LIGHT
     return name not in DIFFERENCES
 
 
 def is_number_with_unit(value: Any) -> bool:
-    """Check for a tuple of a number, or an array, and its unit."""
+    """Return whether a value is a tuple of a number or an array, and its unit."""
     return isinstance(value, tuple) and len(value) > 1 and isinstance(value[1], Unit)
 
 
@@ -194,7 +194,7 @@ def _read_amount(symbol: Symbol, text: str) -> Amount:
 
 
 def _difference(text: str) -> Amount | None:
-    """Read a difference of temperature in degrees of a scale with another 0; None for others."""
+    """Read a temperature difference in degrees of another scale (°C); None for other texts."""
     unit_text = text[max(map(text.rfind, "0123456789.)%")) + 1 :].strip()
     from radcalc.units.scales import degree
 
@@ -205,26 +205,24 @@ def _difference(text: str) -> Amount | None:
     try:
         amount = read_amount(text.replace(unit_text, "K"))
     except RadcalcError:
-        return None  # the refusal quotes the text as typed
+        return None  # the general reader reports the text as typed
     if amount.unit is None or amount.rounding is not None:
         return None
-    assumption = (
-        f"a difference of temperature: 1 {quote(unit_text)} is {format_number(unit.factor)} K"
-    )
+    assumption = f"a temperature difference: 1 {quote(unit_text)} is {format_number(unit.factor)} K"
     return Amount(text, amount.number, unit, amount.uncertainty, (assumption,))
 
 
 def _density(text: str) -> Amount | None:
-    """Read the density of a neutral filter by its mark: ND8 is a factor of 8, ND0.9 a density.
+    """Read the mark of a neutral-density filter: ND8 is a factor of 8, ND0.9 a density.
 
-    Returns None for a density alone, which is read as other numbers are.
+    Returns None for a bare density, which is read like other numbers.
     """
     number = _without_mark(text)
     if not number[:1].isdecimal():
         return None
     if number == text:
         if text.isdecimal() and float(text) > 1:
-            problem = f"{option('nd', quote(text))} can be a density or a factor"
+            problem = f"{option('nd', quote(text))} is ambiguous: a density or a factor"
             ways = (option("nd", f"{quote(text)}.0"), option("nd", f"ND{quote(text)}"))
             raise ConditionError(problem, f"{ways[0]} for the density, or {ways[1]} for the factor")
         return None
@@ -235,7 +233,7 @@ def _density(text: str) -> Amount | None:
         )
     _check_factor(text, number, factor)
     density = math.log10(factor)
-    assumption = f"{quote(text)} lets 1/{number} of the light through: a density of {density:.4g}"
+    assumption = f"{quote(text)} transmits 1/{number} of the light: a density of {density:.4g}"
     return Amount(text, density, None, assumptions=(assumption,), rounding=off)
 
 
@@ -250,12 +248,13 @@ def _without_mark(text: str) -> str:
 
 
 def _check_factor(text: str, number: str, factor: float) -> None:
-    """Refuse a filter's factor below 1, and one that can be a mark for stops."""
+    """Refuse a filter factor below 1, and one that may be a mark for stops."""
     if factor < 1:
-        problem = f"{option('nd', quote(text))} is no filter: its factor is below 1"
+        problem = f"{option('nd', quote(text))} is not a filter: its factor is below 1"
         raise ConditionError(problem, option("nd", "ND8"))
-    if factor in MARKS_OF_STOPS:  # as some makers mark 3 stops: 103
-        problem = f"{option('nd', quote(text))} can be a factor, or {number[1:].lstrip('0')} stops"
+    if factor in MARKS_OF_STOPS:  # some makers mark 3 stops as 103
+        stops = number[1:].lstrip("0")
+        problem = f"{option('nd', quote(text))} is ambiguous: a factor or {stops} stops"
         raise ConditionError(problem, f"{option('nd', f'{(factor - 100) * 0.3:.1f}')}, for stops")
 
 
@@ -264,7 +263,7 @@ def with_likely_unit(symbol: Symbol, number: str) -> str:
     if ANGLE in symbol.dimensions and ("pi" in number or "π" in number):
         return f"{number}rad"
     if TIME in symbol.dimensions and "/" in number:
-        return f"{number}s"  # as shutters are marked
+        return f"{number}s"  # like marks of shutters
     return number + symbol.example.lstrip("0123456789./")
 
 
@@ -276,13 +275,13 @@ def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
 
 
 def _refuse_extreme(name: str, text: str, value: Any) -> None:
-    """Refuse extreme values [SI], which no light reaches and which would overflow later."""
+    """Refuse extreme values [SI], which would overflow later."""
     if isinstance(value, float) and value != value:
-        raise ConditionError(f"{option(name, quote(text))} is no number", "a finite number")
+        raise ConditionError(f"{option(name, quote(text))} is not a number", "a finite number")
     size = abs(value)
     extreme = (size > LARGEST) | ((size < 1 / LARGEST) & (size != 0)) | (size != size)
     if maths.any_true(extreme):
         raise ConditionError(
-            f"{option(name, quote(text))} is beyond what radcalc reckons with",
+            f"{option(name, quote(text))} is out of range: it is too large or too small",
             f"values from {1 / LARGEST:g} to {LARGEST:g} in SI units",
         )

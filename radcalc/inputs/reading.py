@@ -1,4 +1,4 @@
-"""Readers of inputs of every form."""
+"""Readers of inputs of all forms."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -32,7 +32,7 @@ from radcalc.units.unit import NUMBER, Unit
 def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     """Split a list or a range into values; a range of wavelengths or a file name is one value.
 
-    Directions are a range of polar angles with one azimuth: 0deg:90deg:15deg,90deg.
+    A range of directions has polar angles and one azimuth: 0deg:90deg:15deg,90deg.
     """
     form = SYMBOLS[name].form
     if name in MARKED and MARKED[name] in str(text).lower():
@@ -58,7 +58,7 @@ def _quantities(name: str, text: str, arrays: bool) -> Sequence[Any]:
 
 
 def _refuse_mixed_shares(text: str) -> None:
-    """Refuse 0.5,0.6%, where 0.5 may be a half or half a percent."""
+    """Refuse 0.5,0.6%, where 0.5 may be 50 % or 0.5 %."""
     mark = ":" if ":" in text else ","
     *first_parts, last = [part.strip() for part in text.split(mark)]
     if last.endswith("%") and not all(part.endswith("%") for part in first_parts):
@@ -67,15 +67,15 @@ def _refuse_mixed_shares(text: str) -> None:
         raise ConditionError(problem, f"{quote(in_percent)}, or numbers without %")
 
 
-AS_BARE = "0123456789./"  # characters of a number that people write without its unit
+AS_BARE = "0123456789./"  # characters of numbers that are usually written without a unit
 
 
 def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Input:
     """Read the value of a symbol of the vocabulary.
 
-    `value` is a text as on the command line, True for a flag, a number, or a number (or an
-    array) with a `Unit` and possibly a text for messages.  `uncertain` says that the caller
-    carries uncertainties.  `bare` is the unit of a number that people write without one.
+    `value` is a text as on the command line, True for a flag, a number, or a tuple of a number (or
+    an array), a `Unit` and optionally a text for messages.  `uncertain` allows uncertain values.
+    `bare` is the unit of a number that is usually written without one.
     """
     text = str(value).strip() if bare else ""
     if text and not text.strip(AS_BARE) and ("time" not in name or "/" in text):  # 4 may be 1/4
@@ -86,7 +86,7 @@ def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Inpu
 
 
 def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Input:
-    """Read the value of any symbol, also of one outside the vocabulary."""
+    """Read the value of any symbol, also outside the vocabulary."""
     given = _reader(symbol.form)(symbol, value)
     if given.is_uncertain and not uncertain:
         option_text = option(symbol.name, quote(given.text))
@@ -95,7 +95,7 @@ def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Input:
 
 
 def _reader(form: str) -> Callable[[Symbol, Any], Input]:
-    """Return the reader of a form; those of places and spectra are loaded when they are needed."""
+    """Return the reader of a form; load those of places and spectra on demand."""
     if form in (SPECTRUM, WAVELENGTHS):
         from radcalc.inputs import spectra
 
@@ -110,7 +110,7 @@ def _reader(form: str) -> Callable[[Symbol, Any], Input]:
 def _read_choice(symbol: Symbol, value: Any) -> Input:
     if not isinstance(value, str) or value not in symbol.choices:
         raise ConditionError(
-            f"{option(symbol.name)} does not know '{quote(str(value))}'", ", ".join(symbol.choices)
+            f"unknown {option(symbol.name)} '{quote(str(value))}'", ", ".join(symbol.choices)
         )
     return Input(symbol, str(value), value)
 
@@ -166,11 +166,11 @@ def _ends(symbol: Symbol, text: str) -> tuple[Input, Input]:
 
 
 def _read_distribution(symbol: Symbol, value: Any) -> Input:
-    """Read one of the named distributions, or the photometry of a file or an expression."""
+    """Read a named distribution, or the photometry of a file or an expression."""
     name = value.strip().lower() if isinstance(value, str) else ""
     if name in symbol.choices:
         return Input(symbol, name, name)
-    from radcalc.distributions.sources import photometry  # with NumPy
+    from radcalc.distributions.sources import photometry  # loads NumPy
 
     distribution = photometry(value)
     return Input(symbol, value.strip() if name else distribution.format, distribution)

@@ -1,4 +1,4 @@
-"""Readers of spectra and ranges of wavelengths."""
+"""Readers of spectra and wavelength ranges."""
 
 from typing import Any
 
@@ -48,7 +48,7 @@ def wavelengths_input(symbol: Symbol, value: Any) -> Input:
     low, high = (round(end.value * 1e9, 9) for end in ends)
     if low == high:
         raise ConditionError(
-            f"{option(symbol.name, quote(text))} is one wavelength",
+            f"{option(symbol.name, quote(text))} is a single wavelength",
             option(symbol.name, symbol.example),
         )
     if low > high:

@@ -195,7 +195,7 @@ def test_a_notebook_shows_what_was_given_what_follows_and_what_was_assumed():
 
 def test_a_notebook_shows_notes_arrays_uncertainties_and_what_is_no_number():
     dark = Page(radcalc.photon("300 nm", observer="scotopic")._repr_html_())
-    assert any(one.startswith("note: nothing is seen at 300 nm") for one in dark.items)
+    assert any(one.startswith("note: 300 nm is invisible") for one in dark.items)
     assert ["observer (given)", "", "scotopic", ""] in dark.rows
     many = radcalc.point_source(intensity="1 cd", distance=Q(np.arange(1.0, 100.0), "m"))
     page = Page(many._repr_html_())

@@ -58,8 +58,8 @@ def test_the_place_on_a_ball_is_shown_when_it_is_asked_for():
 @pytest.mark.parametrize(
     ("words", "note"),
     [
-        ("--mirror-ball 0.8,0.6", "at its rim the ball shows what is behind it"),
-        ("--mirror-ball 0,0", "at a pole every azimuth is right"),
+        ("--mirror-ball 0.8,0.6", "the rim of the ball shows the direction behind it"),
+        ("--mirror-ball 0,0", "at a pole the azimuth is arbitrary"),
     ],
 )
 def test_what_is_odd_is_noted(words, note):
@@ -69,7 +69,7 @@ def test_what_is_odd_is_noted(words, note):
 @pytest.mark.parametrize(
     ("words", "message", "hint"),
     [
-        ("--mirror-ball 0.9,0.9", "is beside the ball, 1.27279 times its radius", "at most 1"),
+        ("--mirror-ball 0.9,0.9", "is outside the ball, 1.27279 times its radius", "at most 1"),
         ("--mirror-ball 0.9", "has 1 number, not two", "--mirror-ball 0.6,0"),
         ("--mirror-ball 0.6m,0", "'0.6m' is not a number", "--mirror-ball 0.6,0"),
         ("1 0 0 --mirror-ball 0,0", "a vector cannot be used with --mirror-ball", "one of them"),

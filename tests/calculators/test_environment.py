@@ -127,7 +127,7 @@ def test_what_is_relative_has_no_unit_of_light_and_says_so():
     done = run("environment", "1")
     assert "irradiance\t3.14159265359\tsr" in done.stdout
     assert "mean-radiance\t1\t1" in done.stdout
-    assert "every result" in done.stderr
+    assert "so are all results" in done.stderr
     found = results(run("environment", "1", "--json").stdout)
     assert found["irradiance"]["quantity"] == "relative irradiance"
     assert {row["unit"] for row in found.values()} <= {"sr", "1", "deg"}

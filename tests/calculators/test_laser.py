@@ -121,7 +121,7 @@ def test_a_limit_that_the_beam_never_reaches_has_no_hazard_distance():
 
 def test_the_definitions_are_said():
     done = run("laser", *POINTER.split(), "--distance", "10m", "--limit", "25W/m2")
-    for said in ("1/e^2", "86.5 %", "full angle", "as given, and held against the peak"):
+    for said in ("1/e^2", "86.5 %", "full angle", "as given, applies to the peak"):
         assert said in done.stderr
     done = run("laser", "--flux", "5mW", "--diameter", "1mm")
     assert "at the laser's exit (no --distance)" in done.stderr
@@ -147,11 +147,11 @@ def test_less_spread_than_diffraction_is_noted():
         ("--diameter 1mm --distance 1m --spot-diameter 1m", "a divergence of 999.9"),
         ("--flux 1mW --received-flux 2mW --diameter 1mm", "laser has no --received-flux option"),
         ("--flux 5mW --diameter 1mm --profile square", "square"),
-        ("--flux 5mW --diameter 1mm --limit 25W/m2", "there is no hazard distance to --limit"),
+        ("--flux 5mW --diameter 1mm --limit 25W/m2", "alone is not enough for a hazard distance"),
         ("--divergence 1mrad --distance 10m --spot-diameter 10mm", "even of a beam without width"),
         ("--divergence 0.3mrad --distance 10m --spot-diameter 3mm", "even of a beam without width"),
         (f"{POINTER} --irradiance 10kW/m2", "the beam would become narrower"),
-        (f"{POINTER} --limit 25lx", "what links them"),
+        (f"{POINTER} --limit 25lx", "a link between them"),
     ],
 )
 def test_what_no_beam_has_is_refused(words, message):

@@ -62,8 +62,8 @@ def test_a_pixel_within_the_circle_is_not_noted():
     [
         ("--pixel 0,0", "the size of the map is missing", "--size 1024x512"),
         ("--size 64x32", "the pixel is missing", "--pixel 0,0"),
-        ("--size 64x32 --pixel 64,0", "--pixel 64,0 is beside the map", "columns from 0 to 63"),
-        ("--size 64x32 --pixel 0,32", "--pixel 0,32 is beside the map", "rows from 0 to 31"),
+        ("--size 64x32 --pixel 64,0", "--pixel 64,0 is outside the map", "columns from 0 to 63"),
+        ("--size 64x32 --pixel 0,32", "--pixel 0,32 is outside the map", "rows from 0 to 31"),
         ("--size 64x32 --pixel -1,0", "--pixel -1,0 is not two whole numbers", "--pixel 0,0"),
         ("--size 64 --pixel 0,0", "--size 64 is not two whole numbers", "--size 1024x512"),
         ("--size 0x0 --pixel 0,0", "--size 0x0 is out of range", "from 1 to 1000000 pixels"),

@@ -70,8 +70,8 @@ def test_what_is_not_given_is_assumed_and_said():
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("", "nothing is given"),
-        ("--area 54m2 --luminaires 12.5 --flux 3klm --utilance 0.6", "no whole number"),
+        ("", "the inputs are missing"),
+        ("--area 54m2 --luminaires 12.5 --flux 3klm --utilance 0.6", "not a whole number"),
         ("--area 54m2 --luminaires 12 --flux 3klm --utilance 60", "out of range"),
         ("--area 54m2 --luminaires 12 --flux 3klm --utilance 0", "out of range"),
         ("--area 54m2 --luminaires 12 --flux 3klm --maintenance 1.2", "out of range"),
@@ -79,13 +79,13 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 900lx --utilance 0.9",
          "a maintenance factor of 1.5 follows"),
         ("--width 6m --length 9m --area 50m2 --height 2m", "contradicts the rest"),
-        ("--width 6m --height 4m --room-index 1.5", "no room of that side"),
+        ("--width 6m --height 4m --room-index 1.5", "no room with that side"),
         # of all rooms of 54 m2 at 2 m a square one has the highest index, sqrt(54) / 4 = 1.84
-        ("--area 54m2 --room-index 2 --height 2m", "a square one has less"),
+        ("--area 54m2 --room-index 2 --height 2m", "a square room has less"),
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 5klx",
          "another value of --flux or --illuminance"),
         ("--width 6m --length 9m --illuminance 500lx", "--illuminance 500lx needs further inputs"),
-        ("--area 54m2 --illuminance 500lx --flux 30W --utilance 0.6", "what links them"),
+        ("--area 54m2 --illuminance 500lx --flux 30W --utilance 0.6", "a link between them"),
     ],
 )  # fmt: skip
 def test_what_no_room_has_is_refused(words, message):

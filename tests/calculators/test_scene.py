@@ -117,25 +117,25 @@ BAD = {
     "x,y,z,flux (lm) / 1000\n0,0,2,8\n": ("scales its numbers", "numbers in lm"),
     "x,y,z (cm) (in),flux\n0,0,2,8lm\n": ("has two units, in and cm", "one of them"),
     "x,y,z,flux (dBm)\n0,0,2,8\n": ("column 'flux (dBm)': dBm is a scale", "flux (lm)"),
-    "x,y,z,flux (lm) of all\n0,0,2,8\n": ("there is no column 'flux (lm) of all'", "flux"),
+    "x,y,z,flux (lm) of all\n0,0,2,8\n": ("unknown column 'flux (lm) of all'", "flux"),
     "x,y,z,exponent (1),flux\n0,0,2,1,8lm\n": ("takes a number, not number (1)", "exponent"),
-    "x,y,z,fluks\n0,0,2,8lm\n": ("line 1: there is no column 'fluks'", "flux"),
-    "x,y,z,flux,flux\n0,0,2,8lm,9lm\n": ("column 'flux' stands there twice", "once"),
+    "x,y,z,fluks\n0,0,2,8lm\n": ("line 1: unknown column 'fluks'", "flux"),
+    "x,y,z,flux,flux\n0,0,2,8lm,9lm\n": ("column 'flux' appears twice", "once"),
     "x,y,z,flux,\n0,0,2,8lm,9\n": ("line 1: column 5 has no title", ""),
-    "x,y,z,flux\n0,0,2,8lm,9\n": ("line 2: 5 cells under 4 titles", "quotation marks"),
+    "x,y,z,flux\n0,0,2,8lm,9\n": ("line 2: 5 cells under 4 titles", "quote a cell"),
     "x,y,z,flux\n0,0,,8lm\n": ("line 2: z is blank", "x, y, z"),
     "x,y,flux\n0,0,8lm\n": ("line 2: z is missing", "x, y, z"),
     "x,y,z,aim_x,flux\n0,0,2,1,8lm\n": ("line 2: aim_y is missing", "aim_x, aim_y, aim_z"),
-    "x,y,z,aim_x,aim_y,aim_z,flux\n0,0,2,0,0,2,8lm\n": ("aimed at its own place", "another"),
+    "x,y,z,aim_x,aim_y,aim_z,flux\n0,0,2,0,0,2,8lm\n": ("aimed at its own position", "another"),
     "x,y,z,direction_x,direction_y,direction_z,exponent,flux\n0,0,2,0,0,0,1,8lm\n": (
         "line 2, column 'direction_x': 0,0,0 has no direction", "a vector other than 0"
     ),
-    "x,y,z,distribution,flux\n0,0,2,lob,8lm\n": ("line 2, column 'distribution': 'lob'", "lobe"),
+    "x,y,z,distribution,flux\n0,0,2,lob,8lm\n": ("unknown distribution 'lob'", "lobe"),
     "x,y,z,distribution,flux\n0,0,2,lamp.ies,8lm\n": ("no such file", "path"),
-    "x,y,z,distribution,flux\n0,0,2,lobe,8lm\n": ("line 2: a lobe has no width", "exponent or"),
+    "x,y,z,distribution,flux\n0,0,2,lobe,8lm\n": ("line 2: the width of the lobe", "exponent or"),
     "x,y,z,distribution,half_angle,flux\n0,0,2,lobe,9deg,8lm\n": ("not apply to lobe", "blank"),
-    "x,y,z,half_angle,exponent,flux\n0,0,2,9deg,2,8lm\n": ("columns of cone and of lobe", "one"),
-    "x,y,z,distribution\n0,0,2,isotropic\n": ("line 2: the source has no strength", "800lm"),
+    "x,y,z,half_angle,exponent,flux\n0,0,2,9deg,2,8lm\n": ("columns for cone and for lobe", "one"),
+    "x,y,z,distribution\n0,0,2,isotropic\n": ("the flux or intensity of the source", "800lm"),
     "x,y,z,flux,intensity\n0,0,2,8lm,9cd\n": ("flux cannot be used with intensity", "one of them"),
     "x,y,z,flux,luminous_flux\n0,0,2,8lm,9lm\n": ("cannot be used with", "one of them"),
     "x,y,z,flux\n0,0,2,-8lm\n": ("flux -8lm is out of range", "more than 0"),
@@ -151,13 +151,13 @@ BAD = {
     "x,y,z,area,luminance\n0,0,2,1m2,9cd/m2\n": ("nearer than five times its size", "width"),
     "x,y,z,width,luminance\n0,0,2,1m,9cd/m2\n": ("line 2: the size of the patch", "length"),
     "x,y,z,area,luminance\n0,0,2,,9cd/m2\n": ("line 2: the size of the patch", "length"),
-    "x,y,z,area\n0,0,2,1cm2\n": ("line 2: the patch has no strength", "luminance"),
+    "x,y,z,area\n0,0,2,1cm2\n": ("line 2: a light quantity of the patch is missing", "luminance"),
     "x,y,z,distribution,flux\n0,0,2,0*z,8lm\n": ("the distribution has no flux", ""),
     "x,y,z,distribution,intensity\n0,0,2,1-z,8cd\n": ("no intensity on its axis", ""),
     "x,y,z,flux\n0,0,0,8lm\n": ("the point 0,0,0 is where '1' (", "another point"),
-    "x,y,z,flux\n": ("there is a header and no source", "rows"),
-    "flux\n8lm\n": ("one column only", "header"),
-    "0,0,2,8lm\n0,0,1,8lm\n": ("there is no column '0'", "x, y, z"),
+    "x,y,z,flux\n": ("the file has a header but no source", "rows"),
+    "flux\n8lm\n": ("only one column", "header"),
+    "0,0,2,8lm\n0,0,1,8lm\n": ("unknown column '0'", "x, y, z"),
     "x,y,z,flux\n0,0,nan,8lm\n": ("column 'z'", "finite"),
     "x,y,z,name (m),flux\n0,0,2,a,8lm\n": ("has a unit", "'name' alone"),
 }  # fmt: skip
@@ -183,10 +183,10 @@ def test_a_bad_row_is_told_with_its_place(tmp_path, text):
         (("--at", "0,0,x"), "--at '0,0,x': 'x' is not a number", "1.5e3"),
         (("--at", "0,0,1s"), "a coordinate is a length", "without s"),
         (("--at", "0:2:1,0,0"), "--at 0:2:1,0,0 is a range", "--grid X0:X1:N"),
-        (("--grid", "0:1:2,0"), "is no grid", "X0:X1:N"),
-        (("--grid", "0:1,0,0"), "is no grid", "X0:X1:N"),
-        (("--grid", "0:1:1,0,0"), "'1' is no number of points", "X0:X1:N"),
-        (("--grid", "0:1:2.5,0,0"), "no number of points", "X0:X1:N"),
+        (("--grid", "0:1:2,0"), "is not a grid", "X0:X1:N"),
+        (("--grid", "0:1,0,0"), "is not a grid", "X0:X1:N"),
+        (("--grid", "0:1:1,0,0"), "'1' is not a number of points", "X0:X1:N"),
+        (("--grid", "0:1:2.5,0,0"), "not a number of points", "X0:X1:N"),
         (("--grid", "1:1:5,0,0"), "has no width", "X0:X1:N"),
         (("--grid", "0:1:9999,0:1:9999,0:1:9"), "has 899820009 points", "at most"),
         (("--at", "0,0,0", "--normal", "0,0,0"), "--normal '0,0,0' has no direction", "1,0,0.5"),
@@ -297,7 +297,7 @@ def test_a_row_that_is_passed_over_is_told(tmp_path):
     text = "# my rig\nname;x;y;z;flux\n#1;0;0;2;8lm\n;;;;\n;0;0;3;8lm\n"
     done = scene(tmp_path, text, "--at", "0,0,0", "-g", "irradiance:lx")
     assert float(done.stdout) == pytest.approx(8 / (4 * math.pi) / 9)
-    assert "rig.csv: passed over, as they begin with #: lines 3\n" in done.stderr
+    assert "rig.csv: comments with as many cells as the rows, skipped: lines 3\n" in done.stderr
 
 
 def test_a_row_of_blank_first_cells_is_no_comment(tmp_path):
@@ -363,7 +363,7 @@ def test_python_gets_arrays_and_figures(tmp_path):
     (tmp_path / "rig.csv").write_text(LAMPS)
     of_file = radcalc.scene(tmp_path / "rig.csv", Quantity(100 * points, "cm"))
     assert of_file["irradiance"].magnitude == pytest.approx(expected)
-    with pytest.raises(RadcalcError, match="source 2: there is no column 'fluks'"):
+    with pytest.raises(RadcalcError, match="source 2: unknown column 'fluks'"):
         radcalc.scene([lamps[0], {"fluks": 1}], points)
     for bad in (True, [1, 2], numpy.array([1.0, 2.0]), Quantity([1, 2], "m"), object()):
         with pytest.raises(RadcalcError, match="source 1, column 'x'"):
@@ -401,7 +401,7 @@ def test_the_keys_of_a_dict_are_read_as_titles(source):
     """100 cd at 2 m: 100 / 2^2 = 25 lx."""
     found = radcalc.scene([source], "0,0,0")
     assert found.illuminance.m_as("lx") == pytest.approx([25])
-    with pytest.raises(RadcalcError, match="stands there twice"):
+    with pytest.raises(RadcalcError, match="appears twice"):
         radcalc.scene([source | {"Y": 1, "y": 1, "y (m)": 1}], "0,0,0")
 
 

@@ -106,7 +106,7 @@ def test_what_is_not_given_is_assumed_and_said():
     for said in ("corrected for coma", "focused far away", "without losses"):
         assert said in done.stderr
     done = run("sensor", *LENS.split(), "--magnification", "1", "--off-axis-angle", "20deg")
-    for said in ("pupils of one size", "N (1 + m)", "no vignetting"):
+    for said in ("pupils of equal size", "N (1 + m)", "without vignetting"):
         assert said in done.stderr
     done = run("sensor", "--irradiance", "1W/m2", "--pixel-pitch", "5um")
     assert "lens" not in done.stderr
@@ -120,20 +120,20 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--luminance 10cd/m2 --illuminance 40lx", "another value of --luminance or --illuminance"),
         (
             "--working-f-number 0.5 --magnification 2",
-            "an f-number of 0.166667 follows from the rest, and is not",
+            "an f-number of 0.166667 follows from the rest and is out",
         ),
         (f"{LENS} --irradiance 5W/m2", "a transmittance of 10"),
-        (f"{LENS} --irradiance 5W/m2 --transmittance 1", "not below the lens's"),
-        (f"{LENS} --off-axis-angle 95deg", "try: from 0, less than 90 deg"),
-        (f"{LENS} --off-axis-angle -20deg", "try: from 0, less than 90 deg"),
+        (f"{LENS} --irradiance 5W/m2 --transmittance 1", "not be below the lens's"),
+        (f"{LENS} --off-axis-angle 95deg", "try: from 0 to less than 90 deg"),
+        (f"{LENS} --off-axis-angle -20deg", "try: from 0 to less than 90 deg"),
         (f"{LENS} --field-angle 20deg", "try: --off-axis-angle"),
-        ("--f-number 8 --working-f-number 4", "not below the lens's"),
+        ("--f-number 8 --working-f-number 4", "not be below the lens's"),
         (f"{LENS} --transmittance 1.2", "out of range"),
         (f"{PIXEL} --responsivity 0.4A/W", "--responsivity 0.4A/W contradicts the rest"),
         ("--responsivity 0.6A/W --wavelength 400nm", "a quantum efficiency of 1.8"),
-        ("--illuminance 5lx --pixel-pitch 3um --quantum-efficiency 0.5", "links the kinds"),
-        ("--irradiance 5W/m2 --pixel-pitch 3um --quantum-efficiency 0.5", "links the kinds"),
-        ("--photon-irradiance 5umol/m2/s --pixel-pitch 3um --responsivity 0.5A/W", "links"),
+        ("--illuminance 5lx --pixel-pitch 3um --quantum-efficiency 0.5", "link between the kinds"),
+        ("--irradiance 5W/m2 --pixel-pitch 3um --quantum-efficiency 0.5", "link between the kinds"),
+        ("--photon-irradiance 5umol/m2/s --pixel-pitch 3um --responsivity 0.5A/W", "link between"),
         ("--luminance 5cd/m2 --f-number 2 --quantum-efficiency 60 --wavelength 550nm", "from 0"),
         ("--illuminance 5lx --time 1s -g electrons", "--wavelength, --spectrum"),
         ("--pixel-pitch 3um --pixel-area 10um2 --irradiance 1W/m2", "contradicts the rest"),

@@ -102,15 +102,15 @@ def test_every_kind_of_light():
     ("0,0,1 --maximum 3", None),
     ("0,0,0.5", None),
     ("0,0,4 --beam-exponent 0", None),
-    ("0,0,1.5 --falloff 1", "1.5 times the light of one here, so light is created"),
+    ("0,0,1.5 --falloff 1", "1.5 times the light of that law here, so light is created"),
     ("0,0,2 --falloff 0:1:0.001 -g attenuation", "light is created or lost"),
-    ("0,0,4 --falloff 1", "--falloff 1 is no inverse square: it gives 4 times the light of one "
-     "here, so light is created"),
-    ("0,0,4 --falloff 3", "0.25 times the light of one here, so light is lost"),
-    ("0,0,0.5 --maximum 3", "--maximum 3 is no inverse square"),
-    ("0,0,0.5 --falloff 1 --maximum 3", "--falloff 1 and --maximum 3 are no inverse square"),
-    ("0,0,4 --near 1m:2m", "--near is no physics"),
-    ("0,0,4 --far 1m:2m", "--far is no physics"),
+    ("0,0,4 --falloff 1", "--falloff 1 is not an inverse square law: it gives 4 times the light of "
+     "that law here, so light is created"),
+    ("0,0,4 --falloff 3", "0.25 times the light of that law here, so light is lost"),
+    ("0,0,0.5 --maximum 3", "--maximum 3 is not an inverse square law"),
+    ("0,0,0.5 --falloff 1 --maximum 3", "--falloff 1 and --maximum 3 are not an inverse square"),
+    ("0,0,4 --near 1m:2m", "--near is not physical"),
+    ("0,0,4 --far 1m:2m", "--far is not physical"),
     ("0,0,4 --far 1m:2m", "no light: the point is outside --far"),
     ("0,0,4 --beam-exponent 2", "--beam-exponent only shapes the directions"),
     ("0,0,4 --superellipse 1,1,1,1", "--superellipse only shapes the directions"),
@@ -130,7 +130,7 @@ def test_what_is_no_physics_and_what_is_dark_is_said(words, noted):
 
 def test_at_the_fall_off_distance_nothing_is_created_or_lost():
     told = run("uberlight", *["0,0,2", "--falloff", "1", "--falloff-distance", "2m"]).stderr
-    assert "note: --falloff 1 is no inverse square\n" in told
+    assert "note: --falloff 1 is not an inverse square law\n" in told
 
 
 def test_the_steps_have_each_attenuation_with_its_numbers():
@@ -164,7 +164,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
 @for_each(
     [
         ("", "a point is missing", "radcalc uberlight 0,0,4"),
-        ("0,0,0", "the point is at the light", "aside"),
+        ("0,0,0", "the point is at the light", "another point"),
         ("0,0", "has 2 coordinates, not three", "1,0,2"),
         ("1,0,1m", "the unit of '1' is missing", "1m in place of 1"),
         ("0:2:1,0,1", "one number, not a range", "one point at a time"),
@@ -180,7 +180,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1 --superellipse 1,1,1,1 --roundness -1", "--roundness -1 is out of range", "0 to 1"),
         ("0,0,1 --superellipse 1,1,1,1 --roundness 2", "--roundness 2 is out of range", "0 to 1"),
         ("0,0,1 --superellipse 2,1,1,3", "larger inside than outside", "--superellipse 1,1,2,3"),
-        ("0,0,1 --superellipse 0,1,1,3", "has no inside", "a and b above 0"),
+        ("0,0,1 --superellipse 0,1,1,3", "has no area inside", "a and b above 0"),
         ("0,0,1 --superellipse 1,1", "has 2 numbers, not four", "--superellipse 0.4,0.3"),
         ("0,0,1 --roundness 1", "not apply without --superellipse", "--superellipse 0.4,0.3"),
         ("0,0,1 --shear 1,1", "not apply without --superellipse", "--superellipse 0.4,0.3"),
@@ -191,10 +191,10 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1 --intensity 1cd --normal 0,0,1 --incidence 0deg", "both give", "one of them"),
         ("0,0,1 --intensity 1cd --illuminance 2lx", "contradicts the rest, which gives 1 lx", ""),
         ("0,0,-1 --illuminance 2lx", "no light arrives", ""),
-        ("0,0,1e90", "beyond what radcalc reckons with", "less extreme"),
-        ("0,0,1 --falloff-distance 1e90m", "beyond what radcalc reckons with", "less extreme"),
+        ("0,0,1e90", "is too large or too small", "less extreme"),
+        ("0,0,1 --falloff-distance 1e90m", "is too large or too small", "less extreme"),
         ("0,0,9 --falloff 999", "too large or too small for a number", "a smaller exponent"),
-        ("0,0,1 -g irradiance", "no irradiance follows", "--intensity"),
+        ("0,0,1 -g irradiance", "the inputs do not give", "--intensity"),
     ],
 )
 def test_what_no_light_has_is_refused_with_what_to_do(words, message, hint):
@@ -233,7 +233,7 @@ def test_arrays_of_points_from_python():
         ([1, 2], {}, "three coordinates"),
         ("a,b,c", {}, "not a number"),
         ([["x", 0, 1]], {}, "takes real numbers"),
-        ([0, 0, math.nan], {}, "beyond"),
+        ([0, 0, math.nan], {}, "out of range"),
         (Q([0, 0, 1], "s"), {}, "is a length"),
         ([[0, 0, 0], [0, 0, 1]], {}, "at the light"),
         ([0, 0, 1], {"superellipse": (1, 2, 3)}, "not four"),

@@ -279,7 +279,7 @@ def test_what_is_no_number_is_refused(number, problem, make):
     [
         (
             lambda: radcalc.point_source(flux="800+-20lm", intensity="63.66cd", distance="2m"),
-            "more is given than needed",
+            "redundant inputs contradict",
         ),
         (
             lambda: radcalc.convert(Q(numpy.ones(2), "cd"), "lx", distance="1+-0.1m"),
@@ -454,13 +454,13 @@ def test_what_bends_is_said(words, value, uncertainty, note):
         # the same at 0.98 m: 200 / 4.9604^1.5; 0 m is next to the other end, -0.02 m
         ("point-source --intensity 100cd --height 2m --offset 0.48+-0.5m", "18.1032 lx to 25 lx"),
         # 100 / 2^2 = 25, and towards 0 m 100 / d^2 grows beyond all bounds
-        ("point-source --intensity 100cd --distance 1+-1m", "25 lx and more, without a bound"),
-        ("point-source --intensity 100cd --distance 1+-2m", "11.1111 lx and more, without"),
+        ("point-source --intensity 100cd --distance 1+-1m", "25 lx and more, unbounded"),
+        ("point-source --intensity 100cd --distance 1+-2m", "11.1111 lx and more, unbounded"),
         # 10 lg 250 = 23.9794, and towards 0 mW there is none
-        ("100+-150mW dBm", "23.9794 dBm and less, without a bound"),
+        ("100+-150mW dBm", "23.9794 dBm and less, unbounded"),
         # 100 / 4.5^2, over a pole between the ends: -0.5 and 4.5
-        ("100lx/(2.0+-2.5)^2 lx", "4.93827 lx and more, without a bound"),
-        ("100lx/(0.3+-2.5) lx", "without a bound, down or up"),
+        ("100lx/(2.0+-2.5)^2 lx", "4.93827 lx and more, unbounded"),
+        ("100lx/(0.3+-2.5) lx", "unbounded below and above"),
         # 2.81^2 = 7.8961, over 0 at 0
         ("100lx*(0.31+-2.5)^2 lx", "0 lx to 789.61 lx"),
         # a power of 10 may reach far, and is no 0

@@ -39,7 +39,7 @@ PRODUCED = {
     "--radius does not apply": "solid-angle cone --half-angle 30deg --radius 2m",
     "--flux 800lm contradicts": "point-source --flux 800lm --intensity 100cd",
     "--incidence 30deg needs further inputs": "point-source --flux 1lm --incidence 30deg",
-    "no exposure follows": "point-source --flux 800lm --distance 2m -g exposure",
+    "the inputs do not give": "point-source --flux 800lm --distance 2m -g exposure",
     "--flux cannot be used with --luminous-flux": "point-source --flux 800lm --luminous-flux 800lm",
     "--luminous-intensity is": "point-source --radiant-flux 3W --luminous-intensity 5cd",
     "no light arrives": "point-source --illuminance 3lx --distance 2m --incidence 100deg",
@@ -201,8 +201,8 @@ def test_the_options_of_a_command_have_the_titles_of_its_help():
     titles = re.findall(r"^ {5}([A-Z][\w ]+):$", section[1], re.M)
     assert titles == [
         "Light",
-        "Its directions",
-        "The receiver",
+        "Directions",
+        "Receiver",
         "Kinds of light",
         "Results",
         "Output",

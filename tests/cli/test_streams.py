@@ -431,8 +431,6 @@ def test_what_holds_for_some_lines_is_said_once_with_these_lines():
     done = answered(b"500\n900\n950\n510\n", *words)
     said = done.stderr.decode().splitlines()
     notes = [line for line in said if line.startswith("note")]
-    assert notes == [
-        "note: lines 2 to 3: nothing is seen at 900 to 950nm: it lies outside the tables"
-    ]
+    assert notes == ["note: lines 2 to 3: 900 to 950nm is invisible: it is outside the tables"]
     assert "assumed: 500 to 950nm is a vacuum wavelength" in said[0]
     assert sum("CIE 1924" in line for line in said) == 1
