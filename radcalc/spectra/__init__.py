@@ -1,7 +1,7 @@
-"""Observers and sources: what links watts, lumens and photons.
+"""Observers and sources, which link watts, lumens and photons.
 
-For whole arrays of spectra: `radcalc.spectra.luminous` and `radcalc.spectra.luminous_efficacy`,
-which load NumPy when they are first used.
+`radcalc.spectra.luminous` and `radcalc.spectra.luminous_efficacy` serve whole arrays of spectra;
+they load NumPy at their first use.
 """
 
 TYPE_CHECKING = False

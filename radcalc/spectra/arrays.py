@@ -1,8 +1,8 @@
 """Spectra as arrays: a large file, or a whole image of spectra on one grid.
 
-The same integrals as `integrals.py`, as weights: since a spectrum is linear between its points,
-each of its counts in watts, lumens or photons is a weighted sum of its values.  Whatever
-speaks NumPy's protocols is served, Dask arrays included.
+The integrals of `integrals.py` as weights: since a spectrum is linear between its points, its
+watts, lumens and photons are weighted sums of its values.  All arrays that support NumPy's
+protocols are served, Dask arrays included.
 """
 
 from collections.abc import Sequence
@@ -18,26 +18,26 @@ from radcalc.spectra.spectrum import WHOLE, Range, Spectrum, Table
 
 
 def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:
-    """Weights w with w @ S the integral of S times a table, both linear between their points.
+    """Return weights w such that w @ S is the integral of S times a table, both piecewise linear.
 
     Parameters
     ----------
     grid : array of shape (n,)
         Rising wavelengths of the spectrum.
     nodes, heights : arrays of shape (m,)
-        The table; nothing is counted outside it.
+        The table, 0 outside its range.
 
     Returns
     -------
     array of shape (n,)
-        By the trapezoid on the union of both grids.
+        Weights by the trapezoid rule on the union of both grids.
     """
     union, weights = _trapezoid_weights(grid, nodes)
     return _spread(union, weights * np.interp(union, nodes, heights), grid)
 
 
 def _trapezoid_weights(grid: Any, nodes: Any) -> tuple[Any, Any]:
-    """Return the union of two grids where both are, and the trapezoid's weights of its points."""
+    """Return the union of two grids over their common range, and its trapezoid weights."""
     low, high = max(grid[0], nodes[0]), min(grid[-1], nodes[-1])
     if low >= high:
         return np.zeros(0), np.zeros(0)
@@ -46,7 +46,7 @@ def _trapezoid_weights(grid: Any, nodes: Any) -> tuple[Any, Any]:
     part = grid[first : last + 1]
     part = part[(part >= low) & (part <= high)]
     union = np.insert(part, np.searchsorted(part, inner), inner)
-    union = np.concatenate(([low], union, [high]))  # a step of no width changes nothing
+    union = np.concatenate(([low], union, [high]))  # a step of zero width changes nothing
     steps = np.diff(union)
     weights = np.zeros(len(union))
     weights[:-1] += steps / 2
@@ -55,7 +55,7 @@ def _trapezoid_weights(grid: Any, nodes: Any) -> tuple[Any, Any]:
 
 
 def _spread(places: Any, amounts: Any, grid: Any) -> Any:
-    """Amounts at some places, each shared out between the points of a grid next to it."""
+    """Return amounts at some places, each divided between the adjacent points of a grid."""
     cell = np.clip(np.searchsorted(grid, places, side="right") - 1, 0, len(grid) - 2)
     upper = (places - grid[cell]) / (grid[cell + 1] - grid[cell])
     below = np.bincount(cell, amounts * (1 - upper), minlength=len(grid))
@@ -63,7 +63,7 @@ def _spread(places: Any, amounts: Any, grid: Any) -> Any:
 
 
 def power_weights(grid: Any, limits: Range = WHOLE) -> Any:
-    """Weights of the integral of a spectrum between two wavelengths; see `product_weights`."""
+    """Return weights of a spectrum's integral between two wavelengths, as `product_weights`."""
     low, high = max(grid[0], limits[0]), min(grid[-1], limits[1])
     return product_weights(grid, np.array([low, high]), np.ones(2))
 
@@ -109,7 +109,7 @@ class ArrayTable(Table):
 
 
 def _arrays(wavelengths: Any, spectra: Any) -> tuple[Any, Any]:
-    """Return the wavelengths and the spectra as arrays, if they are fit for each other."""
+    """Return the wavelengths and the spectra as arrays; raise if their shapes do not match."""
     spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
     grid = np.asarray(wavelengths, dtype=float)
     if (
@@ -121,14 +121,14 @@ def _arrays(wavelengths: Any, spectra: Any) -> tuple[Any, Any]:
         raise ConditionError("the wavelengths do not rise", "a rising array of two or more [nm]")
     if spectra.shape[-1:] != grid.shape:
         raise ConditionError(
-            f"spectra of shape {spectra.shape} do not go with {len(grid)} wavelengths",
+            f"spectra of shape {spectra.shape} do not match {len(grid)} wavelengths",
             "spectra of shape (..., n) for n wavelengths",
         )
     return grid, spectra
 
 
 def luminous(wavelengths: Any, spectra: Any, observer: str = "photopic") -> Any:
-    """Lumens of spectra on a common grid.
+    """Return the lumens of spectra on a common grid.
 
     Parameters
     ----------
@@ -147,13 +147,13 @@ def luminous(wavelengths: Any, spectra: Any, observer: str = "photopic") -> Any:
     Raises
     ------
     radcalc.errors.ConditionError
-        Shapes that do not fit, or wavelengths that do not rise.
+        If shapes do not match, or wavelengths do not rise.
 
     Notes
     -----
     .. math:: K_m \\int S(\\lambda) V(\\lambda) d\\lambda
 
-    by the trapezoid on the union of both grids, both being linear between their points.
+    by the trapezoid rule on the union of both grids; both are linear between their points.
 
     Examples
     --------
@@ -167,7 +167,7 @@ def luminous(wavelengths: Any, spectra: Any, observer: str = "photopic") -> Any:
 
 def _luminous_weights(grid: Any, observer: str) -> Any:
     if observer not in OBSERVERS:
-        raise ConditionError(f"there is no observer '{quote(observer)}'", ", ".join(OBSERVERS))
+        raise ConditionError(f"unknown observer '{quote(observer)}'", ", ".join(OBSERVERS))
     eye = OBSERVERS[observer]
     nodes = np.arange(eye.start, eye.end + 1, dtype=float)
     return eye.maximum * product_weights(grid, nodes, np.array(eye.values))
@@ -176,14 +176,14 @@ def _luminous_weights(grid: Any, observer: str) -> Any:
 def luminous_efficacy(
     wavelengths: Any, spectra: Any, observer: str = "photopic", limits: Range = WHOLE
 ) -> Any:
-    """Luminous efficacy of radiation of spectra on a common grid.
+    """Return the luminous efficacy of radiation of spectra on a common grid.
 
     Parameters
     ----------
     wavelengths, spectra, observer
         As in `luminous`.
     limits : (float, float)
-        Where watts are counted [nm]; the whole grid by default.
+        Range of the watts [nm]; the whole grid by default.
 
     Returns
     -------
@@ -203,7 +203,7 @@ def luminous_efficacy(
     """
     grid, spectra = _arrays(wavelengths, spectra)
     if not max(limits[0], grid[0]) < min(limits[1], grid[-1]):
-        raise ConditionError(f"the limits {limits} hold nothing of the grid", "limits [nm] in it")
+        raise ConditionError(f"the limits {limits} are outside the grid", "limits [nm] in it")
     both = np.stack([_luminous_weights(grid, observer), power_weights(grid, limits)], axis=1)
-    counted = spectra @ both  # in one pass over the spectra
+    counted = spectra @ both  # one pass over the spectra
     return counted[..., 0] / counted[..., 1]

@@ -1,6 +1,6 @@
-"""CGATS: the text of X-Rite's and others' instruments, a row a sample, a column a wavelength.
+"""CGATS files, of X-Rite's and other instruments: a row per sample, a column per wavelength.
 
-Most have the reflectances of a chart; light is what the file calls emission or ambient light.
+Most contain the reflectances of a chart; light is data that the file calls emission or ambient.
 """
 
 import re
@@ -13,7 +13,7 @@ from radcalc.spectra.column_titles import RELATIVE_WATTS
 from radcalc.spectra.contents import Contents
 
 FORMAT, DATA = "BEGIN_DATA_FORMAT", "BEGIN_DATA"
-SEARCHED = 1000  # lines in which the format begins
+SEARCHED = 1000  # lines that are searched for the format
 BAND = re.compile(r"(?:nm|spec_|spectral_(?:nm)?_?|r_)(\d{3,4}(?:\.\d+)?)(?:nm)?", re.IGNORECASE)
 KEYS = ("MEAS_TYPE", "MEASUREMENT_SOURCE", "MEASUREMENT_TYPE", "MEASUREMENT_MODE")
 EMITTED = re.compile(r"\b(?:emission|emissive|emitted|ambient|telephoto)", re.IGNORECASE)
@@ -21,12 +21,12 @@ SHOWN = 5
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Return whether a file says the format of its data."""
+    """Return whether a file declares the format of its data."""
     return any(line.strip() == FORMAT for line in lines[:SEARCHED])
 
 
 def read(lines: Sequence[str], name: str, column: str) -> Contents:
-    """Return the bands of one sample, which `column` names where there are several."""
+    """Return the bands of one sample, named by `column` if there are several."""
     fields, number = _section(lines, name, FORMAT)
     titles = [field for _, line in fields for field in line.split()]
     bands = [(k, match[1]) for k, title in enumerate(titles) if (match := BAND.fullmatch(title))]
@@ -35,7 +35,7 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
     data, last = _section(lines, name, DATA)
     facts = dict(map(_keyword, lines[:last]))
     if not any(EMITTED.search(facts.get(key, "")) for key in KEYS):
-        problem = "nothing says that this is light: it may be the reflectance of samples"
+        problem = "the file does not state that this is light: it may be a reflectance of samples"
         raise refusal(name, 0, problem, f'{KEYS[0]} "EMISSION" in the file, where it is light')
     rows = [(number, columns.cells(line, "\t" if "\t" in line else None)) for number, line in data]
     for number, cells in rows:
@@ -50,7 +50,7 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
 
 
 def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[int, str]], int]:
-    """Return the lines of a section with their numbers, and the number of the first."""
+    """Return the lines of a section with their numbers, and the number of the first line."""
     stripped = [line.strip() for line in lines]
     end = start.replace("BEGIN", "END")
     for word in (start, end):
@@ -60,7 +60,7 @@ def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[in
     first, last = stripped.index(start) + 1, stripped.index(end)
     section = [(k + 1, lines[k]) for k in range(first, last) if stripped[k]]
     if not section:
-        raise refusal(name, first, f"nothing behind {start}", "the whole file")
+        raise refusal(name, first, f"no lines after {start}", "the whole file")
     return section, first
 
 
@@ -70,9 +70,9 @@ def _keyword(line: str) -> tuple[str, str]:
 
 
 def _hold(name: str, facts: dict[str, str], key: str, count: int, what: str) -> None:
-    """Refuse a file that has another number of something than it says."""
+    """Raise for a file whose count of something differs from the stated one."""
     if facts.get(key, str(count)) != str(count):
-        problem = f"{count} {what}, but {key} says {quote(facts[key])}"
+        problem = f"{count} {what}, but {key} is {quote(facts[key])}"
         raise refusal(name, 0, problem, "the whole file")
 
 
@@ -90,7 +90,7 @@ def _chosen(
     if samples.count(column) == 1:
         return rows[samples.index(column)]
     near = nearest(column, [quote(sample) for sample in samples], SHOWN)
-    problem = f"there is no sample '{quote(column)}'"
+    problem = f"unknown sample '{quote(column)}'"
     if column in samples:
         problem = f"{samples.count(column)} samples are named '{quote(column)}'"
     raise refusal(name, 0, problem, ", ".join(near) or listed(samples))

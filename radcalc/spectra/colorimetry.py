@@ -1,7 +1,7 @@
 """Chromaticity, correlated colour temperature and colour rendering.
 
-All by the CIE 1931 2 degree observer at 1 nm, 360 nm to 830 nm, between which a spectrum is
-linear as everywhere.  A light is its moments there: `source.moments(*AT)`.
+All are by the CIE 1931 2 degree observer at 1 nm, 360 nm to 830 nm; a spectrum is linear between
+these points.  A light is given by its moments there: `source.moments(*AT)`.
 """
 
 import math
@@ -17,21 +17,21 @@ from radcalc.spectra.planck import C2
 from radcalc.spectra.spectrum import BlackBody, Spectrum
 
 START, Y = PHOTOPIC  # the colour-matching function y is V(lambda)
-AT = START, len(Y)  # the first nanometre, and how many there are
-FARTHEST = 0.05  # |Duv| beyond which the CIE gives no correlated colour temperature
-SIMILAR = 5.4e-3  # how far apart in (u, v) CIE 13.3 has a light and its reference at most
-DAYLIGHT_FROM = 5000.0  # K: where daylight takes the black body's place as the reference
-NOISE = 1e-13  # in (u, v): what the sums round away
-COLDEST = 250.0  # K: what is colder has the chromaticity of 830 nm
-ENDLESS = 5e-10  # 1/K: half as much as the hottest black body has
-# 1/K, near enough to each other to see a sign change of `_Planckian.slope` between two of them
+AT = START, len(Y)  # the first nanometre, and the number of them
+FARTHEST = 0.05  # |Duv| above which the CIE defines no correlated colour temperature
+SIMILAR = 5.4e-3  # largest distance in (u, v) of a light from its reference, CIE 13.3
+DAYLIGHT_FROM = 5000.0  # K: from here on the reference is daylight, not a black body
+NOISE = 1e-13  # in (u, v): rounding error of the sums
+COLDEST = 250.0  # K: colder bodies have the chromaticity of 830 nm
+ENDLESS = 5e-10  # 1/K: half that of the hottest black body
+# 1/K, dense enough that `_Planckian.slope` changes sign at most once between two of them
 STEPS = (ENDLESS, *(1e-6 * t for t in (50, 100, 150, 200, 300, 400, 600, 900, 1500)), 1 / COLDEST)
 Colour = tuple[float, float]
 Light = Sequence[float]
 
 
 class Undefined(Exception):
-    """What has no meaning for a light; the text says why."""
+    """Error for a property that is undefined for a light; its text is the reason."""
 
 
 # The denominator X + 15 Y + 3 Z of u and v.
@@ -39,12 +39,12 @@ _X_15Y_3Z = tuple(x + 15 * y + 3 * z for x, y, z in zip(X, Y, Z, strict=True))
 _RATIOS = [C2 / (1e-9 * (AT[0] + i)) for i in range(AT[1])]  # c2/lambda [K]
 # Planck's law, lambda^-5 / (e^x - 1) of x = c2/(lambda T), is this times x / (e^x - 1), times T.
 _POWERS = [(1e-5 * ratio) ** 4 for ratio in _RATIOS]
-_POWERS[0] /= 2  # the trapezoid's ends, as in a spectrum's moments
+_POWERS[0] /= 2  # ends of the trapezoid rule, as in a spectrum's moments
 _POWERS[-1] /= 2
 
 
 def tristimulus(light: Light) -> tuple[float, float, float]:
-    """Tristimulus values X, Y and Z of a light, up to a common factor."""
+    """Return the tristimulus values X, Y and Z of a light, up to a common factor."""
     return _dot(light, X), _dot(light, Y), _dot(light, Z)
 
 
@@ -54,20 +54,20 @@ def _dot(light: Light, weights: Sequence[float]) -> float:
 
 
 def _uv(light: Light) -> Colour:
-    """Chromaticity of a light in CIE 1960 (u, v)."""
+    """Return the chromaticity of a light in CIE 1960 (u, v)."""
     whole = _dot(light, _X_15Y_3Z)
     return 4 * _dot(light, X) / whole, 6 * _dot(light, Y) / whole
 
 
 class _Planckian(NamedTuple):
-    """A point of the Planckian locus in (u, v) and how it moves with 1/T."""
+    """A point of the Planckian locus in (u, v), and its derivative by 1/T."""
 
     inverse: float
     place: Colour
     speed: Colour
 
     def slope(self, colour: Colour) -> float:
-        """Half the derivative by 1/T of the squared distance to a chromaticity."""
+        """Return half the derivative by 1/T of the squared distance to a chromaticity."""
         (u, v), (du, dv) = self.place, self.speed
         return (u - colour[0]) * du + (v - colour[1]) * dv
 
@@ -90,24 +90,24 @@ def _steps() -> list[_Planckian]:
 
 
 def temperature_and_distance(light: Light) -> tuple[float, float]:
-    """Correlated colour temperature [K] of a light, and its Duv.
+    """Return the correlated colour temperature [K] of a light, and its Duv.
 
     Returns
     -------
     temperature : float
-        Of the black body that is nearest in CIE 1960 (u, v).
+        Temperature of the nearest black body in CIE 1960 (u, v).
     distance : float
-        How far that is, above 0 where the light lies above the Planckian locus.
+        Distance to it, positive above the Planckian locus.
 
     Raises
     ------
     Undefined
-        Where no black body is nearest, or the nearest is more than 0.05 away.
+        If no black body is nearest, or the nearest is more than 0.05 away.
 
     Notes
     -----
-    Where the derivative by 1/T of the squared distance is 0, on the locus itself.  The locus
-    bends with no radius under 0.100, so for a light within 0.05 of it there is one such place.
+    The nearest point is where the derivative by 1/T of the squared distance is 0.  The radius of
+    curvature of the locus is at least 0.100, so the point is unique for a light within 0.05 of it.
 
     References
     ----------
@@ -119,18 +119,18 @@ def temperature_and_distance(light: Light) -> tuple[float, float]:
     k = next((k for k, slope in enumerate(slopes) if slope >= 0), 0)
     if not k:
         end = "an infinite temperature" if slopes[0] >= 0 else f"{COLDEST:g} K"
-        raise Undefined(f"its chromaticity lies beyond that of a black body of {end}")
+        raise Undefined(f"its chromaticity is beyond that of a black body of {end}")
     point = _between(colour, STEPS[k - 1], STEPS[k], slopes[k - 1], slopes[k])
     away = math.dist(colour, point.place)
     if away > FARTHEST:
-        raise Undefined(f"Duv would be {away:.2g}, and the CIE's limit is {FARTHEST:g}")
+        raise Undefined(f"Duv would be {away:.2g}, but the CIE's limit is {FARTHEST:g}")
     if away < NOISE:
         away = 0.0
     return 1 / point.inverse, math.copysign(away, colour[1] - point.place[1])
 
 
 def temperature_of(source: Spectrum) -> float | None:
-    """Return the correlated colour temperature [K] of a spectrum; None where it has none."""
+    """Return the correlated colour temperature [K] of a spectrum; None if it has none."""
     try:
         return temperature_and_distance(source.moments(*AT))[0]
     except Undefined:
@@ -138,7 +138,7 @@ def temperature_of(source: Spectrum) -> float | None:
 
 
 def _between(colour: Colour, low: float, high: float, below: float, above: float) -> _Planckian:
-    """Return where the slope is 0, between two 1/T of a negative and a positive one.
+    """Return the point of slope 0 between two 1/T with a negative and a positive slope.
 
     References
     ----------
@@ -169,9 +169,9 @@ def _shrunk(ratio: float) -> float:
 
 
 def reference(temperature: float) -> Light:
-    """Return what CIE 13.3 compares a light of a correlated colour temperature [K] with.
+    """Return the reference of CIE 13.3 for a light of a correlated colour temperature [K].
 
-    A black body, from 5000 K on a CIE daylight.
+    It is a black body below 5000 K and a CIE daylight from 5000 K.
     """
     if temperature > HOTTEST:
         raise Undefined(f"CIE 13.3 compares with CIE daylight, which ends at {HOTTEST:g} K")
@@ -182,12 +182,12 @@ def reference(temperature: float) -> Light:
 
 
 def difference(light: Light, other: Light) -> float:
-    """Return how far apart two lights are in CIE 1960 (u, v)."""
+    """Return the distance of two lights in CIE 1960 (u, v)."""
     return math.dist(_uv(light), _uv(other))
 
 
 def colour_rendering_index(light: Light, like: Light) -> float:
-    """Return the general colour rendering index Ra of a light beside its reference.
+    """Return the general colour rendering index Ra of a light, relative to its reference.
 
     References
     ----------
@@ -212,7 +212,7 @@ def colour_rendering_index(light: Light, like: Light) -> float:
 
 
 def is_adapted(light: Light) -> bool:
-    """Whether the adaptation of CIE 13.3 has a meaning for a light: it divides by its c and d."""
+    """Return whether the adaptation of CIE 13.3, a division by c and d, is defined for a light."""
     return all(_cd(_uv(light)))
 
 
@@ -223,6 +223,6 @@ def _cd(colour: Colour) -> tuple[float, float]:
 
 
 def _uvw(colour: Colour, white: Colour, share: float) -> tuple[float, float, float]:
-    """CIE 1964 U*, V*, W* of a chromaticity and a share of the white's luminance."""
+    """Return CIE 1964 U*, V*, W* of a chromaticity and a fraction of the white's luminance."""
     w = 25 * (100 * share) ** (1 / 3) - 17
     return 13 * w * (colour[0] - white[0]), 13 * w * (colour[1] - white[1]), w

@@ -1,4 +1,4 @@
-"""What the titles of a file's columns say: the unit of its wavelengths, and what its values are."""
+"""The titles of a file's columns: the unit of its wavelengths, and the meaning of its values."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -12,7 +12,7 @@ from radcalc.units.dimensions import RESPONSIVITY
 from radcalc.units.table import unit_of
 from radcalc.units.unit import NUMBER, Unit
 
-NANOMETRES = {  # in a unit, by its name in small letters
+NANOMETRES = {  # in a unit, by its name in lower case
     "nm": 1.0,
     "nanometre": 1.0,
     "nanometer": 1.0,
@@ -43,7 +43,7 @@ NO_LIGHT = re.compile(
     )
     + r"|% ?[tra]\b|\b[tra] ?%|v ?\(lambda\)"
 )
-# A number before or behind a unit, or within it, and 1/(...), which scale the values.
+# A number before, after or within a unit, and 1/(...), which scale the values.
 SCALED = re.compile(
     r"\d[\d.]*(?:e[-+]?\d+)? *[*x×]? *(?:[mkun]?w|[mu]?mol|j)/|(?<![a-z])[*x×] *\d|1/\(|/\d"
 )
@@ -53,13 +53,13 @@ AXES = re.compile(
 PHOTONS = re.compile(
     WORD.format("(?:photon(?:s|en)?|quanta|quantum|qntm|y?ppfd?|ypf|pfd|u?mol|u?einsteins?)")
 )
-# A property of a sample as all that a line says, or that it says behind its key.
+# A line that is only a property of a sample, or has one after its key.
 SAMPLED = re.compile(
     rf"(?:.*[:=\t,;])?\W*+(?:(?:percent|spectral|total|diffuse)\W++)*{PROPERTY}\W*(?:percent)?\W*"
 )
 RELATIVE = re.compile(r"\b(?:a\.? ?u|arb|rel|norm)")
 PREFIXED = re.compile(r"(?<![a-zA-Z])([µμumkn])(Watt|Mol)s?(?![a-z])")
-LONGEST = 500  # characters of a line before the table that are looked at
+LONGEST = 500  # characters of a line before the table that are examined
 LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminances?|luminous)"))
 SHORT = {"Watt": "W", "Mol": "mol"}
 KNOWN = "values in W/m2/nm, umol/m2/s/nm or the like"
@@ -68,11 +68,11 @@ QUANTITIES = {(0, 0): "flux", (0, 1): "intensity", (1, 0): "irradiance", (1, 1):
 
 
 class Meaning(NamedTuple):
-    """What the values of a file are: watts or photons per wavelength, absolute or relative."""
+    """The values of a file: watts or photons per wavelength, absolute or relative."""
 
     said: str
     are_photons: bool = False
-    absolute: str = ""  # the radiant quantity, where there is a unit
+    absolute: str = ""  # the radiant quantity, if there is a unit
     factor: float = 1.0  # to W/../nm or photon/s/../nm
 
 
@@ -87,15 +87,15 @@ def is_wavelength(title: str) -> bool:
 def wavelengths(
     titles: Sequence[str], comments: Iterable[str], low: float, high: float
 ) -> tuple[float, str]:
-    """Nanometres per unit of the wavelengths, and what to say of it.
+    """Return the nanometres per unit of the wavelengths, and a note on it.
 
-    Declared in the title, if there is one, or in a comment, or else plain from the numbers.
+    The unit is declared in the title or in a comment, or else follows from the numbers.
     """
     typed = {plain(title): title.strip() for title in (*titles, *comments)}
     own_titles = [plain(title) for title in titles]
     for text in own_titles:
         if AXES.search(text) and not DECLARED.search(text):
-            raise ConditionError(f"'{quote(typed[text])}' is no wavelength", "wavelengths in nm")
+            raise ConditionError(f"'{quote(typed[text])}' is not a wavelength", "wavelengths in nm")
     for text in typed:
         match = DECLARED.search(text)
         word = match.group(1) if match else ""
@@ -105,7 +105,7 @@ def wavelengths(
             word = bracket.group(1) if bracket else bare
             if bracket and word.rstrip("s") not in NANOMETRES:
                 unit_text = quote(_typed(typed[text], word))
-                problem = f"wavelengths in '{unit_text}', which is no unit of length here"
+                problem = f"unknown unit of wavelengths '{unit_text}'"
                 raise ConditionError(problem, "nm, um, angstrom, mm or m")
         if word and word.rstrip("s") in NANOMETRES:
             note = f"the wavelengths are in {quote(_typed(typed[text], word))}, as declared"
@@ -117,18 +117,18 @@ def wavelengths(
     ):
         if fits:
             return factor, f"the wavelengths are taken as {unit}, from their size"
-    problem = f"wavelengths from {low:g} to {high:g} in a unit that is not declared"
+    problem = f"the unit of the wavelengths from {low:g} to {high:g} is missing"
     raise ConditionError(problem, "a header such as: wavelength (nm), value")
 
 
 def _typed(text: str, word: str) -> str:
-    """Return the last place of a word of a plain text, as it was typed."""
+    """Return the last occurrence of a word of a plain text, as it was typed."""
     at = plain(text).rindex(word)
     return text[at : at + len(word)]
 
 
 def values(title: str) -> Meaning:
-    """Return what the values under a title are; refuse what is no light, or not per wavelength."""
+    """Return the meaning of the values under a title; raise for values other than spectra."""
     title = _with_short_units(title)
     text = plain(title).replace("_", " ").replace("photon counts", "photons")
     if NO_LIGHT.search(text):
@@ -151,7 +151,7 @@ def values(title: str) -> Meaning:
     other_units = [part for part in brackets if _is_of_another(part)]
     other_units += filter(_is_of_a_detector, endings)
     if other_units:
-        problem = f"values in {quote(other_units[0])} are not light, or in a unit that is not known"
+        problem = f"values in {quote(other_units[0])} are not light, or in an unknown unit"
         raise ConditionError(problem, KNOWN)
     if LUMENS.search(text):
         raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
@@ -161,10 +161,10 @@ def values(title: str) -> Meaning:
 
 
 def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:
-    """Return what the lines before a table say of its values: a unit; refuse what is no light.
+    """Return the unit of the values in the lines before a table; raise for lines on other data.
 
-    `meant` is what the title of the column says.  Where it does not say photons, and the lines
-    speak of them without a unit per wavelength, nothing tells what the values are.
+    `meant` is the meaning by the title of the column.  If lines mention photons without a unit per
+    wavelength and the title does not, the values are ambiguous.
     """
     meanings: dict[object, Meaning] = {}
     photons = ""
@@ -195,12 +195,12 @@ def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:
         raise ConditionError(problem, "a title over the values: watts, photons or their unit")
     stated = next(iter(meanings.values()), None)
     if stated and meant.are_photons and not stated.are_photons:
-        raise ConditionError("the title says photons, the lines before it watts", KNOWN)
+        raise ConditionError("the title has photons, the lines before it watts", KNOWN)
     return stated
 
 
 def _with_short_units(text: str) -> str:
-    """The text with uW and umol where it has uWatt and uMol, which are no spellings of units."""
+    """Return the text with uW and umol for uWatt and uMol, which are not spellings of units."""
     return PREFIXED.sub(lambda match: match[1] + SHORT[match[2]], text)
 
 
@@ -210,7 +210,7 @@ def _is_spectral(facts: Reading) -> bool:
 
 
 def _is_word(unit: Unit, facts: Reading) -> bool:
-    """Return whether a unit is one that titles have as a word for their quantity: watts, mol."""
+    """Return whether a unit serves as a word for its quantity in titles: watts, mol."""
     is_of_all = not (facts.axis or facts.area or facts.solid_angle or unit.is_scale)
     is_known = facts.kind == PHOTON or (facts.kind == RADIANT and not facts.time)
     return is_of_all and is_known and len(unit.atoms) == 1
@@ -225,7 +225,7 @@ def _is_of_another(part: str) -> bool:
 
 
 def _is_of_a_detector(part: str) -> bool:
-    """Return whether a text is a unit of what a detector makes of light, as A/W is."""
+    """Return whether a text is a unit of a detector's output over light, such as A/W."""
     unit = unit_of(part) if "/" in part or "-" in part or "⁻" in part else None
     return unit is not None and unit.dimension == RESPONSIVITY
 
@@ -237,7 +237,7 @@ def _absolute(facts: Reading, factor: float) -> Meaning:
 
 
 def _light(text: str, in_brackets: bool) -> tuple[Reading | None, float]:
-    """What a text is as a unit of light, and its factor to SI; outside brackets W is a word."""
+    """Return the facts of a unit of light and its factor to SI; W without brackets is a word."""
     if not text or not (in_brackets or "/" in text or "-" in text or "⁻" in text):
         return None, 1.0
     unit = unit_of(text)

@@ -1,4 +1,4 @@
-"""What the file of a spectrum has that is no plain table: its rows, and what they are."""
+"""The contents of a spectrum file that is not a plain table: its rows and their meaning."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 from radcalc.spectra.column_titles import Meaning
 
-Row = tuple[int, str, str]  # its line, the wavelength [nm] and the value, as they are written
+Row = tuple[int, str, str]  # line number, wavelength [nm] and value, as written
 
 
 class Figure(NamedTuple):
-    """What a meter found itself, and half a unit of its last digit."""
+    """A figure measured by a meter, and half a unit of its last digit."""
 
     value: float
     rounding: float
@@ -20,9 +20,9 @@ NO_FIGURES: Mapping[str, Figure] = MappingProxyType({})
 
 
 class Contents(NamedTuple):
-    """The rows of a file; several meanings where its own figures have to tell which one is right.
+    """The rows of a file, with several meanings if the meter's figures must decide between them.
 
-    `figures` are what the meter itself found, by name, in the units of `figures.UNITS`.
+    `figures` are the meter's own results, by name, in the units of `figures.UNITS`.
     """
 
     rows: list[Row]

@@ -1,6 +1,6 @@
-"""How many watts, lumens and photons a spectrum has, over which wavelengths, and what that means.
+"""The watts, lumens and photons of a spectrum, their ranges of wavelengths, and notes on them.
 
-Watts and photons are counted over ranges, lumens wherever they are.
+Watts and photons are counted over ranges, lumens over all wavelengths.
 """
 
 from collections.abc import Iterable
@@ -12,17 +12,17 @@ from radcalc.spectra.planck import AVOGADRO, photons
 from radcalc.spectra.spectrum import PAR, WHOLE, Range, Spectrum, range_text
 
 SLACK = 1 + 1e-9
-REMAINDER = 5e-4  # the share of the lumens outside a range that is not worth a note
+REMAINDER = 5e-4  # fraction of the lumens outside a range that needs no note
 NAMES = {RADIANT: "watts", PHOTON: "photons"}
 
 
 class Counts:
-    """A spectrum's watts, lumens and photons, as far as they are looked at."""
+    """The watts, lumens and photons of a spectrum, computed on demand."""
 
     def __init__(
         self, source: Spectrum, eye: Observer, limits: Range | None, photon_limits: Range | None
     ) -> None:
-        """Take the ranges as somebody said, or the usual ones; beyond the data is nothing."""
+        """Keep the given ranges, or the usual ones, limited to the data."""
         self.source, self.eye = source, eye
         self.given = {RADIANT: limits, PHOTON: photon_limits}
         everywhere = WHOLE if source.counts_all_photons else PAR
@@ -33,22 +33,22 @@ class Counts:
         self._amounts: dict[str, float] = {}
 
     def amount(self, kind: str) -> float:
-        """Return how much there is [W, lm or photons/s]."""
+        """Return an amount [W, lm or photons/s]."""
         if kind not in self._amounts:
             self._amounts[kind] = _count(self.source, kind, self.ranges.get(kind, WHOLE), self.eye)
         return self._amounts[kind]
 
     def over(self, kind: str) -> str:
-        """Return where watts or photons are counted, for people."""
+        """Return the range of watts or photons, as text."""
         return range_text(self.ranges[kind])
 
     @property
     def known(self) -> str:
-        """Return where the spectrum is known, for people; '' where there is nothing beyond."""
+        """The known range of the spectrum, as text; '' if it is the whole spectrum."""
         return "" if self.source.is_whole else range_text(self.source.known)
 
     def notes(self, kinds: Iterable[str]) -> list[str]:
-        """Return what of the ranges asked for is not there, and what lumens they leave out."""
+        """Return notes on ranges beyond the data, and on lumens outside the ranges."""
         label, known = self.source.label, self.known
         notes = [
             f"{label} is known over {known}: {NAMES[kind]} are counted over {self.over(kind)}, "
@@ -63,7 +63,7 @@ class Counts:
         return notes
 
     def _left_out(self, kind: str) -> str:
-        """Return what share of the lumens a range has, and their ratio to what else is there."""
+        """Return a note on the lumens outside a range, if there are any."""
         part = self.source.part(self.ranges[kind])
         lumens = _count(part, LUMINOUS, WHOLE, self.eye) if part else 0.0
         share = lumens / self.amount(LUMINOUS)
@@ -76,7 +76,7 @@ class Counts:
         )
 
     def impossible(self, over: str, under: str) -> TooNarrow | None:
-        """The error where a ratio is more than any light gives, as a range leaves too much out."""
+        """Return the error for a ratio above that of any light, because of a narrow range."""
         kinds = {over, under}
         top = LUMINOUS if LUMINOUS in kinds else PHOTON
         (bottom,) = kinds - {top}
@@ -101,7 +101,7 @@ class Counts:
 
 
 def ratio_text(ratio: float, over: str, under: str) -> str:
-    """A ratio of kinds in the unit it is known by: lumens over watts or photons, or these two."""
+    """Return a ratio of kinds in its usual unit: lm/W, umol/J or lm s/umol."""
     if RADIANT not in (over, under):
         return f"{ratio * AVOGADRO * 1e-6:.6g} lm s/umol"
     return f"{ratio:.6g} lm/W" if over == LUMINOUS else f"{ratio / AVOGADRO * 1e6:.6g} umol/J"
@@ -114,6 +114,6 @@ def _count(source: Spectrum, kind: str, limits: Range, eye: Observer) -> float:
 
 
 def _overlap(first: Range, second: Range) -> Range:
-    """Return what two ranges share; the first where that is nothing."""
+    """Return the common part of two ranges, or the first range if there is none."""
     low, high = max(first[0], second[0]), min(first[1], second[1])
     return (low, high) if low < high else first

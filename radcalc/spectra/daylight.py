@@ -12,7 +12,7 @@ COOLEST, HOTTEST = 4000.0, 25000.0
 def combine(
     temperature: float, S0: Sequence[float], S1: Sequence[float], S2: Sequence[float]
 ) -> list[float]:
-    """Relative spectral power of a CIE daylight of a correlated colour temperature [K].
+    """Return the relative spectral power of CIE daylight of a correlated colour temperature [K].
 
     .. math:: S(\\lambda) = S_0 + M_1 S_1 + M_2 S_2
 
@@ -22,7 +22,7 @@ def combine(
     """
     if not COOLEST <= temperature <= HOTTEST:
         raise ConditionError(
-            f"there is no CIE daylight of {temperature:g} K", "a temperature from 4000K to 25000K"
+            f"no CIE daylight of {temperature:g} K", "a temperature from 4000K to 25000K"
         )
     t = 1e3 / temperature
     if temperature <= 7000:

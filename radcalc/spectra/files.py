@@ -1,7 +1,7 @@
-"""Measured spectra from files: columns of numbers, whatever separates them, and what meters write.
+"""Measured spectra from files: columns of numbers with any separator, and the files of meters.
 
-What can be read in one way only is read, and said; everything else is an error with its line.
-A file is read a block at a time, and its numbers alone are kept.
+Unambiguous files are read, with notes; anything else is an error with its line.  A file is read in
+blocks, and only its numbers are kept.
 """
 
 import re
@@ -22,28 +22,28 @@ from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAK
 from radcalc.units.table import unit_of
 
 FORMATS = (spdx, cgats, meters)
-NOISE = 0.05  # of the peak, or of all: negative values within it are a spectrometer's noise
-SMALL = 1e-4  # the share of all that is not worth a note
-SAME = 1e-4  # relative: steps that differ by less are the same
-FEW = 0.1  # of the steps may be others, where most are the same
-MANY = 10_000  # rows from which NumPy is worth loading
+NOISE = 0.05  # of the peak, or of the total: smaller negative values are noise of a spectrometer
+SMALL = 1e-4  # fraction of the total that needs no note
+SAME = 1e-4  # relative difference of steps that count as the same
+FEW = 0.1  # largest fraction of other steps if most are the same
+MANY = 10_000  # rows from which on NumPy is loaded
 MOST = 20_000_000  # rows
 MOST_BEFORE = 1000  # lines before a table, and comments
-MOST_OF_FORMAT = 1 << 24  # characters of a file that is no plain table
+MOST_OF_FORMAT = 1 << 24  # characters of a file that is not a plain table
 TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
 BRACKETED = re.compile(r"\[[^\[\]]*\]|\([^()]*\)")
-WORDS = 2  # behind a number and blanks that make a line a sentence: 100 scans averaged
+WORDS = 2  # after a number, between blanks, that make a line a sentence: 100 scans averaged
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
 def read_file(path: str, column: str = "") -> Table:
-    """Read a spectrum from a file, or from standard input where the path is '-'."""
+    """Read a spectrum from a file, or from standard input for the path '-'."""
     with reading(path, "a file with a spectrum") as (name, read):
         return _Reader(name, read, column).table()
 
 
 class _Layout(NamedTuple):
-    """Where the numbers of a file stand."""
+    """The layout of a file with columns."""
 
     delimiter: str | None
     header: list[str]
@@ -53,7 +53,7 @@ class _Layout(NamedTuple):
 
 
 class _Reader:
-    """One file: its delimiter, its header, its columns; read a block at a time."""
+    """The reader of one file, in blocks: its delimiter, its header, its columns."""
 
     def __init__(self, name: str, read: Callable[[int], bytes], column: str) -> None:
         self.name = name
@@ -62,8 +62,8 @@ class _Reader:
         self.notes: list[str] = []
         self.comments: list[str] = []
         self.preamble: list[str] = []
-        self.count = 0  # of rows, as the preamble says
-        self.is_marked = self.is_over = False  # the table's beginning; its end, where that is, too
+        self.count = 0  # of rows, according to the preamble
+        self.is_marked = self.is_over = False  # start of the table; its end, if it is marked
         self.decimals = columns.Decimals()
         self.grid, self.values = array("d"), array("d")
         self.lines = array("q")  # of the rows
@@ -72,7 +72,7 @@ class _Reader:
         return refusal(self.name, number, problem, hint)
 
     def table(self) -> Table:
-        """Return the whole file."""
+        """Return the spectrum of the whole file."""
         blocks = self.text.blocks()
         first = next(blocks, (1, []))
         for form in FORMATS:
@@ -83,7 +83,7 @@ class _Reader:
         return self.plain_table(chain([first], blocks))
 
     def all_lines(self, first: tuple[int, Lines], blocks: Iterable[tuple[int, Lines]]) -> Lines:
-        """All lines of a file that is no plain table."""
+        """Return all lines of a file that is not a plain table."""
         collected = list(first[1])
         for _, lines in blocks:
             collected += lines
@@ -92,7 +92,7 @@ class _Reader:
         return collected
 
     def table_of(self, contents: Contents) -> Table:
-        """A table of rows that a format has."""
+        """Return the table of the rows of a format."""
         self.notes += contents.notes
         for number, place, value in contents.rows:
             self.grid.append(self.number(place, contents.has_commas, number))
@@ -101,7 +101,7 @@ class _Reader:
         return self.finish(1.0, contents.meanings, contents.figures)
 
     def rows(self, lines: Lines, number: int) -> Iterator[tuple[int, str]]:
-        """Return the lines with data, with their numbers; comments are kept apart."""
+        """Return the lines with data, with their numbers; comments are collected separately."""
         for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
@@ -112,9 +112,9 @@ class _Reader:
                 yield number, line
 
     def plain_table(self, blocks: Iterable[tuple[int, Lines]]) -> Table:
-        """A table of columns."""
+        """Return the table of columns."""
         layout = None
-        first: list[tuple[int, str]] = []  # the rows that show how the file is laid out
+        first: list[tuple[int, str]] = []  # the rows that determine the layout
         for number, lines in blocks:
             if len(self.grid) > MOST:
                 raise self.error(number, f"more than {MOST} rows", "fewer of them")
@@ -139,9 +139,9 @@ class _Reader:
         return self.finish_columns(layout)
 
     def layout(self, rows: list[tuple[int, str]]) -> _Layout:
-        """The delimiter, the header and the columns, from the first rows; what is before goes.
+        """Return the delimiter, the header and the columns; remove the rows before the table.
 
-        They are the table's, or all there is.
+        `rows` are the first rows of the file, or all of them.
         """
         if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
@@ -169,9 +169,9 @@ class _Reader:
         return _Layout(delimiter, header, width, place, title)
 
     def header(self, before: list[tuple[int, str]], delimiter: str | None, width: int) -> list[str]:
-        """Take the titles out of the lines before a table, with units in a row of their own.
+        """Return the titles from the lines before a table, with units from a row of their own.
 
-        A line of text has none, and neither has a line of many words between blanks.
+        A line of text has no titles, nor has a line of many words between blanks.
         """
         while before and not any(map(str.isalnum, before[-1][1])):  # a rule below the titles
             before.pop()
@@ -184,7 +184,7 @@ class _Reader:
         ):
             if len(titles) == width:
                 self.number(titles[0], delimiter != ",", number)
-            problem = f"'{quote(last.strip())}' stands between the titles and the numbers"
+            problem = f"'{quote(last.strip())}' is between the titles and the numbers"
             raise self.error(number, problem, "a row with a value in every column")
         if len(titles) != width:
             if not last.startswith(oceanview.MARK):
@@ -203,7 +203,7 @@ class _Reader:
         return titles
 
     def check_text(self, number: int, line: str, delimiter: str | None, width: int) -> None:
-        """Refuse a line before a table with too few or too many titles, or those of no light."""
+        """Raise for a line before a table with too few or many titles, or of other data."""
         titles, text = _titles(line, delimiter, width), columns.plain(line)
         is_sentence = delimiter is None and not column_titles.is_wavelength(text)
         if not is_sentence and sum(map(bool, titles)) > 1:
@@ -213,7 +213,7 @@ class _Reader:
             raise self.error(number, f"'{quote(line.strip())}' is not light", column_titles.KNOWN)
 
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
-        """Take in rows that are numbers and nothing else; say whether they are."""
+        """Read rows of plain numbers; return whether they are."""
         marks = self.decimals
         if marks.comma or marks.doubtful:
             return False
@@ -229,7 +229,7 @@ class _Reader:
         return True
 
     def take(self, rows: Iterator[tuple[int, str]], layout: _Layout) -> None:
-        """Take in rows one by one, and say which of them is wrong."""
+        """Read rows one by one, and raise for a wrong one with its number."""
         for number, line in rows:
             if self.is_marked and line.startswith(oceanview.MARK):
                 self.is_over = True
@@ -247,7 +247,7 @@ class _Reader:
             self.lines.append(number)
 
     def check_titles(self, header: list[str]) -> None:
-        """Refuse a first column that says it is something else than wavelengths."""
+        """Raise for a first column that is not of wavelengths."""
         if (longest := max(map(len, header), default=0)) > column_titles.LONGEST:
             raise self.error(
                 0, f"a title of {longest} characters", f"up to {column_titles.LONGEST}"
@@ -256,10 +256,10 @@ class _Reader:
         if any(map(column_titles.is_wavelength, plain[1:])):
             raise self.error(0, "the wavelengths are not in the first column", "wavelengths first")
         if plain and any(word in plain[0] for word in ("freq", "energy", "wavenumber")):
-            raise self.error(0, f"'{quote(header[0])}' is no wavelength", "wavelengths first")
+            raise self.error(0, f"'{quote(header[0])}' is not a wavelength", "wavelengths first")
 
     def finish_columns(self, layout: _Layout) -> Table:
-        """Give the numbers of columns their units."""
+        """Return the table of columns, in their units."""
         low, high = min(self.grid), max(self.grid)
         nanometres = self.wavelength_unit(layout.header, low, high)
         try:
@@ -277,13 +277,13 @@ class _Reader:
         meanings: Sequence[column_titles.Meaning],
         figures: Mapping[str, Figure] = NO_FIGURES,
     ) -> Table:
-        """Make the table of the numbers, and say what was repaired or is odd.
+        """Return the table of the numbers, with notes on repairs and oddities.
 
-        Of several meanings the figures of the meter tell which one is right.
+        The figures of the meter decide between several meanings.
         """
         if len(self.grid) < 2:
             count = len(self.grid)
-            raise self.error(0, f"{count} row of data is no spectrum", "two rows or more")
+            raise self.error(0, f"{count} row of data is not a spectrum", "two rows or more")
         if doubt := self.decimals.doubt():
             raise self.error(*doubt, columns.MARKS)
         grid, values = self.sorted()
@@ -310,9 +310,9 @@ class _Reader:
         return table
 
     def noise(self, grid: Sequence[float], values: Sequence[float], nanometres: float) -> str:
-        """Return what to say of values below 0; refuse those that are too many for noise.
+        """Return the note on negative values; raise if they are too large for noise.
 
-        Beyond the visible, where a meter sees little, its noise may be as high as the light.
+        Outside the visible range, where a meter is insensitive, its noise may equal the light.
         """
         low, high = VISIBLE
         visible = [y for x, y in zip(grid, values, strict=True) if low <= x * nanometres <= high]
@@ -333,9 +333,10 @@ class _Reader:
         return note + (f": {100 * share:.2g} % of the watts" if share >= SMALL else "")
 
     def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
-        """Which column has the values, and its title."""
+        """Return the column of the values, and its title."""
         if width < 2:
-            raise self.error(number, "one column only", "a wavelength and a value in every row")
+            hint = "a wavelength and a value in every row"
+            raise self.error(number, "there is only one column", hint)
         names = header or [""] * width
         if not self.column:
             if of_jaz := oceanview.processed(names, self.preamble):
@@ -355,7 +356,7 @@ class _Reader:
         return place, names[place]
 
     def named(self, names: list[str]) -> int:
-        """The column that is asked for; what meters have in brackets need be no known unit."""
+        """Return the chosen column; text in brackets may be an unknown unit."""
         try:
             return find(names, self.column, self.name)
         except UsageError:
@@ -377,7 +378,7 @@ class _Reader:
         return value
 
     def wavelength_unit(self, header: list[str], low: float, high: float) -> float:
-        """Nanometres per unit of the first column: declared, or plain from the numbers."""
+        """Return the nanometres per unit of the first column, declared or from the numbers."""
         if low <= 0:
             raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
         remarks = [*self.comments, *self.preamble]
@@ -389,7 +390,7 @@ class _Reader:
         return factor
 
     def sorted(self) -> tuple[Sequence[float], Sequence[float]]:
-        """Rising wavelengths: a falling table is turned round, any other is sorted; both said."""
+        """Return rising wavelengths: falling rows are reversed, others sorted, with a note."""
         grid, values, lines = self.grid, self.values, self.lines
         if all(map(lt, grid, grid[1:])):
             return grid, values
@@ -402,7 +403,7 @@ class _Reader:
                 first, second = sorted((lines[before], lines[after]))
                 raise self.error(
                     second,
-                    f"the wavelength {grid[after]:g} nm stands in line {first} already",
+                    f"the wavelength {grid[after]:g} nm is also in line {first}",
                     "each once",
                 )
         self.notes.append("the wavelengths are not in order; the rows are sorted")
@@ -410,7 +411,7 @@ class _Reader:
 
 
 def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
-    """Wavelengths and values of rows that are numbers and nothing else; None of others."""
+    """Return wavelengths and values of rows of plain numbers; None for other rows."""
     try:
         if are_many and lines[0].strip():
             import numpy
@@ -430,7 +431,7 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
 
 
 def _before(rows: Sequence[tuple[int, str]]) -> int:
-    """Return how many rows stand before the first that begins with a number, and is no sentence."""
+    """Return the number of rows before the first that begins with a number and is no sentence."""
     for count, (_, line) in enumerate(rows):
         delimiter, _ = columns.dialect(line)
         first, *others = columns.cells(line, delimiter)
@@ -442,7 +443,7 @@ def _before(rows: Sequence[tuple[int, str]]) -> int:
 
 
 def _gaps(grid: Sequence[float]) -> list[str]:
-    """Return what to say where nearly all steps are the same and some are twice that, or more."""
+    """Return a note if nearly all steps are the same and some are at least twice as long."""
     steps = sorted(b - a for a, b in pairwise(grid))
     usual = steps[len(steps) // 2]
     others = [step for step in steps if abs(step - usual) > SAME * usual]
@@ -450,20 +451,18 @@ def _gaps(grid: Sequence[float]) -> list[str]:
     if not others or len(others) > FEW * len(steps) or longest < (2 - SAME) * usual:
         return []
     place = next(a for a, b in pairwise(grid) if b - a == longest)
-    return [
-        f"a step of {longest:g} at {place:g}, where most are of {usual:g}: a row may be missing"
-    ]
+    return [f"a step of {longest:g} at {place:g}, while most are {usual:g}: a row may be missing"]
 
 
 def _trimmed(cells: list[str], width: int) -> list[str]:
-    """Return the cells without the empty ones behind so many of them."""
+    """Return the cells without empty ones beyond a width."""
     while len(cells) > width and not cells[-1]:
         cells.pop()
     return cells
 
 
 def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
-    """Return the titles of columns in a line; between blanks those of several words, too."""
+    """Return the titles of columns in a line, of several words if necessary."""
     titles = _trimmed(columns.cells(line, delimiter), width)
     if delimiter or len(titles) == width:
         return titles
@@ -474,7 +473,7 @@ def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
 
 
 def _are_titles(cells: Sequence[str], width: int) -> bool:
-    """Whether the cells of a line are plainly titles: the first of wavelengths, others of values.
+    """Return whether the cells of a line are plainly titles of wavelengths and of values.
 
     A preamble may have a line such as `wavelength range,380-780` or `wavelength unit,nm`.
     """
@@ -489,9 +488,9 @@ def _are_titles(cells: Sequence[str], width: int) -> bool:
 
 
 def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
-    """Return whether the line over a table is a row of it that has no wavelength, and no titles.
+    """Return whether the line above a table is a row without a wavelength, not a row of titles.
 
-    Titles may be numbers behind the first; in a row, that has digits or stands below titles.
+    Titles may be numbers except the first; the first cell of a row has digits or is below titles.
     """
     if not any(columns.is_number(cell, True) for cell in cells[1:]):
         return False
@@ -503,7 +502,7 @@ def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
 
 
 def _is_of_units(cells: Sequence[str]) -> bool:
-    """Return whether cells have units alone, as a row below the titles has."""
+    """Return whether cells contain only units, as a row below the titles."""
     inner = [cell[1:-1].strip() if BRACKETED.fullmatch(cell) else cell for cell in cells]
     return any(inner) and all(
         not text or cell != text or columns.plain(text) in column_titles.NANOMETRES or unit_of(text)
@@ -518,7 +517,7 @@ def _table(
     nanometres: float,
     meant: column_titles.Meaning,
 ) -> Table:
-    """Return the spectrum of numbers, as they are meant."""
+    """Return the spectrum of numbers with a meaning."""
     xs: Any
     ys: Any
     if len(grid) > MANY:
@@ -540,5 +539,5 @@ def _table(
 
 
 def _named(titles: Sequence[str]) -> str:
-    """Return the columns of values by their titles, or else their numbers."""
+    """Return the columns of values by their titles, or else by their numbers."""
     return listed([title or str(number) for number, title in enumerate(titles, 1) if number > 1])

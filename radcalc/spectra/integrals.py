@@ -1,7 +1,7 @@
-"""One plain integral for every spectrum: the trapezoid on the union of two grids.
+"""The integral of all spectra: the trapezoid rule on the union of two grids.
 
-A spectrum and a weighting are both linear between their points; their product is integrated by
-the trapezoid on the union of both grids, and clipped at the limits with a step, not a ramp.
+A spectrum and a weighting are both linear between their points; their product is integrated by the
+trapezoid rule on the union of both grids, and cut at the limits by a step, not a ramp.
 Wavelengths are in nanometres throughout `spectra`.
 """
 
@@ -24,7 +24,7 @@ def clip(grid: Grid, values: Grid, low: float, high: float) -> tuple[list[float]
 
 
 def at(grid: Grid, values: Grid, place: float) -> float:
-    """A table's value at a place inside it, linearly interpolated."""
+    """Return a table's value at a place inside it, by linear interpolation."""
     index = min(max(bisect_right(grid, place) - 1, 0), len(grid) - 2)
     left, right = grid[index], grid[index + 1]
     share = (place - left) / (right - left)
@@ -53,9 +53,9 @@ def integral(grid: Grid, values: Grid, low: float = -inf, high: float = inf) -> 
 
 
 def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
-    """Return the numbers whose sum of products with any weighting is its integral over the table.
+    """Return the weights whose sum of products with any weighting is its integral over the table.
 
-    The weighting is tabulated at `count` whole nanometres from `start`, and linear between.
+    The weighting is tabulated at `count` whole nanometres from `start` and linear in between.
     """
     weights = [0.0] * count
     grid, values = clip(grid, values, start, start + count - 1)
@@ -68,7 +68,7 @@ def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
         if end == place:
             continue
         rise = (y - height) / (end - place)
-        while cell + 1 < end:  # the whole nanometres inside this step of the data
+        while cell + 1 < end:  # the whole nanometres within this step of the data
             step = cell + 1 - place
             at_edge = height + rise * step
             half = 0.5 * step

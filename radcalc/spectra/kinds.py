@@ -1,7 +1,7 @@
-"""The kinds of spectra that have parameters: how each is written, and what it is."""
+"""The kinds of spectra with parameters: notation and description."""
 
 LENGTHS = ("nm", "um")
-# The parameters, what they make of it, an example, and the usual units of the parameters.
+# The parameters, a description, an example, and the usual units of the parameters.
 FORMS = {
     "blackbody": ("T", "a black body of a temperature", "blackbody:2856K", ("K",)),
     "daylight": ("T", "daylight of a colour temperature", "daylight:6500K", ("K",)),
@@ -22,5 +22,5 @@ def forms() -> list[str]:
 
 
 def example(kind: str) -> str:
-    """A spectrum of a kind."""
+    """Return an example of a kind of spectrum."""
     return FORMS[kind][2]

@@ -1,4 +1,4 @@
-"""The named spectra as a list: of what kind they are, their colour temperature, lux per PPFD."""
+"""The list of named spectra: kind, colour temperature, lux per PPFD."""
 
 import re
 from collections.abc import Iterable
@@ -14,8 +14,8 @@ from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.sources import ALIASES, find_named, names
 
-# The kinds by the names (CIE 15:2018, and the codes of lamps), in English, Czech and Russian; the
-# first that fits.  A name that says nothing has none.
+# Kinds by patterns of names (CIE 15:2018, and codes of lamps), in English, Czech and Russian; the
+# first match applies.  Other names have no kind.
 LAMPS = (
     (r"AM\d.*", "sun", "slunce", "солнце"),
     (r"B", "direct sunlight, obsolete", "přímé sluneční světlo, zastaralé",
@@ -58,7 +58,7 @@ class Named(NamedTuple):
     Attributes
     ----------
     name : str
-        As it is given.
+        As typed.
     kind : int or None
         The row of `LAMPS`.
     """
@@ -67,24 +67,24 @@ class Named(NamedTuple):
     kind: int | None
 
     def kind_in(self, language: str) -> str:
-        """Return what kind it is of; '' where the name does not say."""
+        """Return the name of its kind; '' if it has none."""
         place = 1 + LANGUAGES.index(language)
         return "" if self.kind is None else LAMPS[self.kind][place]
 
     @property
     def words(self) -> str:
-        """Return what it is searched by: its name, another one, and its kind in every language."""
+        """Return the text for searches: its name, its alias, and its kind in every language."""
         others = [alias for alias, name in ALIASES.items() if name == self.name]
         return " ".join([self.name, *others, *map(self.kind_in, LANGUAGES)])
 
 
 def search(text: str = "") -> list[Named]:
-    """Return the named spectra in whose name or kind, in any language, every word begins a word.
+    """Return the named spectra whose names and kinds have words that begin with all given words.
 
     Raises
     ------
     UsageError
-        If there is none.
+        If there is no match.
 
     Examples
     --------
@@ -100,12 +100,12 @@ def search(text: str = "") -> list[Named]:
     words = {word for spectrum in spectra for word in comparable(spectrum.words).split()}
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
-        f"no named spectrum is '{quote(text)}'", ", ".join(near) or command("spectrum", list="")
+        f"unknown spectrum '{quote(text)}'", ", ".join(near) or command("spectrum", list="")
     )
 
 
 def kind_of(name: str) -> int | None:
-    """Return the row of `LAMPS` that a name says."""
+    """Return the row of `LAMPS` for a name, or None."""
     return next((k for k, pattern in enumerate(PATTERNS) if pattern.fullmatch(name)), None)
 
 
@@ -126,7 +126,7 @@ def temperature_and_ratio(name: str) -> tuple[float | None, float]:
 
 
 def described(spectra: Iterable[Named]) -> list[tuple[str, str]]:
-    """Names with a line on each: its colour temperature and its kind."""
+    """Return names, each with a line on its colour temperature and kind."""
     lines = []
     for spectrum in spectra:
         cct, _ = temperature_and_ratio(spectrum.name)

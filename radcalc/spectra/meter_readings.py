@@ -1,4 +1,4 @@
-"""The figures that a meter found itself, held against what its spectrum gives."""
+"""Comparison of a meter's own figures with those of its spectrum."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -7,26 +7,26 @@ from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.spectrum import PAR, Table
 
-CLOSE = 0.01  # relative: what the meter's own tables make of the same spectrum
+CLOSE = 0.01  # relative deviation by other tables of the same spectrum
 UNITS = {"illuminance": "lx", "irradiance": "W/m2", "ppfd": "umol/m2/s", "cct": "K"}
 
 
 def chosen(tables: Sequence[Table], figures: Mapping[str, Figure]) -> tuple[Table, tuple[str, ...]]:
-    """Return the table that the figures fit, and notes; the first is relative, for where none does.
+    """Return the table that fits the figures, and notes; the first, relative one if none fits.
 
     Parameters
     ----------
     tables : sequence of Table
-        The same numbers, read in several ways; one that is alone is the answer.
+        The same numbers with several meanings; a single one is returned.
     figures : mapping
-        What the meter found, by the names of `UNITS`, in these.
+        Figures of the meter, by the names and in the units of `UNITS`.
 
     Returns
     -------
     table : Table
-        The first of those whose illuminance is within 1 % and rounding, or the relative one.
+        The first table whose illuminance agrees within 1 % and rounding, or the relative one.
     notes : tuple of str
-        What differs by more.
+        Figures that deviate more.
     """
     if len(tables) == 1:
         return tables[0], ()
@@ -35,12 +35,12 @@ def chosen(tables: Sequence[Table], figures: Mapping[str, Figure]) -> tuple[Tabl
     for table in absolute:
         if _are_close(_illuminance(table), given):
             return table, tuple(
-                f"the meter found {figure.value:g} {UNITS[name]} ({name}), "
-                f"its spectrum gives {value:.6g}"
+                f"the meter measured {figure.value:g} {UNITS[name]} ({name}), "
+                f"but its spectrum gives {value:.6g}"
                 for name, figure in figures.items()
                 if (value := RESULTS[name](table)) is not None and not _are_close(value, figure)
             )
-    note = f"the meter found {given.value:g} lx, which its spectrum gives in no usual unit"
+    note = f"the meter measured {given.value:g} lx, which its spectrum gives in no usual unit"
     return relative, (note,)
 
 

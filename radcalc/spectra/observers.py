@@ -1,6 +1,6 @@
-"""The luminous efficacy of one wavelength, for each standard observer.
+"""The luminous efficacy of radiation at one wavelength, for each standard observer.
 
-Tables at 1 nm, linear interpolation between, 0 outside.  The tables are in standard air.
+The tables have steps of 1 nm in standard air, are interpolated linearly, and are 0 outside.
 """
 
 from typing import NamedTuple
@@ -18,7 +18,7 @@ from radcalc.spectra.planck import LIGHT, PLANCK
 
 
 class Observer(NamedTuple):
-    """A table of relative luminous efficiency and the efficacy [lm/W] at its maximum."""
+    """A table of relative luminous efficiency, and the efficacy [lm/W] at its maximum."""
 
     label: str
     constant: str
@@ -33,7 +33,7 @@ class Observer(NamedTuple):
 
     @property
     def assumption(self) -> str:
-        """Return what an answer that used this observer says."""
+        """Return the assumption of an answer that uses this observer."""
         return (
             f"{self.label}, {self.constant} {self.maximum:g} lm/W, "
             "linear interpolation in the 1 nm table"
@@ -41,7 +41,7 @@ class Observer(NamedTuple):
 
 
 def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
-    """Relative luminous efficiency of monochromatic radiation.
+    """Return the relative luminous efficiency of monochromatic radiation.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
 
     Notes
     -----
-    Linear interpolation in the 1 nm table, as CIE 018:2019 has it.
+    Linear interpolation in the 1 nm table, according to CIE 018:2019.
 
     Examples
     --------
@@ -79,19 +79,19 @@ def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
 
 
 def luminous_efficacy(wavelength: Number, observer: Observer) -> Number:
-    """Luminous efficacy of monochromatic radiation [lm/W]; see `luminous_efficiency`."""
+    """Return the luminous efficacy of monochromatic radiation [lm/W]."""
     return observer.maximum * luminous_efficiency(wavelength, observer)
 
 
 def most_lumens_per_photon(observer: Observer) -> float:
-    """Return the most that one wavelength gives [lm s]: no mixture of wavelengths gives more."""
+    """Return the maximum over wavelengths [lm s], which no mixture of wavelengths exceeds."""
     places = range(observer.start, observer.end + 1)
     shares = (v / nm for v, nm in zip(observer.values, places, strict=True))
     return observer.maximum * max(shares) * 1e9 * PLANCK * LIGHT
 
 
 def standard_air_wavelength(vacuum: Number) -> Number:
-    """Wavelength in standard air of radiation of a given vacuum wavelength.
+    """Return the wavelength in standard air of radiation of a given vacuum wavelength.
 
     Parameters
     ----------
@@ -107,8 +107,8 @@ def standard_air_wavelength(vacuum: Number) -> Number:
     -----
     .. math:: 10^8 (n - 1) = k_1 / (k_0 - \\sigma^2) + k_3 / (k_2 - \\sigma^2)
 
-    with sigma the vacuum wavenumber in 1/um.  Fitted from 230 nm to 1690 nm; outside, where
-    nothing is seen, the index of the nearer end is taken.
+    with sigma the vacuum wavenumber in 1/um.  Fitted from 230 nm to 1690 nm; beyond, where the eye
+    is insensitive, the index of the nearer end is used.
 
     References
     ----------
@@ -125,7 +125,7 @@ def standard_air_wavelength(vacuum: Number) -> Number:
 
 
 def _by_the_candela(label: str, table: tuple[int, tuple[float, ...]]) -> Observer:
-    """An observer whose K follows from the candela: 683 lm/W at 540 THz, in standard air."""
+    """Return an observer with K by the definition of the candela, 683 lm/W at 540 THz in air."""
     relative = Observer(label, "K", 1.0, *table)
     at_540_thz = luminous_efficiency(standard_air_wavelength(LIGHT / 540e12), relative)
     return relative._replace(maximum=683 / at_540_thz)

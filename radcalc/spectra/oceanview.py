@@ -1,12 +1,12 @@
-"""What the text of Ocean Optics' programs (OceanView, SpectraSuite, Jaz) says before its table.
+"""The preamble of files of Ocean Optics' programs (OceanView, SpectraSuite, Jaz).
 
     Data from lamp_AbsoluteIrradiance_12-00.txt Node
     XAxis mode: Wavelengths
     Number of Pixels in Spectrum: 2048
     >>>>>Begin Spectral Data<<<<<
 
-A table of Jaz has the columns W (wavelength), D (dark), R (reference, if there is one), S (sample)
-and P (processed).  That P of an absolute irradiance is in uW/cm2/nm no file says; the R package
+A table of Jaz has the columns W (wavelength), D (dark), R (reference, optional), S (sample) and P
+(processed).  The files do not state that P of an absolute irradiance is in uW/cm2/nm; the R package
 photobiologyInOut reads it so.
 """
 
@@ -17,7 +17,7 @@ from radcalc.errors import ConditionError, quote
 from radcalc.files.columns import plain
 from radcalc.spectra.column_titles import KNOWN, PROPERTY
 
-MARK = ">>>>>"  # the table stands between two lines that begin so; not every file has the second
+MARK = ">>>>>"  # start of the line before the table, and of the one after it in some files
 NODE = re.compile(r"data from (.*) node")
 AXIS = re.compile(r"xaxis mode: *(.*)")
 PIXELS = re.compile(r"number of pixels in [a-z ]*: *0*(\d{1,9})", re.ASCII)
@@ -27,31 +27,32 @@ ABSOLUTE = "jaz absolute irradiance"
 
 
 def declared_rows(lines: Sequence[str]) -> int:
-    """Return how many rows the lines before a table say that it has; 0 where they do not.
+    """Return the number of rows that the lines before a table state; 0 if they do not.
 
-    Refuse another axis than wavelengths, and what is measured against a reference.
+    Raises ConditionError for another axis than wavelengths, and for ratios to a reference.
     """
     count = 0
     for line in lines:
         text = plain(line)
         node, axis, pixels = NODE.match(text), AXIS.match(text), PIXELS.match(text)
         if node and (match := re.search(PROPERTY, re.sub(r"[\W\d_]", " ", node[1]))):
-            raise ConditionError(f"'{quote(line.strip())}' is a {match[0]}, no light", KNOWN)
+            raise ConditionError(f"'{quote(line.strip())}' is a {match[0]}, not light", KNOWN)
         if axis and not axis[1].startswith("wavelength"):
-            raise ConditionError(f"'{quote(line.strip())}' is no wavelength", "wavelengths in nm")
+            problem = f"'{quote(line.strip())}' is not a wavelength"
+            raise ConditionError(problem, "wavelengths in nm")
         count = int(pixels[1]) if pixels else count
     return count
 
 
 def notes(lines: Sequence[str]) -> list[str]:
-    """Return what is doubtful of values that a program has worked on."""
+    """Return a note on doubtful values that a program has processed."""
     if all(plain(line) != REFERENCE for line in lines):
         return []
-    return ["a reference spectrum was stored: these may be values relative to it, and no light"]
+    return ["a reference spectrum was stored: the values may be relative to it, and not light"]
 
 
 def processed(titles: Sequence[str], lines: Sequence[str]) -> str:
-    """Return what the title of column P of a Jaz means; '' where it is no table of one."""
+    """Return the meaning of the title of column P of a Jaz; '' for other tables."""
     if [plain(title) for title in titles] not in JAZ:
         return ""
     if len(titles) == len(JAZ[1]):

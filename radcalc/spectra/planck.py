@@ -1,4 +1,4 @@
-"""The black body: Planck's law, and its parts over a range in closed form.
+"""Black-body radiation: Planck's law, and its integrals over a range in closed form.
 
 Exact h, c and k of the SI of 2019.  Temperatures in kelvin, wavelengths in metres.
 """
@@ -11,25 +11,25 @@ LIGHT = 299792458.0  # m/s
 BOLTZMANN = 1.380649e-23  # J/K
 AVOGADRO = 6.02214076e23  # 1/mol
 C2 = PLANCK * LIGHT / BOLTZMANN  # m K
-SMALL = 0.5  # below it the power series in x = c2/(lambda T) holds to a float's digits
+SMALL = 0.5  # below it the power series in x = c2/(lambda T) has the precision of a float
 WIEN_X = 4.9651142317442763  # the root of x = 5 (1 - e^-x): the peak per wavelength
-HALF_X = (2.7325893071213999, 8.096610458229823)  # where x^5/(e^x - 1) is half of that
+HALF_X = (2.7325893071213999, 8.096610458229823)  # roots of x^5/(e^x - 1) at half of its maximum
 STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
 
 
 def photons(energy_wavelength: float) -> float:
-    """Return how many photons have an energy, of its product with their wavelength [J nm]."""
+    """Return the number of photons with a product of energy and wavelength [J nm]."""
     return energy_wavelength * 1e-9 / (PLANCK * LIGHT)
 
 
 def spectral_exitances(wavelengths: Sequence[float], temperature: float) -> list[float]:
-    """Spectral radiant exitance of a black body [W/m3] at some wavelengths [m]."""
+    """Return the spectral radiant exitance of a black body [W/m3] at wavelengths [m]."""
     scale, x1 = 2 * math.pi * PLANCK * LIGHT**2, C2 / temperature
     return [scale / (w**5 * math.expm1(x1 / w)) if x1 < 700 * w else 0.0 for w in wavelengths]
 
 
 def exitance(temperature: float, low: float = 0.0, high: float = math.inf) -> float:
-    """Radiant exitance of a black body [W/m2] between two wavelengths [m]."""
+    """Return the radiant exitance of a black body [W/m2] between two wavelengths [m]."""
     first, last = C2 / (high * temperature), C2 / (low * temperature) if low else math.inf
     if last < SMALL:
         share = _power_below(last) - _power_below(first)
@@ -39,7 +39,7 @@ def exitance(temperature: float, low: float = 0.0, high: float = math.inf) -> fl
 
 
 def photon_exitance(temperature: float, low: float, high: float) -> float:
-    """Photons that a black body radiates between two wavelengths [1/(s m2)]."""
+    """Return the photon exitance of a black body [1/(s m2)] between two wavelengths [m]."""
     scale = 2 * math.pi * (BOLTZMANN * temperature / PLANCK) ** 3 / LIGHT**2
     first, last = C2 / (high * temperature), C2 / (low * temperature) if low else math.inf
     if last < SMALL:
@@ -48,19 +48,19 @@ def photon_exitance(temperature: float, low: float, high: float) -> float:
 
 
 def _power_below(x: float) -> float:
-    """15/pi^4 times the integral of t^3/(e^t - 1) from 0 to a small x, by its power series."""
+    """Return 15/pi^4 times the integral of t^3/(e^t - 1) from 0 to a small x, by power series."""
     series = 1 / 3 - x / 8 + x**2 / 60 - x**4 / 5040 + x**6 / 272160 - x**8 / 13305600
     return 15 / math.pi**4 * x**3 * series
 
 
 def _photons_below(x: float) -> float:
-    """Return the integral of t^2/(e^t - 1) from 0 to a small x, by its power series."""
+    """Return the integral of t^2/(e^t - 1) from 0 to a small x, by power series."""
     series = 1 / 2 - x / 6 + x**2 / 48 - x**4 / 4320 + x**6 / 241920 - x**8 / 12096000
     return x**2 * series
 
 
 def _power_beyond(x: float) -> float:
-    """15/pi^4 times the integral of t^3/(e^t - 1) from x to infinity."""
+    """Return 15/pi^4 times the integral of t^3/(e^t - 1) from x to infinity."""
     if x == math.inf:
         return 0.0
     if x < SMALL:
@@ -77,7 +77,7 @@ def _photons_beyond(x: float) -> float:
     if x == math.inf:
         return 0.0
     if x < SMALL:
-        return 2 * 1.2020569031595942 - _photons_below(x)  # 2 zeta(3) is the whole
+        return 2 * 1.2020569031595942 - _photons_below(x)  # 2 zeta(3) is the whole integral
     total, n = 0.0, 1
     while n * x < 745 and n < 200:
         total += math.exp(-n * x) * (x**2 / n + 2 * x / n**2 + 2 / n**3)

@@ -30,12 +30,12 @@ from radcalc.units.scales import find
 from radcalc.units.table import resolve
 from radcalc.units.unit import Dimension
 
-SERIES = ("blackbody", "daylight")  # kinds of which a list or a range gives several
+SERIES = ("blackbody", "daylight")  # kinds for which lists and ranges give several spectra
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
-LOOKED_AT = 100  # parts of a list in which something is wrong
+LOOKED_AT = 100  # parts of a list that are checked
 OF_DAY = "D65, daylight:5500K, AM1.5G"
-MEANT = {  # what may be meant by words that are no names of spectra
+MEANT = {  # suggestions for words that are not names of spectra
     "daylight": "D65, daylight:5500K",
     "day": OF_DAY,
     "sunlight": OF_DAY,
@@ -61,9 +61,9 @@ TIMES_WAVELENGTH = {FREQUENCY: LIGHT, ENERGY: PLANCK * LIGHT}
 
 
 def spectrum(text: str, column: str = "") -> Spectrum:
-    """Read the text of a source: a kind with its parameters, a name, or a file's path.
+    """Return the spectrum of a text: a kind with its parameters, a name, or a file's path.
 
-    `column`, or FILE:COLUMN, chooses the values of a file with several.
+    `column`, or FILE:COLUMN, chooses the values of a file with several columns.
     """
     text = text.strip()
     if column and (find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)):
@@ -89,20 +89,20 @@ def _is_path(text: str) -> bool:
 
 
 class Parameter(NamedTuple):
-    """A parameter of a kind of source that is uncertain, and the text around it."""
+    """An uncertain parameter of a kind of source, and the text around it."""
 
     before: str
     amount: Amount
     behind: str
 
     def source(self, number: float) -> Spectrum:
-        """Return the source with another number for it, in its unit."""
+        """Return the source with another number, in the parameter's unit."""
         unit = self.amount.unit.text if self.amount.unit else ""
         return spectrum(f"{self.before}{number!r}{unit}{self.behind}")
 
 
 def uncertain_parameter(text: str) -> Parameter | None:
-    """Return the first parameter with an uncertainty: of `blackbody:2856+-20K` the temperature."""
+    """Return the first parameter with an uncertainty: the temperature of `blackbody:2856+-20K`."""
     kind, colon, parameters = text.strip().partition(":")
     if not colon or kind.lower() not in FORMS:
         return None
@@ -135,7 +135,7 @@ def _unknown(text: str) -> RadcalcError:
 
 
 def _of_list(text: str) -> RadcalcError | None:
-    """What is wrong with a list of spectra, as one of them is: the first part that is none."""
+    """Return the error for a list of spectra, or for its first part that is not a spectrum."""
     parts = [part.strip() for part in text.split(",", LOOKED_AT)]
     wrong = [part for part in parts if part in ("", "-") or not _is_spectrum(part)]
     if len(wrong) == len(parts):
@@ -159,9 +159,9 @@ def _is_spectrum(text: str) -> bool:
 
 
 def read_spectra(text: str) -> list[str]:
-    """Cut `blackbody:2000K:6000K:1000K` into its temperatures, and `D65,A` into its sources.
+    """Split `blackbody:2000K:6000K:1000K` into its temperatures, and `D65,A` into its sources.
 
-    Any other text is one source.
+    Any other text is a single source.
     """
     parts = text.split(",")
     if len(parts) > 1 and "-" not in parts and not os.path.exists(text):
@@ -176,14 +176,14 @@ def read_spectra(text: str) -> list[str]:
 
 
 def _spelled(name: str) -> str:
-    """A name without case, and blanks and hyphens within it; other signs are part of it."""
+    """Return a name without case, and without blanks and hyphens inside it."""
     if not name[:1].isalnum() or not (name[-1].isalnum() or name[-1] == ")"):
         return name
     return "".join(c for c in name.upper() if c not in " -_")
 
 
 def _bare(name: str) -> str:
-    """Return the letters and digits of a name, which need not have more."""
+    """Return the letters and digits of a name, which may be typed without other characters."""
     return "".join(c for c in name.upper() if c.isalnum() or c == ".")
 
 
@@ -196,7 +196,7 @@ def names() -> list[str]:
 
 @cache
 def _spellings() -> dict[str, str]:
-    """Return the named sources but the suns, by all that they may be called."""
+    """Return the named sources except the suns, by all their spellings."""
     from radcalc.spectra.data.sources import SOURCES
 
     names = {form(name): name for name in SOURCES for form in (_spelled, _bare)}
@@ -204,7 +204,7 @@ def _spellings() -> dict[str, str]:
 
 
 def find_named(text: str) -> Table | None:
-    """A named source, or None; F1 is FL1, and `sun` is AM1.5G and says so."""
+    """Return a named source, or None; F1 is FL1, and `sun` is AM1.5G, with a note."""
     folded = _spelled(text)
     sun = ALIASES.get(folded, folded)
     if sun in SUNS:
@@ -255,7 +255,7 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
 
 
 def _in_lengths(centre: str, fwhm: str) -> str:
-    """The gaussian of an energy, or of a width in frequency, in wavelengths; else nothing."""
+    """Return the gaussian of an energy, or of a width in frequency, in wavelengths; else ''."""
     (place, of_place), (width, of_width) = map(_in_si, (centre, fwhm))
     if not place or (of_place != ENERGY and of_width not in TIMES_WAVELENGTH):
         return ""
@@ -299,19 +299,19 @@ def _quantity(parameter: str, text: str, dimension: Dimension, form: str) -> flo
 
 
 def _in_si(parameter: str) -> tuple[float, Dimension]:
-    """A parameter in coherent SI units, and its dimension."""
+    """Return a parameter in coherent SI units, and its dimension."""
     value, unit_text = split_value(parameter)
     unit = resolve(unit_text or "1")
     return value * unit.factor, unit.dimension
 
 
 def _in_nanometres(metres: float) -> float:
-    """A length in nanometres: 632.8, and not what the factor of its unit makes of it."""
+    """Return a length in nanometres, free of rounding by its unit: 632.8."""
     return float(f"{metres * 1e9:.15g}")
 
 
 def wavelength(parameter: str, text: str) -> float:
-    """A wavelength [nm] from a length or a frequency."""
+    """Return a wavelength [nm] from a length or a frequency."""
     size, dimension = _in_si(parameter)
     if size <= 0 or dimension not in (LENGTH, *TIMES_WAVELENGTH):
         raise _malformed(text, "wavelengths such as 632.8nm")
@@ -337,7 +337,7 @@ def _line(part: str, text: str) -> tuple[float, float]:
 
 
 def _gaussian(text: str, centre: float, fwhm: float) -> Table:
-    """Points at a fiftieth of the width, out to where nothing is left."""
+    """Return points at a fiftieth of the width, out to where the values vanish."""
     sigma = fwhm / (2 * math.sqrt(2 * math.log(2)))
     points = range(-150, 151)
     pairs = [(centre + i * sigma / 21, math.exp(-((i / 21) ** 2) / 2)) for i in points]

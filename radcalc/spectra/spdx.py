@@ -1,6 +1,6 @@
-"""IES TM-27-14: the XML of spectral data, in nanometres and SI units, or relative.
+"""IES TM-27-14: XML files of spectral data, in nanometres and SI units, or relative.
 
-Its names may have the namespace of the standard, another one or none.
+The names of elements may have the namespace of the standard, another one or none.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ ROOT = "IESTM2714"
 LIGHT = {"flux": "W/nm", "intensity": "W/sr/nm", "irradiance": "W/m2/nm", "exitance": "W/m2/nm",
          "radiance": "W/m2/sr/nm"}  # fmt: skip
 RELATIVE = "relative"
-READ = ("SpectralData", "SpectralQuantity")  # the elements whose text is looked at
+READ = ("SpectralData", "SpectralQuantity")  # the elements whose text is read
 QUANTITIES = f"{', '.join(LIGHT)} or {RELATIVE}"
 
 
@@ -26,7 +26,7 @@ def begins(lines: Sequence[str]) -> bool:
 
 
 def read(lines: Sequence[str], name: str, column: str) -> Contents:
-    """Return the rows of all its lines; it has one spectrum, so that no column can be chosen."""
+    """Return the rows of a file, which has one spectrum, so that no column can be chosen."""
     if column:
         raise refusal(name, 0, "a file of TM-27 has no columns", "the same without the column")
     document = _Document(name)
@@ -42,7 +42,7 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
 
 
 class _Document:
-    """What is read of a document while it is parsed."""
+    """The data read while a document is parsed."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -57,15 +57,15 @@ class _Document:
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
         self.parser.CharacterDataHandler = self.data
-        # Entities of its own could make gigabytes of a few lines, and a spectrum needs none.
+        # Entity declarations could expand to gigabytes, and a spectrum needs none.
         self.parser.StartDoctypeDeclHandler = self.refuse_doctype
 
     def read(self, text: str) -> None:
-        """Parse the whole; it is UTF-8 by now, whatever encoding it declares."""
+        """Parse the whole text, now in UTF-8 whatever encoding it declares."""
         try:
             self.parser.Parse(text.encode(), True)
         except expat.ExpatError as error:
-            problem = f"no XML: {expat.errors.messages[error.code]}"
+            problem = f"not XML: {expat.errors.messages[error.code]}"
             raise refusal(self.name, error.lineno, problem, "the whole file") from None
         if not self.rows:
             raise refusal(self.name, 0, "there is no SpectralData", "a file of IES TM-27-14")

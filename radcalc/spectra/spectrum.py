@@ -1,4 +1,4 @@
-"""What a spectrum is to radcalc: something that can be counted in watts, lumens and photons."""
+"""Spectra, with their watts, lumens and photons."""
 
 import math
 from array import array
@@ -14,12 +14,12 @@ Range = tuple[float, float]
 WHOLE: Range = (0.0, math.inf)
 VISIBLE: Range = (380.0, 780.0)
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
-WEAKEST, STRONGEST = 1e-100, 1e100  # the greatest value: its photons, too, are numbers
+WEAKEST, STRONGEST = 1e-100, 1e100  # limits of the greatest value: its photons stay floats
 PAR: Range = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
 
 
 def range_text(limits: Range) -> str:
-    """A range of wavelengths [nm] for people."""
+    """Return a range of wavelengths [nm] as text."""
     low, high = limits
     if limits == WHOLE:
         return "all wavelengths"
@@ -28,17 +28,15 @@ def range_text(limits: Range) -> str:
     return f"{low if low > SHORTEST else 0:.6g}-{high:.6g} nm"
 
 
-OUTSIDE = f"lies outside {range_text(PAR)}, where PPFD is counted"
+OUTSIDE = f"is outside {range_text(PAR)}, the range of PPFD"
 
 
 class Spectrum:
-    """Watts per nanometre against wavelength [nm]; relative unless `absolute` names a quantity.
+    """Watts per nanometre over wavelength [nm]; relative unless `absolute` names a quantity.
 
-    `reading` says what a file's values were taken as.
-
-    `limits` is where watts are counted unless somebody says otherwise, `known` where there are
-    numbers, and `is_whole` tells whether there is nothing beyond.  No light has a wavelength above
-    `longest`.
+    `reading` is the assumption on a file's values.  `limits` is the default range for watts,
+    `known` the range of the data, and `is_whole` is true if the light has nothing beyond it.  No
+    light has a wavelength above `longest`.
     """
 
     absolute = ""
@@ -48,7 +46,7 @@ class Spectrum:
     longest = math.inf
 
     def __init__(self, label: str, limits: Range, notes: tuple[str, ...] = ()) -> None:
-        """Hold what every kind of spectrum has."""
+        """Keep the properties of every kind of spectrum."""
         self.label = label
         self.limits = limits
         self.notes = notes
@@ -56,56 +54,56 @@ class Spectrum:
 
     @property
     def described(self) -> str:
-        """Which spectrum it is, and what it was read as: what an answer assumes."""
+        """The spectrum and the assumption on its values, for an answer."""
         return f"spectrum {self.label}" + (f", {self.reading}" if self.reading else "")
 
     def power(self, limits: Range) -> float:
-        """Watts between two wavelengths."""
+        """Return the watts between two wavelengths."""
         raise NotImplementedError
 
     def moments(self, start: int, count: int) -> Sequence[float]:
-        """Return what to weight at each of `count` whole nanometres; see `integrals.moments`."""
+        """Return the weights at `count` whole nanometres; see `integrals.moments`."""
         if (start, count) not in self._moments:
             weights = self.find_moments(start, count)
             self._moments[start, count] = array("d", weights)  # small: there may be many spectra
         return self._moments[start, count]
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """Work out the moments."""
+        """Compute the moments."""
         raise NotImplementedError
 
     def weigh(self, start: int, weights: Sequence[float]) -> float:
-        """Watts weighted by a table at every nanometre from `start`."""
+        """Return the watts weighted by a table at every nanometre from `start`."""
         total: float = sum(map(mul, self.moments(start, len(weights)), weights))
         return total
 
     def seen(self, observer: Observer) -> float:
-        """Watts weighted by an observer's relative luminous efficiency."""
+        """Return the watts weighted by an observer's relative luminous efficiency."""
         return self.weigh(observer.start, observer.values)
 
     def lumens(self, observer: Observer) -> float:
-        """Lumens as an observer sees them."""
+        """Return the lumens for an observer."""
         return observer.maximum * self.seen(observer)
 
     def photons(self, limits: Range) -> float:
-        """Photons per second between two wavelengths."""
+        """Return the photons per second between two wavelengths."""
         raise NotImplementedError
 
     def part(self, limits: Range) -> "Spectrum | None":
-        """Return what of it is between two wavelengths, if that is anything."""
+        """Return the part between two wavelengths, or None if it is empty."""
         raise NotImplementedError
 
     def total(self) -> float:
-        """Watts over all there is."""
+        """Return the watts at all wavelengths."""
         return self.power(WHOLE)
 
     def peak(self) -> tuple[float, float | None]:
-        """The wavelength [nm] of the most watts per nanometre, and the full width at half of it."""
+        """Return the wavelength [nm] of the peak in watts per nanometre, and the width at half."""
         raise NotImplementedError
 
     @property
     def counts_all_photons(self) -> bool:
-        """Return whether photons are counted wherever they are, not from 400 nm to 700 nm."""
+        """Return whether photons of all wavelengths count by default, not 400 nm to 700 nm only."""
         return False
 
 
@@ -122,9 +120,9 @@ class Table(Spectrum):
         absolute: str = "",
         is_whole: bool = False,
     ) -> None:
-        """Hold the points; watts are counted over the whole data unless `limits` are given.
+        """Keep the points; watts are counted over all data unless `limits` are given.
 
-        Beyond the points nothing is known, unless they are the whole.
+        The spectrum beyond the points is unknown, unless they are the whole of it.
         """
         self.known = float(grid[0]), float(grid[-1])
         self.longest = self.known[1]
@@ -173,10 +171,10 @@ class Table(Spectrum):
 
 
 class Lines(Spectrum):
-    """Lines of no width: wavelengths [nm] and watts."""
+    """Lines of zero width: wavelengths [nm] and watts."""
 
     def __init__(self, label: str, lines: Sequence[tuple[float, float]]) -> None:
-        """Hold the lines; all their photons are counted."""
+        """Keep the lines; all their photons are counted."""
         notes: tuple[str, ...] = ()
         if any(not PAR[0] <= place <= PAR[1] for place, _ in lines):
             notes = (f"a line {OUTSIDE}; it counts here",)
@@ -197,7 +195,7 @@ class Lines(Spectrum):
         return sum(watts for _, watts in self._inside(limits))
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """See `Spectrum`; a line is shared out between the nanometres on both sides of it."""
+        """See `Spectrum`; a line is divided between the nanometres on both sides of it."""
         weights = [0.0] * count
         for place, watts in self.lines:
             if start <= place <= start + count - 1:
@@ -226,7 +224,7 @@ class BlackBody(Spectrum):
     absolute = "exitance"
 
     def __init__(self, temperature: float) -> None:
-        """Hold the temperature."""
+        """Keep the temperature."""
         if not 1 <= temperature <= 1e9:
             raise ConditionError(
                 f"a black body of {temperature:g} K is out of range: it must be from 1 K to 1e9 K",
@@ -236,7 +234,7 @@ class BlackBody(Spectrum):
         self.temperature = temperature
 
     def part(self, limits: Range) -> Spectrum | None:
-        """See `Spectrum`; at every nanometre of what is seen, which is what a part is for."""
+        """See `Spectrum`; a table of the visible nanometres, which is the purpose of parts."""
         grid = [float(nanometre) for nanometre in range(360, 831)]
         wavelengths = [x * 1e-9 for x in grid]
         values = planck.spectral_exitances(wavelengths, self.temperature)
@@ -247,7 +245,7 @@ class BlackBody(Spectrum):
         return planck.exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """See `Spectrum`; Planck's law at every nanometre, and linear between."""
+        """See `Spectrum`; Planck's law at every nanometre, linear in between."""
         wavelengths = [(start + i) * 1e-9 for i in range(count)]
         weights = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
         weights[0] /= 2
@@ -255,7 +253,7 @@ class BlackBody(Spectrum):
         return weights
 
     def peak(self) -> tuple[float, float | None]:
-        """See `Spectrum`; Wien's law, and the roots of half the peak in x = c2/(lambda T)."""
+        """See `Spectrum`; by Wien's law, and the roots of half the peak in x = c2/(lambda T)."""
         scale = planck.C2 / self.temperature * 1e9
         return scale / planck.WIEN_X, scale / planck.HALF_X[0] - scale / planck.HALF_X[1]
 

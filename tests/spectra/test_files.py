@@ -135,7 +135,7 @@ def test_what_stands_before_a_table_is_no_part_of_it(head, delimiter, tail, tmp_
         ("Leaf 7\nTransmittance\nnm,x\n", "is not light"),
         ("Absorbance of leaf 7\n", "'Absorbance of leaf 7' is not light"),
         ("Units: 1e-3 W/m2/nm\nnm,x\n", "scales its values"),
-        ("Units: W/m2/nm\nnm,photons\n", "the title says photons, the lines before it watts"),
+        ("Units: W/m2/nm\nnm,photons\n", "the title has photons, the lines before it watts"),
         ("Pixel,Wavelength\n0,1\n", "the wavelengths are not in the first column"),
     ],
 )
@@ -191,7 +191,7 @@ def test_a_row_that_may_be_missing_is_said(tmp_path):
     path = tmp_path / "lamp.csv"
     rows = [f"{x},1" for x in range(400, 701, 10)]
     path.write_text("\n".join(rows[:9] + rows[10:]), encoding="utf-8")
-    said = "a step of 20 at 480, where most are of 10: a row may be missing"
+    said = "a step of 20 at 480, while most are 10: a row may be missing"
     assert said in read_file(str(path)).notes
     for steps in (rows, rows[:9], ["400,1", "410,1", "450,1", "700,1"]):
         path.write_text("\n".join(steps), encoding="utf-8")
@@ -211,21 +211,24 @@ def test_noise_beyond_the_visible_is_said_with_its_share(tmp_path):
 BROKEN = {
     "nothing": ("", "no data"),
     "one row": ("400 1\n", "1 row"),
-    "one column": ("400\n500\n", "line 1: one column"),
+    "one column": ("400\n500\n", "line 1: there is only one column"),
     "a missing value": ("400,1\n500,\n600,2\n", "line 2: a value is missing"),
     "a word": ("400,1\n500,x\n600,2\n", "line 2: 'x' is not a number"),
     "not a number": ("400,1\n500,nan\n600,2\n", "line 2: 'nan' is not a number"),
     "a short row": ("400 1\n500\n600 2\n", "line 2: 1 columns"),
     "a long row": ("400 1\n500 2 3\n600 2\n", "line 2: 3 columns"),
-    "twice the same": ("400 1\n500 2\n\n400 2\n", "line 4: the wavelength 400 nm stands in line 1"),
+    "twice the same": (
+        "400 1\n500 2\n\n400 2\n",
+        "line 4: the wavelength 400 nm is also in line 1",
+    ),
     # 1e300 W at 500 nm are 2.5e318 photons a second (h c = 1.986e-25 J m), which no number holds
     "a value beyond": ("400 1e300\n500 1\n", "a greatest value of 1e+300"),
     "nearly darkness": ("400 1e-320\n500 1e-320\n", "a greatest value of 9.99989e-321"),
     "a wavelength beyond": ("nm,E\n1e300,1\n1e301,2\n", "a wavelength of 1e+300 nm"),
     "darkness": ("400 0\n500 0\n", "every value is 0"),
     "a negative wavelength": ("-400 1\n500 2\n", "a wavelength of -400"),
-    "a frequency": ("frequency (THz),x\n400,1\n700,1\n", "is no wavelength"),
-    "an unknown length": ("wavelength (furlong),x\n400,1\n700,1\n", "no unit of length"),
+    "a frequency": ("frequency (THz),x\n400,1\n700,1\n", "is not a wavelength"),
+    "an unknown length": ("wavelength (furlong),x\n400,1\n700,1\n", "unknown unit of wavelengths"),
     "wavelengths last": ("value,wavelength (nm)\n1,400\n1,700\n", "not in the first column"),
     "per hertz": ("nm,K (W/m2/Hz)\n400,1\n700,1\n", "not power or photons per wavelength"),
     "not per wavelength": ("nm,umol/m2/s\n400,1\n700,1\n", "not power or photons per wavelength"),
@@ -239,7 +242,7 @@ BROKEN = {
     "a responsivity without brackets": ("nm,R A/W\n400,1\n700,1\n", "A/W are not light"),
     "a responsivity in a comment": ("# R [mA/W]\nnm,R\n400,1\n700,1\n", "'R [mA/W]' is not light"),
     "volts": ("nm,x [mV]\n400,1\n700,1\n", "mV are not light"),
-    "an unknown ratio": ("nm,E [J/m²·nm]\n400,1\n700,1\n", "in a unit that is not known"),
+    "an unknown ratio": ("nm,E [J/m²·nm]\n400,1\n700,1\n", "or in an unknown unit"),
     "an unknown unit of light": ("nm,E [mW/m²·nm]\n400,1\n700,1\n", "unknown unit"),
     "two units": ("nm,E [uW/cm2/nm] and [uW/m2/nm]\n400,1\n700,1\n", "has two units"),
     "an efficiency": ("nm,quantum efficiency\n400,1\n700,1\n", "is not light"),
@@ -250,7 +253,7 @@ BROKEN = {
     "dark light": ("400,1\n550,-0.5\n700,1\n", "too far below 0 for noise"),
     "an underscore": ("400,1\n5_50,2\n700,1\n", "line 2: '5_50' is not a number"),
     "other digits": ("400,1\n٥٥٠,2\n700,1\n", "line 2"),
-    "an unknown unit": ("4000 1\n7000 2\n", "not declared"),
+    "an unknown unit": ("4000 1\n7000 2\n", "the unit of the wavelengths"),
     "commas and points": (
         "400;0,5\n500;1.234\n600;2\n",
         "line 2: a decimal point, but line 1 has a decimal comma",
@@ -271,11 +274,11 @@ BROKEN = {
     ),
     "a bad first row with another delimiter": (
         "wavelength (nm),E\nOVER;5\n500,2\n600,3\n",
-        "line 2: 'OVER;5' stands between the titles and the numbers",
+        "line 2: 'OVER;5' is between the titles and the numbers",
     ),
     "a bad first row between tabs": (
         "wavelength\tE\nOVER 5\n500\t2\n600\t3\n",
-        "line 2: 'OVER 5' stands between the titles and the numbers",
+        "line 2: 'OVER 5' is between the titles and the numbers",
     ),
     "two bad first rows": (
         "wavelength;E\nOVER,5\nx;7\n500;2\n600;3\n",
@@ -519,7 +522,7 @@ def test_a_large_file_gives_what_a_small_one_gives(tmp_path):
 
 @pytest.mark.parametrize(
     ("line", "message"),
-    [("nan,1", "'nan' is not a number"), ("300,1", "stands in line"), ("701", "1 columns"),
+    [("nan,1", "'nan' is not a number"), ("300,1", "is also in line"), ("701", "1 columns"),
      ("701,x", "'x' is not a number"), ("701,1_0", "'1_0' is not a number")],
 )  # fmt: skip
 def test_what_is_wrong_with_a_large_file_is_said_with_its_line(line, message, tmp_path):

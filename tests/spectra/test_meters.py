@@ -67,7 +67,7 @@ def test_a_spectrum_that_is_not_the_meters_is_relative_and_said(tmp_path):
     table = read_file(save(tmp_path, uprtek("1", LUX="12345.0")))
     assert table.absolute == ""
     assert "relative watts" in table.described
-    assert any("the meter found 12345 lx" in note for note in table.notes)
+    assert any("the meter measured 12345 lx" in note for note in table.notes)
     without = read_file(save(tmp_path, uprtek("1")))
     assert (without.absolute, without.notes) == ("", ())
 
@@ -85,7 +85,7 @@ def test_other_figures_that_differ_are_noted(tmp_path):
 def test_of_two_tables_the_finer_is_read(tmp_path):
     table = read_file(save(tmp_path, sekonic("1", f"{FLAT_LUX:.0f}")))
     assert (len(table.grid), table.absolute) == (401, "irradiance")
-    assert list(table.notes) == ["of its 2 tables the one of 401 rows is taken"]
+    assert list(table.notes) == ["of its 2 tables the one of 401 rows is used"]
 
 
 def replaced(text, old, new):
@@ -175,9 +175,9 @@ def test_the_table_stands_behind_its_mark(text, end, decimal, tmp_path):
         ("7.00E2\t2.0\n", "", "2 rows, but its own count of pixels is 3"),
         ("Spectrum: 3", f"Spectrum: {'9' * 5000}", "3 rows, but its own count of pixels is 9"),
         ("7.00E2\t2.0\n", "7.00E2\n", "1 columns instead of 2"),
-        ("XAxis mode: Wavelengths", "XAxis mode: Raman Shifts", "is no wavelength"),
-        ("lamp_12", "leaf_Reflection_12", "is a reflection, no light"),
-        ("lamp_12", "leaf_Transmission__0__12", "is a transmission, no light"),
+        ("XAxis mode: Wavelengths", "XAxis mode: Raman Shifts", "is not a wavelength"),
+        ("lamp_12", "leaf_Reflection_12", "is a reflection, not light"),
+        ("lamp_12", "leaf_Transmission__0__12", "is a transmission, not light"),
     ],
 )
 def test_a_file_of_oceanview_that_is_no_whole_light_is_refused(old, new, message, tmp_path):
@@ -245,7 +245,7 @@ BAD_SPDX = {
     "one row": (
         SPDX[SPDX.index('    <SpectralData wavelength="500') : SPDX.index("  </Sp")],
         "",
-        "1 row of data is no spectrum",
+        "1 row of data is not a spectrum",
     ),
     "transmittance": ("irradiance", "transmittance", "the quantity is 'transmittance'"),
     "no quantity": ("<SpectralQuantity>irradiance</SpectralQuantity>", "", "a quantity is missing"),
@@ -260,7 +260,7 @@ BAD_SPDX = {
     ),
     "two quantities": ("<Band", "<SpectralQuantity>flux</SpectralQuantity><Band", "a second"),
     "other XML": ("IESTM2714 xmlns", "svg xmlns", "XML of 'svg'"),
-    "cut short": ("</SpectralDistribution>\n</IESTM2714>", "", "no XML: no element found"),
+    "cut short": ("</SpectralDistribution>\n</IESTM2714>", "", "not XML: no element found"),
     "a bomb": (
         '<?xml version="1.0"?>',
         '<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "1"><!ENTITY b "&a;&a;">]>',
@@ -295,7 +295,7 @@ def test_the_spectrum_of_an_argyll_file_is_read(tmp_path):
     table = read_file(save(tmp_path, ARGYLL))
     assert (list(table.grid), list(table.values)) == ([400, 500, 600], [1, 3, 2])
     for measured in ("TRANSMISSIVE", "REFLECTIVE", "SENSITIVITY"):
-        with pytest.raises(RadcalcError, match="nothing says that this is light"):
+        with pytest.raises(RadcalcError, match="the file does not state that this is light"):
             read_file(save(tmp_path, ARGYLL.replace("EMISSION", measured)))
 
 
@@ -318,11 +318,11 @@ def test_a_sample_of_cgats_is_chosen_by_name(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "column", "message"),
     [
-        ("Emission", "Reflection", "cold", "it may be the reflectance of samples"),
+        ("Emission", "Reflection", "cold", "it may be a reflectance of samples"),
         ("Emission", "Emission", "", "there are 2 samples"),
-        ("Emission", "Emission", "hot", "there is no sample 'hot'"),
+        ("Emission", "Emission", "hot", "unknown sample 'hot'"),
         ("\tcold\t", "\twarm\t", "warm", "2 samples are named 'warm'"),
-        ("2\tcold\t4\t6\t5\n", "", "warm", "1 rows, but NUMBER_OF_SETS says 2"),
+        ("2\tcold\t4\t6\t5\n", "", "warm", "1 rows, but NUMBER_OF_SETS is 2"),
         ("\t4\t6\t5", "\t4\t6", "warm", "4 columns instead of 5"),
         ("END_DATA\n", "", "warm", "0 times END_DATA"),
         ("nm400\tnm500\tnm700", "a\tb\tc", "warm", "no columns of wavelengths"),

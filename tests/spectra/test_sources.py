@@ -41,7 +41,7 @@ def test_a_temperature_may_be_in_mired():
     """A mired is one of a reciprocal megakelvin (ANSI/IES LS-1): 200 of them are 5000 K."""
     for kind in ("blackbody", "daylight"):
         assert efficacy(f"{kind}:200mired") == efficacy(f"{kind}:5000K")
-    with pytest.raises(RadcalcError, match="0 mired is the reciprocal of no"):
+    with pytest.raises(RadcalcError, match="0 mired is not the reciprocal of a"):
         spectrum("blackbody:0mired")
 
 
