@@ -77,7 +77,7 @@ MEANT = [
     ("spectrum gaussian:550nm,10THz", "gaussian:550nm,10.09nm"),
     ("spectrum line:2.2eV", "563.408nm"),
     ("convert 5 W/m2/nm W/m2 --wavelength 550nm --bandwidth 30meV", "--bandwidth 7.25397THz"),
-    ("lambertian --illuminance 500lx --reflectance 0.8", "--incident-irradiance 500lx for what"),
+    ("lambertian --illuminance 500lx --reflectance 0.8", "--incident-irradiance 500lx for the"),
     ("point-source --flux 5W --distance 2m -g illuminance", "--spectrum or --efficacy"),
     ("calorimeter --mass 1kg", "--specific-heat and --temperature-rise"),
     ("lambertian disc --flux 5lm -g irradiance", "--radius and --distance"),
