@@ -124,7 +124,7 @@ def _unknown(text: str) -> RadcalcError:
         return error
     if "/" in text or text.lower().endswith(ENDINGS):
         return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
-    problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
+    problem = f"unknown spectrum '{quote(text)}' (and no such file)"
     if meant := MEANT.get(text.strip().lower()):
         return ConditionError(problem, meant)
     if fitting := [form for kind in FORMS if _is_spectrum(form := f"{kind}:{text}")]:
@@ -143,7 +143,7 @@ def _of_list(text: str) -> RadcalcError | None:
     if not wrong:
         return ConditionError(f"'{quote(text)}' is a list of spectra", "one of them here")
     if wrong[0] in ("", "-"):
-        what = "standard input may not stand" if wrong[0] else "a spectrum is missing"
+        what = "standard input is not allowed" if wrong[0] else "a spectrum is missing"
         right = ",".join(part for part in parts if part not in wrong)
         return ConditionError(f"{what} in the list '{quote(text)}'", quote(right))
     error = _unknown(wrong[0])

@@ -1,4 +1,4 @@
-"""Planes turned away, surfaces seen aslant, small receivers: against sums over their points."""
+"""Tilted planes, oblique surfaces and small receivers, compared with sums over their points."""
 
 import math
 
@@ -52,7 +52,7 @@ def test_a_surface_that_is_seen_aslant_has_less_intensity(tilt):
 @pytest.mark.parametrize("tilt", [0, 20, 60, 80, 100])
 @pytest.mark.parametrize("half", [5, 30, 75])
 def test_a_cone_aslant_is_the_sum_over_its_directions(half, tilt):
-    """The integral of the positive part of the cosine over the cone's directions."""
+    """Return the integral of the positive part of the cosine over the cone's directions."""
     a, t = math.radians(half), math.radians(tilt)
 
     def ring(p):
@@ -82,7 +82,7 @@ def test_a_small_solid_angle_aslant_is_a_cone_within_what_is_said():
 @pytest.mark.parametrize("angle", [0, 50, 75])
 @pytest.mark.parametrize(("radius", "distance"), [(0.01, 0.101), (0.5, 7)])
 def test_a_small_receiver_gets_its_solid_angle_within_what_is_said(angle, radius, distance):
-    """The flux of one candela over a disc: cos / r^2, summed over its points."""
+    """Return the flux of one candela over a disc: cos / r^2, summed over its points."""
     t, total = math.radians(angle), 0.0
     for k in range(200):
         rho = radius * math.sqrt((k + 0.5) / 200)

@@ -1,4 +1,4 @@
-"""Units of one quantity: the ratio of any two is exact, and rounded once."""
+"""Units of one quantity: the ratio of any two is exact, rounded once."""
 
 import math
 from fractions import Fraction

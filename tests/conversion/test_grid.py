@@ -1,4 +1,4 @@
-"""One unit for each quantity of the grid: none becomes another without a condition."""
+"""One unit for each quantity of the grid: conversions between them need a condition."""
 
 import pytest
 from helpers import for_each, shell

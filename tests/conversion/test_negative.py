@@ -1,4 +1,4 @@
-"""Below 0 there is a difference of light, and no light."""
+"""Negative values are differences of light, not light."""
 
 import pytest
 from conftest import run

@@ -1,4 +1,4 @@
-"""Different quantities under their conditions, worked by hand."""
+"""Conversions between different quantities under conditions, compared with hand calculations."""
 
 import math
 

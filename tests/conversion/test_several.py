@@ -1,4 +1,4 @@
-"""Several answers under the same conditions: each is what it is alone, under those it uses."""
+"""Several answers under common conditions: each equals the single answer with those it uses."""
 
 import json
 from itertools import permutations
@@ -13,7 +13,7 @@ from radcalc.units.table import resolve
 
 
 def answers(words):
-    """The objects of a call, a list of them where it has one answer."""
+    """Return the objects of a call, as a list if it has one answer."""
     told = run(*words.split(), "--json")
     assert told.returncode == 0, told.stderr
     found = json.loads(told.stdout)

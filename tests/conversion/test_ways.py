@@ -22,7 +22,7 @@ PLAIN = ({CONE}, {REFLECTANCE}, {AREA}, {DISTANCE}, {AREA, REFLECTANCE}, {DISTAN
 
 
 def searched(start: Geometry, end: Geometry) -> list[dict[str, int]]:
-    """Every set of exponents that leads from one geometry to another and makes sense."""
+    """Return every plausible set of exponents that leads from one geometry to another."""
     wanted = (end[0] - start[0], end[1] - start[1])
     # a reflector turns irradiance into radiance, whatever else has that dimension
     reflects = (end == RADIANCE) - (start == RADIANCE)

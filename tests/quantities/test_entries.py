@@ -1,4 +1,4 @@
-"""What `radcalc units` finds: by names of quantities in three languages, of units, by units."""
+"""Results of `radcalc units`: by names of quantities in three languages, names of units, units."""
 
 import pytest
 from helpers import for_each

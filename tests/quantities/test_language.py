@@ -1,4 +1,4 @@
-"""The language of the names, and what has a name in it."""
+"""The language of names, and the quantities with names in it."""
 
 import pytest
 from helpers import for_each

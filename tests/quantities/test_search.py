@@ -1,4 +1,4 @@
-"""The names of the quantities, and what a search for one finds."""
+"""The names of the quantities, and searches for them."""
 
 import unicodedata
 
@@ -58,7 +58,7 @@ def symbols(text: str) -> list[str]:
 
 
 def bare(text: str) -> str:
-    """The text without its diacritics, as it is typed on another keyboard."""
+    """Return the text without diacritics, as typed on another keyboard."""
     parts = unicodedata.normalize("NFD", text)
     return "".join(c for c in parts if unicodedata.category(c) != "Mn")
 

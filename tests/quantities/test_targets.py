@@ -1,4 +1,4 @@
-"""A conversion may aim at a quantity by its name: which unit that is."""
+"""The unit of a conversion to a quantity by its name."""
 
 import unicodedata
 

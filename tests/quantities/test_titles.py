@@ -1,4 +1,4 @@
-"""Titles as people write them, and what is their name and their unit."""
+"""Common titles of columns, with their names and units."""
 
 import re
 

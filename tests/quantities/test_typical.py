@@ -1,4 +1,4 @@
-"""The typical values: radcalc reads them, and they agree with each other."""
+"""The typical values are readable and consistent."""
 
 import json
 import math

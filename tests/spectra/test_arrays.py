@@ -1,4 +1,4 @@
-"""Arrays of spectra give what each spectrum gives."""
+"""Arrays of spectra give the same results as single spectra."""
 
 import numpy as np
 import pytest

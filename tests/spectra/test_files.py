@@ -1,4 +1,4 @@
-"""Files of spectra, as people write them and as they get them wrong."""
+"""Files of spectra in common forms, and with common mistakes."""
 
 import codecs
 import subprocess

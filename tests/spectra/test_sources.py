@@ -99,12 +99,12 @@ def test_a_name_with_other_signs_about_it_is_none(text):
 @pytest.mark.parametrize(
     ("text", "message", "hint"),
     [
-        ("D65,-", "standard input may not stand in the list 'D65,-'", "D65"),
+        ("D65,-", "standard input is not allowed in the list 'D65,-'", "D65"),
         ("D65,", "a spectrum is missing in the list 'D65,'", "D65"),
         ("D65,,A", "a spectrum is missing in the list 'D65,,A'", "D65,A"),
-        ("D65,532nm", "in the list 'D65,532nm': '532nm' is no spectrum", "line:532nm"),
+        ("D65,532nm", "in the list 'D65,532nm': unknown spectrum '532nm'", "line:532nm"),
         ("D65,lamp.csv", "there is no file 'lamp.csv'", "path"),
-        ("D65,LED-B33", "'LED-B33' is no spectrum", "LED-B3"),
+        ("D65,LED-B33", "unknown spectrum 'LED-B33'", "LED-B3"),
     ],
 )
 def test_the_wrong_part_of_a_list_is_named(text, message, hint):

@@ -1,4 +1,4 @@
-"""The compiled table is what Pint says of every spelling."""
+"""The compiled table agrees with Pint's reading of every spelling."""
 
 from fractions import Fraction
 

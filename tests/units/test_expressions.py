@@ -247,7 +247,7 @@ def test_what_is_no_arithmetic_has_the_error_of_a_number_or_a_unit(text):
     "text", ["((1" * 300, "2^" * 400 + "2", "9*" * 400 + "9", "1+" * 499 + "1"]
 )
 def test_a_long_text_is_soon_done_with(text):
-    """As many steps as letters; the sum of bare numbers and a unit is none."""
+    """The steps grow with the letters, no faster."""
     with pytest.raises(RadcalcError):
         read_amount(f"{text} lx")
 
@@ -273,7 +273,7 @@ def test_expressions_are_read_wherever_a_value_is():
 
 
 def outcome(words):
-    """What the words of a call are read as, or what is said of them."""
+    """Return the reading of the words of a call, or the error message."""
     try:
         amount, target = read_operands(words)
     except RadcalcError as error:
@@ -318,7 +318,7 @@ def test_what_is_0_by_an_identity_is_0(text):
 
 
 def a_function(chance):
-    """The text of a function, of a number near or far from where it is 0 or 1, and mpmath's."""
+    """Return the text of a function of a number near or far from its 0 or 1, and mpmath's value."""
     digits = f"{chance.randint(1, 10 ** chance.randint(1, 12))}e{chance.randint(-40, 1)}"
     name = chance.choice(("sin", "cos", "tan", "exp", "ln", "log10", "sqrt"))
     x = mpmath.mpf(digits)
@@ -364,7 +364,7 @@ UNITS = ("km", "lx", "W", "sr", "lm", "s")
 
 @for_each(range(60))
 def test_the_spelling_of_an_exponent_and_of_a_product_changes_nothing(seed):
-    """m-2, m^-2, m**-2 and m⁻², joined by a dot, a star or a blank, beside more arithmetic."""
+    """m-2, m^-2, m**-2 and m⁻², joined by a dot, a star or a blank, with more arithmetic."""
     chance = random.Random(seed)
     powers = {name: chance.choice((-3, -2, -1, 2, 3)) for name in chance.sample(UNITS, 3)}
     raised = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

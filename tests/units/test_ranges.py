@@ -1,4 +1,4 @@
-"""Lists and ranges: cut into their values, and never taken for one number, nor one for them."""
+"""Lists and ranges are split into their values, and are distinguished from single numbers."""
 
 import pytest
 

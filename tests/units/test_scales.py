@@ -1,4 +1,4 @@
-"""Scales: both ways, beside GNU units, and beside what others printed."""
+"""Scales, in both directions, compared with GNU units and published values."""
 
 import math
 import re
@@ -45,7 +45,7 @@ def test_the_slope_is_that_of_the_function(row, number):
 
 
 def gnu_units(have: str, want: str) -> float:
-    """Return what GNU units answers."""
+    """Return the answer of GNU units."""
     require("units")
     words = ["units", "-1", "-o", "%.17g", "-t", have, want]
     asked = subprocess.run(words, capture_output=True, text=True, check=True, timeout=60)
@@ -75,7 +75,7 @@ def test_gnu_units_reads_a_scale_so_too(scale, function, unit, theirs, reading):
 
 @pytest.mark.parametrize("kelvins", [1667.0, 2856.0, 6504.0])
 def test_a_mired_is_one_of_a_reciprocal_megakelvin(kelvins):
-    """As ANSI/IES LS-1 has it: 10^6/T where T is in kelvins; GNU units 2.22 is off by 1e12."""
+    """ANSI/IES LS-1: 10^6/T with T in kelvins; GNU units 2.22 is off by 1e12."""
     assert convert(kelvins, "K", "mired") == pytest.approx(1e6 / kelvins, rel=1e-15)
     assert convert(kelvins, "K", "MK-1") == pytest.approx(1e6 / kelvins, rel=1e-15)
     assert convert(1e6 / kelvins, "MK-1", "K") == pytest.approx(kelvins, rel=1e-15)

@@ -1,4 +1,4 @@
-"""How far a number reaches, against closed forms."""
+"""The range of a number, compared with closed forms."""
 
 import math
 import random
@@ -11,7 +11,7 @@ INFINITE = math.inf
 
 
 def possible(function, holds=lambda t: True):
-    """The function where something holds; None elsewhere, and at its poles."""
+    """Return the function where a condition is true; None elsewhere, and at its poles."""
 
     def at(t):
         try:

@@ -1,4 +1,4 @@
-"""Units as people spell them, and as they misspell them."""
+"""Spellings and misspellings of units."""
 
 from fractions import Fraction
 from itertools import pairwise
@@ -91,7 +91,7 @@ def test_a_wavenumber_is_told_from_a_length():
 
 @pytest.mark.parametrize("text", ["J/kg/°C", "J/(kg degC)", "J kg-1 celsius-1", "J/kg/℃"])
 def test_a_degree_celsius_in_a_product_is_a_difference(text):
-    """As the SI brochure has it: the unit degree Celsius is equal in size to the kelvin."""
+    """SI Brochure: the unit degree Celsius is equal in size to the kelvin."""
     unit, coherent = resolve(text), resolve("J/kg/K")
     assert (unit.dimension, unit.factor) == (coherent.dimension, coherent.factor)
     assert "a difference" in unit.notes[0]

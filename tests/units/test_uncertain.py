@@ -1,4 +1,4 @@
-"""Values with a standard uncertainty, as people write them."""
+"""Values with a standard uncertainty, in common notations."""
 
 import math
 
