@@ -36,7 +36,7 @@ def refuse_idle(check: str | None, tolerance: str | None) -> None:
 def refuse_several(count: int) -> None:
     """Refuse to judge one number by several answers."""
     if count > 1:
-        raise UsageError("--check takes one answer, and there are several", "one value a call")
+        raise UsageError("--check takes one answer, not several", "one value a call")
 
 
 def refuse_stream(check: str | None) -> None:

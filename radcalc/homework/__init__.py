@@ -1,7 +1,6 @@
-"""Checking an answer: whether it is right, and if not, what most likely went wrong.
+"""Checks of a learner's answer: right or wrong, and the likeliest mistake.
 
-It needs no command line: a `Question` holds the right answer and how it was worked out, and
-`check` judges what somebody answered to it.
+A `Question` holds the right answer and its derivation; `check` judges an answer to it.
 """
 
 from radcalc.homework.answer import Diagnosis

@@ -1,4 +1,4 @@
-"""An answer as a learner types it, and how near to the right value it must be."""
+"""Answers as learners type them, and tolerances."""
 
 import math
 from typing import NamedTuple
@@ -14,15 +14,15 @@ from radcalc.units.table import unit_of
 from radcalc.units.unit import NUMBER, Unit, divide
 
 DIGITS_OF_EXACT = 15
-LEAST_MEANT = 2  # digits that a number is meant to have
+LEAST_MEANT = 2  # digits of a number that count in any case, even if they are zeros
 
 
 class Claim(NamedTuple):
-    """NAME=VALUE UNIT: the parts, and what the digits typed leave open.
+    """The parts of an answer NAME=VALUE UNIT, and its rounding.
 
-    The zeros at the end of a whole number may stand for digits or for none: `half_unit` is half a
-    unit of the last digit with them, `widest` without them, of two digits at least.
-    `uncertainty` is the standard one that is claimed, in the unit.
+    Zeros at the end of an integer may be significant or not: `half_unit` is half a unit of the
+    last digit if they are, `widest` if they are not (but the first two digits always are).
+    `uncertainty` is the standard uncertainty of the answer, in its unit.
     """
 
     text: str
@@ -43,7 +43,7 @@ def read_claim(text: str) -> Claim:
         name, value_text = "", text
     elif not name.strip():
         raise ConditionError(
-            f"{option('check', quote(text))} has no name before =",
+            f"{option('check', quote(text))}: the name before = is missing",
             option("check", "illuminance=25lx"),
         )
     value_text = value_text.strip().replace(MINUS, "-")
@@ -67,7 +67,10 @@ def read_claim(text: str) -> Claim:
 
 
 def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
-    """What a claim has of an expression, such as 2 * 12.5 lx; None where it is a plain number."""
+    """Evaluate an expression such as 2 * 12.5 lx; None if the text is a plain number.
+
+    The result is value, unit, number, digits, half unit and widest, as in `Claim`.
+    """
     try:
         _, end = read_number(text)
         unit_text = text[end:].strip()
@@ -90,7 +93,7 @@ def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
 
 
 def _digits(number: str, value: float) -> tuple[int, float, float]:
-    """How many digits a number has, half a unit of the last, and of the last that is no zero."""
+    """Count the digits of a number; half a unit of the last digit, and of the last nonzero one."""
     typed = typed_digits(number)
     if typed is None:  # pi/6, 2*pi
         return DIGITS_OF_EXACT, abs(value) * 1e-9, abs(value) * 1e-9
@@ -101,7 +104,7 @@ def _digits(number: str, value: float) -> tuple[int, float, float]:
 
 
 class Diagnosis(NamedTuple):
-    """A likely mistake: its name, what was done, and what would have been right."""
+    """A likely mistake: its name, a description, and the right rule."""
 
     mistake: str
     done: str
@@ -109,18 +112,18 @@ class Diagnosis(NamedTuple):
 
 
 class Tolerance(NamedTuple):
-    """Relative, absolute in the answer's unit, or in significant digits."""
+    """A tolerance: relative, absolute in the unit of the answer, or in significant digits."""
 
     text: str
     kind: str
     size: float
 
     def holds(self, value: float, right: float) -> bool:
-        """Whether a value is as near to the right one as that."""
+        """Return whether a value is within the tolerance of the right one."""
         return abs(value - right) <= self.width(right) * (1 + 1e-9) + 1e-300
 
     def width(self, right: float) -> float:
-        """How far from the right one a value may be."""
+        """Return the largest difference from the right value that is allowed."""
         if self.kind == "relative":
             return self.size * abs(right)
         if self.kind == "absolute":
@@ -130,7 +133,7 @@ class Tolerance(NamedTuple):
 
 
 def read_tolerance(text: str, unit: Unit) -> Tolerance:
-    """Read 1%, 0.01, 0.5lx or 3sf."""
+    """Read a tolerance: 1%, 0.01, 0.5lx or 3sf."""
     text = text.strip().lower() if text.strip().lower().endswith("sf") else text.strip()
     typed = option("tolerance", quote(text))
     hint = f"{option('tolerance', '1%')}, 0.5lx (in the answer's unit) or 3sf (significant digits)"

@@ -1,8 +1,8 @@
-"""The derivation of a result as a chain of laws, along which a wrong value is carried on.
+"""The derivation of a result as a chain of laws that propagates a wrong value.
 
-An edit of the derivation gives one symbol another value, and what follows from that is a wrong
-answer.  A light quantity in another kind than the one given, and a conversion, end with a law of
-their own: a product of what stands between.
+A mistake gives one symbol a wrong value; the laws after it turn that into a wrong answer.  The
+chain of a conversion, or of a quantity in another kind (radiant, luminous or photon) than the one
+given, ends with a product of the factors between them.
 """
 
 import math
@@ -24,16 +24,16 @@ from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 Steps = list[tuple[AnyLaw, str]]
 Powers = list[tuple[str, float]]
 VALUE = "value"  # the result at the end of a product
-# Results that are another one but for a factor, where they stand outside the laws.
+# Results outside the laws that are proportional to another one.
 SAME = {"sphere-fraction": "solid-angle", "apex-angle": "half-angle"}
 FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError)
 
 
 class Chain:
-    """What leads to a result: values [SI] by symbols, and the laws, with what each was solved for.
+    """The derivation of a result: values [SI] by symbol, and laws with the symbols solved for.
 
-    `goal` is the symbol of the result, or of what it is a multiple of; `symbols` are those that
-    have a part in it.
+    `goal` is the symbol of the result, or a symbol that the result is proportional to; `symbols`
+    are all symbols that the result depends on.
     """
 
     def __init__(self, values: dict[str, float], steps: Steps, goal: str, right: float) -> None:
@@ -48,7 +48,7 @@ class Chain:
         self.symbols = needed.intersection(values)
 
     def after(self, name: str, value: float) -> float | None:
-        """The result where a symbol has another value; None where there is none."""
+        """Return the result [SI] with another value of a symbol, or None if there is no result."""
         values, changed = {**self.values, name: value}, {name}
         try:
             for step_law, target in self.steps:
@@ -61,7 +61,7 @@ class Chain:
         return result if self.goal in changed and math.isfinite(result) else None
 
     def solved(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
-        """The result where a symbol follows in another way from the others."""
+        """Return the result [SI] if `solve` gives the value of `target` from the other symbols."""
         try:
             value = _single(solve(self.values.__getitem__))
         except FAILURES:
@@ -70,14 +70,14 @@ class Chain:
 
 
 def _single(value: Any) -> float:
-    """A value that a law gives; of several nobody tells which was meant."""
+    """Return the one solution of a law, as a float; several solutions are an error."""
     if isinstance(value, Several):
         raise ValueError("several values")
     return float(value)
 
 
 def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
-    """The chain that leads to a result of a calculator."""
+    """Return the chain of a calculator's result."""
     right, goal = float(target.amount), target.name
     if not isinstance(answer.steps, Derivation):
         return Chain({}, [], goal, right)
@@ -102,7 +102,7 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
 
 
 def _add_ratio(goal: str, given: Inputs, values: dict[str, float], steps: Steps) -> None:
-    """Add how the ratio of two kinds follows from one quantity that was given in both."""
+    """Add the law of the ratio of two kinds, if one quantity was given in both."""
     light_inputs = [light for light in given.values() if light.symbol.generic]
     for light, other in combinations(light_inputs, 2):
         if light.symbol.generic == other.symbol.generic:
@@ -114,7 +114,7 @@ def _add_ratio(goal: str, given: Inputs, values: dict[str, float], steps: Steps)
 
 
 def multiply(powers: Powers, right: float, values: dict[str, float], steps: Steps) -> None:
-    """End a chain with a product of powers; not where these leave what a float holds."""
+    """End a chain with a product of powers, unless these overflow."""
     values[VALUE] = right
     with suppress(OverflowError):
         product = math.prod(values[name] ** power for name, power in powers)
@@ -124,7 +124,7 @@ def multiply(powers: Powers, right: float, values: dict[str, float], steps: Step
 
 
 # ---------------------------------------------------------------------------------------------
-# What stands between two kinds of light
+# The factors between two kinds of light
 
 LUMINOUS_EFFICACY = law(
     "efficacy of one wavelength", "{luminous-efficacy} = Km {luminous-efficiency}"
@@ -134,7 +134,7 @@ LUMINOUS_EFFICACY = law(
 def between_kinds(
     start: str, end: str, given: Inputs, values: dict[str, float], steps: Steps
 ) -> Powers:
-    """The symbols, with their powers; their values and laws are added to those that are there."""
+    """Return the factors between two kinds and their powers; add their values and laws."""
     from radcalc.conversion import spectral  # with the tables of the observers
 
     powers: Powers = []

@@ -1,4 +1,4 @@
-"""Which mistakes lead to an answer."""
+"""Search for the mistakes that lead to a wrong answer."""
 
 import math
 from collections.abc import Sequence
@@ -13,21 +13,21 @@ from radcalc.homework.problem import Candidate, Problem
 from radcalc.homework.question import Question
 
 MOST = 5  # diagnoses
-COARSEST = 0.05  # how far a number of one digit may be off a mistake's
-LEAST_DIGITS = 3  # of an answer that two mistakes together are told from
-COMMON = 4  # the last rank that is common enough to be made together with a slip
-GUESS = 30.0  # how many times too large or too small an answer by chance is expected to be
+COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake
+LEAST_DIGITS = 3  # of an answer in which two mistakes together are looked for
+COMMON = 4  # the last rank that is common enough for a pair with a slip
+GUESS = 30.0  # an unrelated number is assumed to be within this factor of the right value
 SPREAD = math.log(GUESS)
-BY_CHANCE = 0.03  # the part of such answers that the mistakes looked for may take in
+BY_CHANCE = 0.03  # the share of unrelated numbers that may agree with a mistake
 
 
 def diagnose(
     question: Question, target: Value, claim: Claim, scale: float
 ) -> tuple[Diagnosis, ...]:
-    """The mistakes that reproduce an answer to the digits typed, the likeliest first.
+    """Return the mistakes that reproduce an answer to the digits typed, the likeliest first.
 
-    `scale` is the answer's unit [SI].  Two mistakes at once are looked for only
-    where no single one fits: with so many pairs a number of few digits would always fit some.
+    `scale` is the unit of the answer [SI].  Pairs of mistakes are tried only if no single mistake
+    fits: there are so many pairs that one of them fits almost any number of few digits.
     """
     problem = Problem(question, target)
     single = candidates(problem)
@@ -38,7 +38,7 @@ def diagnose(
         matches = [pair.together() for pair in search.of(combined, claim.half_unit)]
     if not matches and claim.widest > claim.half_unit:
         matches = _Search(claim, problem.right, scale).of(single, claim.widest)
-    # rarer ones only confuse
+    # much rarer mistakes only confuse
     near = [match for match in matches if match.rank <= matches[0].rank + 1]
     seen: dict[str, Diagnosis] = {}
     for match in near:
@@ -47,10 +47,10 @@ def diagnose(
 
 
 def candidates(problem: Problem) -> list[Candidate]:
-    """Every wrong value that one mistake leads to, the most common mistakes first."""
+    """Return the wrong values of all single mistakes, the most common mistakes first."""
     wrong_values: list[Candidate] = []
     for family in (edits.find, siblings.find, outside.find, misread.find):
-        with suppress(ArithmeticError):  # powers of an extreme input leave what a float holds
+        with suppress(ArithmeticError):  # powers of an extreme input overflow
             wrong_values += family(problem)
     return sorted(
         (candidate for candidate in wrong_values if _is_wrong(candidate.value, problem.right)),
@@ -63,7 +63,7 @@ def _is_wrong(value: float, right: float) -> bool:
 
 
 class Pair(NamedTuple):
-    """Two common mistakes together: one of the law, and a slip."""
+    """Two common mistakes together: a mistake in a law, and a slip."""
 
     rank: float
     value: float
@@ -71,7 +71,7 @@ class Pair(NamedTuple):
     slip: Candidate
 
     def together(self) -> Candidate:
-        """Both as one."""
+        """Return both as one mistake."""
         law, slip = self.law, self.slip
         return Candidate(
             f"{law.mistake} and {slip.mistake}",
@@ -83,7 +83,7 @@ class Pair(NamedTuple):
 
 
 def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
-    """What two common mistakes together lead to, the most common first."""
+    """Return the wrong values of pairs of common mistakes, the most common first."""
     if not right:
         return []
     laws = [
@@ -108,18 +108,18 @@ Wrong = TypeVar("Wrong", Candidate, Pair)
 
 
 class _Search:
-    """The search for an answer among wrong values.
+    """The search for an answer among the wrong values.
 
-    The fewer digits were typed the fewer values are looked at, those of the most common mistakes,
-    so that a number that has nothing to do with any of them seldom hits one by chance.
+    An answer with fewer digits is compared with fewer values, those of the most common mistakes,
+    so that an unrelated number seldom agrees with one of them by chance.
     """
 
     def __init__(self, claim: Claim, right: float, scale: float) -> None:
         self.claim, self.right, self.scale = claim, right, scale
-        self.seen: set[float] = set()  # those looked at that are as large as a guess might be
+        self.seen: set[float] = set()  # values compared so far, within GUESS of the right one
 
     def of(self, options: Sequence[Wrong], half_unit: float) -> list[Wrong]:
-        """Those that agree with the answer within half a unit of its last digit, best first."""
+        """Return the values that agree with the answer to half a unit of its last digit."""
         value = self.claim.value
         allowed = min(half_unit, COARSEST * abs(value)) * (1 + 1e-9)
         most = BY_CHANCE * SPREAD * abs(value) / allowed if allowed else 0.0
@@ -130,10 +130,10 @@ class _Search:
                     continue
                 self.seen.add(candidate.value)
             if abs(candidate.value - self.right) <= allowed * self.scale:
-                continue  # so few digits do not tell it from the right value
+                continue  # to so few digits it equals the right value
             off = abs(candidate.value / self.scale - value)
             if off <= allowed:
-                # Rounded, so that of equal values the first to be found comes first.
+                # Rounded: if values are equal, the first in order stays first.
                 close.append(
                     (candidate.rank, round(off / allowed, 6) if allowed else 0.0, candidate)
                 )

@@ -1,4 +1,4 @@
-"""Edits of the laws along a derivation: a power dropped, doubled or turned round, another pi."""
+"""Mistakes in the laws of a derivation: powers forgotten, doubled or inverted, wrong constants."""
 
 import math
 from collections.abc import Iterator
@@ -9,8 +9,8 @@ from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
 
-# What is never left out or turned round: what stands for a whole factor or for the light, and
-# numbers that are no factors.
+# Symbols that are never forgotten or inverted: the light, products of several factors, and
+# numbers that are not factors.
 SKIES = ("horizontal-sky", "plane-sky")
 WHOLE = ("value", "q", "r", "p", "exposure-setting", "heat", "weighted-solid-angle", *SKIES)
 NO_FACTORS = (
@@ -28,18 +28,18 @@ NO_FACTORS = (
 LABELS = {
     "cosine": "cosine of the incidence",
     "cosine-of-source": "cosine of the tilt",
-    "relative-intensity": "fall from the axis",
+    "relative-intensity": "relative intensity off the axis",
     "J": "factor between the densities",
 }
-NAMES = {  # of symbols in the names of mistakes
+NAMES = {  # symbols as the names of mistakes have them
     "cosine-of-source": "cosine",
     "J": "jacobian",
     "luminous-efficacy": "efficacy",
     "photon-efficacy": "efficacy",
     "lux-per-ppfd": "efficacy",
 }
-# How easily a symbol is left out, or its square; a number of no unit is easier forgotten than a
-# length or a time.
+# Ranks of forgotten symbols; a number without a unit is more easily forgotten than a length or a
+# time.
 FORGOTTEN = {
     "cosine": 1,
     "cosine-of-source": 1,
@@ -51,7 +51,7 @@ FORGOTTEN = {
 }
 NOT_SQUARED = {"f-number": 1}
 USUALLY, RARELY, SELDOM, HARDLY = 2, 3, 4, 5
-RULES = {  # of the factors of a conversion
+RULES = {  # right rules, by factors of a conversion
     "solid-angle": "I = Phi / Omega",
     "projected-solid-angle": "E = L Omega_p",
     "area": "E = Phi / A, and I = L A",
@@ -60,47 +60,47 @@ RULES = {  # of the factors of a conversion
     "time": "Q = Phi t",
     "bandwidth": "a band is the density times its width",
     "luminous-efficacy": "lumens are watts times the lumens per watt",
-    "photon-energy": "photons are joules over the joules per photon",
+    "photon-energy": "photons are joules divided by the joules per photon",
     "photon-efficacy": "photons are joules times the photons per joule",
     "lux-per-ppfd": "lumens are photons per second times the lumen seconds per photon",
     "J": "E_nu = E_lambda lambda^2 / c",
 }
 WHY = {
-    "cosine": "a tilted surface catches less light",
-    "cosine-of-source": "a tilted surface sends less light",
-    "distance": "light spreads over the square of it",
-    "reflectance": "a reflector gives back rho of what it gets",
+    "cosine": "a tilted surface receives less light",
+    "cosine-of-source": "a tilted surface has less intensity",
+    "distance": "light spreads over the square of the distance",
+    "reflectance": "a surface reflects the part rho of the light",
     "gain": "a perfect diffuser has a gain of 1",
-    "relative-intensity": "off the axis there is less light",
+    "relative-intensity": "the intensity decreases off the axis",
 }
-IN_ITS_UNIT = ("bandwidth", "efficacy")  # one reckons with these as they are written
-CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count them
+IN_ITS_UNIT = ("bandwidth", "efficacy")  # often used in the unit typed, not in SI units
+CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count cycles
 
 
 def find(p: Problem) -> Iterator[Candidate]:
-    """What follows with one edit of a law that leads to the result."""
-    # where pi is in the sum over directions, it is left out (`outside`), not put in
+    """Yield the wrong values from one edit of a law in the derivation."""
+    # results of a sum over directions contain pi: `outside` has the mistakes with it
     has_pi = p.lists("all around") or not p.chain.symbols.isdisjoint(SKIES)
     for law, target in p.chain.steps:
         if "scale" in law.names:
-            continue  # what a distribution is, of which nobody leaves a part out
+            continue  # the definition of a distribution, in which nobody forgets a factor
         yield from _powers(p, law, target) if isinstance(law, Law) else _numbers(p, law, target)
         number, power = _constant(law)
         has_pi |= power != 0
         yield from filter(None, _constants(p, law, target, number, power))
     if not has_pi and (p.light or p.asks("solid-angle", "etendue", "sphere-fraction")):
-        rule = "pi and 4 pi stand where directions are summed: M = pi L, Phi = 4 pi I"
+        rule = "pi and 4 pi come from integrals over directions: M = pi L, Phi = 4 pi I"
         for name, factor, size in (
             ("pi-forgotten", "pi", math.pi),
             ("wrong-sphere", "4 pi", 4 * math.pi),
         ):
-            done = f"{factor} was put in where it does not belong"
+            done = f"a factor of {factor} was introduced by mistake"
             for value in (p.right * size, p.right / size):
                 yield Candidate(name, SELDOM, value, done, rule)
 
 
 def text_of(law: AnyLaw) -> str:
-    """The formula of a law in letters, with its name."""
+    """Return the formula of a law in letters, with its name."""
     formula = fill(law.template, lambda name, _: letter_of(name) if name in SYMBOLS else name)
     return f"{law.name}: {formula}" if law.name else formula
 
@@ -114,14 +114,14 @@ def _label(name: str) -> str:
 
 
 def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
-    """What follows with one of the powers of a monomial edited."""
+    """Yield the wrong values from an edited power in a law that is a product of powers."""
     power_of_target = dict(law.powers).get(target, -1.0)
     start = p.chain.values[target]
     for name, power in law.powers:
         if name == target or name in WHOLE or (name in SYMBOLS and SYMBOLS[name].geometry):
             continue
         rule = "; ".join(filter(None, (text_of(law) or RULES[name], WHY.get(name))))
-        exponent = -power / power_of_target  # in the law as it was solved
+        exponent = -power / power_of_target  # in the law solved for the target
         for kind, rank, done, by in _edits(name, abs(power), exponent > 0):
             for size, later in _sizes(p, name, kind):
                 value = p.chain.after(target, start * size ** (exponent * by))
@@ -133,14 +133,14 @@ def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
 
 
 def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float, str, float]]:
-    """The edits of a symbol's power: kind, rank, what was done, and by how many times the power.
+    """Yield the edits of a symbol's power: kind, rank, description, change relative to the power.
 
-    `is_above` tells whether one multiplies by it.
+    `is_above` is true if the symbol is a factor, false if it is a divisor.
     """
     label = _label(name)
     is_bare = name in RULES or SYMBOLS[name].unit == "1"
     rank = FORGOTTEN.get(name, RARELY if is_bare else SELDOM)
-    yield "forgotten", rank, f"the {label} was left out", -1.0
+    yield "forgotten", rank, f"the {label} was forgotten", -1.0
     done, right = ("divided", "multiplied") if is_above else ("multiplied", "divided")
     by = f"square of the {label}" if power == 2 else label
     yield "upside-down", RARELY, f"it was {done} by the {by}, not {right}", -2.0
@@ -149,11 +149,11 @@ def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float
         yield "not-squared", rank, f"the {label} was not squared", -0.5
     if name.startswith("cosine"):
         for more in (1.0, 2.0):
-            yield "squared", HARDLY, f"the {label} was taken twice or three times", more
+            yield "squared", HARDLY, f"the {label} was squared or cubed", more
 
 
 def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
-    """The number that a symbol stands for, in SI units and as it was typed; how rare that is."""
+    """Yield the value of a symbol in SI units and in the unit typed; additions to the rank."""
     size = p.chain.values[name]
     if size > 0:
         yield size, 0.0
@@ -164,26 +164,26 @@ def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
 
 
 def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candidate]:
-    """What follows where the law is solved the wrong way."""
+    """Yield the wrong values from a law solved wrongly: no square root, or the reciprocal."""
     size, label = p.chain.values[target], _label(target)
     if power == 2 and (value := p.chain.after(target, size**2)) is not None:
-        done = f"the square root was not taken: the {label} was not squared"
+        done = f"the square root for the {label} was forgotten"
         rank = NOT_SQUARED.get(target, USUALLY)
         yield Candidate(f"{target}-not-squared", rank, value, done, text_of(law))
     if target == p.chain.goal and (value := p.chain.after(target, 1 / size)) is not None:
-        done = f"the fraction was turned round: the {label} came out upside down"
+        done = f"the fraction was inverted: the result is the reciprocal of the {label}"
         yield Candidate(f"{target}-upside-down", RARELY, value, done, text_of(law))
 
 
 def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
-    """What follows with a bare number of any other law left out, or turned round."""
+    """Yield the wrong values from a number in any other law forgotten or inverted."""
     for name in law.names:
         size = p.chain.values.get(name, 0.0)
         if name == target or SYMBOLS[name].unit != "1" or name in NO_FACTORS or size <= 0:
             continue
         for kind, other, rank, done in (
-            ("forgotten", 1.0, FORGOTTEN.get(name, RARELY), "left out"),
-            ("upside-down", 1 / size, RARELY, "used upside down"),
+            ("forgotten", 1.0, FORGOTTEN.get(name, RARELY), "forgotten"),
+            ("upside-down", 1 / size, RARELY, "inverted"),
         ):
             at = {**p.chain.values, name: other}.__getitem__
             value = p.chain.solved(target, lambda _, at=at: law.solve(target, at))  # type: ignore[misc]
@@ -197,9 +197,10 @@ def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
 
 
 def _constant(law: AnyLaw) -> tuple[float, int]:
-    """The number by pi in front of a formula, and the power of both; of 4 / pi it is 1/4.
+    """Return number and power of the constant (number * pi)^power in front of a formula.
 
-    Where there is no pi it is the number alone.
+    For 4 x / (pi y) they are 1/4 and -1.  Without pi the power is 0, and the number is the whole
+    constant.
     """
     right = law.template.partition(" = ")[2]
     number, pi, sign = 1.0, 0, 1
@@ -224,7 +225,7 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
 
 
 def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
-    """The result where what a law gives is another number of times the right one."""
+    """Return the result [SI] if a law has a constant that is `ratio` times the right one."""
     result = law.names[0]
 
     def solve(at: At) -> Any:
@@ -238,13 +239,13 @@ def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
 def _constants(
     p: Problem, law: AnyLaw, target: str, number: float, power: int
 ) -> Iterator[Candidate | None]:
-    """What follows with another constant of the same family."""
+    """Yield the wrong values from a law with another constant of the same family."""
 
     def edit(name: str, ratio: float, done: str = "") -> Candidate | None:
         return usual(name, scaled(p, law, target, ratio), done, text_of(law))
 
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
-        return  # in which 2 is half for full
+        return  # the 2 is between half and full: see `misread`
     right_constant = f"{number:g} pi" if number != 1 else "pi"
     if power and number >= 1:
         for size in (1, 2, 4):

@@ -1,6 +1,6 @@
 """The derivation of a conversion as a chain of laws, one for each factor of its conditions.
 
-A letter in a formula that is no symbol of the law stands for the light itself.
+A letter in a formula that is not a symbol of the law is a light quantity.
 """
 
 import math
@@ -19,7 +19,7 @@ from radcalc.quantities.light import read
 
 
 def of_conversion(conversion: Plan, right: float, given: Inputs) -> Chain:
-    """The chain of a conversion: its source times the factors of the conditions."""
+    """Return the chain of a conversion: its source times the factors of the conditions."""
     values = {name: item.value for name, item in given.items() if isinstance(item.value, float)}
     steps: Steps = []
     powers: Powers = []
@@ -50,7 +50,7 @@ REFLECTOR = _of_factor(
     "Lambertian reflector", "L = {reflectance} E / (pi Omega0)", "r", ("reflectance", 1)
 )
 PUPIL = _of_factor("retinal illuminance", "E_T = pi / 4 {pupil}^2 L, d in mm", "p", ("pupil", 2))
-ALL_ROUND = {  # by the condition, and the letter of the factor
+ALL_ROUND = {  # by condition and letter of the factor
     ("isotropic", "Omega"): law("isotropic source", "{solid-angle} = 4 pi Omega0"),
     ("hemisphere", "Omega"): law("hemisphere", "{solid-angle} = 2 pi Omega0"),
     ("hemisphere", "Omega_p"): law("hemisphere", "{projected-solid-angle} = pi Omega0"),
@@ -64,7 +64,7 @@ SYMBOL_OF = {
     "cos(theta)": "cosine",
     "cos(theta_s)": "cosine-of-source",
 }
-BEFORE: dict[str, Steps] = {  # the laws of what may be given in place of these symbols
+BEFORE: dict[str, Steps] = {  # laws that give these symbols from other inputs
     "A": [(DIAMETER, "radius"), (CIRCLE, "area")],
     "Omega": [
         (APEX, "half-angle"),
@@ -82,7 +82,7 @@ BEFORE: dict[str, Steps] = {  # the laws of what may be given in place of these 
 
 
 def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Steps) -> str:
-    """The symbol that stands for a factor, or '' for a link of kinds; its laws are added."""
+    """Return the symbol of a factor, or '' for a factor between kinds; add its laws."""
     letter, size = factor.letter, float(factor.value)
     name = SYMBOL_OF.get(letter, letter)
     for earlier_law, target in BEFORE.get(letter, ()):
@@ -116,7 +116,7 @@ def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Step
     elif name == letter:
         return ""
     if name in values and not math.isclose(values[name], size, rel_tol=1e-9):
-        steps.pop()  # a disc aslant is no disc on its axis
+        steps.pop()  # the law of a disc on its axis does not apply to an oblique disc
     values[name] = size
     if factor_law:
         steps.append((factor_law, name))

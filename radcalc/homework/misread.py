@@ -1,4 +1,4 @@
-"""Inputs misread: half for full, from another line, in another unit; and slips of the answer."""
+"""Mistakes in inputs (half for full, wrong reference, wrong unit), and slips in the answer."""
 
 import math
 from collections.abc import Iterator
@@ -21,30 +21,30 @@ from radcalc.units.table import resolve
 from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH
 
 Found = Iterator[Candidate | None]
-SLIPS = ("power-of-ten", "length-unit", "area-unit")  # that are made beside another mistake
+SLIPS = ("power-of-ten", "length-unit", "area-unit")  # these also come with another mistake
 CONES = (
     *("half-angle", "apex-angle", "beam-angle", "field-angle"),
     *("off-axis-angle", "within", "divergence"),
 )
-PAIRS = (("horizontal", "vertical"), ("width", "length"))  # which are misread together
+PAIRS = (("horizontal", "vertical"), ("width", "length"))  # both inputs are misread together
 SIZES = ("radius", "diameter", "receiver-radius", "receiver-diameter", "pupil")
 FROM_NORMAL = ("incidence", "tilt", "polar", "elevation", "sun-elevation", "half-angle")
 FOOT, EV = resolve("ft").factor, resolve("eV").factor
-# Units [SI] that one unit of an input is taken for, by dimension: a number of centimetres is used
-# as one of metres, or metres are turned into centimetres and used as metres.
+# Units [SI] that are mixed up with the SI unit, by dimension: centimetres are used as metres, or
+# metres are converted to centimetres and used as metres.
 NEIGHBOURS = {
     LENGTH: ("length-unit", (1e-2, 1e-3)),
     AREA: ("area-unit", (1e-2, 1e-4, 1e-6)),
     TIME: ("minutes-for-seconds", (60.0, 3600.0)),
 }
-LUMINANCES = ("fL", "lambert", "asb", "nit", "stilb")  # which are taken for each other
-PER_PI = ("lambert", "apostilb", "skot", "blondel")  # the units that carry 1/pi
-CARRIES_PI = "lambert, foot-lambert, apostilb and skot carry 1/pi, nit and stilb do not"
+LUMINANCES = ("fL", "lambert", "asb", "nit", "stilb")  # units that are mixed up
+PER_PI = ("lambert", "apostilb", "skot", "blondel")  # units with a factor 1/pi
+CARRIES_PI = "lambert, foot-lambert, apostilb and skot contain 1/pi, nit and stilb do not"
 CELSIUS = 273.15
 
 
 def find(p: Problem) -> Iterator[Candidate]:
-    """Every input misread, and every slip of the whole."""
+    """Yield the wrong values from misread inputs and from slips."""
     inputs = (_halves, _angles, _in_radians, _in_other_units, _to_surface, _absorbed)
     for family in (*inputs, _photons, _fields, _units, _slips):
         yield from filter(None, family(p))
@@ -61,7 +61,7 @@ def _numbers(p: Problem) -> list[Input]:
 
 
 def _halves(p: Problem) -> Found:
-    """Full angles for half ones, and diameters for radii."""
+    """Confuse full and half angles, diameters and radii."""
     for quantity in _numbers(p):
         for factor in (2.0, 0.5):
             if quantity.name in (*CONES, *PAIRS[0]):
@@ -82,7 +82,7 @@ def _halves(p: Problem) -> Found:
 
 
 def _angles(p: Problem) -> Found:
-    """Angles that are counted from the wrong line."""
+    """Measure angles from the surface, not from its normal."""
     for quantity in _numbers(p):
         if quantity.name in FROM_NORMAL:
             yield usual(
@@ -93,7 +93,7 @@ def _angles(p: Problem) -> Found:
 
 
 def _in_radians(p: Problem) -> Found:
-    """Degrees in a calculator set to radians."""
+    """Use degrees in radian mode."""
     name = "degrees-as-radians"
     for quantity in _numbers(p):
         if quantity.dimension != ANGLE or quantity.unit_text == "rad":
@@ -101,7 +101,8 @@ def _in_radians(p: Problem) -> Found:
         number = float(quantity.number)
         turned = math.fmod(abs(number), 2 * math.pi)
         for angle in (turned, 2 * math.pi - turned):  # the cosine is the same
-            yield usual(name, p.misread(quantity.name, angle) or None)  # 0 is light from behind
+            value = p.misread(quantity.name, angle)
+            yield usual(name, value or None)  # 0: the light comes from below the surface
         if quantity.name == "incidence" and math.cos(quantity.value):
             yield usual(name, p.right * math.cos(number) / math.cos(quantity.value))
         if quantity.name in ("half-angle", "apex-angle"):
@@ -115,7 +116,7 @@ def _in_radians(p: Problem) -> Found:
 
 
 def _in_other_units(p: Problem) -> Found:
-    """Lengths, areas, times and temperatures in another unit."""
+    """Use lengths, areas, times and temperatures in another unit."""
     for quantity in _numbers(p):
         if quantity.name not in ("wavelength", "bandwidth"):
             yield from _in_neighbouring_units(p, quantity)
@@ -130,13 +131,13 @@ def _in_other_units(p: Problem) -> Found:
 
 
 def _in_neighbouring_units(p: Problem, quantity: Input) -> Found:
-    """Read a length, an area or a time in another unit."""
+    """Use a length, an area or a time in another unit."""
     if quantity.dimension not in NEIGHBOURS or not quantity.unit:
         return
     mistake, other_units = NEIGHBOURS[quantity.dimension]
     typed_factor = quantity.unit.factor
     factors = {1 / other for other in other_units} if typed_factor == 1 else {1.0, *other_units}
-    if quantity.dimension == AREA:  # as a length is
+    if quantity.dimension == AREA:  # converted like a length
         factors.add(typed_factor**0.5)
     for factor in sorted(factors - {typed_factor}):
         value = p.misread(quantity.name, float(quantity.number) * factor)
@@ -144,7 +145,7 @@ def _in_neighbouring_units(p: Problem, quantity: Input) -> Found:
 
 
 def _to_surface(p: Problem) -> Found:
-    """Distances to the surface of a sphere for those to its centre, and the reverse."""
+    """Confuse the distances to the surface and to the centre of a sphere."""
     radius, distance = p.radius(), p.amount("distance")
     if p.question.shape == "sphere" and radius and distance:
         for other in (distance - radius, distance + radius) if "distance" in p.given else ():
@@ -154,7 +155,7 @@ def _to_surface(p: Problem) -> Found:
 
 
 def _absorbed(p: Problem) -> Found:
-    """The absorbed part of the light for the reflected one, and the reverse."""
+    """Confuse the absorbed and the reflected light."""
     for name in ("reflectance", "absorptance"):
         part = p.amount(name)
         if part and part < 1 and name in p.chain.symbols:
@@ -162,7 +163,7 @@ def _absorbed(p: Problem) -> Found:
 
 
 def _photons(p: Problem) -> Found:
-    """Energies and wavelengths in the wrong unit, and moles."""
+    """Use photon energies and wavelengths in the wrong unit, or Avogadro's number wrongly."""
     wavelength = p.given.get("wavelength")
     dimensions = (*p.target.dimensions, *(item.dimension for item in p.given.values()))
     if wavelength is not None and wavelength.dimension in (ENERGY, PHOTON_ENERGY):
@@ -181,14 +182,14 @@ def _photons(p: Problem) -> Found:
 
 
 def _fields(p: Problem) -> Found:
-    """The peak of a field for its root mean square."""
+    """Confuse the peak and the root mean square of a field."""
     if "electric-field" in p.given:
         factor = math.sqrt(2) if FIELD_STRENGTH in p.target.dimensions else 2.0
         yield from _multiples("peak-for-rms", p.right, factor)
 
 
 def _units(p: Problem) -> Found:
-    """The units of a conversion mixed up with their neighbours, or the factor turned round."""
+    """Mix up the units of a conversion with similar units, or invert its factor."""
     plan = p.question.plan
     if plan is None:
         return
@@ -207,11 +208,11 @@ def _units(p: Problem) -> Found:
             other = resolve(text)
             if other.dimension == unit.dimension and other.factor != unit.factor:
                 value = p.right * (other.factor / unit.factor) ** sign
-                yield usual("neighbour-unit", value, f"{unit.text} was taken as {text}")
+                yield usual("neighbour-unit", value, f"{unit.text} was used as {text}")
 
 
 def _slips(p: Problem) -> Found:
-    """Feet, square degrees and prefixes in the answer."""
+    """Mix up feet and metres, square degrees and steradians, or prefixes in the answer."""
     if p.light and p.light.area:
         yield from _multiples("feet-for-metres", p.right, FOOT**2, FOOT)
     if SOLID_ANGLE in p.target.dimensions:

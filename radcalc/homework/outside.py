@@ -1,7 +1,7 @@
-"""Mistakes outside of a single law: in what is worked out at once, and in what laws share.
+"""Mistakes that are not in a single law.
 
-Shapes, directions, skies and logs are worked out at once; laws share the eye that sees, the width
-of a beam, and symbols whose values are taken for each other.
+Shapes, directions, skies and logs are computed without a chain of laws.  Other mistakes concern
+several laws: the wrong observer, a beam used as a sphere, one symbol used for another.
 """
 
 import math
@@ -19,26 +19,26 @@ if TYPE_CHECKING:
 
 Found = Iterator[Candidate | None]
 PI = math.pi
-DIFFUSE = "all directions are 4 pi sr, a hemisphere 2 pi sr, and pi sr projected"
+DIFFUSE = "all directions are 4 pi sr, a hemisphere is 2 pi sr, projected pi sr"
 
 
 def find(p: Problem) -> Iterator[Candidate]:
-    """What follows of every mistake of the families below."""
+    """Yield the wrong values from the mistakes of all families below."""
     for family in FAMILIES:
         yield from filter(None, family(p))
 
 
 # ---------------------------------------------------------------------------------------------
-# Of what is worked out at once
+# Results that are computed without a chain of laws
 
 
 def _shape(p: Problem) -> Found:
-    """A sphere as a disc, a disc as a sphere, and both as flat."""
+    """Use a sphere as a disc, a disc as a sphere, or either as a small flat area."""
     shape, radius = p.question.shape, p.radius()
     away = p.amount("height") or p.amount("distance")
     if not away or p.amount("offset"):
         return
-    if shape == "rectangle" and not p.light:  # that of light has a far field
+    if shape == "rectangle" and not p.light:  # for light, `_far` compares with the far field
         flat = (p.amount("width") or 0.0) * (p.amount("length") or 0.0) / away**2
         for symbol in ("solid-angle", "projected-solid-angle"):
             yield usual("flat-for-curved", p.chain.after(symbol, flat))
@@ -50,7 +50,7 @@ def _shape(p: Problem) -> Found:
     name = "arctangent-for-arcsine"
     yield usual(name, p.chain.after("half-angle", other))
     yield usual(name, p.chain.after("solid-angle", cones.cone(other)))
-    if shape == "sphere":  # a disc's is the far field
+    if shape == "sphere":  # for a disc, `_far` compares with the far field
         yield usual(name, p.chain.after("projected-solid-angle", cones.projected_cone(other)))
     for flat in (PI * math.tan(right) ** 2, PI * right**2, PI * (radius / away) ** 2):
         yield usual("flat-disc-for-cap", p.chain.after("solid-angle", flat))
@@ -59,13 +59,13 @@ def _shape(p: Problem) -> Found:
 
 
 def _projection(p: Problem) -> Found:
-    """The solid angle of any shape for the projected one, and back; the pi in either."""
+    """Confuse the solid angle and the projected solid angle, or mix up the pi in them."""
     plain, projected = p.amount("solid-angle"), p.amount("projected-solid-angle")
     if not plain or not projected:
         return
     yield usual("solid-for-projected", p.chain.after("projected-solid-angle", plain))
     yield usual("solid-for-projected", p.chain.after("solid-angle", projected))
-    if not p.chain.steps or p.light:  # worked out outside the laws
+    if not p.chain.steps or p.light:  # computed without laws
         yield usual(
             "pi-forgotten", p.chain.after("projected-solid-angle", projected / PI), right=DIFFUSE
         )
@@ -74,7 +74,7 @@ def _projection(p: Problem) -> Found:
 
 
 def _aside(p: Problem) -> Found:
-    """A place aside of the axis, by its height alone, or without the cosine."""
+    """Use the height for the distance of a point off the axis, or forget the cosine."""
     height, offset, radius = p.amount("height"), p.amount("offset"), p.radius()
     if not height or not offset:
         return
@@ -92,15 +92,15 @@ def _aside(p: Problem) -> Found:
     if far and near and p.asks("irradiance"):
         square = p.right * far / near
         yield usual("cosine-forgotten", square / cosine)
-    is_flat = p.lists("flat source")  # which has a cosine of its own
-    for power in (2, 3, 4)[: 2 + is_flat]:  # from the third on without a cosine too
+    is_flat = p.lists("flat source")  # its intensity has a cosine, too
+    for power in (2, 3, 4)[: 2 + is_flat]:  # from 3 on, cosines were forgotten, too
         yield usual("height-for-distance", square / cosine**power)
         if p.asks("intensity", "flux"):
             yield usual("height-for-distance", square * cosine**power)
 
 
 def _far(p: Problem) -> Found:
-    """The far field for the exact one, and the inverse square on a radiance."""
+    """Use the far field near an extended source, or the inverse square law for a radiance."""
     far, near = p.amount("far-field-irradiance"), p.amount("irradiance")
     if far and near and p.light and not p.asks("far-field-irradiance"):
         for ratio in (far / near, near / far):
@@ -112,22 +112,22 @@ def _far(p: Problem) -> Found:
 
 
 def _received(p: Problem) -> Found:
-    """The irradiance times the receiver's area, for what an integral over it gives."""
+    """Multiply the irradiance by the receiver's area instead of integrating over it."""
     irradiance, area = p.amount("irradiance"), p.amount("receiver-area")
     if not p.asks("received-flux") or not irradiance or not area:
         return
-    rule = "Phi = E A, where E is the same all over the receiver"
-    yield usual("flat-for-curved", irradiance * area, "E A was used, as on a small receiver")
+    rule = "Phi = E A, if E is uniform over the receiver"
+    yield usual("flat-for-curved", irradiance * area, "E A was used, as for a small receiver")
     for factor in (1e2, 1e4, 1e6):
         for wrong in (area * factor, area / factor):
             yield usual("area-unit", irradiance * wrong)
-    yield Candidate("receiver-area-forgotten", 3, irradiance, "the area was left out", rule)
+    yield Candidate("receiver-area-forgotten", 3, irradiance, "the area was forgotten", rule)
     done = "it was divided by the area, not multiplied"
     yield Candidate("receiver-area-upside-down", 3, irradiance / area, done, rule)
 
 
 def _zone(p: Problem) -> Found:
-    """A zone as caps, or without its sines."""
+    """Use caps for a zone, or forget its sines."""
     ends = p.given["polar"].value if "polar" in p.given else None
     if not isinstance(ends, tuple):
         return
@@ -148,7 +148,7 @@ def _zone(p: Problem) -> Found:
 
 
 def _integral(p: Problem) -> Found:
-    """The integral over a cone of 1, and of the cosine, without sin(theta); any without phi."""
+    """Forget sin(theta) in the integral of 1 or cos(theta) over a cone, or the azimuth in any."""
     if not p.asks("integral"):
         return
     half = PI / 2 if "hemisphere" in p.given else p.amount("half-angle")
@@ -161,7 +161,7 @@ def _integral(p: Problem) -> Found:
 
 
 def _direction(p: Problem) -> Found:
-    """A direction, by its angles or its coordinates."""
+    """Confuse quadrants, x and y, or the directions at a mirror."""
     if not p.lists("direction"):
         return
     if p.asks("azimuth"):
@@ -187,7 +187,7 @@ def _direction(p: Problem) -> Found:
 
 
 def _sky(p: Problem) -> Found:
-    """A sky taken as uniform, the pi of it, and a plane by what the ground gets."""
+    """Assume a uniform sky, mix up its pi, or use the light on the ground for a tilted plane."""
     ground = p.amount("horizontal-sky")
     if not p.lists("sky") or not ground:
         return
@@ -211,12 +211,12 @@ def _sky(p: Problem) -> Found:
             yield usual("pi-upside-down", p.chain.after(symbol, 1 / integral), right=DIFFUSE)
     height = p.amount("sun-height")
     if height:
-        aside = math.sqrt(max(0.0, 1 - height * height))
-        yield usual("angle-from-surface", p.chain.after("sun-height", aside))
+        cosine = math.sqrt(max(0.0, 1 - height * height))
+        yield usual("angle-from-surface", p.chain.after("sun-height", cosine))
 
 
 def _environment(p: Problem) -> Found:
-    """The pi of what all directions send."""
+    """Mix up the pi in the light from all directions."""
     if p.lists("all around") and p.asks("irradiance"):
         yield usual("pi-forgotten", p.right / PI, PI_FORGOTTEN, DIFFUSE)
         yield usual("two-pi-for-pi", 2 * p.right, right=DIFFUSE)
@@ -224,7 +224,7 @@ def _environment(p: Problem) -> Found:
 
 
 def _samples(p: Problem) -> Found:
-    """The samples of a log without their times, or with wrong ones."""
+    """Add the samples of a log without their times, or with wrong times."""
     samples = p.question.samples
     mean = p.amount("mean-irradiance") or p.amount("mean-flux")
     names = ("covered-time", "duration", "samples", "gaps")
@@ -240,7 +240,7 @@ def _samples(p: Problem) -> Found:
     yield usual("whole-steps", times_mean * samples["sum"] * step / covered)
     yield usual("plain-mean", times_mean * samples["sum"] / count)
     for name in ("first", "last"):
-        done = f"the {name} sample was taken for all of the time"
+        done = f"the {name} sample was used for the whole time"
         yield usual("sample-for-all", times_mean * samples[name], done)
     peak = p.amount("maximum-irradiance") or p.amount("maximum-flux") or 0.0
     yield usual("sample-for-all", times_mean * peak)
@@ -251,7 +251,7 @@ def _samples(p: Problem) -> Found:
 
 
 def _pixel(p: Problem) -> Found:
-    """The solid angle of a pixel."""
+    """Use the same solid angle for all pixels, or forget the sine."""
     if p.question.shape == "pixel" and p.asks("solid-angle"):
         width, height = p.given["size"].value
         yield usual("pixels-alike", 4 * PI / (width * height))
@@ -259,13 +259,13 @@ def _pixel(p: Problem) -> Found:
 
 
 # ---------------------------------------------------------------------------------------------
-# Of eyes and beams, and one symbol for another
+# Observers and beams, and one symbol for another
 
 OF_EYES = ("luminous-efficacy", "scotopic-luminous-efficacy")
 
 
 def _eyes(p: Problem) -> Found:
-    """The efficacy of the wrong eye, and watts as if all were seen best."""
+    """Use the efficacy of the wrong observer, or 683 lm/W for any light."""
     if p.chain.symbols.isdisjoint((*OF_EYES, "sp-ratio")):
         return
     from radcalc.spectra.observers import OBSERVERS
@@ -291,7 +291,7 @@ def _eyes(p: Problem) -> Found:
 
 
 def _efficacy(p: Problem, eye: "Observer", is_dark: bool) -> float | None:
-    """What an eye sees of the light that is given [lm/W]."""
+    """Return the luminous efficacy [lm/W] of the given light for an observer."""
     if "wavelength" in p.given:
         from radcalc.conversion.spectral import light
         from radcalc.spectra.observers import luminous_efficacy
@@ -301,7 +301,7 @@ def _efficacy(p: Problem, eye: "Observer", is_dark: bool) -> float | None:
 
 
 def _beam(p: Problem) -> Found:
-    """A beam as a sphere, or a lobe as a cone."""
+    """Use a sphere for a beam, or a cone for a lobe."""
     is_round = not p.given.keys().isdisjoint(("isotropic", "hemisphere"))
     if not p.light or is_round or not p.lists("beam"):
         return
@@ -316,7 +316,7 @@ def _beam(p: Problem) -> Found:
         yield usual("cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2)))
 
 
-PEAKS = {  # the laws of a spot: what is taken for what they give, by how many times that
+PEAKS = {  # laws of a spot: the mistake, and its ratio to the right value
     "mean irradiance of a spot": ("peak-for-mean", 2.0),
     "mean exposure of a spot": ("peak-for-mean", 2.0),
     "peak of a gaussian beam": ("mean-for-peak", 0.5),
@@ -325,7 +325,7 @@ PEAKS = {  # the laws of a spot: what is taken for what they give, by how many t
 
 
 def _peaks(p: Problem) -> Found:
-    """The mean over a spot for the peak on its axis, and the peak for the mean."""
+    """Confuse the mean over a spot and the peak on its axis."""
     is_uniform = "profile" in p.given and p.given["profile"].value == UNIFORM
     for law, target in p.chain.steps:
         if law.name in PEAKS and not is_uniform:
@@ -342,7 +342,7 @@ SWAPS = (
 
 
 def _swapped(p: Problem) -> Found:
-    """One symbol's value for another's of the same sort; the ISO speed, and sine for cosine."""
+    """Use the value of another symbol of the same sort, or mix up ISO speeds, sine and cosine."""
     values, symbols = p.chain.values, p.chain.symbols
     for name, symbol, other in SWAPS:
         if symbol in symbols and other in values:

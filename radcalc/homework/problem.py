@@ -1,4 +1,4 @@
-"""A question as the mistakes see it: what was given, what follows, and how to ask it anew."""
+"""One result of a question with its derivation, in which mistakes can be tried."""
 
 import math
 from typing import Any, NamedTuple
@@ -15,10 +15,10 @@ PI_FORGOTTEN = "pi was forgotten"
 
 
 class Candidate(NamedTuple):
-    """A wrong value [SI], and the mistake that leads there.
+    """A wrong value [SI] and the mistake that leads to it.
 
-    `rank` is how common it is and how near to this question: 1 comes first.  `done` says what was
-    done, `right` what would have been right.
+    A mistake of rank 1 is the most likely.  `done` describes the mistake, `right` is the right
+    rule.
     """
 
     mistake: str
@@ -31,9 +31,9 @@ class Candidate(NamedTuple):
 def usual(
     name: str, value: float | None, done: str = "", right: str = "", later: float = 0.0
 ) -> Candidate | None:
-    """A usual mistake, if a value follows from it; with other words where these say it better.
+    """Return a mistake of the table `USUAL`, or None without a value.
 
-    `later` is by how much it is rarer than usual.
+    `done` and `right` replace the words of the table; `later` is added to the rank.
     """
     if value is None or not math.isfinite(value):
         return None
@@ -42,9 +42,9 @@ def usual(
 
 
 class Problem:
-    """One result of a question: what was given for it, what else follows, the right value [SI].
+    """One result of a question: its inputs, the other results, and the right value [SI].
 
-    `light` says which light quantity is asked for, if it is one; `chain` leads to the result.
+    `light` is the light quantity of the result, if it is one; `chain` is its derivation.
     """
 
     def __init__(self, question: Question, target: Value) -> None:
@@ -61,16 +61,16 @@ class Problem:
             self.chain = of_answer(question.answer, target, self.given)
 
     def lists(self, mistake: str) -> bool:
-        """Return whether the page of the calculator lists a mistake of its own."""
+        """Return whether the page of the calculator lists a mistake or a family of mistakes."""
         return mistake in page_of(self.question.command).mistakes
 
     def asks(self, *names: str) -> bool:
-        """Whether the result is one of these; a generic name serves every kind of light."""
+        """Return whether the result is one of these; a generic name includes all kinds of light."""
         symbol = SYMBOLS.get(self.target.name)
         return self.target.name in names or (symbol is not None and symbol.generic in names)
 
     def amount(self, name: str) -> float | None:
-        """A number that was given, or that follows [SI]."""
+        """Return a number [SI] of the inputs, the derivation or the results."""
         if name in self.given:
             value = self.given[name].value
             return float(value) if isinstance(value, (int, float)) else None
@@ -82,12 +82,12 @@ class Problem:
             return None
 
     def radius(self) -> float | None:
-        """The radius of the source [m]."""
+        """Return the radius of the source [m]."""
         diameter = self.amount("diameter")
         return diameter / 2 if diameter else self.amount("radius")
 
     def anew(self, changed: dict[str, Any]) -> float | None:
-        """The result with inputs changed [SI]; None where that is not possible."""
+        """Return the result [SI] with some inputs changed, or None if these are refused."""
         given = dict(self.given)
         for name, value in changed.items():
             given[name] = given[name]._replace(value=value, is_exact=True)
@@ -96,11 +96,11 @@ class Problem:
                 if result.name == self.target.name and result.dimensions == self.target.dimensions:
                     return float(result.amount)
         except FAILURES:
-            pass  # a wrong input may be an impossible one
+            pass  # a wrong input may be out of range
         return None
 
     def misread(self, name: str, value: float) -> float | None:
-        """The result with one input changed [SI]; by the laws alone where that is refused."""
+        """Return the result [SI] with one input changed; from the laws alone if it is refused."""
         result = self.anew({name: value})
         if result is None and name in self.chain.symbols:
             return self.chain.after(name, value)

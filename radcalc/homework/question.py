@@ -1,4 +1,4 @@
-"""What was asked: a calculator's or a conversion's question."""
+"""Questions with a right answer: of a calculator or of a conversion."""
 
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
@@ -16,12 +16,12 @@ from radcalc.units.unit import Unit
 
 
 class Question(NamedTuple):
-    """The right answer, what was given, and how to work it out anew from other inputs.
+    """The right answer, the inputs, and a function that gives the answer for other inputs.
 
-    `shape` is that of the source or of the solid angle; `steps` are the derivation, where one is
-    asked for.  A conversion has a plan, and the number that is converted.  Where what was given
-    is uncertain, `uncertain` is the right answer with the uncertainties.  Of a log `samples` has
-    the first, the last and the sum of all [SI].
+    `shape` is the shape of the source or of the solid angle; `steps` are the derivation, if it
+    was requested.  A conversion has a plan and a number to convert.  If inputs are uncertain,
+    `uncertain` is the right answer with its uncertainties.  The `samples` of a log are the first,
+    the last and the sum of all [SI].
     """
 
     answer: Answer
@@ -37,18 +37,18 @@ class Question(NamedTuple):
 
 
 def of_task(task: Task, given: Inputs, steps: bool = False) -> Question:
-    """Return the question that a calculator answers from what is given."""
+    """Return the question that a calculator answers from inputs."""
     answer = task.nominal(given)
     question = Question(answer, given, task.nominal, task.command, task.shape, samples=task.samples)
     return _with_uncertainties(question, given, steps)
 
 
 def _with_uncertainties(question: Question, given: Inputs, steps: bool) -> Question:
-    """The question with its steps, and with the uncertainties that what was given leads to."""
+    """Add the steps and the uncertainties to a question."""
     answer = question.answer
     if any_uncertain(given.values()):
         uncertain = with_uncertainties(question.work_out, given)
-        # the mistakes are found along the steps of the numbers
+        # mistakes are searched in the derivation of the nominal values
         answer = uncertain._replace(values=answer.values, more=answer.more, steps=answer.steps)
         question = question._replace(answer=answer, uncertain=uncertain)
     explained = question.uncertain or answer
@@ -63,15 +63,15 @@ def of_conversion(
     steps: bool = False,
     amount: Amount | None = None,
 ) -> Question:
-    """The question what a value is in another unit, under conditions.
+    """Return the question of a conversion under conditions.
 
-    `amount` is the value as it was read, which may be uncertain.
+    `amount` is the value with its uncertainty, if it has one.
     """
 
     def work_out(inputs: Inputs) -> Answer:
         value = inputs[""].value if "" in inputs else number
         conversion = plan(source, target, [condition for name, condition in inputs.items() if name])
-        unit = conversion.target  # of a scale the reading that was meant
+        unit = conversion.target  # a scale is resolved to one of its readings
         name = name_of(unit)
         result = Value(
             "value",

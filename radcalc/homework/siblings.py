@@ -1,6 +1,6 @@
-"""The functions of laws replaced by their siblings.
+"""Mistakes that use a similar function for the right one in a law.
 
-A row of `LAWS` belongs to the law of that name, and to the symbol that it was solved for; it gives
+A row of `LAWS` has the name of a law, the symbol that it is solved for, and a function that gives
 wrong values of that symbol from the others.
 """
 
@@ -13,12 +13,12 @@ from radcalc.homework.edits import text_of
 from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.laws.law import At
 
-Wrong = Iterator[tuple[str, float]]  # the name of a mistake, and the value that it gives a symbol
+Wrong = Iterator[tuple[str, float]]  # the name of a mistake, and the wrong value of the symbol
 PI = math.pi
 
 
 def find(p: Problem) -> Iterator[Candidate]:
-    """Every function in a law of the derivation replaced by one of its siblings."""
+    """Yield the wrong values from a similar function in a law of the derivation."""
     for law, target in p.chain.steps:
         for name_of_law, symbol, wrong in LAWS:
             if target == symbol and law.name == name_of_law:
@@ -36,7 +36,7 @@ def _values(p: Problem, wrong: Callable[[At], Wrong]) -> Wrong:
 
 
 def _flat(half: float) -> Wrong:
-    """What is taken for the solid angle of a cone, plain or projected."""
+    """Yield wrong values of the solid angle of a cone, projected or not."""
     yield "one-forgotten", 2 * PI * math.cos(half)
     yield "sine-not-squared", PI * math.sin(half)
     if half < PI / 2:
@@ -133,7 +133,7 @@ def _working(at: At) -> Wrong:
 
 
 def _spot(symbol: str) -> Callable[[At], Wrong]:
-    """The area of a spot by its diameter as if that were the radius."""
+    """Use the diameter of a spot as its radius."""
 
     def wrong(at: At) -> Wrong:
         yield "diameter-for-radius", at(symbol) / 4
@@ -159,7 +159,7 @@ def _other_leg(hypotenuse: float, leg: float) -> float:
 
 def _reach_of_gaussian(at: At) -> Wrong:
     spot, exit_diameter, angle = at("limit-diameter"), at("diameter"), at("divergence")
-    mean = spot / math.sqrt(2)  # where the mean over the spot is the limit
+    mean = spot / math.sqrt(2)  # the diameter at which the mean over the spot is the limit
     yield "sum-for-root", (spot - exit_diameter) / angle
     yield "uniform-for-gaussian", (mean - exit_diameter) / angle
     yield "exit-forgotten", spot / angle

@@ -1,6 +1,6 @@
-"""Answers where values are uncertain: how near is near enough, and whether their ± is right.
+"""Checks of answers with uncertainties: the tolerance of the value, and the claimed ±.
 
-What people do with uncertainties in place of adding their squares is recognised.
+Some common mistakes are recognised, such as uncertainties that were added without squares.
 """
 
 import math
@@ -14,14 +14,14 @@ from radcalc.homework.question import Question
 from radcalc.units.unit import Unit
 
 NEAR = 0.05  # of an uncertainty, which has two digits at most
-WRONG = "uncertainty"  # the mistake that has no better name
-EXACT = "the right value has none"
-SQUARES = "independent uncertainties add as squares"
-SLOPES = "each uncertainty counts with the slope of the result: of 1/d^2 twice the part of d"
+WRONG = "uncertainty"  # a mistake without a more specific name
+EXACT = "the right value has no uncertainty"
+SQUARES = "the squares of independent uncertainties add up"
+SLOPES = "each uncertainty is multiplied by a slope: the relative one of 1/d^2 is twice that of d"
 
 
 def of_result(question: Question, target: Value, unit: Unit) -> Any:
-    """A result with its uncertainty, of the `uncertainties` package, or a float without."""
+    """Return a result with its uncertainty (as `uncertainties` has it), or 0 without one."""
     if question.uncertain is None:
         return 0.0
     values = zip(question.answer.values, question.uncertain.values, strict=True)
@@ -29,14 +29,14 @@ def of_result(question: Question, target: Value, unit: Unit) -> Any:
 
 
 def tolerance(off: float, unit: str) -> Tolerance:
-    """The standard uncertainty of the right value."""
+    """Return a tolerance of one standard uncertainty."""
     return Tolerance(f"within {_in(off, unit)}, the standard uncertainty", "absolute", off)
 
 
 def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnosis, ...]:
-    """What is wrong with the uncertainty that an answer claims; nothing where that is right.
+    """Return the mistake in a claimed uncertainty, or nothing if it is right.
 
-    Of an exact result it may be as large as the answer was `allowed` to be off, in the `unit`.
+    For an exact result it may be as large as the tolerance `allowed`, in the `unit`.
     """
     off, claimed = getattr(number, "std_dev", 0.0), claim.uncertainty
     if not off:
@@ -55,8 +55,18 @@ def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnos
     without_slopes = abs(number.nominal_value) * math.hypot(*sizes)
     mistakes = [
         ("uncertainties-added", sum(parts), "the uncertainties were added up", SQUARES),
-        ("uncertainty-expanded", 2 * off, "that is twice it, for k = 2", "k = 1 is asked for"),
-        ("uncertainty-slope", without_slopes, "parts of the inputs were added as they are", SLOPES),
+        (
+            "uncertainty-expanded",
+            2 * off,
+            "the expanded uncertainty (k = 2) was used",
+            "the standard uncertainty (k = 1) is required",
+        ),
+        (
+            "uncertainty-slope",
+            without_slopes,
+            "the relative uncertainties of the inputs were combined without their slopes",
+            SLOPES,
+        ),
         *(
             ("uncertainty-left-out", part, "only one input's uncertainty was counted", SQUARES)
             for part in parts
@@ -66,14 +76,14 @@ def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnos
     for name, size, done, why in mistakes:
         if _is_near(claimed, size):
             return (Diagnosis(name, done, f"{why}: {right}"),)
-    return (Diagnosis(WRONG, "the uncertainty is another one", right),)
+    return (Diagnosis(WRONG, "the uncertainty is wrong", right),)
 
 
 def _in(size: float, unit: str) -> str:
-    """An uncertainty with two digits in its unit: 0.28 fc, 100 lx."""
+    """Format an uncertainty with two digits and its unit: 0.28 fc, 100 lx."""
     return with_unit(format_number(float(f"{size:.2g}")), unit)
 
 
 def _is_near(claimed: float, size: float) -> bool:
-    """Whether an uncertainty is that one, or that one rounded to a digit."""
+    """Return whether an uncertainty is near another one, or equal to it rounded to one digit."""
     return abs(claimed - size) <= NEAR * size or claimed == float(f"{size:.1g}")

@@ -1,4 +1,4 @@
-"""What is said of an answer: which result it is of, whether it is right, and what went wrong."""
+"""The verdict on an answer: its result, right or wrong, and the likeliest mistakes."""
 
 import math
 from collections.abc import Sequence
@@ -17,20 +17,20 @@ from radcalc.units.scale_table import CONSTANTS
 from radcalc.units.scales import ScaleUnit
 from radcalc.units.unit import Unit
 
-ROUNDED = "rounded"  # which is no mistake
+ROUNDED = "rounded"  # not a mistake
 TOLERANCE, ONE_PERCENT = "1%", 0.01
-REMARKS = ("error",)  # results that say how good another is
-ASKED = {"sky": ("irradiance",)}  # by a command's plane, before what has the same unit
-# Results that cameras are marked with in rounded numbers, each by the scale that has them.
+REMARKS = ("error",)  # results that are error estimates of others
+ASKED = {"sky": ("irradiance",)}  # by command: preferred among results with the same unit
+# Results that cameras mark in rounded numbers, with the scale of these numbers.
 CAMERA_SCALES = {"time": "time", "unfiltered-time": "time", "f-number": "f-number"}
-WAYS = 4  # to say an answer clearly, that are shown
+WAYS = 4  # unambiguous answers in a hint
 
 
 class Verdict(NamedTuple):
-    """What is said of an answer; `value` is the right one.
+    """The verdict on an answer.
 
-    The `ratio` is the answer over the right value, if that is not 0.  The standard
-    uncertainties are those of the right value and of the answer.
+    `value` is the right value; `ratio` is the answer divided by it, if it is not 0.  `uncertainty`
+    and `claimed_uncertainty` are the standard uncertainties of the right value and of the answer.
     """
 
     right: bool
@@ -50,9 +50,9 @@ class Verdict(NamedTuple):
 def check(question: Question, claim: str, tolerance: str | None = None) -> Verdict:
     """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf).
 
-    Without a tolerance it is 1%, or the digits typed where these are at least two and leave more,
-    or the standard uncertainty of the right value.  Where several answers fit what
-    is given, one of them is right.
+    The default tolerance is the largest of 1%, the rounding of the digits typed (if at least
+    two), and the standard uncertainty of the right value.  If the question has several solutions,
+    each of them is right.
     """
     uncertain = question.uncertain
     uncertain_answers = (uncertain, *uncertain.more) if uncertain else repeat(None)
@@ -70,7 +70,7 @@ def _check(question: Question, claim_text: str, asked_tolerance: str | None) -> 
     claim, tolerance = read_claim(claim_text), asked_tolerance or TOLERANCE
     target, unit_text, is_of_another = _target(question, claim, tolerance)
     unit = measured_in(unit_text, target.name)
-    if isinstance(unit, ScaleUnit):  # it is judged by what it stands for
+    if isinstance(unit, ScaleUnit):  # readings are compared as quantities
         unit = unit.with_constants(
             {n: k.value for n, k in question.given.items() if n in CONSTANTS}
         )
@@ -93,13 +93,11 @@ def _judged(
     tolerance: str,
     asked_tolerance: str | None,
 ) -> Verdict:
-    """Judge an answer that is meant for one of the results, in a unit."""
+    """Judge an answer to one result, in a unit."""
     unit = measured_in(unit_text, target.name)
     right = in_unit(target, unit)
     if not isinstance(right, float):
-        raise ConditionError(
-            f"{option('check')} takes one answer, and there are several", "one value a call"
-        )
+        raise ConditionError(f"{option('check')} takes one answer, not several", "one value a call")
     if target.name == "azimuth":  # whole turns make no difference
         turn = 2 * math.pi / unit.factor
         claim = claim._replace(value=claim.value + turn * round((right - claim.value) / turn))
@@ -140,9 +138,9 @@ def _explained(
     verdict: Verdict,
     asked_tolerance: str | None,
 ) -> Verdict:
-    """Accept an answer that is off as a camera's marked number or a rounded one is, or diagnose it.
+    """Accept a rounded answer or a number as marked on cameras; diagnose any other.
 
-    A tolerance that was asked for accepts neither.
+    With an explicit tolerance neither is accepted.
     """
     right = verdict.value
     if marked := _marked(question, claim, target, unit):
@@ -154,7 +152,7 @@ def _explained(
         if asked_tolerance or claim.digits < LEAST_MEANT:
             return verdict._replace(diagnoses=(rounded,))
         return verdict._replace(right=True, tolerance=rounded.done, diagnoses=(rounded,))
-    from radcalc.homework.diagnosis import diagnose  # which right answers do without
+    from radcalc.homework.diagnosis import diagnose  # not needed for right answers
 
     scale = float(target.amount) / right if right else unit.factor
     diagnoses = diagnose(question, target, claim, scale)
@@ -164,7 +162,7 @@ def _explained(
 
 
 def _stands_for(claim: Claim, scale: ScaleUnit) -> Claim:
-    """A reading as what it stands for; half a unit of its digits becomes a part of that."""
+    """Convert a reading on a scale to its quantity, with its rounding and uncertainty."""
     slope = abs(scale.slope(claim.value))
     return claim._replace(
         value=scale.quantity(claim.value),
@@ -176,11 +174,11 @@ def _stands_for(claim: Claim, scale: ScaleUnit) -> Claim:
 
 
 def _in_readings(verdict: Verdict, claim: Claim, scale: ScaleUnit) -> Verdict:
-    """A verdict with readings for what they stand for, which have no ratio."""
+    """Convert the quantities of a verdict to readings; readings have no ratio."""
     right = scale.reading(verdict.value)
     tolerance = verdict.tolerance
     if tolerance.endswith("%"):
-        tolerance += " of what it stands for"
+        tolerance += " of the quantity"
     diagnoses = tuple(
         _rounded(claim, right) if diagnosis.mistake == ROUNDED else diagnosis
         for diagnosis in verdict.diagnoses
@@ -199,15 +197,15 @@ def _in_readings(verdict: Verdict, claim: Claim, scale: ScaleUnit) -> Verdict:
 
 
 def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
-    """How the likeliest mistake leads from the right value to the answer."""
+    """Return the step from the right value to the answer by the likeliest mistake."""
     sizes = (verdict.value, verdict.ratio, verdict.claimed)
     right, ratio, claimed = map(format_number, sizes)
     numbers = f"{with_unit(right, verdict.unit)} * {ratio} = {with_unit(claimed, verdict.unit)}"
-    return Step(f"as it was answered: {diagnosis.done}", "", numbers)
+    return Step(f"likely mistake: {diagnosis.done}", "", numbers)
 
 
 def _rounded(claim: Claim, right: float) -> Diagnosis:
-    """The answer is the right one, in fewer digits than the tolerance asks for."""
+    """Return the diagnosis of a right answer with fewer digits than the tolerance needs."""
     digits = next(
         (n for n in range(1, claim.digits) if float(f"{right:.{n}g}") == claim.value), claim.digits
     )
@@ -217,7 +215,7 @@ def _rounded(claim: Claim, right: float) -> Diagnosis:
 
 
 def _marked(question: Question, claim: Claim, target: Value, unit: Unit) -> Diagnosis | None:
-    """That the answer is what a camera is marked with for the right value, as 1/125 for 1/128 s."""
+    """Return the diagnosis of a number as marked on cameras, such as 1/125 for 1/128 s."""
     name = CAMERA_SCALES.get(target.name)
     if question.command != "ev" or name is None:
         return None
@@ -226,11 +224,11 @@ def _marked(question: Question, claim: Claim, target: Value, unit: Unit) -> Diag
     exact = mark(name, float(target.amount))
     if exact is None or not math.isclose(claim.value * unit.factor, exact, rel_tol=1e-9):
         return None
-    return Diagnosis(ROUNDED, "as cameras are marked, in rounded numbers", "whole stops are exact")
+    return Diagnosis(ROUNDED, "as marked on cameras, in rounded numbers", "whole stops are exact")
 
 
 def _wrong_unit(claim: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:
-    """The answer's unit measures something else than the result."""
+    """Return the diagnosis of an answer in a unit of another quantity."""
     number = "the number would be right" if is_near else "check both"
     return Diagnosis(
         "wrong-unit",
@@ -240,17 +238,19 @@ def _wrong_unit(claim: Claim, target: Value, unit: str, is_near: bool) -> Diagno
 
 
 def _target(question: Question, claim: Claim, tolerance: str) -> tuple[Value, str, bool]:
-    """The result that is meant, the unit to compare in, and whether the unit is of another.
+    """Return the result that is meant, the unit to compare in, and whether the unit is wrong.
 
-    Without a name it is the first that has that unit; where the number fits only another one,
-    nothing can be said before it is named.
+    An answer without a name is for the first result with its unit; if the number fits only another
+    result, the name is required.
     """
     typed = option("check", quote(claim.text))
     pool = _named(question, claim) if claim.name else _unnamed(question)
     if not claim.unit:
         if len({value.name for value in pool}) > 1 or len(set(pool[0].units)) != 1:
-            missing = "in which unit" if claim.name else "which result is meant"
-            raise ConditionError(f"{typed}: say {missing}", _ways(pool, claim))
+            ways = _ways(pool, claim)
+            if claim.name:
+                raise ConditionError(f"the unit of {typed} is missing", ways)
+            raise ConditionError(f"{typed} is ambiguous: it may answer several results", ways)
         return pool[0], pool[0].units[0], False
     unit = measured_in(claim.unit, *(value.name for value in pool))
     fitting = [value for value in pool if claim.unit in value.units] or [
@@ -260,11 +260,12 @@ def _target(question: Question, claim: Claim, tolerance: str) -> tuple[Value, st
         holding = [value for value in fitting if _holds(value, unit, claim, tolerance)]
         if holding and fitting[0] not in holding:
             raise ConditionError(
-                f"{typed} would be right for {holding[0].name}: say which result is meant",
+                f"{typed} is ambiguous: it is right for {holding[0].name},"
+                f" wrong for {fitting[0].name}",
                 _ways([fitting[0], *holding], claim),
             )
         return fitting[0], claim.unit, False
-    for value in pool:  # the one that the number fits, if any
+    for value in pool:  # the first result that the number fits, if any
         for text in value.units:
             if _holds(value, measured_in(text, value.name), claim, tolerance):
                 return value, text, True
@@ -272,23 +273,24 @@ def _target(question: Question, claim: Claim, tolerance: str) -> tuple[Value, st
 
 
 def _named(question: Question, claim: Claim) -> list[Value]:
-    """The results of a name."""
+    """Return the results of a name."""
     named = [value for value in question.answer.values if claim.name in (value.name, value.also)]
     present = [value for value in named if not value.is_absent]
     if present:
         return present
     if named:
-        pick(named, claim.name)  # which says what it lacks
+        pick(named, claim.name)  # raises an error that names the missing input
     names = dict.fromkeys(v.name for v in question.answer.values if not v.is_absent)
-    missing = f"{option('check')}: unknown result '{quote(claim.name)}'"
-    raise ConditionError(missing, ", ".join(names))
+    raise ConditionError(
+        f"{option('check')}: unknown result '{quote(claim.name)}'", ", ".join(names)
+    )
 
 
 def _unnamed(question: Question) -> list[Value]:
-    """The results that a number alone may mean: what follows, then what was given."""
+    """Return the results that an answer without a name may be for; inputs come last."""
     present = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
     if not present:
-        raise ConditionError(f"{option('check')}: there is nothing to check", "less of it given")
+        raise ConditionError(f"{option('check')}: a result is missing", "less of it given")
     asked_names = ASKED.get(question.command, ())
     return sorted(
         present, key=lambda value: (value.given is not None, value.name not in asked_names)
@@ -301,7 +303,7 @@ def _holds(value: Value, unit: Unit, claim: Claim, tolerance: str) -> bool:
 
 
 def _ways(values: Sequence[Value], claim: Claim) -> str:
-    """How the answer can be said clearly."""
+    """Return unambiguous answers, as a list for a hint."""
     clear_answers = [
         option("check", f"{value.name}={claim.number}{unit.replace(' ', '.').removeprefix('1')}")
         for value in values

@@ -33,7 +33,7 @@ def test_an_ambiguous_claim_is_refused_with_what_would_do(said, words, claim):
     found = said(words, "--check", claim)
     assert found.status == 2
     assert found.out == ""
-    assert "say which result is meant" in found.err
+    assert "is ambiguous: it may answer several results" in found.err
     assert f"={claim}" in found.err
 
 

@@ -107,7 +107,7 @@ def test_a_plane_under_a_sky_is_what_is_asked_about():
     words = "sky overcast --zenith-luminance 9000cd/m2 --tilt 90deg"
     found = verdict(words, "8712lx")  # 9000 (pi/6 + 4/9) on the wall
     assert (found.name, found.right) == ("irradiance", True)
-    with pytest.raises(ConditionError, match="right for horizontal-irradiance: say which"):
+    with pytest.raises(ConditionError, match="is right for horizontal-irradiance, wrong"):
         verdict(words, "21991lx")  # 9000 7 pi/9 on the ground
 
 
@@ -183,15 +183,15 @@ def test_the_library_checks_without_the_command_line():
 def test_a_refusal_is_spelled_as_the_reader_writes_it():
     with pytest.raises(ConditionError) as caught:
         check(cone_question("27deg"), "0.7")
-    assert str(caught.value).startswith("check 0.7: say which result is meant\n")
+    assert str(caught.value).startswith("check 0.7 is ambiguous: it may answer several results\n")
     message, hint = caught.value.spelled(Shell)
-    assert message == "--check 0.7: say which result is meant"
+    assert message == "--check 0.7 is ambiguous: it may answer several results"
     assert hint.startswith("--check solid-angle=0.7sr, ")
 
 
 def test_the_library_refuses_by_exceptions():
     question = cone_question("27deg")
-    with pytest.raises(ConditionError, match="which result"):
+    with pytest.raises(ConditionError, match="several results"):
         check(question, "0.7")
     with pytest.raises(NumberError):
         check(question, "x")

@@ -29,18 +29,18 @@ FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
         (LAMP, "irradiance=15.92+-0.51lx", True, "right"),
         (LAMP, "15.92+-0.72lx", False, "added up"),  # 2.5 % + 2 %
         (LAMP, "15.92+-1.0lx", False, "k = 2"),  # 2 * 3.2 %
-        (LAMP, "15.92+-0.43lx", False, "twice the part of d"),  # sqrt(2.5^2 + 1^2) %
+        (LAMP, "15.92+-0.43lx", False, "twice that of d"),  # sqrt(2.5^2 + 1^2) %
         (LAMP, "15.92+-0.32lx", False, "only one"),  # 2 %
         # 2 % and 2 * 1 %; without the 2 sqrt(2^2 + 1^2) % of 25 lx are 0.56 lx
         ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "it is 0.71 lx"),
-        ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "twice the part"),
+        ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "twice that of d"),
         (("convert", "10.0+-2.3", "mW", "dBm"), "10+-2dBm", False, "it is 2.3 mW"),
         (("convert", "(100±3) lx * (2.0±0.1) m2", "lm"), "200+-16lm", False, "added up"),
         (("convert", "(100±3) lx * (2.0±0.1) m2", "lm"), "200+-12lm", True, "200 ± 12 lm"),
         (EXACT, "25.2+-0.1lx", True, "within 1%"),
         (EXACT, "25.6+-0.7lx", False, "within 1%"),
         (EXACT, "50+-100lx", False, "the distance was not squared"),
-        (EXACT, "25+-100lx", False, "the right value has none"),
+        (EXACT, "25+-100lx", False, "the right value has no uncertainty"),
         (EXACT, "25+-100lx", False, "not 25 ± 100 lx"),
         (NEARLY, "50+-100lx", False, "it is 25"),
         (NEARLY, "30+-100lx", False, "within 25 lx"),
