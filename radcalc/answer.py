@@ -1,10 +1,11 @@
 """Answers, independent of terminals and formats."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.errors import RadcalcError
 from radcalc.maths import is_array
+from radcalc.tuples import NamedTuple
 from radcalc.units.unit import Dimension
 
 

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.answer import Step
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import SYMBOLS, light_unit
+from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.unit import unit_behind
 

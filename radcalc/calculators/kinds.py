@@ -6,7 +6,7 @@ takes one kind.
 
 from contextlib import suppress
 from functools import reduce
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import LINKS_HINT
@@ -35,6 +35,7 @@ from radcalc.quantities.symbols import (
     light_unit,
     specific_name,
 )
+from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
 from radcalc.units.unit import Dimension
 

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable, Sequence, Set
 from itertools import combinations
-from typing import NamedTuple
 
 from radcalc.calculators.worksheet import OFFSETS, Worksheet
 from radcalc.errors import Idle, option, options
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import reached
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.tuples import NamedTuple
 
 # The results that inputs must lead to; a page may name another goal.
 GOALS = frozenset(

@@ -3,11 +3,12 @@
 import re
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.errors import UsageError, nearest, quote
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS, WORD, Symbol
+from radcalc.tuples import NamedTuple
 
 # Forms of operands, in addition to those of symbols.
 CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"

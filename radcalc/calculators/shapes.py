@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, refuse_slant_for_height
 from radcalc.derivation import Formula, format_number
@@ -34,6 +34,7 @@ from radcalc.laws.surface import (
     rectangle_on_axis,
 )
 from radcalc.maths import any_true, atan2, cos, hypot, larger, piecewise, sin, smaller
+from radcalc.tuples import NamedTuple
 
 SIZES = ("area", "radius", "diameter", "width", "length")
 POSITION = ("distance", "height", *OFFSETS, "incidence")

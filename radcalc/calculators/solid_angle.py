@@ -6,7 +6,7 @@ The function of each shape imports its own geometry, so that a cone does not loa
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.answer import Answer, Step, texts_of
 from radcalc.calculators.page import Operand, Page
@@ -43,6 +43,7 @@ from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, round_sizes
 from radcalc.maths import FAINTEST, SLACK, any_true, cos, sin, smaller
 from radcalc.quantities.symbols import CHOICE
+from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import LENGTH
 
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.answer import Answer, ShownInput
 from radcalc.inputs.given import Inputs, any_uncertain
+from radcalc.tuples import NamedTuple
 
 Wants = Callable[[str], bool]  # returns whether the result of a name is requested
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial, reduce
 from itertools import permutations
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.answer import Step
 from radcalc.calculators import kinds
@@ -15,6 +15,7 @@ from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import Known, reached
 from radcalc.maths import is_array, larger
 from radcalc.quantities.symbols import QUANTITY
+from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import AREA, LENGTH
 
 FARTHEST = 1e75  # ratio of lengths, which is squared

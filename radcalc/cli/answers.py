@@ -1,7 +1,7 @@
 """Answers on their way to the renderers."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc import terminal
 from radcalc.answer import Answer, Result, Row, ShownInput
@@ -12,6 +12,7 @@ from radcalc.cli.request import Request
 from radcalc.errors import MissingInput, UsageError
 from radcalc.maths import is_array
 from radcalc.render.formats import CSV
+from radcalc.tuples import NamedTuple
 
 
 class Answered(NamedTuple):

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc import terminal
 from radcalc.answer import Result, Row, ShownInput
@@ -29,6 +29,7 @@ from radcalc.errors import (
 from radcalc.errors import command as call_of
 from radcalc.inputs.given import Input, any_uncertain, shown_inputs
 from radcalc.quantities.light import read as read_light
+from radcalc.tuples import NamedTuple
 from radcalc.units.amount import Amount
 from radcalc.units.compiled import PREFIX_SYMBOLS
 from radcalc.units.numbers import read_number, split_quantity

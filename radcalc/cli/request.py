@@ -1,9 +1,10 @@
 """What a command is asked for, beside its inputs."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.cli import check, line_options
 from radcalc.errors import UsageError
+from radcalc.tuples import NamedTuple
 
 
 class Request(NamedTuple):
@@ -23,11 +24,13 @@ class Request(NamedTuple):
     @classmethod
     def of(cls, values: dict[str, Any], takes_lines: bool) -> "Request":
         """Take it out of a command's values; refuse what has no use with --check, or without."""
-        request = cls(*[values.pop(name) for name in cls._fields[:4]])
-        request = request._replace(plot=values.pop("plot", None) or "")
+        lines = None
         if takes_lines:
             line_values = [values.pop(name) for name in line_options.LineOptions._fields]
-            request = request._replace(lines=line_options.LineOptions(*line_values))
+            lines = line_options.LineOptions(*line_values)
+        wanted, steps = values.pop("wanted"), values.pop("steps")
+        checked, tolerance = values.pop("check"), values.pop("tolerance")
+        request = cls(wanted, steps, checked, tolerance, lines, values.pop("plot", None) or "")
         check.refuse_idle(request.check, request.tolerance)
         if request.check is not None and request.wanted:
             raise UsageError("--check cannot be used with --get", "--check NAME=VALUE")

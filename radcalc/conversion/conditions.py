@@ -5,11 +5,12 @@ factors that a conversion needs.
 """
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.answer import Step
 from radcalc.errors import Exclusive
 from radcalc.inputs.given import Input
+from radcalc.tuples import NamedTuple
 
 # Slots of conditions; two conditions in one slot contradict each other.
 LINK, TIME, AREA, CONE, DISTANCE = "link of kinds", "time", "area", "solid angle", "distance"

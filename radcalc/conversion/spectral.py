@@ -1,6 +1,6 @@
 """Factors between kinds and between spectral densities: wavelengths, spectra, efficacies."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from radcalc import maths
 from radcalc.answer import Step
@@ -33,6 +33,7 @@ from radcalc.spectra.observers import (
     standard_air_wavelength,
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
+from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER
 from radcalc.units.numbers import parse_number
 from radcalc.units.unit import Photosynthetic

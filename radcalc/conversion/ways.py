@@ -1,10 +1,10 @@
 """The spatial conditions that lead from one geometry to another."""
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 from radcalc.conversion import geometric
 from radcalc.conversion.conditions import AREA, CONE, DISTANCE, REFLECTANCE, Conditions, Factor
+from radcalc.tuples import NamedTuple
 
 Supply = dict[str, Callable[[Conditions], Factor]]
 

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from radcalc import maths
 from radcalc.answer import ShownInput
@@ -19,6 +19,7 @@ from radcalc.quantities.symbols import (
     Limits,
     Symbol,
 )
+from radcalc.tuples import NamedTuple
 from radcalc.units.numbers import rounding
 from radcalc.units.unit import NUMBER, Dimension, Unit
 

@@ -8,11 +8,12 @@ arrays; radians, steradians, cycles and photons count as units.
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.derivation import Formula
 from radcalc.errors import ConditionError
 from radcalc.maths import any_true, is_array, power
+from radcalc.tuples import NamedTuple
 
 At = Callable[[str], Any]  # returns the value of a symbol
 

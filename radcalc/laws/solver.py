@@ -10,13 +10,14 @@ Values are in coherent SI units, floats or arrays.
 from collections.abc import Sequence, Set
 from functools import cached_property
 from itertools import product
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc.answer import Step
 from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
 from radcalc.laws.law import AnyLaw, Law, Relation, Several
 from radcalc.maths import any_true, is_array, is_lost, larger, limit
+from radcalc.tuples import NamedTuple
 from radcalc.units.numbers import EXACT
 
 

@@ -5,9 +5,8 @@ relative to a flux, and the axis of a spectral density.  Conversions between qua
 the differences of these facts.
 """
 
-from typing import NamedTuple
-
 from radcalc.errors import quote
+from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,

@@ -6,7 +6,6 @@ API each spell it in their own way.
 """
 
 import math
-from typing import NamedTuple
 
 from radcalc.quantities.light import (
     EXITANCES,
@@ -20,6 +19,7 @@ from radcalc.quantities.light import (
     RATIOS,
     light_dimension,
 )
+from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,

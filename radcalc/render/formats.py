@@ -7,10 +7,11 @@ notes go to standard error instead.
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import Result, Row, ShownInput
 from radcalc.quantities.language import ENGLISH
+from radcalc.tuples import NamedTuple
 
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
 FORMATS = (TABLE, PLAIN, JSON, CSV)

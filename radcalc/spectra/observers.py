@@ -3,8 +3,6 @@
 The tables have steps of 1 nm in standard air, are interpolated linearly, and are 0 outside.
 """
 
-from typing import NamedTuple
-
 from radcalc.maths import Number, is_array, larger, rounded, smaller, square
 from radcalc.spectra.data.observers import (
     CIE_1964,
@@ -15,6 +13,7 @@ from radcalc.spectra.data.observers import (
     SCOTOPIC,
 )
 from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.tuples import NamedTuple
 
 
 class Observer(NamedTuple):

@@ -3,7 +3,6 @@
 import math
 import os
 from functools import cache
-from typing import NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, TooMany, command, nearest, option, quote
 from radcalc.files.text import ENDINGS
@@ -21,6 +20,7 @@ from radcalc.spectra.spectrum import (
     Spectrum,
     Table,
 )
+from radcalc.tuples import NamedTuple
 from radcalc.units.amount import Amount
 from radcalc.units.amounts import UNCERTAIN, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE

@@ -302,7 +302,7 @@ class Calculator(Scanner):
         while True:
             self.skip_blanks()
             sign_at = self.at
-            operator = self.times_ten() or (self.operator() if self.peek() else "")
+            operator = self.times_ten() or (self.operator(self.peek()) if self.peek() else "")
             if not operator:
                 return value, has_number
             if self.text[sign_at : sign_at + 1] == "." and self.peek() in tuple(DIGITS):

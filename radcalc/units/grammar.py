@@ -93,9 +93,10 @@ class Scanner:
         pending = ""  # the operator without its right side yet
         while True:
             self.skip_blanks()
-            if self.peek() in ("", ")"):
+            c = self.peek()
+            if c in ("", ")"):
                 break
-            operator = self.operator()
+            operator = self.operator(c)
             if operator and pending:
                 raise self.error(f"has '{operator}' after '{pending}'")
             if operator:
@@ -103,7 +104,7 @@ class Scanner:
                     raise self.error(f"starts with '{operator}'")
                 pending = operator
                 continue
-            if not self.starts_factor():
+            if not self.starts_factor(c):
                 self.factor(depth)  # raises for it
             if pending == "/":
                 solidus = self.at - 1 if solidus < 0 else solidus
@@ -120,16 +121,14 @@ class Scanner:
             raise self.error("has nothing between its brackets")
         return atoms
 
-    def starts_factor(self) -> bool:
-        c = self.peek()
+    def starts_factor(self, c: str) -> bool:
         return c in "(1_" or c in NAMED or c.isalpha()
 
     def separated(self) -> bool:
         return self.text[self.at - 1] in " )" or self.peek() == "("
 
-    def operator(self) -> str:
+    def operator(self, c: str) -> str:
         """Read an operator: '/' for a solidus or the word per, '*' for a product, or ''."""
-        c = self.peek()
         if c == "/" or c in PRODUCTS:
             self.at += 1
             if c == "*" and self.peek() == "*":

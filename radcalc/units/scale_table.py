@@ -1,10 +1,11 @@
 """The scales: units that are read through a function, with their spellings and sources."""
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 from radcalc import maths
 from radcalc.errors import RadcalcError, UnitError, mention, quote
+from radcalc.tuples import NamedTuple
 from radcalc.units.grammar import parse_unit
 from radcalc.units.unit import lookup
 
