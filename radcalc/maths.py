@@ -7,9 +7,9 @@ in the last bit; inside `exactly`, `math` computes the elements of arrays too.
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from contextvars import ContextVar
 from itertools import repeat
 from sys import float_info
+from threading import local
 from typing import Any
 
 SMALLEST = float_info.min  # below it a float loses digits
@@ -20,8 +20,16 @@ SLACK = 1e-12
 # within the range of a float.
 LARGEST = 1e100
 FAINTEST = 1e-300  # near the smallest float with full precision
-IS_EXACT = ContextVar("IS_EXACT", default=False)
 Number = Any  # a float, or anything with NumPy's elementwise operations
+
+
+class _Mode(local):
+    """Whether what runs is within `exactly`."""
+
+    is_exact = False
+
+
+_MODE = _Mode()
 
 
 def is_array(x: Any) -> bool:
@@ -42,11 +50,12 @@ def is_column(x: Any) -> bool:
 @contextmanager
 def exactly() -> Iterator[None]:
     """Compute the elements of arrays to the same last bit as floats, which takes longer."""
-    token = IS_EXACT.set(True)
+    before = _MODE.is_exact
+    _MODE.is_exact = True
     try:
         yield
     finally:
-        IS_EXACT.reset(token)
+        _MODE.is_exact = before
 
 
 def each(function: Callable[..., float], *xs: Number) -> Number:
@@ -74,7 +83,7 @@ def _call(name: str, *xs: Number) -> Number:
     function = getattr(math, name)
     for x in xs:
         if type(x) is not float and is_array(x):
-            if IS_EXACT.get():
+            if _MODE.is_exact:
                 with suppress(ValueError, OverflowError):
                     return _mapped(function, xs)
             import numpy
@@ -170,7 +179,7 @@ def sqrt(x: Number) -> Number:
 
 def power(x: Number, exponent: Number) -> Number:
     """Return x to a power."""
-    if IS_EXACT.get() and (is_array(x) or is_array(exponent)):
+    if _MODE.is_exact and (is_array(x) or is_array(exponent)):
         with suppress(ZeroDivisionError, OverflowError, TypeError):  # TypeError: complex results
             return _mapped(pow, (x, exponent))
     return x**exponent
@@ -187,7 +196,7 @@ def rounded(x: Number, digits: int) -> Number:
         return round(x, digits)
     import numpy
 
-    return _mapped(round, (x, digits)) if IS_EXACT.get() else numpy.round(x, digits)
+    return _mapped(round, (x, digits)) if _MODE.is_exact else numpy.round(x, digits)
 
 
 def log(x: Number) -> Number:

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 HANGING = 4  # columns that what follows the first part of a folded line stands in
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 AUTO, ALWAYS, NEVER = COLORING = "auto", "always", "never"
+# What a line of standard input that cannot be converted does.
+ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
 BOLD, FAINT, RESET = "\033[1m", "\033[2m", "\033[0m"
 RED, GREEN, MAGENTA, CYAN = "\033[1;31m", "\033[1;32m", "\033[35m", "\033[36m"
 # The colour of a line's first word, which says what the line is.  That word alone is coloured: a

@@ -119,11 +119,13 @@ def _unit_of(text: str, name: str, values: Sequence[Value]) -> Unit:
 
 def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]:
     """Return the assumptions of the scales in requested results, NAME:SCALE."""
-    from radcalc.units.scales import find
-
     assumptions = []
     for name, _, text in [result.partition(":") for result in wanted]:
-        if not text or not find(text):
+        if not text or text in COHERENT.values():  # which are no scales
+            continue
+        from radcalc.units.scales import find
+
+        if not find(text):
             continue
         unit = _unit_of(text, name, values)
         for value in values:

@@ -5,15 +5,15 @@ Several lists make a grid, in the order in which they were typed: the last runs 
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import ShownInput
 from radcalc.errors import TooMany, UsageError, option, quote
 from radcalc.inputs.given import Input, Inputs
-from radcalc.inputs.places import read_place
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import DISTRIBUTION, QUANTITY, SPECTRUM, SYMBOLS
+from radcalc.tuples import NamedTuple
 from radcalc.units.ranges import grid, note_of
 from radcalc.units.unit import NUMBER, Unit
 
@@ -109,6 +109,8 @@ def _values(
 
 def at_points(given_cases: Sequence[Case], name: str, words: Sequence[str]) -> list[Case]:
     """Return the cases at each of several points, which words say."""
+    from radcalc.inputs.places import read_place
+
     points = [read_place(name, word) for word in words]
     places = [(as_typed(point),) if len(points) > 1 else () for point in points]
     return [

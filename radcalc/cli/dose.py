@@ -22,11 +22,11 @@ from radcalc.errors import UsageError, quote
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
-from radcalc.streams import ABORT, INVALID
 from radcalc.streams.clocks import PERIODS, TimeSettings
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import LogSettings
 from radcalc.streams.samples import Log
+from radcalc.terminal import ABORT, INVALID
 
 TIME_COLUMN = click.Option(
     ["--time-column"],

@@ -1,12 +1,13 @@
 """The options for lines of standard input, which convert shows and calculators hide."""
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from radcalc.errors import UsageError, command, option
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.streams import INVALID
+from radcalc.terminal import INVALID
+from radcalc.tuples import NamedTuple
 
 if TYPE_CHECKING:
     from radcalc.cli.cases import Case

@@ -1,7 +1,7 @@
 """The options of output that every command shares, and what they decide."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -21,18 +21,22 @@ from radcalc.render.formats import (
     Style,
     renderer,
 )
+from radcalc.tuples import NamedTuple
 
 FEW = 3  # remarks that differ in their numbers alone, and are all shown
 WITHOUT_NUMBERS = str.maketrans("", "", "0123456789.+-e")
 
 
-class Listener(Protocol):
-    """The prompt, which keeps what is answered, and has options of output for every line."""
+if TYPE_CHECKING:
+    from typing import Protocol
 
-    settings: dict[str, Any]
+    class Listener(Protocol):
+        """The prompt, which keeps what is answered, and has options of output for every line."""
 
-    def hear(self, results: Sequence[Result]) -> None:
-        """Take what is being shown."""
+        settings: dict[str, Any]
+
+        def hear(self, results: Sequence[Result]) -> None:
+            """Take what is being shown."""
 
 
 class Output(NamedTuple):
@@ -44,7 +48,7 @@ class Output(NamedTuple):
     format: str
     style: Style
     is_chosen: bool = False
-    listener: Listener | None = None
+    listener: "Listener | None" = None
 
     @property
     def is_bare(self) -> bool:

@@ -17,7 +17,8 @@ from radcalc.errors import NumberError, RadcalcError, Unused, UsageError, option
 from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE
-from radcalc.streams import ABORT, Source
+from radcalc.streams import Source
+from radcalc.terminal import ABORT
 from radcalc.units.reading import read_stream_operands
 from radcalc.units.scales import resolve_any, resolve_given
 from radcalc.units.table import resolve

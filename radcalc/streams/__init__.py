@@ -1,14 +1,13 @@
 """Standard input, line by line, through a plan or a calculator."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from radcalc.tuples import NamedTuple
 
 if TYPE_CHECKING:
     from radcalc.inputs.given import Input
     from radcalc.units.unit import Unit
-
-# What a value that cannot be converted does.
-ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
 
 
 class Source(NamedTuple):

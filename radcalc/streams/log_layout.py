@@ -33,9 +33,9 @@ from radcalc.quantities.light import PHOTON, describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
 from radcalc.quantities.symbols import light_unit
-from radcalc.streams import ABORT
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import looks_like_clock, looks_like_stamp
+from radcalc.terminal import ABORT
 from radcalc.units.dimensions import TIME
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve

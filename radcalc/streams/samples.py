@@ -12,9 +12,10 @@ from typing import Any, NamedTuple
 from radcalc.errors import LineError, NumberError, RadcalcError, mention, quote
 from radcalc.files import columns
 from radcalc.files.text import Text
-from radcalc.streams import ABORT, FAIL, IGNORE, log_layout
+from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, Head, LogSettings, is_remark
+from radcalc.terminal import ABORT, FAIL, IGNORE
 from radcalc.units.numbers import parse_number
 
 FEW = 32  # lines that are not cut further

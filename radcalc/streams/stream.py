@@ -10,9 +10,9 @@ from itertools import islice
 from typing import Any
 
 from radcalc.errors import LineError, NumberError, RadcalcError, UsageError, option
-from radcalc.streams import ABORT, FAIL, IGNORE
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span
 from radcalc.streams.readers import Texts
+from radcalc.terminal import ABORT, FAIL, IGNORE
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
