@@ -5,6 +5,8 @@ relative to a flux, and the axis of a spectral density.  Conversions between qua
 the differences of these facts.
 """
 
+from operator import sub
+
 from radcalc.errors import quote
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import (
@@ -171,17 +173,19 @@ def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dim
     return _DIMENSIONS[kind, geometry, axis]
 
 
-def _dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
+def _below_flux(geometry: tuple[int, int, int], axis: str) -> Dimension:
+    """What a flux is divided by."""
     time, area, solid_angle = geometry
-    parts = zip(FLUX[kind], TIME, AREA, SOLID_ANGLE, AXIS[axis], strict=True)
-    return tuple([f + time * t - area * a - solid_angle * s - x for f, t, a, s, x in parts])
+    parts = zip(TIME, AREA, SOLID_ANGLE, AXIS[axis], strict=True)
+    return tuple([area * a + solid_angle * s + x - time * t for t, a, s, x in parts])
 
 
 _DIMENSIONS = {
-    (kind, geometry, axis): _dimension(kind, geometry, axis)
-    for kind in FLUX
+    (kind, geometry, axis): tuple(map(sub, flux, below))
     for geometry in GEOMETRIES
     for axis in AXIS
+    for below in [_below_flux(geometry, axis)]
+    for kind, flux in FLUX.items()
 }
 GRID = {
     dimension: (kind, *geometry, axis) for (kind, geometry, axis), dimension in _DIMENSIONS.items()

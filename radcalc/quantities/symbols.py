@@ -606,7 +606,7 @@ def _of_light(
     return Symbol(
         name,
         letter if "_" in letter or not kind else f"{letter}_{kind}",
-        tuple(light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)),
+        tuple([light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)]),
         _EXAMPLES.get(name, f"100{unit}".replace(" ", ".")),
         f"{help_}." if help_ else "",
         POSITIVE,
