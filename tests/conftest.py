@@ -15,7 +15,7 @@ from hypothesis import HealthCheck, settings
 
 from radcalc import __main__, terminal
 
-# No test depends on how fast the machine is, nor does the drawing of its examples.
+# Neither tests nor the generation of examples depend on the speed of the machine.
 settings.register_profile(
     "untimed", max_examples=50, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
@@ -23,8 +23,7 @@ settings.load_profile("untimed")
 
 
 ROOT = Path(__file__).parent.parent
-# The standard streams as a process under C.UTF-8 has them: what they are for, and what becomes of
-# letters that there are not.
+# The standard streams of a process under C.UTF-8: name, mode and error handler.
 STREAMS = (
     ("stdin", "r", "surrogateescape"),
     ("stdout", "w", "surrogateescape"),
@@ -33,19 +32,19 @@ STREAMS = (
 
 
 def pytest_configure() -> None:
-    # What a shell starts in the background ignores interrupts, and so would all that it starts.
+    # A background process of a shell ignores interrupts, and its child processes inherit this.
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def entry_point() -> str:
-    """The installed `radcalc` of the interpreter that runs the tests."""
+    """Return the path of `radcalc`, installed for the interpreter that runs the tests."""
     found = shutil.which("radcalc", path=sysconfig.get_path("scripts"))
     assert found, "radcalc is not installed for this interpreter: pip install '.[test]'"
     return found
 
 
 def process(*words: str, **kwargs) -> subprocess.CompletedProcess[str]:
-    """Run the installed command in a process of its own, with both streams captured."""
+    """Run the installed command in a new process, with both streams captured."""
     kwargs = {"capture_output": True, "text": True, "encoding": "utf-8", "timeout": 60} | kwargs
     return subprocess.run([entry_point(), *words], **kwargs)
 
@@ -57,10 +56,10 @@ def run(
     cwd: Path | str = ".",
     check: bool = False,
 ) -> subprocess.CompletedProcess[str]:
-    """What `process` gives, by a call in this process: where a new one would show nothing more.
+    """Return the same as `process`, from a call in this process, which is much faster.
 
-    With `together`, errors stand in the output.  As a process leaves without flushing, what is in
-    a buffer at the end is lost here as well.
+    With `together`, standard error is part of the output.  radcalc exits without flushing, so text
+    that is still in a buffer at the end is lost here, too.
     """
     terminal.choose_color(terminal.AUTO)
     given = input.encode("utf-8", "surrogateescape")
@@ -78,9 +77,9 @@ def run(
 
 @contextmanager
 def standard_streams(given: bytes, together: bool = False) -> Iterator[tuple[IO[bytes], IO[bytes]]]:
-    """Files in place of the three standard streams: of their descriptors and of Python's own.
+    """Replace the standard streams, both the descriptors and Python's objects, by files.
 
-    Those of standard output and standard error are yielded; with `together` the first has both.
+    Yield the files of standard output and standard error; with `together` both go to the first.
     """
     how: dict[str, Any] = {"encoding": "utf-8", "newline": "", "closefd": False}
     with ExitStack() as stack:
@@ -99,7 +98,7 @@ def standard_streams(given: bytes, together: bool = False) -> Iterator[tuple[IO[
 
 
 def python(code: str, *words: str) -> subprocess.CompletedProcess[str]:
-    """Run code in a new interpreter, with nothing on standard input."""
+    """Run code in a new interpreter, with an empty standard input."""
     return subprocess.run(
         [sys.executable, "-c", code, *words],
         stdin=subprocess.DEVNULL,
@@ -116,5 +115,5 @@ def _plain_environment(monkeypatch: pytest.MonkeyPatch) -> None:
     display = ("NO_COLOR", "FORCE_COLOR", "RADCALC_DEBUG", "COLUMNS")
     for name in (*display, "PYTHONUTF8", "PYTHONIOENCODING"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("LC_ALL", "C.UTF-8")  # tables have the names of the caller's language
+    monkeypatch.setenv("LC_ALL", "C.UTF-8")  # the language of tables depends on the locale
     os.environ.setdefault("TERM", "xterm")

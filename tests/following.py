@@ -1,7 +1,7 @@
-"""Following a hint: what to type in place of what was refused, as the hint says it.
+"""Calls that hints suggest, and whether these calls are answered.
 
-A hint is cut at its mentions (an option with a value, a command) and at the words between that
-part alternatives.  A hint in prose, which leaves to the reader what to type, is one of `PROSE`.
+A hint is split into its mentions (an option with a value, or a command) and the words that
+separate alternatives.  Hints in prose, without a call to type, match `PROSE`.
 """
 
 import re
@@ -25,10 +25,10 @@ from radcalc.units.numbers import split_quantity
 from radcalc.units.uncertain import SIGN, signed
 
 Words = list[str]
-STEPS = 6  # hints that are followed one after another, where more than one thing is wrong
+STEPS = 6  # hints followed one after another, if a call has several errors
 LINES = (b"1\n", b"1 lx\n", b"E,F\n1,2\n", b"E,F\n1 lx,2 lx\n", b"1 2\n")  # for a stream
 
-# Hints that say what is possible or to be decided, and nothing to type.
+# Hints in prose: they describe what is possible, without a call to type.
 PROSE = (
     r"a number such as .*", r"a finite number|decimal digits|the digits 0 to 9",
     r"a number other than 0", r"(less|more) than [0-9.e-]+", r"at most [0-9]+.*", r"0 or more.*",
@@ -56,7 +56,7 @@ PROSE = (
     r"a result between .*", r"a call for each (conversion|kind of line)", r"a comparison by .*",
     r"a product of comparisons .*", r"angles with their units, .*",
 )  # fmt: skip
-STANDING_FOR = {  # words in capitals of commands that are not symbols
+STANDING_FOR = {  # values for placeholders in capitals
     "UNIT": "lx", "TARGET": "fc", "FILE": "D65", "SOURCE": "D65", "X": ",", "N": "1",
     "VALUE": "1",
 }  # fmt: skip
@@ -66,7 +66,7 @@ ALSO = {"--get": "-g", "--format": "--json", "--delimiter": "-d"}  # other spell
 
 
 class Outcome(NamedTuple):
-    """What became of a call."""
+    """The outcome of a call."""
 
     status: int
     output: str
@@ -74,7 +74,7 @@ class Outcome(NamedTuple):
 
 
 def call(words: Words, lines: bytes = LINES[0]) -> Outcome:
-    """Run a command in this process, with lines for its input; keep what it refuses with."""
+    """Run a command in this process, with lines as its input; catch its error."""
     caught: list[RadcalcError] = []
 
     def complain(error: RadcalcError, spelling: Any = None) -> int:
@@ -88,14 +88,14 @@ def call(words: Words, lines: bytes = LINES[0]) -> Outcome:
 
 
 class Option(NamedTuple):
-    """A mention of an option, and its value."""
+    """An option in a hint, with its value."""
 
     name: str
     value: str
 
 
 class Command(NamedTuple):
-    """A mention of a command."""
+    """A command in a hint."""
 
     words: Words
 
@@ -108,7 +108,7 @@ PLAIN = re.compile(
 
 
 def cut(hint: str) -> tuple[str, list[Token]]:
-    """The hint with its mentions as <0>, <1> ..., and the mentions."""
+    """Return the hint with its mentions replaced by <0>, <1> ..., and the mentions."""
     tokens: list[Token] = []
 
     def place(token: Token) -> str:
@@ -137,7 +137,7 @@ def cut(hint: str) -> tuple[str, list[Token]]:
 
 
 def without(words: Words, *names: str) -> Words:
-    """The words with no such options."""
+    """Return the words without some options."""
     names += tuple(ALSO[name] for name in names if name in ALSO)
     kept, skip = [], False
     for word in words:
@@ -157,7 +157,7 @@ def _is_flag(name: str) -> bool:
 
 
 def examples(option: Option, words: Words) -> list[str]:
-    """The values to type for an option: the one mentioned, or examples of the vocabulary."""
+    """Return values to type for an option: its value in the hint, or examples."""
     name = option.name.removeprefix("--")
     if option.value in STANDING_FOR and name not in SYMBOLS:
         return [STANDING_FOR[option.value]]
@@ -177,7 +177,7 @@ def examples(option: Option, words: Words) -> list[str]:
 
 
 def put(words: Words, option: Option) -> Iterator[Words]:
-    """The words with an option, in place of another value of it."""
+    """Yield the words with an option, which replaces an earlier value of the option."""
     rest = without(words, option.name)
     if option.value in ("NAME:UNIT", "NAME=VALUE"):
         first = call([*without(rest, "-n", "--json", "-g"), "-q"]).output.split("\n")[0]
@@ -194,7 +194,7 @@ def put(words: Words, option: Option) -> Iterator[Words]:
 
 
 def candidates(words: Words, error: RadcalcError) -> list[list[Words]] | None:
-    """For each alternative of the hint what may be typed; None where it is prose."""
+    """Return the calls to type for each alternative of the hint, or None if it is prose."""
     text, tokens = cut(error.hint.replace(" (one word, no blank)", ""))
     text = re.sub(r" ?\((?:see|or) <\d+>\)", "", text).strip()
     message, said = cut(error.message)
@@ -245,7 +245,7 @@ def candidates(words: Words, error: RadcalcError) -> list[list[Words]] | None:
 
 
 def _joined(words: Words, option: Token) -> Words:
-    """The words without the unit that stands apart from its number."""
+    """Remove the unit that is a separate word after a number."""
     if isinstance(option, Option) and option.name in words:
         k = words.index(option.name) + 2
         if k < len(words) and option.value.endswith(words[k]):
@@ -254,7 +254,7 @@ def _joined(words: Words, option: Token) -> Words:
 
 
 def _alternatives(words: Words, text: str, tokens: list[Token]) -> Iterator[list[Words]]:
-    """`<0>, <1> or <2> with <3>; and <4>`: what is joined by `and` or `with` is all typed."""
+    """Split `<0>, <1> or <2> with <3>; and <4>`; parts joined by `and` or `with` go together."""
     for chosen in product(*(group.split(", or ") for group in text.split("; and "))):
         parts = [part for one in chosen for part in one.split(" with ")]
         if " or " not in text and " and " in text:
@@ -277,7 +277,7 @@ def _alternatives(words: Words, text: str, tokens: list[Token]) -> Iterator[list
 
 
 def _in_two(words: Words, first: Command, then: Option) -> Words:
-    """The second of two conversions, of what the first gives."""
+    """Return the second of two conversions, with the result of the first."""
     quantity = call([*first.words, "-q"]).output.split("\n")[0].replace("\t", " ")
     operands = [word for word in words if not word.startswith("-")]
     target = operands[3] if len(operands) > 3 else operands[-1]
@@ -285,7 +285,7 @@ def _in_two(words: Words, first: Command, then: Option) -> Words:
 
 
 def _scaled(words: Words, text: str, tokens: list[Token]) -> Iterator[Words]:
-    """`a smaller <0>, <1> or a larger <2>`: an option with a hundredth, or the hundredfold."""
+    """Follow `a smaller <0>, <1> or a larger <2>`: multiply the option's value by 0.01 or 100."""
     larger = False
     for word, number in re.findall(r"(smaller |larger )?<(\d+)>", text):
         larger = word == "larger " if word else larger
@@ -299,7 +299,7 @@ def _scaled(words: Words, text: str, tokens: list[Token]) -> Iterator[Words]:
 
 
 def _in_place(words: Words, quoted: list[str], one: str) -> Words:
-    """The words with an alternative in place of what the message quotes, or at their end."""
+    """Replace the words that the message quotes by an alternative, or append it."""
     one = re.sub(r" (?:if that|with the power|where|for) .*| \(.*", "", one)
     words = [signed(word) if SIGN in one + "".join(quoted) else word for word in words]
     for text in quoted:
@@ -314,7 +314,7 @@ def _in_place(words: Words, quoted: list[str], one: str) -> Words:
 
 
 def answered(words: Words, steps: int = STEPS) -> bool:
-    """Whether a call is answered; where it is refused, by following some hint, or up to prose."""
+    """Return whether a call is answered, at once or by following hints, or ends in prose."""
     return _is_answered(tuple(words), steps)
 
 
@@ -336,7 +336,7 @@ def _is_answered(typed: tuple[str, ...], steps: int) -> bool:
 
 
 def liars(words: Words, lines: bytes = LINES[0]) -> list[str]:
-    """The alternatives of the hint of a refused call that do not lead to an answer."""
+    """Return the alternatives in the hint of a refused call that do not lead to an answer."""
     error = call(words, lines).error
     assert error is not None, words
     ways = candidates(words, error)

@@ -1,4 +1,4 @@
-"""What several tests share."""
+"""Helpers of several tests."""
 
 import json
 import os
@@ -29,7 +29,7 @@ from radcalc.laws.law import AnyLaw
 
 PACKAGE = str(Path(radcalc.__file__).parent)
 Q = radcalc.Quantity
-KINDS = {  # coherent SI; a photon and the candela's lumen are units of their own
+KINDS = {  # coherent units, with the lumen and the photon as base units
     "e": ("W", "J"),
     "v": ("lm", "lm s"),
     "p": ("photon/s", "photon"),
@@ -71,9 +71,9 @@ OTHER = {
 
 
 def for_each(rows: Iterable[Any]) -> Callable[[Callable[..., None]], Callable[[], None]]:
-    """Make one test of a check of a single row, for a table of many rows that are cheap to check.
+    """Make one test from a check of a single row, for a long table of rows that are cheap to check.
 
-    Every row is checked.  The failure names all rows that fail, and shows the first few errors.
+    All rows are checked.  A failure names every row that fails and shows the first three errors.
     """
     table = [*rows]
     assert table, "a table without rows checks nothing"
@@ -102,12 +102,12 @@ def for_each(rows: Iterable[Any]) -> Callable[[Callable[..., None]], Callable[[]
 def unit_of(name: str, kind: str) -> Any:
     if name in LIGHT:
         return Q(1, LIGHT[name].format(*KINDS[kind]))
-    # The few symbols that one calculator's page alone has are in the vocabulary's unit.
+    # Symbols that only one calculator has are in the unit of the vocabulary.
     return Q(1, OTHER.get(name) or coherent_unit_of(name))
 
 
 def require(*tools: str) -> None:
-    """Skip the test where one of the tools is not installed; fail it where CI is set."""
+    """Skip the test if one of the tools is not installed; fail it if CI is set."""
     for tool in tools:
         if not shutil.which(tool):
             (pytest.fail if os.environ.get("CI") else pytest.skip)(f"{tool} is not installed")
@@ -118,50 +118,50 @@ def number(answer: dict[str, Any], name: str, unit: str) -> float:
 
 
 def shell(error: RadcalcError) -> tuple[str, str]:
-    """Message and hint of an error of the core, as the shell spells them."""
+    """Return message and hint of an error, as the command line spells them."""
     return error.spelled(Shell)
 
 
 def by_law(law: AnyLaw) -> Callable[..., Any]:
-    """The left side of a law as a function of its other symbols, in their order."""
+    """Return the left side of a law as a function of its other symbols, in their order."""
     return lambda *values: law.solve(
         law.names[0], dict(zip(law.names[1:], values, strict=True)).__getitem__
     )
 
 
-PLAIN = [  # the calculators that take options alone
+PLAIN = [  # the calculators without operands
     name for name in SUMMARIES if page_of(name).examples and not page_of(name).operand
 ]
 
 
 def example_of(name: str) -> list[str]:
-    """The inputs of the first example on a calculator's page, NAME=VALUE."""
+    """Return the inputs of the first example on a calculator's page, as NAME=VALUE."""
     words = page_of(name).examples[0].split()
     return [word for word in words if word.partition("=")[0] not in ("get", "plot")]
 
 
 def flagged(shape, *flags, **given):
-    """A Lambertian source with the flags of a rectangle."""
+    """Call `lambertian` with the flags of a rectangle."""
     return lambertian(shape, **dict.fromkeys(flags, True), **given)
 
 
 def answers(text: str) -> list[dict[str, Any]]:
-    """The answers that JSON has: one object, or an array of them."""
+    """Read the answers in a JSON text: one object or an array of objects."""
     read = json.loads(text)
     return read if isinstance(read, list) else [read]
 
 
 def results(text: str) -> dict[str, Any]:
-    """The results of the one answer that JSON has, by their names."""
+    """Read the results, by name, of the only answer in a JSON text."""
     (answer,) = answers(text)
     return answer["results"]
 
 
 @contextmanager
 def at_most(calls: int) -> Iterator[None]:
-    """Stop radcalc where it has called more than so many functions, Python's own among them.
+    """Fail if radcalc calls more than that many functions, including functions of Python.
 
-    What has lost its way is told by counting, since a clock tells how busy the machine is.
+    The calls are counted because their time depends on the load of the machine.
     """
     left = calls
 
@@ -182,9 +182,9 @@ def at_most(calls: int) -> Iterator[None]:
 
 @contextmanager
 def started(*words: str, **streams: Any) -> Iterator[subprocess.Popen[Any]]:
-    """A process that ends with the test, whether that passes or fails.
+    """Start a process that ends with the test, even if the test fails.
 
-    One that is left running would add a ResourceWarning of its own to another test's failure.
+    A process that keeps running would cause a ResourceWarning in another test.
     """
     with subprocess.Popen(words, **streams) as process:
         try:
@@ -198,7 +198,7 @@ def started(*words: str, **streams: Any) -> Iterator[subprocess.Popen[Any]]:
 def on_terminal(
     *words: str, columns: int = 80, **more: Any
 ) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
-    """A process whose output is a pseudo-terminal, and the descriptor to read the screen from."""
+    """Start a process on a pseudo-terminal; yield it and the descriptor of the screen."""
     leader, follower = pty.openpty()
     termios.tcsetwinsize(follower, (24, columns))
     try:
@@ -211,7 +211,7 @@ def on_terminal(
 
 
 def terminal_of(*words: str, columns: int = 80, **environment: str) -> str:
-    """Return what `screen_of` does, by a call in this process that takes a file for a terminal."""
+    """Return the same as `screen_of`, from a call in this process with a simulated terminal."""
     size = os.terminal_size((columns, 24))
     with (
         mock.patch.dict(os.environ, {"TERM": "xterm", "COLUMNS": str(columns)} | environment),
@@ -223,7 +223,7 @@ def terminal_of(*words: str, columns: int = 80, **environment: str) -> str:
 
 
 def screen_of(*words: str, columns: int = 80, **environment: str) -> str:
-    """Run on a pseudo-terminal of a given width and return the screen."""
+    """Run on a pseudo-terminal of a given width; return the text on the screen."""
     env = os.environ | {"COLUMNS": str(columns), "TERM": "xterm"} | environment
     screen = b""
     with on_terminal(entry_point(), *words, columns=columns, env=env) as (process, leader):

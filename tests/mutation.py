@@ -1,12 +1,12 @@
-"""Random mutants of the core, each in a copy of the tree, and those that no test notices.
+"""Random mutants of the core, in a copy of the tree, and those that no test detects.
 
     python tests/mutation.py [--count N] [--seed S] [--skip N] [PATH ...]
-    python tests/mutation.py --count 0       whether the tree passes as it is, as it must
+    python tests/mutation.py --count 0       check that the unchanged tree passes
 
-A mutant is one place of one file changed: a comparison turned, an operator exchanged, a number
+A mutant has one change in one file: a comparison inverted, an operator exchanged, a number
 changed, a condition negated, a sign dropped, `and` for `or`, None returned, a statement deleted.
-First the transcripts of `cases/` run on it, in one process; then the tests of its folder, those
-of its own name before the others; then `LAST`.  What survives all is shown as a difference.
+The transcripts of `cases/` run first, in one process; then the tests of the file's folder, those
+with the file's name first; then `LAST`.  A mutant that survives all of them is shown as a diff.
 """
 
 import argparse
@@ -32,7 +32,7 @@ CORE = ["units", "quantities", "conversion", "laws", "calculators", "geometry", 
 CORE += ["homework", "inputs", "streams", "render", "derivation.py", "answer.py", "maths.py"]
 GENERATED = ("compiled.py", "catalogue.py", "compile.py", "registry.py")
 LAST = ["test_api.py", "test_refusals.py", "calculators"]
-TOO_LONG = 1800  # s, a stage: a mutant that runs on is noticed, too
+TOO_LONG = 1800  # s for a stage: an endless mutant counts as detected
 SWAPS: dict[type, type] = {
     ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
     ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
@@ -47,7 +47,7 @@ def turned(op: ast.AST) -> ast.AST:
 
 
 def mutated(node: ast.AST) -> ast.AST | None:
-    """The node with one thing about it changed, or None where there is nothing to change."""
+    """Return the node with one change, or None if there is no change for this node."""
     new = copy.deepcopy(node)
     match new:
         case ast.Compare():
@@ -70,7 +70,7 @@ def mutated(node: ast.AST) -> ast.AST | None:
 
 
 def places(tree: ast.AST) -> Iterator[ast.AST]:
-    """The nodes to mutate: not annotations, and not the words of an error."""
+    """Yield the nodes to mutate: neither annotations nor messages of errors."""
     for node in ast.iter_child_nodes(tree):
         if mutated(node):
             yield node
@@ -82,7 +82,7 @@ def places(tree: ast.AST) -> Iterator[ast.AST]:
 
 
 def replaced(source: str, node: ast.AST) -> str:
-    """The source with the node's mutant in its place."""
+    """Return the source with the node replaced by its mutant."""
     new = mutated(node)
     if isinstance(node, ast.If | ast.While | ast.IfExp):
         node = node.test
@@ -94,7 +94,7 @@ def replaced(source: str, node: ast.AST) -> str:
 
 
 def mutants(root: Path, seed: int, paths: list[str]) -> Iterator[tuple[Path, str]]:
-    """Files, and their text with one place changed; no place twice."""
+    """Yield files and their text with one change, each change once."""
     found = []
     for path in sorted(x for part in paths for x in (root / "radcalc" / part,)):
         for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
@@ -106,7 +106,7 @@ def mutants(root: Path, seed: int, paths: list[str]) -> Iterator[tuple[Path, str
 
 
 def transcripts(known: set[str]) -> list[str]:
-    """The commands of the transcripts, without `known`, whose answers are not those shown."""
+    """Return the commands of transcripts, except `known`, with another output than shown."""
     sys.path.insert(0, str(HERE))
     os.environ |= {"LC_ALL": "C.UTF-8"}
     from test_cases import FILES, transcripts
@@ -135,7 +135,7 @@ def transcripts(known: set[str]) -> list[str]:
 
 
 def stages(root: Path, file: Path, known: Path) -> Iterator[tuple[str, list[str]]]:
-    """The commands that look for the mutant, those that find it soonest first."""
+    """Yield the commands that try to detect the mutant, the fastest first."""
     yield "transcripts", [sys.executable, "tests/mutation.py", "--transcripts", str(known)]
     place = file.relative_to(root / "radcalc")
     folders = [root / "tests" / x for x in (place.with_suffix(""), *place.parents[:-1])]
@@ -150,7 +150,7 @@ def stages(root: Path, file: Path, known: Path) -> Iterator[tuple[str, list[str]
 
 
 def noticed(root: Path, file: Path, known: Path) -> str:
-    """The stage that notices the mutant in the tree, or nothing."""
+    """Return the stage that detects the mutant in the tree, or ''."""
     env = os.environ | {"PYTHONPATH": str(root), "PYTHONDONTWRITEBYTECODE": "1"}
     for name, command in stages(root, file, known):
         try:
@@ -163,12 +163,12 @@ def noticed(root: Path, file: Path, known: Path) -> str:
 
 
 def main() -> None:
-    """Make mutants, look which are noticed, and show the others."""
+    """Make mutants, test them, and show those that no test detects."""
     parser = argparse.ArgumentParser()
     parser.add_argument("paths", nargs="*", default=CORE, help="below radcalc/")
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--skip", type=int, default=0, help="mutants of the seed that were seen")
+    parser.add_argument("--skip", type=int, default=0, help="number of mutants to skip")
     parser.add_argument("--transcripts", help=argparse.SUPPRESS)
     given = parser.parse_args()
     if given.transcripts:
@@ -184,7 +184,9 @@ def main() -> None:
         shutil.copytree(HERE.parent, root, ignore=shutil.ignore_patterns(".git", "__pycache__"))
         env = os.environ | {"PYTHONPATH": str(root)}
         command = [sys.executable, "tests/mutation.py", "--transcripts", str(known)]
-        subprocess.run(command, cwd=root, env=env, check=True)  # those that need a shell
+        subprocess.run(
+            command, cwd=root, env=env, check=True
+        )  # find the transcripts that need a shell
         drawn = list(mutants(root, given.seed, given.paths))
         if not given.count:
             for part in given.paths:

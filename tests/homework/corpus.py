@@ -1,8 +1,8 @@
-"""Worked wrong answers: what learners who make a mistake of the catalogue would write down.
+"""Wrong answers of learners who make a known mistake.
 
-Each is a question, the result's name and unit, the learner's number, and the mistake.  The numbers
-come from the formulas as learners misuse them, never from radcalc.  Where two names of a mistake
-would serve as well, both are given, with a bar between.
+A row has a question, the name and unit of the result, the learner's number, and the mistake.  The
+numbers come from the misused formulas, never from radcalc.  If two mistakes are equally right, both
+are given, separated by a bar.
 """
 
 from math import acos, asin, atan, cos, degrees, log, log2, log10, pi, radians, sin, sqrt, tan
@@ -20,27 +20,27 @@ class Wrong(NamedTuple):
 
 
 def c(angle: float) -> float:
-    """The cosine of degrees."""
+    """Return the cosine of an angle [degrees]."""
     return cos(radians(angle))
 
 
 def s(angle: float) -> float:
-    """The sine of degrees."""
+    """Return the sine of an angle [degrees]."""
     return sin(radians(angle))
 
 
 def t(angle: float) -> float:
-    """The tangent of degrees."""
+    """Return the tangent of an angle [degrees]."""
     return tan(radians(angle))
 
 
 def cap(angle: float) -> float:
-    """The solid angle of a cone by its half angle [degrees]."""
+    """Return the solid angle of a cone from its half angle [degrees]."""
     return 2 * pi * (1 - c(angle))
 
 
 def lobe(beam: float) -> float:
-    """The exponent of a lobe by its full beam angle [degrees]."""
+    """Return the exponent of a lobe from its full beam angle [degrees]."""
     return log(0.5) / log(c(beam / 2))
 
 
@@ -51,7 +51,7 @@ DARK450, DARK510 = 0.455, 0.997  # CIE 1951
 PS, SA, LA, ET = "point-source", "solid-angle", "lambertian", "etendue"
 
 CORPUS = [
-    # --- the cosine is left out: 1/cos
+    # --- the cosine forgotten: 1/cos
     Wrong("convert 130 cd lx --distance 2.3m --incidence 35deg", "", "lx", 130 / 2.3**2,
           "cosine-forgotten"),
     Wrong("convert 47 lx cd --distance 1.7m --incidence 52deg", "", "cd", 47 * 1.7**2,
@@ -88,7 +88,7 @@ CORPUS = [
           130 * c(35) ** 3 / 2.3**2, "cosine-squared"),
     Wrong(f"{PS} --intensity 620cd --distance 3.1m --incidence 22deg", "illuminance", "lx",
           620 * c(22) ** 2 / 3.1**2, "cosine-squared"),
-    # cos^3 of the law with the height, but with d^2 below
+    # cos^3 of the law with the height, but divided by d^2
     Wrong(f"{PS} --intensity 340cd --height 2.7m --offset 1.9m", "illuminance", "lx",
           340 * (2.7 / sqrt(2.7**2 + 1.9**2)) ** 3 / (2.7**2 + 1.9**2), "cosine-squared"),
     Wrong(f"{LA} --luminance 1300cd/m2 --area 0.03m2 --distance 2.3m --incidence 25deg",
@@ -139,7 +139,7 @@ CORPUS = [
           "two-pi-for-pi|solid-for-projected"),
     Wrong(f"{ET} --area 1.3cm2 --half-angle 90deg --radiance 410cd/m2", "flux", "lm",
           410 * 2 * pi * 1.3e-4, "two-pi-for-pi|solid-for-projected"),
-    # --- pi forgotten, or put where it does not belong
+    # --- pi forgotten, or introduced by mistake
     Wrong("convert 500 lx cd/m2 --reflectance 0.7", "", "cd/m2", 500 * 0.7, "pi-forgotten"),
     Wrong("convert 87 cd/m2 lx --reflectance 0.45", "", "lx", 87 / 0.45, "pi-forgotten"),
     Wrong("convert 38 fL cd/m2", "", "cd/m2", 38 / 0.3048**2, "pi-forgotten"),
@@ -162,7 +162,7 @@ CORPUS = [
           "wrong-sphere"),
     Wrong(f"{PS} --illuminance 37lx --distance 1.8m", "flux", "lm", 2 * pi * 37 * 1.8**2,
           "wrong-sphere"),
-    # --- the full angle as the half angle, and back
+    # --- the full angle as the half angle, and vice versa
     Wrong(f"{SA} cone --half-angle 25deg", "solid-angle", "sr", cap(50), "full-for-half"),
     Wrong(f"{SA} cone --apex-angle 76deg", "solid-angle", "sr", cap(76), "full-for-half"),
     Wrong(f"{SA} cone --half-angle 34deg", "projected-solid-angle", "sr", pi * s(17) ** 2,
@@ -211,7 +211,7 @@ CORPUS = [
           "diameter-for-radius"),
     Wrong("convert 130 cd/m2 td --pupil 3.4mm", "", "td", 130 * pi * 3.4**2,
           "diameter-for-radius"),
-    # --- degrees in a calculator set to radians
+    # --- degrees in radian mode
     Wrong(f"{SA} cone --half-angle 25deg", "solid-angle", "sr", 2 * pi * (1 - cos(25)),
           "degrees-as-radians"),
     Wrong(f"{SA} cone --apex-angle 74deg", "solid-angle", "sr", 2 * pi * (1 - cos(37)),
@@ -294,7 +294,7 @@ CORPUS = [
           "lx", pi * 4700 * 14**2 / (14**2 + 41**2), "arctangent-for-arcsine"),
     Wrong(f"{LA} sphere --luminance 920cd/m2 --diameter 36cm --distance 50cm", "illuminance",
           "lx", pi * 920 * 18**2 / (18**2 + 50**2), "arctangent-for-arcsine"),
-    # --- the distance to the surface for that to the centre
+    # --- the distance to the surface for the distance to the centre
     Wrong(f"{SA} sphere --radius 4cm --distance 15cm", "half-angle", "deg",
           degrees(asin(4 / 11)), "distance-to-surface"),
     Wrong(f"{SA} sphere --diameter 24cm --distance 57cm", "solid-angle", "sr",
@@ -433,7 +433,7 @@ CORPUS = [
           1700 * V650 * 6.1, "scotopic-for-photopic"),
     Wrong(f"{LA} --radiance 0.27W/m2/sr --wavelength 510nm --observer scotopic", "luminance",
           "cd/m2", 683 * DARK510 * 0.27, "scotopic-for-photopic"),
-    # the tables of illuminant A: 156.2 lm/W by day and 220.6 lm/W by night
+    # the tables of illuminant A: 156.2 lm/W photopic and 220.6 lm/W scotopic
     Wrong("spectrum A", "luminous-efficacy", "lm/W", 156.2 * 1700 / 683,
           "scotopic-for-photopic"),
     Wrong("spectrum A", "scotopic-luminous-efficacy", "lm/W", 220.6 * 683 / 1700,
@@ -450,7 +450,7 @@ CORPUS = [
           "lobe-without-one"),
     Wrong(f"{PS} --flux 940lm --exponent 12 --distance 2.7m", "illuminance", "lx",
           940 * 12 / (2 * pi) / 2.7**2, "lobe-without-one"),
-    # --- the peak candelas of a spot times 4 pi
+    # --- the peak intensity of a spot times 4 pi
     Wrong("convert 430 cd lm --half-angle 24deg", "", "lm", 4 * pi * 430, "spot-as-sphere"),
     Wrong("convert 1700 cd lm --apex-angle 38deg", "", "lm", 4 * pi * 1700, "spot-as-sphere"),
     Wrong("convert 920 cd lm --beam-angle 34deg", "", "lm", 4 * pi * 920, "spot-as-sphere"),
@@ -460,7 +460,7 @@ CORPUS = [
           "spot-as-sphere"),
     Wrong(f"{PS} --flux 580lm --beam-angle 29deg", "intensity", "cd", 580 / (4 * pi),
           "spot-as-sphere"),
-    # --- nanometres in h c / lambda
+    # --- nanometres for metres in h c / lambda
     Wrong("photon 610nm", "photon-energy", "J", H * C / 610, "nanometres-for-metres"),
     Wrong("photon 470nm", "frequency", "Hz", C / 470, "nanometres-for-metres"),
     Wrong("photon 532nm", "wavenumber", "cm-1", 1 / 532, "nanometres-for-metres"),

@@ -1,7 +1,7 @@
-"""More worked wrong answers, which the mistakes of `--check` were not made from.
+"""More wrong answers, with which the mistakes of `--check` were not developed.
 
-Written before the generators of mistakes, from textbooks' classical errors, and by hand as in
-`corpus.py`: the numbers come from the formulas as learners misuse them, never from radcalc.
+They were written before the generators of mistakes, from classical errors in textbooks.  As in
+`corpus.py`, the numbers come from the misused formulas, never from radcalc.
 """
 
 import shlex
@@ -116,7 +116,7 @@ HELD_OUT = [
           sqrt(4 * 4.7e-3 / (pi * 25) - 1.3e-3**2) / 1.7e-3, "sum-for-root"),
     Wrong(f"{HAZARD} --profile uniform", "hazard-distance", "m",
           sqrt(4 * 4.7e-3 / (pi * 25)) / 1.7e-3, "exit-forgotten"),
-    # --- rooms: what is left out of the lumen method, and turned round
+    # --- rooms: factors of the lumen method forgotten or inverted
     Wrong(ROOM, "luminaires", "", 470 * 77 / 3400 / 0.83, "utilance-forgotten"),
     Wrong(ROOM, "luminaires", "", 470 * 77 / 3400 / 0.57, "maintenance-forgotten"),
     Wrong(ROOM, "luminaires", "", 470 * 77 * 0.57 / 3400 / 0.83, "utilance-upside-down"),
@@ -126,7 +126,7 @@ HELD_OUT = [
     Wrong(ROOM, "luminaires", "", 470 * 77 * 0.83 / (3400 * 0.57), "maintenance-upside-down"),
     Wrong(ROOM, "room-index", "", 77 / (2.3 * 36), "perimeter-for-sum"),
     Wrong(ROOM, "room-index", "", 77 / (2.3 * 9), "mean-for-sum"),
-    # --- off a lens's axis: one cosine, or two, for four
+    # --- off the axis of a lens: one or two cosines for four
     Wrong(f"{CAMERA} --off-axis-angle 23deg", "illuminance", "lx",
           pi * 370 * 0.87 * cos(radians(23)) / (4 * (3.4 * 1.3) ** 2), "fewer-cosines"),
     Wrong(f"{CAMERA} --off-axis-angle 23deg", "illuminance", "lx",
@@ -136,7 +136,7 @@ HELD_OUT = [
           730 / 2.3**2, "cosine-forgotten"),
     Wrong("uberlight 1.1,0,2.3 --intensity 730cd --normal 0,0,-1", "illuminance", "lx",
           730 / (1.1**2 + 2.3**2), "cosine-forgotten"),
-    # --- skies: 7 pi / 9 on the ground, pi / 6 + 4 / 9 on a wall; of a uniform one pi, and half
+    # --- skies: 7 pi / 9 on the ground, pi / 6 + 4 / 9 on a wall; uniform pi and pi / 2
     Wrong(OVERCAST, "horizontal-irradiance", "lx", 8700 * pi, "uniform-sky"),
     Wrong(OVERCAST, "horizontal-irradiance", "lx", 8700 * 2 * pi, "two-pi-for-pi"),
     Wrong(OVERCAST, "horizontal-irradiance", "lx", 8700 * 7 / 9, "pi-forgotten"),
@@ -226,7 +226,7 @@ HELD_OUT = [
           "wavelength-upside-down|frequency-upside-down"),
     Wrong(f"{LA} --luminance 1300cd/m2 --area 7cm2 --height 1.7m --offset 1.1m", "illuminance",
           "lx", 1300 * 7e-4 / 1.7**2, "height-for-distance"),
-    # --- planes turned away, surfaces aslant, small receivers
+    # --- tilted planes and surfaces, small receivers
     Wrong("convert 870 W/m2 W/m2 --incidence 37deg", "", "W/m2", 870 * s(37),
           "angle-from-surface"),
     Wrong("convert 870 W/m2 W --area 1.7m2 --incidence 37deg", "", "W", 870 * 1.7,
@@ -369,12 +369,12 @@ HELD_OUT = [
     Wrong("direction 1.3 2.9 0.8", "azimuth", "deg", degrees(atan(1.3 / 2.9)), "x-for-y"),
     Wrong("direction --polar 35deg --azimuth 130deg", "x", "", s(35) * s(130), "x-for-y"),
     Wrong("direction 1.3 2.9 0.8", "length", "", 1.3**2 + 2.9**2 + 0.8**2, "root-forgotten"),
-    # --- mirrors: a normal of 36.87 degrees, and a ball's of the same
+    # --- mirrors: a flat mirror and a ball with a normal of 36.87 degrees
     Wrong("direction 0 0.2 1 --reflect-at 0.6,0,0.8", "x", "", 0.6, "normal-for-reflection"),
     Wrong("direction 0 0 1 --reflect-at 0.6,0,0.8", "z", "", -0.28, "towards-for-away"),
     Wrong("direction --mirror-ball 0.6,0", "z", "", 0.8, "normal-for-reflection"),
     Wrong("direction --mirror-ball 0.35,0.2", "x", "", 0.35, "normal-for-reflection"),
-    # --- pixels, of which those near a pole are small
+    # --- pixels: small near the poles
     Wrong(f"{SA} pixel --size 64x32 --pixel 0,4", "solid-angle", "sr", 2 * pi**2 / (64 * 32),
           "sine-forgotten"),
     Wrong(f"{SA} pixel --size 64x32 --pixel 0,4", "solid-angle", "sr", 4 * pi / (64 * 32),
@@ -417,7 +417,7 @@ HELD_OUT = [
           240 * cos(37) / 1.7**2, "degrees-as-radians"),
 ]  # fmt: skip
 
-# Written once the generators were there, and before they were tried on it.
+# Written after the generators, before they were run on it.
 BLIND = [
     Wrong("convert 640 lm lx --diameter 1.4m", "", "lx", 640 / (pi * 1.4**2),
           "diameter-for-radius"),
@@ -513,7 +513,7 @@ BLIND = [
           130 / 2.3**2, "receiver-area-forgotten"),
 ]  # fmt: skip
 
-# A third set, written after the second was passed.
+# A third set, written after all of the second set was right.
 THIRD = [
     Wrong("convert 2.4 klm lx --area 12ft2", "", "lx", 2400 / 12, "area-unit"),
     Wrong("convert 300 lx W/m2 --wavelength 555nm", "", "W/m2", 300 * 683, "efficacy-upside-down"),

@@ -1,4 +1,4 @@
-"""Questions of the command line, and what `check` says of an answer to them."""
+"""Questions of the command line, and verdicts on answers to them."""
 
 import contextlib
 import io
@@ -21,7 +21,7 @@ TILTED = f"{POINT} --incidence 35deg"  # 20.1304 lx
 
 @cache
 def asked(words: str, name: str = "") -> Question:
-    """What the command line asks `check`, of a question in words."""
+    """Return the question that the command line passes to `check`."""
     found: list[Question] = []
 
     def catch(question: Question, *_: Any) -> Verdict:
@@ -45,7 +45,7 @@ def mistakes(words: str, claim: str) -> list[str]:
 
 
 def typed(number: float, digits: int) -> str:
-    """A number as it is typed with so many digits, the last zeros too."""
+    """Format a number with a given count of significant digits, including zeros at the end."""
     text = f"{number:.{digits - 1}e}"
     power = int(text.partition("e")[2])
     return text if not -3 <= power < digits else f"{float(text):.{digits - 1 - power}f}"

@@ -1,4 +1,4 @@
-"""How a claim and a tolerance are read."""
+"""Reading of claims and tolerances."""
 
 import math
 
@@ -26,7 +26,7 @@ def test_typed_numbers_keep_their_digits():
         ("\u22123.14", 3, 0.005), ("E=1.5e+2lx", 2, 5.0), ("1E3", 1, 500.0),
     ],
 )  # fmt: skip
-def test_the_digits_typed(text, digits, half):
+def test_the_digits_of_a_claim(text, digits, half):
     said = read_claim(text)
     assert said.digits == digits
     assert said.half_unit == pytest.approx(half, rel=1e-12)
@@ -39,8 +39,8 @@ def test_the_digits_typed(text, digits, half):
         ("100.", 0.5), ("1.20e3", 5.0), ("120.0", 0.05), ("3e5", 50000.0), ("0", 0.5),
     ],
 )  # fmt: skip
-def test_zeros_at_the_end_of_a_whole_number_may_be_no_digits(text, widest):
-    """All but the first two; a point or an exponent tells that they are meant."""
+def test_zeros_at_the_end_of_an_integer_may_not_be_significant(text, widest):
+    """Except within the first two digits, and in numbers with a point or an exponent."""
     assert read_claim(text).widest == pytest.approx(widest, rel=1e-12)
 
 
@@ -61,7 +61,7 @@ def test_formulas_are_typed_exactly():
     ("integrate 1 --half-angle 25deg", "integral=0.589"), (CONE, "sphere-fraction=0.0468"),
     ("ev --f-number 5.6 --time 1/60s", "illuminance=4704lx"),
 ])  # fmt: skip
-def test_a_claim_needs_no_more_than_tells_it_apart(words, claim):
+def test_name_and_unit_of_a_claim_are_optional_if_it_is_unambiguous(words, claim):
     assert verdict(words, claim).right
 
 

@@ -1,4 +1,4 @@
-"""Right answers are accepted, and the library checks a question as the commands do."""
+"""Right answers are accepted, by the library and by the commands."""
 
 import math
 
@@ -22,14 +22,14 @@ from radcalc.units.table import resolve
 
 
 def right_value(words: str, name: str, unit: str) -> float:
-    """The right value by the command's own answer, not by --check."""
+    """Return the right value as the command answers it without --check."""
     if not name:
         return float(run(*words.split(), "-n", "-q").stdout)
     return float(run(*words.split(), "-q", "-g", f"{name}:{unit or '1'}").stdout)
 
 
 def first_result(name: str) -> tuple[str, str, str]:
-    """The first example of a calculator's page, with the first result that follows from it."""
+    """Return the first example of a calculator's page, with its first result."""
     words = Shell.command(name, *example_of(name)).removeprefix("radcalc ")
     follows = results(run(*words.split(), "--json").stdout)
     result = next(key for key, row in follows.items() if not row["given"])
@@ -40,7 +40,7 @@ QUESTIONS = [*RIGHT, *map(first_result, PLAIN)]
 
 
 def test_every_command_has_a_right_answer_here():
-    # (a scene and a log need files: test_scene.py and test_dose.py in tests/calculators)
+    # scenes and logs need files: see test_scene.py and test_dose.py in tests/calculators
     judging = set(help.COMMANDS) - {"units", "quantities", "typical", "scene", "dose", "prompt"}
     assert {words.split()[0] for words, _, _ in QUESTIONS} == judging
     assert len(RIGHT) >= 30
@@ -62,7 +62,7 @@ def test_right_answers_are_accepted_at_their_digits(words, name, unit):
 
 
 @pytest.mark.parametrize(
-    ("words", "claim", "told", "nearer"),  # 130/2.3^2 = 24.575, 470 0.72/pi = 107.72
+    ("words", "claim", "digits", "nearer"),  # 130/2.3^2 = 24.575, 470 0.72/pi = 107.72
     [
         ("convert 130 cd lx --distance 2.3m", "25", "the 2 digits", "24.6"),
         ("convert 130 cd lx --distance 2.3m", "2e1", "the digit", "24.6"),
@@ -70,25 +70,25 @@ def test_right_answers_are_accepted_at_their_digits(words, name, unit):
         ("convert 470 lx cd/m2 --reflectance 0.72", "1.1e2", "the 2 digits", "108"),
     ],
 )
-def test_a_right_answer_in_few_digits_is_accused_of_nothing(words, claim, told, nearer):
+def test_a_right_answer_in_few_digits_is_not_a_mistake(words, claim, digits, nearer):
     for tolerance in (None, "1%"):
         found = verdict(words, claim, tolerance)
-        assert found.right == (tolerance is None and told != "the digit")
+        assert found.right == (tolerance is None and digits != "the digit")
         assert [one.mistake for one in found.diagnoses] == ["rounded"]
-        assert found.diagnoses[0].done == f"to {told} given"
+        assert found.diagnoses[0].done == f"to {digits} given"
         assert found.diagnoses[0].right == f"{nearer} is nearer"
-    assert verdict(words, claim, "10%" if told != "the digit" else "30%").right
+    assert verdict(words, claim, "10%" if digits != "the digit" else "30%").right
 
 
 @pytest.mark.parametrize("claim", ["0", "0.00", "0e309"])
-def test_nothing_is_no_rounded_answer(claim):
+def test_zero_is_not_a_rounded_answer(claim):
     found = verdict("convert 1 lx fc", claim)
     assert not found.right
     assert "rounded" not in [one.mistake for one in found.diagnoses]
 
 
-def test_the_last_zero_of_a_mistake_is_no_digit():
-    """Multiplied by pi, not divided, it is 350 pi, that is 1099.6."""
+def test_zeros_at_the_end_of_a_mistake_may_not_be_significant():
+    """With a factor instead of a divisor pi the answer is 350 pi, 1099.6."""
     found = verdict("convert 500 lx cd/m2 --reflectance 0.7", "1100")
     assert found.diagnoses[0].mistake == "pi-upside-down"
 
@@ -103,7 +103,7 @@ def test_a_right_value_of_zero_has_no_ratio():
         assert found.ratio is None
 
 
-def test_a_plane_under_a_sky_is_what_is_asked_about():
+def test_the_plane_under_a_sky_comes_before_the_ground():
     words = "sky overcast --zenith-luminance 9000cd/m2 --tilt 90deg"
     found = verdict(words, "8712lx")  # 9000 (pi/6 + 4/9) on the wall
     assert (found.name, found.right) == ("irradiance", True)
@@ -111,13 +111,13 @@ def test_a_plane_under_a_sky_is_what_is_asked_about():
         verdict(words, "21991lx")  # 9000 7 pi/9 on the ground
 
 
-def test_what_is_no_0_is_compared_in_the_unit_of_the_answer():
+def test_the_mistakes_of_a_zero_result_are_compared_in_the_unit_of_the_answer():
     found = verdict("direction 1 0 0.3", "azimuth=180deg")
     assert [one.mistake for one in found.diagnoses] == ["wrong-quadrant"]
     assert verdict("direction 1 0 0.3", "azimuth=3deg").diagnoses == ()  # not pi radians
 
 
-def test_a_name_of_an_input_is_checked_as_well():
+def test_an_input_is_checked_as_well():
     assert verdict(TILTED, "intensity=130cd").right
     found = verdict(TILTED, "intensity=131.9cd")
     assert not found.right
@@ -180,7 +180,7 @@ def test_the_library_checks_without_the_command_line():
     assert python(CHECK_ALONE).stdout == "cosine-forgotten\n[]\n"
 
 
-def test_a_refusal_is_spelled_as_the_reader_writes_it():
+def test_an_error_is_spelled_as_the_caller_writes_options():
     with pytest.raises(ConditionError) as caught:
         check(cone_question("27deg"), "0.7")
     assert str(caught.value).startswith("check 0.7 is ambiguous: it may answer several results\n")
@@ -189,7 +189,7 @@ def test_a_refusal_is_spelled_as_the_reader_writes_it():
     assert hint.startswith("--check solid-angle=0.7sr, ")
 
 
-def test_the_library_refuses_by_exceptions():
+def test_the_library_raises_exceptions():
     question = cone_question("27deg")
     with pytest.raises(ConditionError, match="several results"):
         check(question, "0.7")
@@ -204,7 +204,7 @@ def test_the_library_refuses_by_exceptions():
 @pytest.mark.parametrize(
     ("value", "target", "claim", "is_right", "right", "unit"),
     [
-        # lb(1000 / 2.5) = 8.6439, and half a unit of the last digit typed leaves more than 1 %
+        # lb(1000 / 2.5) = 8.6439, and half a unit of the last digit typed is more than 1 %
         ("1000 lx", "EV", "8.6", True, 8.6439, "EV"),
         ("1000 lx", "EV", "8.7", False, 8.6439, "EV"),
         ("1000 lx", "EV", "9.64", False, 8.6439, "EV"),
@@ -217,7 +217,7 @@ def test_the_library_refuses_by_exceptions():
         ("10 dBm", "mW", "10dBm", True, 10.0, "dBm"),
     ],
 )
-def test_an_answer_on_a_scale_is_judged_by_what_it_stands_for(
+def test_an_answer_on_a_scale_is_compared_as_a_quantity(
     value, target, claim, is_right, right, unit
 ):
     amount = read_amount(value)
@@ -227,7 +227,7 @@ def test_an_answer_on_a_scale_is_judged_by_what_it_stands_for(
     assert judged.value == pytest.approx(right, abs=1e-4)
 
 
-def test_an_answer_on_a_scale_of_a_meter_is_judged_by_its_constant():
+def test_an_answer_in_ev_is_compared_with_the_constant_of_the_meter():
     """With K = 14 cd s/m2, 100 cd/m2 are EV lb(100 * 100 / 14) = 9.4804; with 12.5, 9.6439."""
     amount, k = read_amount("100 cd/m2"), read("k", "14cd.s/m2")
     question = of_conversion(amount.number, amount.unit, resolve_any("EV"), [k])
@@ -242,7 +242,7 @@ def test_an_answer_on_a_scale_of_a_meter_is_judged_by_its_constant():
 @pytest.mark.parametrize(
     ("words", "claims"),
     [
-        # t = N^2 / 2^EV: 256 / 2^15 = 1/128; 1024/2^14 = 1/16; 16 / 2^10 = 1/64, marked so
+        # t = N^2 / 2^EV: 256 / 2^15 = 1/128; 1024/2^14 = 1/16; 16 / 2^10 = 1/64
         ("ev --ev100 15 --f-number 16", ("time=1/125", "time=1/125s", "time=0.008s")),
         ("ev --ev100 14 --f-number 32", ("time=1/15",)),
         ("ev --ev100 10 --f-number 4", ("time=1/60",)),
@@ -252,7 +252,7 @@ def test_an_answer_on_a_scale_of_a_meter_is_judged_by_its_constant():
         ("ev --ev100 16 --time 1/128s", ("f-number=22",)),
     ],
 )
-def test_what_cameras_are_marked_with_is_right_and_told(words, claims):
+def test_numbers_as_marked_on_cameras_are_right(words, claims):
     for claim in claims:
         found = check(asked(words, claim.partition("=")[0]), claim)
         assert found.right
@@ -269,13 +269,13 @@ def test_what_cameras_are_marked_with_is_right_and_told(words, claims):
         ("laser --flux 5mW --diameter 11.31mm", "diameter=11mm"),
     ],
 )
-def test_what_no_camera_is_marked_with_there_is_wrong(words, claim):
+def test_other_numbers_are_not_accepted_as_marked_on_cameras(words, claim):
     found = check(asked(words, claim.partition("=")[0]), claim)
     assert not found.right or "marked" not in found.tolerance
 
 
 @pytest.mark.parametrize("claim", ["1.433degC", "1.433K", "2.580 °F", "1.433 °C"])
-def test_a_rise_of_temperature_is_checked_in_degrees(claim):
+def test_a_temperature_rise_is_checked_as_a_difference(claim):
     # 100 W for 60 s in 1 kg of 4186 J/(kg K): 6000/4186 = 1.4333 K, 9/5 of that in degrees F
     words = "calorimeter --mass 1kg --specific-heat 4186J/kg/K --flux 100W --time 60s"
     assert verdict(words, f"temperature-rise={claim}").right

@@ -1,4 +1,4 @@
-"""Wrong answers are named, and unrelated ones left alone."""
+"""Mistakes in wrong answers are found; unrelated numbers get no diagnosis."""
 
 import math
 import random
@@ -40,7 +40,6 @@ def test_the_intended_mistake_is_named_and_mostly_first(wrongs, first):
     for k, wrong in enumerate(wrongs):
         claim, found = diagnosed(k, wrong)
         intended = wrong.mistake.split("|")
-        # every diagnosis of the list reproduces the number to half a unit of its last digit
         if not set(intended) & set(found):
             misses.append(f"{wrong.question} --check {claim}: {wrong.mistake}, not {found}")
         count += bool(found) and found[0] in intended
@@ -48,7 +47,8 @@ def test_the_intended_mistake_is_named_and_mostly_first(wrongs, first):
     assert count >= first * len(wrongs), f"only {count} of {len(wrongs)} are first"
 
 
-def test_what_ties_reproduces_the_number_as_well():
+def test_every_diagnosis_reproduces_the_number():
+    """To half a unit of its last digit."""
     for k, wrong in list(enumerate(CORPUS))[::7]:
         claim = claim_of(wrong.name, wrong.number, digits_of(k), wrong.unit)
         said = read_claim(claim)
@@ -71,7 +71,7 @@ def test_what_ties_reproduces_the_number_as_well():
             assert min(near) <= said.half_unit * (1 + 1e-9), (claim, one.mistake)
 
 
-def test_every_diagnosis_says_what_was_done_and_what_would_be_right():
+def test_every_diagnosis_has_the_mistake_and_the_right_rule():
     for k, wrong in enumerate((*CORPUS, *HELD_OUT, *BLIND, *THIRD)):
         claim = claim_of(wrong.name, wrong.number, digits_of(k), wrong.unit)
         for one in verdict(wrong.question, claim).diagnoses:
@@ -81,10 +81,10 @@ def test_every_diagnosis_says_what_was_done_and_what_would_be_right():
             assert "{" not in one.done + one.right
 
 
-MOST_WORK = 16  # answers worked out anew to judge one; most edits follow the laws alone
+MOST_WORK = 16  # full calculations in the check of one answer; most edits only need the laws
 
 
-def test_a_wrong_answer_is_worked_out_anew_few_times():
+def test_a_check_needs_few_full_calculations():
     for words, name, unit in RIGHT:
         question, done = asked(words, name), []
 
@@ -106,7 +106,7 @@ def test_every_mistake_of_the_corpora_has_a_rank_or_is_an_edit_of_a_symbol():
     assert set(SLIPS) <= set(USUAL)
 
 
-def test_every_mistake_of_the_corpus_is_there_twice_for_a_calculator():
+def test_every_mistake_of_the_corpus_occurs_twice_for_a_calculator():
     count = Counter((w.question.split()[0], w.mistake.partition("|")[0]) for w in CORPUS)
     for wrong in CORPUS:
         assert wrong.number != 0
@@ -115,14 +115,14 @@ def test_every_mistake_of_the_corpus_is_there_twice_for_a_calculator():
     assert len({mistake for _, mistake in count}) >= 29
 
 
-ALONE = {("photon", "avogadro")}  # of the kJ/mol alone
+ALONE = {("photon", "avogadro")}  # only in kJ/mol
 
 
 def cos(angle: float) -> float:
     return math.cos(math.radians(angle))
 
 
-# A diameter is as good as a radius, luminance as radiance, and a conversion as a calculator.
+# Inputs with other names: a diameter for a radius, luminance for radiance, a conversion.
 OTHER_NAMES = [
     ("etendue --area 2mm2 --half-angle 25deg --luminance 1e5cd/m2", "flux", "lm",
      2e-6 * 1e5 * (1 - cos(25) ** 2), "pi-forgotten"),
@@ -139,9 +139,7 @@ OTHER_NAMES = [
 
 
 @pytest.mark.parametrize(("words", "name", "unit", "number", "mistake"), OTHER_NAMES)
-def test_a_mistake_is_found_by_whichever_name_its_input_was_given(
-    words, name, unit, number, mistake
-):
+def test_a_mistake_is_found_for_any_name_of_its_input(words, name, unit, number, mistake):
     assert mistakes(words, claim_of(name, number, 4, unit))[0] == mistake
 
 
@@ -160,7 +158,7 @@ def test_extreme_inputs_have_a_verdict_without_a_diagnosis(words, claim):
     assert found.ratio is None or math.isfinite(found.ratio)
 
 
-def test_no_light_at_all_is_no_usual_mistake():
+def test_an_answer_of_0_has_no_diagnosis():
     assert mistakes("convert 130 cd lx --distance 2.3m --incidence 20deg", "0lx") == []
 
 
@@ -175,7 +173,7 @@ def right_of(words: str, name: str, unit: str) -> float:
 
 
 def unrelated() -> list[tuple[str, str, float]]:
-    """Questions, claims and their ratios, by chance."""
+    """Return questions, random claims and their ratios to the right values."""
     chance = random.Random(20260)
     questions = [one for one in RIGHT if one[0].split()[0] != "units"]
     found = []
@@ -192,8 +190,8 @@ def unrelated() -> list[tuple[str, str, float]]:
     return found
 
 
-def test_few_unrelated_numbers_are_given_a_mistake():
-    """Of numbers of three digits, as far from the right one as 30 times."""
+def test_few_unrelated_numbers_get_a_diagnosis():
+    """Numbers of three digits, within a factor of 30 of the right value."""
     named = []
     for words, claim, ratio in unrelated():
         found = verdict(words, claim)
@@ -225,7 +223,7 @@ def test_few_unrelated_numbers_are_given_a_mistake():
         ("etendue --area 2mm2 --half-angle 25deg", "etendue=1.12mm2", "area (mm2) is not etendue"),
     ],
 )
-def test_a_wrong_unit_comes_before_the_number(words, claim, part):
+def test_a_wrong_unit_is_the_only_diagnosis(words, claim, part):
     found = verdict(words, claim)
     assert not found.right
     assert [one.mistake for one in found.diagnoses] == ["wrong-unit"]
@@ -235,10 +233,10 @@ def test_a_wrong_unit_comes_before_the_number(words, claim, part):
 
 # --- Two mistakes at once.
 
-TWO = [  # a mistake of the law with a slip, which no single mistake explains
-    # the cosine left out, and the illuminance a tenth
+TWO = [  # a mistake in a law and a slip; no single mistake leads to these
+    # the cosine forgotten, and a tenth of the illuminance
     (TILTED, "illuminance", 130 / 2.3**2 / 10, "lx", "cosine-forgotten", "power-of-ten"),
-    # the full angle, and m for nothing
+    # the full angle, and a factor of 100
     (CONE, "solid-angle", 2 * math.pi * (1 - math.cos(math.radians(50))) * 100, "sr",
      "full-for-half", "power-of-ten"),
     ("lambertian --incident-illuminance 470lx --reflectance 0.63", "luminance",
@@ -247,7 +245,7 @@ TWO = [  # a mistake of the law with a slip, which no single mistake explains
 
 
 @pytest.mark.parametrize(("words", "name", "number", "unit", "law", "slip"), TWO)
-def test_two_mistakes_are_named_where_no_single_one_fits(words, name, number, unit, law, slip):
+def test_two_mistakes_are_found_if_no_single_one_fits(words, name, number, unit, law, slip):
     for digits in (3, 4):
         found = mistakes(words, claim_of(name, number, digits, unit))
         assert f"{law} and {slip}" in found

@@ -1,4 +1,4 @@
-"""Answers to questions with uncertain values: near enough, and with the right ±."""
+"""Answers to questions with uncertain values: the value and its ±."""
 
 import pytest
 from following import call
@@ -9,7 +9,7 @@ FOOT = 0.3048
 # with 20 lm and 0.02 m, by JCGM 100:2008, 5.1.6: u/E = sqrt((20/800)^2 + (2 * 0.02/2)^2) = 3.202 %.
 CONVERSION = ("convert", "100+-3", "lx", "fc")
 LAMP = ("point-source", "--flux", "800+-20lm", "--distance", "2.00+-0.02m")
-# 100 cd at 2 m are 25 lx, and u/E = 2 * 1/2: 25 lx; 400 cd at 1 m are 400 lx, and so is u.
+# 100 cd at 2 m are 25 lx; u/E = 2 * 1/2, u = 25 lx.  400 cd at 1 m are 400 lx; u = 400 lx.
 EXACT = ("convert", "100", "cd", "lx", "--distance", "2m")
 NEARLY = (*EXACT[:-1], "2.0(10)m")
 FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
@@ -31,7 +31,7 @@ FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
         (LAMP, "15.92+-1.0lx", False, "k = 2"),  # 2 * 3.2 %
         (LAMP, "15.92+-0.43lx", False, "twice that of d"),  # sqrt(2.5^2 + 1^2) %
         (LAMP, "15.92+-0.32lx", False, "only one"),  # 2 %
-        # 2 % and 2 * 1 %; without the 2 sqrt(2^2 + 1^2) % of 25 lx are 0.56 lx
+        # 2 % and 2 * 1 %; without the factor 2, sqrt(2^2 + 1^2) % of 25 lx are 0.56 lx
         ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "it is 0.71 lx"),
         ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "twice that of d"),
         (("convert", "10.0+-2.3", "mW", "dBm"), "10+-2dBm", False, "it is 2.3 mW"),
@@ -54,7 +54,7 @@ def test_value_and_uncertainty_are_judged(words, claim, is_right, said):
     assert said in done.output
 
 
-def test_a_tolerance_that_is_asked_for_counts():
+def test_an_explicit_tolerance_replaces_the_default():
     assert call([*CONVERSION, "--check", "9.5fc", "--tolerance", "1%"]).status == 1
     assert call([*CONVERSION, "--check", "9.3fc", "--tolerance", "1%"]).status == 0
 
@@ -67,7 +67,7 @@ def test_json_has_both_uncertainties():
     assert (check["claimed"], check["claimed_uncertainty"]) == (9.3, 0.3)
 
 
-# What the same call without uncertainties is told of the answer, it is told with them.
+# Calls with and without uncertainties have the same diagnoses.
 @pytest.mark.parametrize(
     ("words", "inputs", "claim"),
     [
@@ -79,7 +79,7 @@ def test_json_has_both_uncertainties():
     ],
 )
 @pytest.mark.parametrize("steps", [[], ["--steps"]])
-def test_mistakes_are_found_beside_uncertainties(words, inputs, claim, steps):
+def test_mistakes_are_found_if_inputs_are_uncertain(words, inputs, claim, steps):
     exact, uncertain = (words.format(*column).split() for column in zip(*inputs, strict=True))
     said = [call([*one, *steps, "--check", claim]).output for one in (exact, uncertain)]
     likely = [[line for line in text.split("\n") if "    " in line] for text in said]
