@@ -498,8 +498,16 @@ def _line(ball: bool, x: Number, half: Number, y: Number) -> Number:
     """Return the integral of the density along u, by the middle and half the length."""
     if ball:
         return 8 * half
-    total = 0.0 * x
-    for a, weight in zip(*gauss(_points(half, half)), strict=True):
-        r = hypot(x + a * half, y)
-        total = total + weight * (sin(math.pi * r) / r)
-    return math.pi * half * total
+    nodes: Any
+    weights: Any
+    nodes, weights = gauss(_points(half, half))
+    if is_array(half):  # all points at once, as arrays are short
+        import numpy
+
+        nodes, weights = (numpy.reshape(rule, (-1, *[1] * half.ndim)) for rule in (nodes, weights))
+        r = hypot(x + nodes * half, y)
+        terms = weights * (sin(math.pi * r) / r)
+    else:
+        radii = [hypot(x + a * half, y) for a in nodes]
+        terms = [weight * (sin(math.pi * r) / r) for r, weight in zip(radii, weights, strict=True)]
+    return math.pi * half * sum(terms, 0.0)
