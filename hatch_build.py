@@ -1,16 +1,15 @@
-"""Build what a wheel has besides the sources: the table of completion, and what starts `radcalc`.
+"""Build hook of the wheel: the table of completion, and the start of `radcalc`.
 
-The table is printed from the commands.  Sources make it themselves when it is asked for, so an
-editable install has none.
+The table is printed from the commands.  Sources make it on demand, so an editable install has none.
 
-What starts `radcalc` is the entry point or `bin/radcalc`.  The entry point runs everywhere, but
-what pip before 25.2 writes for it imports re, which takes longer than a conversion.  The script
-does without.  On Windows, though, pip makes no radcalc.exe of a script, and elsewhere it gives it a
-first line that fails if Python's path has a blank or is long.  A wheel must not have both under one
-name: pip then drops the script, others fail.
+`radcalc` starts from the entry point or from `bin/radcalc`.  The entry point runs everywhere, but
+the one written by pip before 25.2 imports re, which takes longer than a conversion.  The script
+does not.  But on Windows pip makes no radcalc.exe from a script, and elsewhere the first line of a
+script fails if Python's path has a blank or is long.  A wheel must not have both under one name:
+pip then drops the script, and others fail.
 
-So the script replaces the entry point if the Python that builds could run it.  That is the one
-installed for when pip installs these sources.  Build a wheel for other machines with
+So the script replaces the entry point if the building Python can run it.  That is the installing
+Python when pip installs these sources.  Build a wheel for other machines with
 RADCALC_ENTRY_POINT=true: it keeps the entry point.
 """
 
@@ -26,10 +25,10 @@ LONGEST = 127  # bytes of a first line, for Linux before 5.1
 
 
 class Additions(BuildHookInterface):
-    """A hook of the wheel."""
+    """The hook of the wheel."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Add the table, and put the script in the place of the entry point, or leave that."""
+        """Add the table, and replace the entry point by the script if it runs."""
         if version != "editable":
             self.folder = tempfile.TemporaryDirectory()
             table = os.path.join(self.folder.name, "built.py")
@@ -42,7 +41,7 @@ class Additions(BuildHookInterface):
 
 
 def _print_table(root: str, path: str) -> None:
-    """Print the table in a process and a folder of its own, where no file is one of an example."""
+    """Print the table in a separate process and an empty folder, so that examples find no file."""
     paths = os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH")]))
     subprocess.run(
         [sys.executable, "-B", "-m", "radcalc.cli.compile", path],
@@ -53,7 +52,7 @@ def _print_table(root: str, path: str) -> None:
 
 
 def _runs(script: str) -> bool:
-    """Return whether the script would run under this Python."""
+    """Return whether the script runs under this Python."""
     first_line = os.fsencode(f"#!{sys.executable}")
     return (
         os.name == "posix"

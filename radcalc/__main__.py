@@ -1,4 +1,4 @@
-"""The entry point: the quick lane of a plain conversion, and Click for everything else."""
+"""The entry point: a fast path for a plain conversion, and Click for everything else."""
 
 import gc
 import os
@@ -6,12 +6,11 @@ import sys
 
 
 def main() -> None:
-    """Run radcalc on the command line's words and leave.
+    """Run radcalc on the words of the command line and exit.
 
-    Everything is written and flushed by then, and taking an interpreter apart costs as much as
-    a conversion: the process ends without it.  Nothing that is loaded becomes garbage, and looking
-    for it while modules load costs a tenth of an answer: the collector waits for more objects than
-    a start makes.
+    All output is flushed before, and finalizing an interpreter takes as long as a conversion: the
+    process exits without it.  Loaded modules do not become garbage, and collecting while they load
+    takes a tenth of an answer: the threshold is above the objects of a start.
     """
     try:
         gc.set_threshold(50_000)
@@ -42,8 +41,8 @@ def run(words: list[str]) -> int:
 def quick_lane(words: list[str]) -> int | None:
     """Answer `[convert] VALUE UNIT [to] UNIT [-n]` into a pipe before Click is imported.
 
-    Whatever is not exactly that, any option and any error included, is left to Click (None),
-    which says it properly.  Nothing on this lane loads re, dataclasses, typing or json.
+    Return None for anything else, including options and errors, which Click handles.  This path
+    does not load re, dataclasses, typing or json.
     """
     from radcalc.units.numbers import is_sentence
 
@@ -72,10 +71,10 @@ def quick_lane(words: list[str]) -> int | None:
         if is_function(amount.unit, unit):
             return None
         made = between(amount.unit, unit)
-        if amount.number < 0 and made.source.is_light:  # there is more to say
+        if amount.number < 0 and made.source.is_light:  # it needs a note
             return None
         text = line(made.apply(amount.number), made.target.text, bare=number)
-    except Exception:  # an error or a bug: Click's boundary says it properly
+    except Exception:  # an error or a bug, which Click's boundary reports
         return None
     try:
         terminal.write(text)

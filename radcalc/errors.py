@@ -1,10 +1,10 @@
-"""The errors a user can cause: what went wrong, and what to do about it.
+"""Errors that a user can correct: the problem, and what to do.
 
-Every text that a user can get wrong ends in a `RadcalcError`.  The command line prints its
-message and its hint and exits with status 2; the Python API raises it.
+Every invalid input ends in a `RadcalcError`.  The command line prints its message and its hint and
+exits with status 2; the Python API raises it.
 
-A message names a symbol of the vocabulary, or a command, by a mention (`option("height")`),
-which the two gates spell in their own ways: `--height 6m` at the shell, `height="6 m"` in Python.
+A message names a symbol of the vocabulary, or a command, by a mention (`option("height")`), which
+the shell and Python spell differently: `--height 6m` and `height="6 m"`.
 """
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -14,33 +14,33 @@ if TYPE_CHECKING:
 
     Kind = TypeVar("Kind", bound="RadcalcError")
 
-MINUS = "\u2212"  # people paste it, and the command line has it for the - of a number
-SHOWN = 60  # letters of a text
+MINUS = "\u2212"  # pasted by people, and used for the - of a number on the command line
+SHOWN = 60  # characters of a text
 LISTED = 10  # names
-# The marks of a mention: private characters, which `quote` never lets through.
+# The marks of a mention: private characters, which `quote` escapes.
 START, VALUE, WORD, END = "\ue000", "\ue001", "\ue002", "\ue003"
 
 
 def printable(text: str) -> str:
-    """One line, without what would steer a terminal: anything else as Python writes it."""
+    """Return one line without control characters, which are escaped as in Python."""
     if text.isprintable():
         return text
     return "".join([c if c.isprintable() else ascii(c)[1:-1] for c in text])
 
 
 def quote(text: str) -> str:
-    """Make a user's text fit for a message: one line, printable, of bounded length."""
+    """Return a user's text for a message: one line, printable, of bounded length."""
     text = text.replace(MINUS, "-")
     return printable(text if len(text) <= SHOWN else text[: SHOWN - 3] + "...")
 
 
 def quote_path(path: str) -> str:
-    """Make a path fit for a message: of a long one its end, where the file's name is."""
+    """Return a path for a message; a long one by its end, which has the file's name."""
     return quote(path if len(path) <= SHOWN else "..." + path[3 - SHOWN :])
 
 
 def listed(names: "Sequence[str]") -> str:
-    """Name the first few of a user's own names, and how many more there are."""
+    """Return the first few of a user's names, and the number of the others."""
     more = len(names) - LISTED
     listing = ", ".join([quote(name) for name in names[:LISTED]])
     return f"{listing} and {more} more" if more > 0 else listing
@@ -52,14 +52,14 @@ def ambiguous(text: str, readings: str) -> str:
 
 
 def nearest(word: str, known: "Iterable[str]", count: int = 2, cutoff: float = 0.6) -> list[str]:
-    """Choose the known words most like a word that is not known."""
-    import difflib  # only when something is wrong already
+    """Return the known words most like an unknown one."""
+    import difflib  # only after an error
 
     return difflib.get_close_matches(word[:SHOWN], list(known), n=count, cutoff=cutoff)
 
 
 def option(name: str, value: str = "") -> str:
-    """Mention a symbol, with a value if one is given: `2m`, or `ANGLE` for any of that kind."""
+    """Mention a symbol, with a value (`2m`) or a placeholder for one (`ANGLE`) if given."""
     return f"{START}{name}{VALUE}{value}{END}"
 
 
@@ -69,9 +69,9 @@ def options(names: "Iterable[str]", word: str = " or ") -> str:
 
 
 def mention(text: str) -> str:
-    """Return a text of radcalc's own in which {name} and {name=value} mention symbols.
+    """Return a text with {name} and {name=value} replaced by mentions of symbols.
 
-    A brace before a blank mentions nothing.
+    A brace before a blank is not a mention.
     """
     head, *parts = text.split("{")
     for part in parts:
@@ -103,7 +103,7 @@ def measured(unit: str) -> str:
 
 
 def spell(text: str, spelling: "Any") -> str:
-    """A text with its mentions spelled.
+    """Return a text with its mentions spelled.
 
     `spelling` has `option`, `command`, `manual` and `measured`.
     """
@@ -127,33 +127,30 @@ def spell(text: str, spelling: "Any") -> str:
 
 
 class Plain:
-    """How mentions read where no gate has spelled them."""
+    """The spelling of mentions without a shell or Python."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """Return the name, and the value behind it."""
+        """Return the name and the value."""
         return f"{name} {value}".strip()
 
     @staticmethod
     def command(*words: str) -> str:
-        """Return the command and its words."""
         return " ".join(["radcalc", *words])
 
     @staticmethod
     def manual(name: str) -> str:
-        """Return where the help is."""
         return f"the help of {name}"
 
     @staticmethod
     def measured(unit: str) -> str:
-        """Return the unit alone."""
         return f"'{unit}'"
 
 
 class RadcalcError(Exception):
-    """Something the user can mend: `message` says what is wrong, `hint` what to do.
+    """An error that the user can correct: `message` is the problem, `hint` what to do.
 
-    Both may hold mentions; `spelled` gives them as a gate says them.
+    Both may have mentions; `spelled` spells them.
     """
 
     def __init__(self, message: str, hint: str = "") -> None:
@@ -162,21 +159,21 @@ class RadcalcError(Exception):
         self.hint = hint
 
     def __reduce__(self) -> "tuple[Any, ...]":
-        """Return how it is pickled, with its fields, for another process to raise."""
+        """Return the pickled form, with its fields."""
         return _remade, (type(self), self.args, self.__dict__)
 
     def reworded(self: "Kind", message: str = "", hint: str = "") -> "Kind":
-        """Return the same error with another message, or another hint."""
+        """Return the same error with another message or hint."""
         error: Kind = _remade(type(self), self.args, self.__dict__)
         error.message, error.hint = message or self.message, hint or self.hint
         return error
 
     def spelled(self, spelling: "Any") -> tuple[str, str]:
-        """Message and hint with the names of symbols and commands as a gate spells them."""
+        """Return message and hint with their mentions spelled."""
         return spell(self.message, spelling), spell(self.hint, spelling)
 
     def __str__(self) -> str:
-        """Both lines."""
+        """Return both lines."""
         message, hint = self.spelled(Plain)
         return f"{message}\ntry: {hint}" if hint else message
 
@@ -188,15 +185,15 @@ def _remade(kind: "type[Kind]", args: "tuple[Any, ...]", fields: "dict[str, Any]
 
 
 class NumberError(RadcalcError):
-    """A text that is not a number radcalc reads, or a number that cannot be held."""
+    """A text that radcalc does not read as a number, or a number that a float cannot hold."""
 
 
 class OutOfRange(NumberError):
-    """A number that is larger or smaller than a float holds."""
+    """A number larger or smaller than a float can hold."""
 
 
 class ExpressionError(NumberError):
-    """Arithmetic that has no value: malformed, of unlike quantities, beyond all bounds."""
+    """Arithmetic without a value: malformed, of different quantities, or out of bounds."""
 
 
 class UnitError(RadcalcError):
@@ -204,7 +201,7 @@ class UnitError(RadcalcError):
 
 
 class ConversionError(RadcalcError):
-    """No answer without more, or other, conditions."""
+    """A conversion that needs more, or other, conditions."""
 
 
 class ConditionError(RadcalcError):
@@ -212,15 +209,15 @@ class ConditionError(RadcalcError):
 
 
 class TooMany(ConditionError):
-    """More values, or more answers, than there may be."""
+    """More values, or more answers, than are allowed."""
 
 
 class UsageError(RadcalcError):
-    """A call whose words do not fit together."""
+    """A call with words that do not fit together."""
 
 
 class OutputError(RadcalcError):
-    """What was answered could not be written."""
+    """An answer that cannot be written."""
 
 
 class LineError(RadcalcError):
@@ -228,7 +225,7 @@ class LineError(RadcalcError):
 
 
 class MissingCondition(ConversionError):
-    """A conversion that lacks a condition: `lacking` has, for each, a phrase and its symbols."""
+    """A conversion that lacks conditions: `lacking` has a phrase for each, with its symbols."""
 
     def __init__(
         self, message: str, hint: str, source: str, target: str, lacking: "Sequence[str]"
@@ -238,7 +235,7 @@ class MissingCondition(ConversionError):
 
 
 class MissingInput(UsageError):
-    """An input that is missing; `symbols` are those that the hint mentions."""
+    """A missing input; `symbols` are those in the hint."""
 
     def __init__(self, message: str, hint: str) -> None:
         super().__init__(message, hint)
@@ -246,7 +243,7 @@ class MissingInput(UsageError):
 
 
 class MissingUnit(ConditionError):
-    """A bare number for a symbol that has a unit; `written` is the number with a likely one."""
+    """A bare number for a symbol with a unit; `written` is the number with a likely unit."""
 
     def __init__(self, symbol: str, text: str, written: str) -> None:
         super().__init__(f"the unit of {option(symbol, text)} is missing", option(symbol, written))
@@ -266,7 +263,7 @@ class Unused(ConditionError):
 
 
 class Idle(ConditionError):
-    """An input that nothing follows from; `symbols` are those that would change that."""
+    """An input that gives no result alone; `symbols` are those in the hint."""
 
     def __init__(self, message: str, hint: str) -> None:
         super().__init__(message, hint)
@@ -283,16 +280,16 @@ class Impossible(ConditionError):
 
 
 class TooNarrow(ConditionError):
-    """A range that leaves out so much of one kind of light that its ratio to another is none."""
+    """A wavelength range that excludes too much of one kind of light for its ratio to another."""
 
 
 INVERSE_SQUARE = "the inverse square law"
 
 
 class TooNear(ConditionError):
-    """A patch from less than five times its size, where the far field does not hold.
+    """A patch closer than five times its size, where the far-field law does not hold.
 
-    `told` says the distance, `size` the patch's [m]; `law` is what does not hold.
+    `distance` names the distance, `size` is the patch's [m]; `law` is the law.
     """
 
     def __init__(
@@ -306,9 +303,9 @@ class TooNear(ConditionError):
 
 
 class HorizonCuts(ConditionError):
-    """A turn, by its symbol, at which the plane of one patch may cut the other.
+    """An angle at which the plane of one patch may cut the other.
 
-    `least` is the steepest one at which it does not; a hint says what is better.
+    `least` is the steepest angle at which it does not; `hint` overrides it.
     """
 
     def __init__(
@@ -320,7 +317,7 @@ class HorizonCuts(ConditionError):
         super().__init__(
             f"{option(symbol, quote(text))}: the {turned}'s horizon may cut the {cut}, and {law} "
             "does not hold",
-            hint or f"{option(symbol, least)}, or as far past 90 deg, where nothing is left",
+            hint or f"{option(symbol, least)}, or as far past 90 deg, where there is no light",
         )
 
 
@@ -338,7 +335,7 @@ class Exclusive(ConditionError):
 
 
 class Contradiction(ConditionError):
-    """Two values of one symbol: the one that was given and the one that follows [SI]."""
+    """Two values of one symbol: the given one and the calculated one [SI]."""
 
     def __init__(self, message: str, hint: str, symbol: str, given: "Any", follows: "Any") -> None:
         super().__init__(message, hint)

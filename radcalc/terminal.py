@@ -1,4 +1,4 @@
-"""The process around radcalc: standard output and error, and the exit statuses."""
+"""The process: standard output and error, and exit statuses."""
 
 import os
 import sys
@@ -10,15 +10,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import Any
 
-HANGING = 4  # columns that what follows the first part of a folded line stands in
+HANGING = 4  # indent of the later parts of a folded line
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 AUTO, ALWAYS, NEVER = COLORING = "auto", "always", "never"
 # What a line of standard input that cannot be converted does.
 ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
 BOLD, FAINT, RESET = "\033[1m", "\033[2m", "\033[0m"
 RED, GREEN, MAGENTA, CYAN = "\033[1;31m", "\033[1;32m", "\033[35m", "\033[36m"
-# The colour of a line's first word, which says what the line is.  That word alone is coloured: a
-# colour that cannot be seen well on the background of a terminal takes nothing from what is said.
+# The colour of a line's first word, which is the kind of the line.  Only that word is coloured, so
+# that the text stays readable on any background.
 COLORS = {
     "radcalc:": RED,
     "try:": GREEN,
@@ -33,28 +33,28 @@ _chosen = AUTO
 
 
 def is_terminal() -> bool:
-    """Check whether standard output is a terminal."""
+    """Return whether standard output is a terminal."""
     return os.isatty(1)
 
 
 def error_is_terminal() -> bool:
-    """Check whether standard error is a terminal."""
+    """Return whether standard error is a terminal."""
     return sys.stderr is not None and os.isatty(2)
 
 
 def choose_color(choice: str) -> None:
-    """Take what is chosen for colours in all that is said on standard error from now on."""
+    """Set the colour choice for standard error."""
     global _chosen
     _chosen = choice
 
 
 def chosen_color() -> str:
-    """Return what is chosen for colours."""
+    """Return the colour choice."""
     return _chosen
 
 
 def wants_color(choice: str, terminal: bool) -> bool:
-    """Return what was chosen, then NO_COLOR, then FORCE_COLOR, then whether this is a terminal."""
+    """Return whether to colour: by the choice, NO_COLOR, FORCE_COLOR, then the terminal."""
     if choice != AUTO:
         return choice == ALWAYS
     if os.environ.get("NO_COLOR"):
@@ -65,10 +65,10 @@ def wants_color(choice: str, terminal: bool) -> bool:
 
 
 def can_show(text: str) -> bool:
-    """Check whether the encoding of standard output has all letters of a text."""
+    """Return whether the encoding of standard output has every character of a text."""
     try:
         text.encode(getattr(sys.stdout, "encoding", None) or "ascii")
-    except (UnicodeEncodeError, LookupError):  # LookupError: of an encoding that Python has not
+    except (UnicodeEncodeError, LookupError):  # LookupError: an encoding unknown to Python
         return False
     return True
 
@@ -86,19 +86,19 @@ def write(text: str) -> None:
         data = text.replace("±", "+-").encode(encoding, "radcalc")
     try:
         pour(data)
-    except BrokenPipeError:  # nobody reads on, and the exit status is still of use
+    except BrokenPipeError:  # the reader has stopped, but the exit status still matters
         return
 
 
 def _escaped(error: "Any") -> "tuple[str, int]":
-    """Return what an encoding lacks, escaped as JSON has it."""
+    """Return characters missing in an encoding, escaped as in JSON."""
     data = error.object[error.start : error.end].encode("utf-16-be", "surrogatepass")
     units = [data[k : k + 2].hex() for k in range(0, len(data), 2)]
     return "".join([f"\\u{unit}" for unit in units]), error.end
 
 
 def pour(data: bytes) -> None:
-    """Write a part of a stream at once.  A closed pipe raises, for there is no use in going on."""
+    """Write a part of a stream at once.  A closed pipe raises, to end the stream."""
     try:
         _send(_stdout(), data)
     except BrokenPipeError:
@@ -109,9 +109,9 @@ def pour(data: bytes) -> None:
 
 
 def read(size: int) -> bytes:
-    """Read from standard input what there is, at most so many bytes; none at its end.
+    """Read at most `size` available bytes from standard input; none at its end.
 
-    Where there is nothing yet, a descriptor that does not block is waited for.
+    Wait for data if the descriptor does not block.
     """
     if sys.stdin is None:
         raise RadcalcError("cannot read stdin: it is closed", "a file or a pipe")
@@ -132,10 +132,10 @@ def _stdout() -> "Any":
 
 
 def _send(file: "Any", data: bytes) -> None:
-    """Write everything, however little of it is taken at a time.
+    """Write everything, however little is taken at a time.
 
-    Python's own buffer gives up where a descriptor does not block, and without one (`python -u`)
-    what was not taken is lost; so this writes below it.
+    Python's buffer fails if a descriptor does not block, and without a buffer (`python -u`) data
+    that are not taken are lost; so this writes to the raw file.
     """
     raw = _unbuffered(file)
     rest = memoryview(data)
@@ -148,12 +148,12 @@ def _send(file: "Any", data: bytes) -> None:
 
 
 def _unbuffered(file: "Any") -> "Any":
-    """Return the raw file of a text file; under `python -u`, that is what it has for a buffer."""
+    """Return the raw file of a text file; under `python -u`, its buffer is the raw file."""
     return getattr(file.buffer, "raw", file.buffer)
 
 
 def _wait(raw: "Any", reading: bool) -> None:
-    """Wait until a descriptor that does not block has something, or room for something."""
+    """Wait until a nonblocking descriptor is ready."""
     from select import select
 
     place = [raw.fileno()]
@@ -161,10 +161,7 @@ def _wait(raw: "Any", reading: bool) -> None:
 
 
 def say(lines: "Iterable[str]") -> None:
-    """Write lines to standard error, on a terminal folded and coloured.
-
-    Nobody listening there is no failure.
-    """
+    """Write lines to standard error, folded and coloured on a terminal; ignore failures."""
     try:
         printable_lines = map(printable, lines)
         if error_is_terminal():
@@ -178,7 +175,7 @@ def say(lines: "Iterable[str]") -> None:
 
 
 def _width_of_terminal() -> int:
-    """How wide the terminal of standard error is; wider than any line where it does not say."""
+    """Return the width of the terminal of standard error; no limit if unknown."""
     try:
         return os.get_terminal_size(2).columns or sys.maxsize
     except (OSError, ValueError):
@@ -186,7 +183,7 @@ def _width_of_terminal() -> int:
 
 
 def fold(line: str, width: int, deeper: int = 0) -> list[str]:
-    """A line in a width, folded between words; what follows the first part stands `deeper`."""
+    """Fold a line between words, with the later parts indented by `deeper`."""
     if len(line) <= width:
         return [line]
     from textwrap import wrap
@@ -198,7 +195,7 @@ def fold(line: str, width: int, deeper: int = 0) -> list[str]:
 
 
 def message(line: str, width: int, is_colored: bool) -> str:
-    """A line folded in a width, its end included, its first word in the colour of what it is."""
+    """Fold a line to a width, and colour its first word by its kind."""
     first, *more = fold(line, width, HANGING)
     word = first.partition(" ")[0]
     if is_colored and word in COLORS:
@@ -207,12 +204,12 @@ def message(line: str, width: int, is_colored: bool) -> str:
 
 
 def remarks(assumptions: "Iterable[str]", notes: "Iterable[str]") -> list[str]:
-    """Return what was assumed and noted, a line each."""
+    """Return assumptions and notes, a line each."""
     return [f"assumed: {text}" for text in assumptions] + [f"note: {text}" for text in notes]
 
 
 def complain(error: RadcalcError, spelling: "Any" = Plain) -> int:
-    """Say what is wrong and what to do, as a gate spells it; return the exit status."""
+    """Write an error and its hint in a spelling; return the exit status."""
     message, hint = error.spelled(spelling)
     say([f"radcalc: {message}", *([f"try: {hint}"] if hint else [])])
     return FAILED

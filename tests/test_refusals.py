@@ -580,10 +580,11 @@ STREAMS = {
     "an unknown unit to convert to is refused": (("lx", "zork"), "unknown unit"),
     "an unknown unit to convert lines with their own units to is refused": (
         ("zork",), "unknown unit"),
-    "a stream has no steps": (("lx", "fc", "--steps"), "--steps is not for a stream"),
-    "a stream has no CSV": (("lx", "fc", "--format", "csv"), "--format csv is not for a stream"),
+    "a stream has no steps": (("lx", "fc", "--steps"), "--steps cannot be used with a stream"),
+    "a stream has no CSV": (
+        ("lx", "fc", "--format", "csv"), "--format csv cannot be used with a stream"),
     "a stream has no table": (
-        ("lx", "fc", "--format", "table"), "--format table is not for a stream"),
+        ("lx", "fc", "--format", "table"), "--format table cannot be used with a stream"),
     "there is no field 0": (("lx", "fc", "--field", "0"), "out of range"),
     "there are no fields up to 0": (("lx", "fc", "--field", "-0"), "out of range"),
     "fields from 3 down to 2 are refused": (("lx", "fc", "--field", "3-2"), "decreasing"),

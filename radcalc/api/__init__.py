@@ -1,13 +1,13 @@
-"""The Python functions: texts, quantities and arrays in, quantities and what was assumed out.
+"""The Python functions: texts, quantities and arrays in, quantities and assumptions out.
 
-Dask's arrays too, where a function works element by element: what depends on them is then an array
-of Dask's, and what is impossible among their elements raises its error as that is computed.
+Elementwise functions also take Dask arrays: the results that depend on them are Dask arrays, and an
+invalid element raises its error when they are computed.
 """
 
 from importlib import import_module
 from typing import Any
 
-# The public names by their modules; the other functions are made from the pages alone.
+# The public names by module; the other functions are made from the pages.
 MODULES = {
     "radcalc.api.conversion": ("convert", "explain", "factor"),
     "radcalc.api.geometry": ("direction", "solid_angle"),

@@ -1,4 +1,4 @@
-"""From keywords to a result: what every calculator's function does."""
+"""The common path of every calculator's function, from keywords to a result."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -29,17 +29,17 @@ def calculate(
     adapt: Callable[[Inputs], Inputs] | None = None,
     drawn: Any = None,
 ) -> Result:
-    """Read the symbols that a function was given, and return what follows from them.
+    """Read the symbols given to a function, and return the result.
 
-    `operands` are shown with them, and `drawn` is what a picture needs besides the inputs, which
-    `adapt` changes after they are read.  A function `waits` for Dask's arrays if it works element
-    by element.
+    `operands` are shown with them, and `drawn` is what a picture needs besides the inputs;
+    `adapt` changes the inputs after they are read.  `waits` is true for an elementwise function,
+    which takes Dask arrays.
     """
     columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
         from radcalc.api.lazy import blockwise
 
-        operand_texts = dict(operands)  # which pickle takes, unlike a proxy
+        operand_texts = dict(operands)  # pickle takes it, unlike a proxy
         call = partial(calculate, command, work_out=work_out, operands=operand_texts, adapt=adapt)
         waiting: Result = blockwise(keyword(command), call, given)
         return waiting.in_columns(columns)
@@ -68,6 +68,6 @@ def calculate(
 
 
 def _has_elements(given: Input) -> bool:
-    """Check for an array, or for points that are arrays."""
+    """Return whether there is an array, or points that are arrays."""
     values = given.value if isinstance(given.value, tuple) else (given.value,)
     return any(map(is_column, values))

@@ -1,8 +1,8 @@
-"""Columns of pandas, Polars and xarray: taken with the unit that they tell, and given back.
+"""Columns of pandas, Polars and xarray as inputs and results.
 
-A column has its unit in its name (`distance [m]`), as the columns of files have; one of xarray also
-in its attribute `units`, or in its data, which may be a quantity.  A result that depends on columns
-is one like them: of the same index or coordinates, and with its unit in the same place.
+A column has its unit in its name (`distance [m]`), like the columns of files; one of xarray also in
+its attribute `units`, or in its data, which may be a quantity.  A result that depends on columns is
+a column of the same index or coordinates, with its unit in the same place.
 """
 
 from collections.abc import Mapping, Sequence
@@ -23,13 +23,14 @@ from radcalc.units.unit import NUMBER, Unit
 
 PANDAS, POLARS, XARRAY = LIBRARIES
 COLUMNS = {PANDAS: "Series", POLARS: "Series", XARRAY: "DataArray"}
-UNITS = "units"  # the attribute of xarray's arrays, by the CF conventions
+UNITS = "units"  # the attribute of xarray arrays in the CF conventions
 
 
 class Columns(NamedTuple):
-    """The columns that were given to a function, by the first of them.
+    """The columns given to a function; the first one is the model of the results.
 
-    With `quantities` the data of xarray's arrays are quantities; else their units stand apart.
+    With `quantities` the data of xarray arrays are quantities; otherwise their units are
+    attributes.
     """
 
     library: str
@@ -37,7 +38,7 @@ class Columns(NamedTuple):
     quantities: bool = False
 
     def result(self, name: str, value: Any, title: str = "") -> Any:
-        """A result, or readings on a scale, as a column; what depends on none as it is."""
+        """Return a result, or readings on a scale, as a column if it depends on columns."""
         magnitude = magnitude_of(value)
         if not numpy.ndim(magnitude):
             return value
@@ -52,13 +53,13 @@ class Columns(NamedTuple):
         title = title or (f"{name} [{unit}]" if unit not in ("", "1") else name)
         if self.library == POLARS:
             column = type(self.like)(title, magnitude)
-            missing = self.like.is_null()  # a null is no NaN there
+            missing = self.like.is_null()  # a null is not a NaN there
             return column.set(missing, None) if missing.any() else column
         return type(self.like)(magnitude, index=self.like.index, name=title)
 
 
 def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, Any]]:
-    """Return the columns among the arguments, and the arguments with arrays in their places."""
+    """Return the columns among the arguments, and the arguments with arrays instead of columns."""
     columns = {key: value for key, value in given.items() if library_of(magnitude_of(value))}
     if not columns:
         return None, dict(given)
@@ -85,7 +86,7 @@ def _is_quantity(column: Any) -> bool:
 
 
 def _unit_of(key: str, given: Any) -> Unit | None:
-    """The unit that a column tells; None for bare numbers."""
+    """Return the unit of a column; None for bare numbers."""
     column = magnitude_of(given)
     if stated := _stated_unit(given):
         _refuse_other(column, stated)
@@ -100,7 +101,7 @@ def _unit_of(key: str, given: Any) -> Unit | None:
         if _is_text(column):
             return None
         likely = f"{key} [{SYMBOLS[name].unit}]"
-        problem = f"{option(name)} is a column without a unit, '{quote(str(column.name))}'"
+        problem = f"{option(name)} is a column without a unit: '{quote(str(column.name))}'"
         hint = (
             f'.rename("{likely}"), or radcalc.Quantity(column.to_numpy(), "{SYMBOLS[name].unit}")'
         )
@@ -109,7 +110,7 @@ def _unit_of(key: str, given: Any) -> Unit | None:
 
 
 def _stated_unit(given: Any) -> Unit | None:
-    """The unit that stands beside the title of a column."""
+    """Return the unit of a column that is not in its title."""
     column = magnitude_of(given)
     if column is not given:
         return unit_of(given)
@@ -121,7 +122,7 @@ def _stated_unit(given: Any) -> Unit | None:
 
 
 def _refuse_other(column: Any, unit: Unit) -> None:
-    """Refuse a column whose title has another unit than stands beside it, or another quantity."""
+    """Refuse a column whose title disagrees with its unit, or names another quantity."""
     if column.name is None:
         return
     title = read_title(str(column.name), unit)
@@ -139,7 +140,7 @@ def _is_text(column: Any) -> bool:
 
 
 def _aligned(given: Mapping[str, Any]) -> Sequence[Any]:
-    """The columns with the same rows, or with all of their dimensions."""
+    """Return the columns with the same rows, or with all of their dimensions."""
     columns = [magnitude_of(column) for column in given.values()]
     first, *others = columns
     library = library_of(first)
@@ -162,7 +163,7 @@ def _aligned(given: Mapping[str, Any]) -> Sequence[Any]:
 
 
 def _array(key: str, column: Any, unit: Unit | None) -> Any:
-    """The values of a column, with their unit."""
+    """Return the values of a column, with their unit."""
     if unit is None and _is_text(column):
         texts = column.to_numpy().tolist()
         if not all(isinstance(text, str) for text in texts):
@@ -174,7 +175,9 @@ def _array(key: str, column: Any, unit: Unit | None) -> Any:
         try:
             values = floats(values)
         except (TypeError, ValueError):
-            problem = f"{key} is a column with what is no number, '{quote(str(column.name))}'"
+            problem = (
+                f"{key} is a column with a value that is not a number: '{quote(str(column.name))}'"
+            )
             raise ConditionError(problem, "a column of numbers") from None
         if key != "value" and numpy.isnan(values).any():
             _refuse_missing(key, column)
@@ -187,7 +190,7 @@ def _refuse_missing(key: str, column: Any) -> None:
 
 
 def of_conversion(columns: Columns, value: Any, target: Unit, name: str) -> Any:
-    """Return the values as a column, with its own name if it remains the same quantity."""
+    """Return the values as a column, with its own name if the quantity is the same."""
     column_name = str(columns.like.name) if columns.like.name is not None else ""
     title = read_title(column_name) if column_name and columns.library != XARRAY else None
     if title and title.unit and title.unit.dimension == target.dimension:

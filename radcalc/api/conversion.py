@@ -1,4 +1,4 @@
-"""From one unit or quantity to another."""
+"""Conversion from one unit or quantity to another."""
 
 from __future__ import annotations
 
@@ -41,24 +41,22 @@ def convert(value: Number, target: str, **conditions: Any) -> Quantity:
     value : Number
         A text such as ``"100 lx"``, a `radcalc.Quantity`, whose magnitude may be an array of any
         shape, Dask's too, or a number of the `uncertainties` package; a list of texts, or a column
-        that tells its unit.  A bare number is dimensionless.
+        with its unit.  A bare number is dimensionless.
     target : str
         The unit of the result, a quantity (``"ppfd"``: its usual unit), or a scale (``"dBm"``).
 
     Returns
     -------
     Quantity
-        In the unit `target`, of the shape of the magnitude of `value` (broadcast with those of
-        the conditions).  On a scale the bare readings, a float or an array: they are no
-        quantity, which could be multiplied.
-        Where something is uncertain the magnitude is, correlated with that.  For a column a
-        column like it.
+        In the unit `target`, with the shape of the magnitude of `value` (broadcast with those
+        of the conditions).  On a scale, the bare readings (a float or an array), which cannot be
+        multiplied like a quantity.  An uncertain input gives a correlated uncertain magnitude,
+        and a column gives a column.
 
     Raises
     ------
     radcalc.RadcalcError
-        A text that is not a unit, or a condition that is missing, impossible, contradictory or
-        without use.
+        If a unit is unknown, or a condition is missing, out of range, contradictory or unused.
 
     Examples
     --------
@@ -88,24 +86,24 @@ def convert(value: Number, target: str, **conditions: Any) -> Quantity:
 
 @of_page("convert")
 def explain(value: Number, target: str, **conditions: Any) -> Result:
-    """Convert as `convert` does, and give what was assumed, noted and derived with the value.
+    """Convert like `convert`, and return the assumptions, notes and derivation with the value.
 
     Parameters
     ----------
     value : Number
-        As of `convert`; a single one, no array.
+        As in `convert`; a single value, not an array.
     target : str
-        As of `convert`.
+        As in `convert`.
 
     Returns
     -------
     Result
-        Of one value, by the name of its quantity, with `assumptions`, `notes` and `steps`.
+        One value, under the name of its quantity, with `assumptions`, `notes` and `steps`.
 
     Raises
     ------
     radcalc.RadcalcError
-        As of `convert`.
+        As in `convert`.
 
     Examples
     --------
@@ -156,9 +154,9 @@ def explain(value: Number, target: str, **conditions: Any) -> Result:
 
 @of_page("convert")
 def factor(source: str, target: str, **conditions: Any) -> float:
-    """The number by which values in one unit are multiplied to be in another.
+    """Return the number that multiplies values in one unit to convert them to another.
 
-    A query engine then needs nothing but a multiplication: Polars, DuckDB, Spark, SQL.
+    A query engine (Polars, DuckDB, Spark, SQL) then needs only a multiplication.
 
     Parameters
     ----------
@@ -168,13 +166,13 @@ def factor(source: str, target: str, **conditions: Any) -> float:
     Returns
     -------
     float
-        The factor; exact, and rounded once, between two units of one quantity.  `explain` tells
-        what the conditions, of which there is a single value each, assume.
+        The factor; exact, and rounded once, between two units of one quantity.  Each condition
+        is a single value; `explain` gives the assumptions.
 
     Raises
     ------
     radcalc.RadcalcError
-        As of `convert`; and where the two are not proportional, as with scales, or the factor is
+        As in `convert`; also if the two are not proportional, as with scales, or the factor is
         an array or uncertain.
 
     Examples
@@ -205,7 +203,7 @@ def _again(given: Mapping[str, Any]) -> Any:
 
 
 def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:
-    """The value that was converted, as an answer tells it."""
+    """Return the converted value, as an answer shows it."""
     if not isinstance(value, str):
         return ShownInput("value", number, conversion.source.text)
     amount = read_amount(value)
@@ -217,12 +215,12 @@ def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:
 def _require_texts(*units: Any) -> None:
     for unit in units:
         if not isinstance(unit, str):
-            problem = f"a unit is a text, and not {article(type(unit).__name__)}"
+            problem = f"a unit is a text, not {article(type(unit).__name__)}"
             raise UnitError(problem, "a text such as 'lx'")
 
 
 def _converted(conversion: Plan, magnitude: Any, given: list[Input]) -> Any:
-    """A magnitude through a plan, where it or a condition is uncertain."""
+    """Apply a plan to a magnitude if it or a condition is uncertain."""
     from radcalc.calculators.uncertainty import converted
 
     if isinstance(magnitude, ReadAmount):
@@ -233,7 +231,7 @@ def _converted(conversion: Plan, magnitude: Any, given: list[Input]) -> Any:
         number, size = magnitude.nominal_value, magnitude.std_dev
         amount, original = ReadAmount(str(magnitude), number, conversion.source, size), magnitude
     elif is_array(magnitude):
-        raise ConditionError("an array stands beside an uncertain condition", ONE_EACH)
+        raise ConditionError("an array cannot be used with an uncertain condition", ONE_EACH)
     return converted(conversion, amount, given, original)
 
 
@@ -242,9 +240,9 @@ def _has_uncertainty(magnitude: Any) -> bool:
 
 
 def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any, list[Input]]:
-    """The plan that both need, the magnitude to apply it to, and the conditions.
+    """Return the plan, the magnitude to convert, and the conditions.
 
-    The magnitude of a text with an uncertainty is an `ReadAmount`.
+    The magnitude of a text with an uncertainty is a `ReadAmount`.
     """
     refuse_lazy(value, "the value")
     _require_texts(target)
@@ -272,7 +270,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
 
 
 def _plan_of(source: Unit | None, target: str, given: list[Input]) -> Plan:
-    """The plan from a unit, or from numbers without one."""
+    """Return the plan from a unit, or from numbers without one."""
     start = source or resolve("1")
     target_unit = target_of(target, start)
     if source is None and target_unit.dimension != start.dimension and not target_unit.is_scale:
@@ -282,7 +280,7 @@ def _plan_of(source: Unit | None, target: str, given: list[Input]) -> Plan:
 
 
 def _as_array(value: Sequence[Any]) -> Any:
-    """A list of texts or quantities as one array, in the unit of the first; another as it is."""
+    """Return a list of texts or quantities as one array in the unit of the first; others as is."""
     if not any(isinstance(element, str) or is_quantity(element) for element in value):
         return value
     amounts = [read_amount(element) if isinstance(element, str) else None for element in value]

@@ -1,4 +1,4 @@
-"""A picture of a result, which a notebook shows."""
+"""The picture of a result, for notebooks and files."""
 
 import os
 from functools import cached_property
@@ -9,43 +9,43 @@ if TYPE_CHECKING:
 
 
 class Drawing:
-    """A picture, as a notebook shows it, as a figure of Matplotlib, or in a file.
+    """A picture for a notebook, as a Matplotlib figure, or in a file.
 
     Parameters
     ----------
     picture : radcalc.plots.data.Picture
-        What is drawn.
+        The content of the picture.
     """
 
     def __init__(self, picture: "Picture") -> None:
         self.picture = picture
 
     def __repr__(self) -> str:
-        """The picture in characters, as an interpreter shows it."""
+        """Return the picture in characters."""
         from radcalc.plots.characters import draw, style_of
 
         return draw(self.picture, style_of()).rstrip("\n")
 
     @cached_property
     def figure(self) -> Any:
-        """The figure of Matplotlib, to be changed further."""
+        """Return the Matplotlib figure, for further changes."""
         from radcalc.plots.figure import figure
 
         return figure(self.picture)
 
     def _repr_svg_(self) -> str:
-        """The picture in a notebook."""
+        """Return the picture for a notebook."""
         from radcalc.plots.figure import data
 
         return data(self.picture, ".svg").decode()
 
     def save(self, path: "str | os.PathLike[str]") -> None:
-        """Write it into a file: SVG or PNG, by the end of the name.
+        """Write it into an SVG or PNG file, by the ending of the name.
 
         Raises
         ------
         radcalc.RadcalcError
-            Of another file, or one that cannot be written.
+            If the file has another ending, or cannot be written.
         """
         from radcalc.plots.figure import write
 

@@ -30,7 +30,7 @@ def solid_angle(shape: Shape, vertices: Sequence[Vector] = (), **given: Any) -> 
         ``"full"`` and ``"hemisphere"`` take nothing else, a cone one of its angles, a zone `polar`
         and `azimuth` as ``"30deg:60deg"``, a pixel `size`, `pixel` and `projection`.
     vertices : sequence of Vector, optional
-        Of a polygon, in order, in any one unit of length.
+        The vertices of a polygon, in order, in one unit of length.
 
     Examples
     --------
@@ -57,9 +57,9 @@ def direction(vector: Points | None = None, *, on_ball: bool = False, **given: A
     Parameters
     ----------
     vector : Points, optional
-        Three lengths, or numbers, in place of angles.
+        Three lengths or numbers, instead of angles.
     on_ball : bool, optional
-        Add where a mirror ball shows the direction: `mirror_ball_u`, `mirror_ball_v`, and `_w`.
+        Add its place on a mirror ball: `mirror_ball_u`, `mirror_ball_v`, and `_w`.
 
     Examples
     --------
@@ -80,7 +80,7 @@ def direction(vector: Points | None = None, *, on_ball: bool = False, **given: A
 
 
 def _vector(vector: Any) -> tuple[Any, str]:
-    """Three coordinates [SI], and the unit that they had; None where there is no vector."""
+    """Return three coordinates [SI] and their typed unit; None without a vector."""
     if vector is None:
         return None, ""
     if isinstance(vector, str):
@@ -94,11 +94,11 @@ def _vector(vector: Any) -> tuple[Any, str]:
 
 
 def _corners(vertices: Any) -> list[str]:
-    """The vertices of a polygon as texts."""
+    """Return the vertices of a polygon as texts."""
     try:
         return [
             vertex if isinstance(vertex, str) else ",".join(map(str, vertex)) for vertex in vertices
         ]
     except TypeError:
-        problem = f"the vertices are of the type {type(vertices).__name__}"
+        problem = f"the vertices are not points, but of the type {type(vertices).__name__}"
         raise ConditionError(problem, "[(1, 0, 0), (0, 1, 0), (0, 0, 1)]") from None

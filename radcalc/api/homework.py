@@ -1,4 +1,4 @@
-"""Judging an answer, and naming the mistake."""
+"""Check of an answer, with the likely mistake."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from radcalc.render.plain import verdict as words_of
 
 
 class Verdict(Judged):
-    """The judgement of an answer; true where it is right.
+    """The judgement of an answer; true if it is right.
 
     Examples
     --------
@@ -31,11 +31,11 @@ class Verdict(Judged):
     __slots__ = ()
 
     def __bool__(self) -> bool:
-        """Return true for a right answer."""
+        """Return whether the answer is right."""
         return self.right
 
     def __repr__(self) -> str:
-        """Right or wrong, and the likely mistakes."""
+        """Return the judgement and the likely mistakes as text."""
         row = Row(self.name, "", self.value, self.unit)
         return words_of(Judgement(self, row, (), (), ()), Style()).rstrip()
 
@@ -44,30 +44,30 @@ class Verdict(Judged):
 def check(
     result: Result, claim: str | Quantity | float, tolerance: str | Quantity | float | None = None
 ) -> Verdict:
-    """Judge an answer to what a function worked out, and name the mistakes that lead to it.
+    """Check an answer against a result, and name the mistakes that lead to it.
 
     Parameters
     ----------
     result : Result
-        Of a calculator, or of `explain` for a conversion.
+        The result of a calculator, or of `explain` for a conversion.
     claim : str, Quantity or float
-        The answer: ``"16 lx"``, ``"illuminance=16 lx"`` where several results have the unit, or
-        a number alone where it is clear what it is.  A name may have hyphens or underscores.
+        The answer: ``"16 lx"``, ``"illuminance=16 lx"`` if several results have the unit, or
+        a bare number if it is unambiguous.  A name may have hyphens or underscores.
     tolerance : str, Quantity or float, optional
-        ``"1%"``, which it is by default, ``"0.5 lx"``, or ``"3sf"`` for significant digits; a
-        number alone is a part of the right value.
+        ``"1%"`` (the default), ``"0.5 lx"``, or ``"3sf"`` for significant digits; a bare number
+        is a fraction of the right value.
 
     Returns
     -------
     Verdict
-        True or false, which is `right` as well, with the right `value` in its `unit`, the `ratio`
-        of the answer to it, and the `diagnoses`: each a `mistake` that reproduces the number,
-        what was `done`, and what would be `right`.
+        True or false (also `right`), with the right `value` in its `unit`, the `ratio` of the
+        answer to it, and the `diagnoses`: each has a `mistake` that reproduces the number, the
+        step `done`, and the `right` one.
 
     Raises
     ------
     radcalc.RadcalcError
-        An answer that is none, or may be meant for several results; a result of arrays.
+        If the answer is invalid or fits several results, or the result has arrays.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def check(
     from radcalc.homework import check as judge
 
     if not isinstance(result, Result):
-        problem = f"{article(type(result).__name__)} is no result to check"
+        problem = f"{article(type(result).__name__)} is not a result to check"
         raise ConditionError(problem, "radcalc.explain, or a calculator's function")
     allowed = None if tolerance is None else as_text(tolerance)
     question = result.question
@@ -88,12 +88,12 @@ def check(
 
 
 def _as_named(claim: str, values: Sequence[Value]) -> str:
-    """A claim with the name of a result as the result has it: NAME=VALUE UNIT."""
+    """Return a claim with the name of a result as the result has it: NAME=VALUE UNIT."""
     name, equals, claimed = claim.partition("=")
     names = {keyword(known): known for value in values for known in (value.name, value.also)}
     return f"{names.get(keyword(name.strip()), name)}{equals}{claimed}" if equals else claim
 
 
 def _in_python(diagnosis: Any) -> Any:
-    """A diagnosis with keywords."""
+    """Return a diagnosis with keywords."""
     return diagnosis._replace(done=in_words(diagnosis.done), right=in_words(diagnosis.right))

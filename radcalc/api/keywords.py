@@ -1,8 +1,7 @@
-"""What the functions take, as their signatures say it; None is as if it were not given.
+"""Types of keywords in signatures; None means not given.
 
 An `Amount` is a text with its unit, such as "2 m", a `Quantity`, whose magnitude may be an array,
-a list of these, or a column of pandas, Polars or xarray that tells its unit.  A `Number` may be
-bare as well.
+a list of these, or a column of pandas, Polars or xarray with its unit.  A `Number` may be bare.
 """
 
 from collections.abc import Sequence
@@ -27,7 +26,7 @@ class Column(Protocol):
         """Its values alone."""
 
 
-# Unions by their names, which a signature then shows, and not what stands behind them.
+# Unions with names, so that a signature shows the names.
 Amount: TypeAlias = str | Quantity | Sequence[str] | Sequence[Quantity] | Column | None
 Number: TypeAlias = Amount | float | Sequence[float] | Array
 Direction: TypeAlias = str | Quantity | Sequence[Quantity] | Sequence[float] | Array | None

@@ -1,8 +1,8 @@
-"""Dask's arrays: a calculation that waits, and is then done block by block.
+"""Dask arrays: a calculation that is deferred, and done block by block.
 
-A calculator looks at the values that it is given, so it cannot work with what is not there yet.
-It is run on arrays without elements, which tells what results there are, in which units and along
-which axes, and later on each block, where what is wrong with a value raises its error.
+A calculator needs the values of its inputs.  So it runs first on arrays without elements, which
+show the results, their units and their axes, and later on each block, where invalid values raise
+errors.
 """
 
 from collections.abc import Callable, Mapping
@@ -19,13 +19,13 @@ from radcalc.errors import ConditionError, option
 from radcalc.maths import is_column
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 
-ALONE = ""  # the name of the result of a function that gives one
+ALONE = ""  # the name of a function's only result
 
 
 class Place(NamedTuple):
-    """The place of an array in a call: its keyword, and the unit if it is a quantity's.
+    """The place of an array in a call: its keyword, and the unit of a quantity.
 
-    Of a point there are three arrays, one for each coordinate.
+    A point has three arrays, one for each coordinate.
     """
 
     key: str
@@ -42,10 +42,10 @@ class Expected(NamedTuple):
 
 
 class Call(NamedTuple):
-    """A call that can be sent to another process, and where it takes the arrays of a block.
+    """A call that can be sent to another process, with the places of the arrays of a block.
 
-    The function takes its arguments as one mapping.  They are magnitudes with a unit, as Pint's
-    quantities would lose their registry, or None where an array of a block belongs.
+    The function takes its arguments as one mapping.  They are magnitudes with units, since Pint
+    quantities would lose their registry, or None instead of an array of a block.
     """
 
     function: Callable[[dict[str, Any]], Any]
@@ -54,7 +54,6 @@ class Call(NamedTuple):
 
     @in_python
     def answer(self, *blocks: Any) -> Any:
-        """Call the function with these blocks."""
         values = {key: pair and _quantity(*pair) for key, pair in self.given.items()}
         remaining = iter(blocks)
         for place in self.places:
@@ -64,18 +63,18 @@ class Call(NamedTuple):
         return self.function(values)
 
     def results(self, *blocks: Any) -> dict[str, Any]:
-        """The results for these blocks by all of their names."""
+        """Return the results for these blocks by all of their names."""
         return _by_name(self.answer(*blocks))
 
 
 class Rows(NamedTuple):
-    """The results of a call that are arrays, one after the other along a first axis."""
+    """The array results of a call, one after the other along a first axis."""
 
     call: Call
     expected: dict[str, Expected]
 
     def __call__(self, *blocks: Any) -> Any:
-        """The results for these blocks, which must be those that there are for no elements."""
+        """Return the results for these blocks, which must match those for no elements."""
         results = self.call.results(*blocks)
         if not (results.keys() == self.expected.keys() and all(map(self._fits, results.items()))):
             problem = "not all elements have the same results, in number and unit"
@@ -99,26 +98,26 @@ class Rows(NamedTuple):
 def blockwise(
     name: str, function: Callable[[dict[str, Any]], Any], given: Mapping[str, Any]
 ) -> Any:
-    """Call a function with Dask's arrays: as with NumPy's, but the results wait.
+    """Call a function with Dask arrays: like with NumPy arrays, but the results are deferred.
 
     Parameters
     ----------
     name : str
-        What the tasks of Dask are called.
+        The name of Dask's tasks.
     function
-        A function of a mapping that works element by element, and that can be pickled.
+        An elementwise function of a mapping, which can be pickled.
     given
-        Its arguments, a Dask array or a quantity that has one among them.
+        Its arguments, including a Dask array or a quantity with one.
 
     Returns
     -------
     Quantity, dask.array.Array, or Result
-        As of the function; what depends on an array is a Dask array.
+        The result of the function; values that depend on an array are Dask arrays.
 
     Raises
     ------
     radcalc.errors.RadcalcError
-        What is wrong whatever the elements are; what is wrong with one of them is raised when the
+        If the call is wrong for all elements; errors of single elements are raised when the
         results are computed.
     """
     given = {key: gathered(key, value) for key, value in given.items()}
@@ -161,19 +160,19 @@ def blockwise(
 
 
 def _by_name(answer: Any) -> dict[str, Any]:
-    """The results of an answer by all of their names; a single one has none."""
+    """Return the results of an answer by all of their names; a single one has none."""
     return answer.every if isinstance(answer, Result) else {ALONE: answer}
 
 
 def _arrays(key: str, value: Any) -> list[Any]:
-    """The arrays of an argument, NumPy's too, as Dask's; none, if it is one value for all."""
+    """Return the arrays of an argument as Dask arrays; none for a single value."""
     array = magnitude_of(value)
     symbol = SYMBOLS.get(symbol_name(key))
     if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):
         array = numpy.asarray(array)
     waits = is_lazy(array)
     if waits and not isinstance(array, dask.array.Array):
-        problem = f"a {type(array).__name__} of Dask is no array"
+        problem = f"a {type(array).__name__} of Dask is not an array"
         raise ConditionError(problem, "its values: .to_dask_array(), or .values")
     if key == "point":
         if not waits and numpy.ndim(array) < 2:
@@ -191,7 +190,7 @@ def _lazy(array: Any) -> Any:
 
 
 def _without_elements(array: Any) -> Any:
-    """An array of no elements with the axes of another, where those of length 1 are kept."""
+    """Return an array without elements, with the axes of another; axes of length 1 are kept."""
     shape = [int(length == 1) for length in array.shape]
     if all(shape):
         shape[-1] = 0
@@ -199,7 +198,7 @@ def _without_elements(array: Any) -> Any:
 
 
 def _index(shape: tuple[int, ...], count: int, is_single: bool) -> tuple[Any, ...]:
-    """Return the index of a result in rows with so many axes: it may have fewer, or be one long."""
+    """Return the index of a result in rows with so many axes; it may have fewer or be single."""
     if is_single:
         return (0,)
     kept = (slice(None, 1) if length == 1 else slice(None) for length in shape)

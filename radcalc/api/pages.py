@@ -1,7 +1,7 @@
 """The Python functions of calculators, made from their pages.
 
-A page says which symbols a calculator takes, and the vocabulary what each of them is: the
-signature and the docstring of its function follow.
+A page names the symbols of a calculator, and the vocabulary describes them: from both follow the
+signature and the docstring of the function.
 """
 
 from __future__ import annotations
@@ -49,18 +49,18 @@ FORMS = {
     POINT: "Vector",
     VECTOR: "Vector",
 }
-WIDTH = 96  # of a docstring, which help() indents
+WIDTH = 96  # width of a docstring, which help() indents
 HEADING = re.compile(r"^(\w+)\n-{3,}\n", re.MULTILINE)
 ENTRY = re.compile(r"^(\w[^\n]*?) : [^\n]*(?:\n    [^\n]*)*", re.MULTILINE)
 RETURNS = """Result
-    The inputs and everything that follows, as attributes by the names of ``radcalc -g``."""
+    The inputs and results, as attributes with the names of ``radcalc -g``."""
 RAISES = """radcalc.RadcalcError
-    If an input is missing, contradictory, impossible or without use."""
+    If an input is missing, contradictory, out of range or unused."""
 HEADINGS = PARAMETERS, _, _, EXAMPLES = "Parameters", "Returns", "Raises", "Examples"
 
 
 class Keyword(NamedTuple):
-    """A symbol as a keyword: its annotation and default, its unit, and what it is."""
+    """A symbol as a keyword: its annotation, default, unit and description."""
 
     name: str
     annotation: str
@@ -70,7 +70,7 @@ class Keyword(NamedTuple):
 
     @property
     def parameter(self) -> inspect.Parameter:
-        """The keyword in a signature."""
+        """Return the keyword in a signature."""
         return inspect.Parameter(
             self.name,
             inspect.Parameter.KEYWORD_ONLY,
@@ -81,7 +81,7 @@ class Keyword(NamedTuple):
 
 @cache
 def function(name: str) -> Callable[..., Result]:
-    """Make the function of a calculator whose page says everything about it."""
+    """Make the function of a calculator from its page alone."""
     command = symbol_name(name)
     work_out = getattr(import_module(f"radcalc.calculators.{name}"), name)
 
@@ -95,11 +95,11 @@ def function(name: str) -> Callable[..., Result]:
 def of_page(
     command: str, without: Sequence[str] = ()
 ) -> Callable[[Callable[..., T]], Callable[..., T]]:
-    """Give a function the keywords and the documentation of a page.
+    """Decorate a function with the keywords and the documentation of a page.
 
-    The function takes the keywords as `**given`.  Its own parameters stay, and the sections of its
-    own docstring replace the remarks and examples of the page.  `without` are symbols that it does
-    not take.
+    The function takes the keywords as `**given`.  Its own parameters stay, and the sections of
+    its docstring replace the remarks and examples of the page.  `without` names symbols that it
+    does not take.
     """
     page = page_of(command)
     page_keywords = _keywords(page, without)
@@ -139,7 +139,7 @@ def of_page(
 
 
 def _keywords(page: Page, without: Sequence[str]) -> list[Keyword]:
-    """The keywords of a page; a light quantity has those of its kinds too."""
+    """Return the keywords of a page; a light quantity also has those of its kinds."""
     names = [name for section in page.sections.values() for name in section if name not in without]
     all_names = [
         kind_name
@@ -174,7 +174,7 @@ def _docstring(
     operands: Sequence[str],
     page_keywords: Sequence[Keyword],
 ) -> str:
-    """The sections of a function's own docstring, and the others from its page."""
+    """Return the docstring: the sections of the function, and the others from its page."""
     summary, *headed = HEADING.split(own_text)
     sections = {"Returns": RETURNS, "Raises": RAISES}
     sections |= dict(zip(headed[::2], headed[1::2], strict=True))
@@ -196,7 +196,7 @@ def _docstring(
 
 
 def _entries(page_keywords: Sequence[Keyword]) -> Iterator[str]:
-    """An entry for each symbol, in which a light quantity has the names of its kinds too."""
+    """Return an entry for each symbol; a light quantity also has the names of its kinds."""
     groups: dict[str, list[Keyword]] = {}
     for entry in page_keywords:
         generic = keyword(SPECIFIC.get(symbol_name(entry.name), (entry.name, ""))[0])
@@ -221,7 +221,7 @@ def _filled(text: str) -> str:
 
 
 def _example(command: str, example: str, bare: Mapping[str, str]) -> str:
-    """A call of a page's examples, over several lines where it is long.
+    """Return a call from a page's examples, folded if it is long.
 
     Python takes no bare numbers: they get the unit that they have at a shell.
     """
@@ -233,7 +233,7 @@ def _example(command: str, example: str, bare: Mapping[str, str]) -> str:
     if len(call) <= WIDTH:
         return call
     head, inner, tail = re.split(r"(?<=\w)\(|(?<=[\"\w])\)(?=\.|$)", call, maxsplit=2)
-    breakable = inner.replace(", ", ",\n").replace(" ", "\0")  # breaks between arguments alone
+    breakable = inner.replace(", ", ",\n").replace(" ", "\0")  # line breaks only between arguments
     arguments = textwrap.wrap(breakable, WIDTH - 8, break_long_words=False, break_on_hyphens=False)
     lines = "".join(f"...     {line}\n" for line in arguments).replace("\0", " ")
     return f"{head}(\n{lines}... ){tail}"

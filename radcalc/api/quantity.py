@@ -1,4 +1,4 @@
-"""Pint's quantities of radcalc's own registry, which the functions take and give."""
+"""Quantities of Pint in the registry of radcalc."""
 
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -15,12 +15,12 @@ else:
 
 
 def is_quantity(value: Any) -> bool:
-    """Check for one of them, and refuse one of another registry."""
+    """Return whether a value is a quantity; refuse one of another registry."""
     if isinstance(value, light_registry().Quantity):
         return True
     if hasattr(value, "magnitude"):
         if getattr(value, "_REGISTRY", None) is light_registry():
-            return True  # a Measurement, of Quantity.plus_minus
+            return True  # a Measurement from Quantity.plus_minus
         raise UnitError(
             f"'{quote(str(value))}' is a quantity of another registry", "radcalc.Quantity"
         )
@@ -28,26 +28,26 @@ def is_quantity(value: Any) -> bool:
 
 
 def magnitude_of(value: Any) -> Any:
-    """The magnitude of a quantity; anything else as it is."""
+    """Return the magnitude of a quantity; anything else unchanged."""
     return getattr(value, "magnitude", value)
 
 
 def is_lazy(value: Any) -> bool:
-    """Check for a collection of Dask's, or a quantity that has one."""
+    """Return whether a value is a Dask collection, or a quantity with one."""
     return hasattr(magnitude_of(value), "__dask_graph__")
 
 
 def unit_of(quantity: Any) -> Unit:
-    """The unit of a quantity."""
+    """Return the unit of a quantity."""
     return from_container(quantity._units)
 
 
 def plain(value: Any) -> Any:
-    """A quantity as a number (or an array) with its unit; anything else as it is."""
+    """Return a quantity as a number (or an array) with its unit; anything else unchanged."""
     return (value.magnitude, unit_of(value)) if is_quantity(value) else value
 
 
 def quantity(magnitude: Any, unit: Unit) -> Quantity:
-    """A number, or an array, in a unit."""
+    """Return a number, or an array, in a unit."""
     result: Quantity = Quantity(magnitude, light_registry().container(unit))
     return result

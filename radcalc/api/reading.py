@@ -1,4 +1,4 @@
-"""What is given to a function, read: texts, quantities, numbers, and lists of them."""
+"""Reading of a function's arguments: texts, quantities, numbers, and lists of them."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
@@ -30,11 +30,15 @@ from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
 T = TypeVar("T")
-LIBRARIES = ("pandas", "polars", "xarray")  # of tables, whose columns `radcalc.api.columns` takes
+LIBRARIES = (
+    "pandas",
+    "polars",
+    "xarray",
+)  # libraries of tables, whose columns `radcalc.api.columns` takes
 
 
 def read_inputs(given: Mapping[str, Any], intervals: Sequence[str] = ()) -> Inputs:
-    """Read the symbols that a function is given by their keywords; `intervals` are A:B."""
+    """Read the symbols given to a function by keyword; `intervals` are A:B."""
     inputs = [
         _read(keyword, value, intervals) for keyword, value in given.items() if not is_absent(value)
     ]
@@ -42,7 +46,7 @@ def read_inputs(given: Mapping[str, Any], intervals: Sequence[str] = ()) -> Inpu
 
 
 def is_absent(value: Any) -> bool:
-    """Check for an argument that counts as not given: None, or a flag that is False."""
+    """Return whether an argument counts as not given: None, or a flag that is False."""
     return value is None or value is False
 
 
@@ -63,7 +67,7 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
 
 
 def gathered(keyword: str, value: Any) -> Any:
-    """A list of texts or quantities as one quantity, in the unit of the first.
+    """Return a list of texts or quantities as one quantity, in the unit of the first.
 
     A text may be a list or a range itself: "1m,2m,5m", "1m:5m:1m".
     """
@@ -90,14 +94,14 @@ def _gathered(name: str, value: Any) -> Any:
 
 
 def _with_unit(given: Input) -> tuple[Any, Unit]:
-    """A number and its unit; where it has none, or a scale, what it stands for in SI."""
+    """Return a number and its unit; for a bare number or a scale, the value in SI."""
     if given.unit is None or isinstance(given.unit, ScaleUnit):
         return given.value, resolve(COHERENT[given.dimension])
     return given.number, given.unit
 
 
 def together(label: str, pairs: Sequence[tuple[Any, Unit]]) -> tuple[Any, Unit]:
-    """Numbers and their units as an array in the unit of the first."""
+    """Return numbers with units as an array in the unit of the first."""
     units = [unit for _, unit in pairs]
     first = units[0]
     if any(unit.dimension != first.dimension for unit in units):
@@ -110,37 +114,37 @@ def together(label: str, pairs: Sequence[tuple[Any, Unit]]) -> tuple[Any, Unit]:
 
 
 def as_text(value: Any) -> str:
-    """A quantity, or what else it is, as it would be typed."""
+    """Return a quantity, or another value, as it would be typed."""
     return f"{value.magnitude} {unit_of(value).text}" if is_quantity(value) else str(value)
 
 
 def as_interval(value: Any) -> str:
-    """A:B, of a text or of two texts or quantities."""
+    """Return A:B from a text, or from two texts or quantities."""
     return ":".join(map(as_text, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
 def refuse_lazy(value: Any, what: str) -> None:
-    """Refuse what is not computed yet where it is needed at once."""
+    """Refuse a Dask collection if its value is needed at once."""
     if is_lazy(value):
-        problem = f"{what} is one of Dask's, for which the answer here cannot wait"
+        problem = f"{what} is a Dask collection, but its value is needed at once"
         raise ConditionError(problem, "an array in memory: .compute() before the call")
 
 
 def library_of(value: Any) -> str:
-    """The library of tables that an object is of; none of others."""
+    """Return the library of tables of an object, if any."""
     root = type(value).__module__.partition(".")[0]
     return root if root in LIBRARIES else ""
 
 
 def refuse_column(value: Any, what: str) -> None:
-    """Refuse an object of a library of tables where it would lose its names."""
+    """Refuse an object of a library of tables if it would lose its names."""
     if library := library_of(value):
         problem = f"{what} is {article(type(value).__name__)} of {library}"
         raise ConditionError(problem, ".to_numpy(), for its values alone")
 
 
 def read_points(point: Any) -> Input:
-    """Points, as a text, lengths or numbers of metres."""
+    """Read points: a text, lengths, or numbers in metres."""
     refuse_lazy(point, "the array of points")
     refuse_column(point, "the array of points")
     if isinstance(point, str):
@@ -167,7 +171,7 @@ def in_metres(value: Any, what: str) -> tuple[Any, Unit | None]:
 
 
 def broadcast(work_out: Callable[[], T]) -> T:
-    """Work out what follows from arrays, which have to fit together."""
+    """Calculate with arrays, which must fit together."""
     try:
         return work_out()
     except ValueError as error:
@@ -177,7 +181,7 @@ def broadcast(work_out: Callable[[], T]) -> T:
 
 
 def one_of(word: object, names: Sequence[str] | Mapping[str, Any], what: str) -> str:
-    """A word that is one of several names."""
+    """Return a word that is one of several names."""
     if not isinstance(word, str) or word not in names:
         raise ConditionError(f"unknown {what} '{quote(str(word))}'", ", ".join(names))
     return word

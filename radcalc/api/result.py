@@ -1,4 +1,4 @@
-"""What a function gives: quantities by name, and everything that is said of them."""
+"""Results of functions: quantities by name, with assumptions, notes and steps."""
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -21,28 +21,27 @@ if TYPE_CHECKING:
     from radcalc.homework.question import Question
 
 Show = Callable[[], answer.Result]
-Drawn = tuple[Inputs, Answer, Any]  # with what a picture takes beside the inputs
+Drawn = tuple[Inputs, Answer, Any]  # with the other inputs of a picture
 
 
 class Undrawn(NamedTuple):
-    """Why a result has no picture, and what has."""
+    """The reason why a result has no picture, and what has one."""
 
     problem: str
     hint: str
 
 
 class MissingResult(RadcalcError, KeyError, AttributeError):
-    """A name that no result has, behind a dot or in brackets."""
+    """An unknown result, as an attribute or in brackets."""
 
 
 class Result(Mapping[str, Quantity]):
-    """The inputs and what follows from them: quantities by the names of results.
+    """The inputs and results of a calculation: quantities by name.
 
-    They are attributes and items, by the names that ``radcalc -g`` takes; those of attributes
-    have underscores for hyphens, and those of items either: ``r["solid-angle"]``.  Of a light
-    quantity ``r.irradiance`` is also ``r.illuminance``, as its kind is called.  A value that
-    is an array is an array in every quantity that depends on it; where columns of pandas, Polars
-    or xarray were given, these are columns too.
+    The quantities are attributes and items, with the names of ``radcalc -g``; attributes have
+    underscores instead of hyphens, items either: ``r["solid-angle"]``.  A light quantity also has
+    the name of its kind: ``r.irradiance`` is ``r.illuminance``.  Quantities that depend on an
+    array are arrays; those that depend on columns of pandas, Polars or xarray are columns.
 
     Attributes
     ----------
@@ -85,7 +84,7 @@ class Result(Mapping[str, Quantity]):
         self._solved = solved
 
     def __getitem__(self, name: str) -> Quantity:
-        """A result by its name, or by another name that it has; hyphens are underscores."""
+        """Return a result by any of its names; hyphens are underscores."""
         called = keyword(str(name))
         if called not in self._every:
             near = ", ".join(nearest(called, self._every, 3) or self._names)
@@ -93,7 +92,7 @@ class Result(Mapping[str, Quantity]):
         return self._every[called]  # type: ignore[no-any-return]
 
     def __iter__(self) -> Iterator[str]:
-        """The names of the results, each once."""
+        """Iterate over the names of the results, each once."""
         return iter(self._names)
 
     def __len__(self) -> int:
@@ -101,13 +100,13 @@ class Result(Mapping[str, Quantity]):
         return len(self._names)
 
     def __getattr__(self, name: str) -> Quantity:
-        """A result by any of its names."""
+        """Return a result by any of its names."""
         if name.startswith("_"):
             raise AttributeError(name, name=name, obj=self)
         return self[name]
 
     def __eq__(self, other: object) -> bool:
-        """Compare the results; arrays are equal where all elements are."""
+        """Compare the results; arrays are equal if all elements are."""
         if not isinstance(other, Mapping):
             return NotImplemented
         return len(self) == len(other) and all(
@@ -117,11 +116,11 @@ class Result(Mapping[str, Quantity]):
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Return what pickle keeps: all that is shown, without the calculation."""
+        """Return the pickled form: everything shown, without the calculation."""
         return _restored, (self.command, self._renderable, self._every, self._names)
 
     def __dir__(self) -> list[str]:
-        """The results, by all of their names, among the rest."""
+        """List the results, by all of their names, with the other attributes."""
         return [*super().__dir__(), *self._every]
 
     def _ipython_key_completions_(self) -> list[str]:
@@ -129,7 +128,7 @@ class Result(Mapping[str, Quantity]):
         return [*self._every]
 
     def __repr__(self) -> str:
-        """The results, what was assumed and noted."""
+        """Return the results, assumptions and notes as text."""
         from radcalc.render.notebook import text
 
         return text(self.command, self._renderable)
@@ -142,49 +141,49 @@ class Result(Mapping[str, Quantity]):
 
     @property
     def _renderable(self) -> answer.Result:
-        """The answer as a renderer takes it."""
+        """Return the answer as a renderer takes it."""
         result = self._show()
         self._show = lambda: result
         return result
 
     @property
     def inputs(self) -> tuple[ShownInput, ...]:
-        """The inputs."""
+        """Return the inputs."""
         return self._renderable.inputs
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """The results with their labels, symbols and units."""
+        """Return the results with labels, symbols and units."""
         return self._renderable.rows
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """The assumptions."""
+        """Return the assumptions."""
         return self._renderable.assumptions
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """The notes."""
+        """Return the notes."""
         return self._renderable.notes
 
     @property
     def steps(self) -> tuple[Step, ...]:
-        """The derivation."""
+        """Return the derivation."""
         return self._renderable.steps
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything in the schema of ``--json --steps``; the values of arrays are lists.
+        """Return everything in the schema of ``--json --steps``, with arrays as lists.
 
         Returns
         -------
         dict
             With ``command``, ``inputs``, ``results``, ``assumptions``, ``notes``, ``steps`` and
-            ``check``, of texts, numbers, lists and dicts alone.
+            ``check``; only texts, numbers, lists and dicts.
 
         Raises
         ------
         radcalc.ConditionError
-            For what Dask has not computed yet.
+            If Dask has not computed a value yet.
         """
         from radcalc.render.formats import Style
         from radcalc.render.json import results
@@ -198,56 +197,58 @@ class Result(Mapping[str, Quantity]):
         return document
 
     def plot(self, *wanted: str) -> Drawing:
-        """Draw the answer, or what follows over an array that was given.
+        """Draw the answer, or results over an array that was given.
 
         Parameters
         ----------
         *wanted : str
-            The results to be drawn over an array, by their names: ``"illuminance:fc"``; the one
-            that the calculator is about by default.  A single answer's picture is its own: of
-            these, a point source's intensity alone may be named, with a unit.
+            The results to draw over an array, by name: ``"illuminance:fc"``; by default the main
+            result of the calculator.  A single answer has a fixed picture; only the intensity of
+            a point source may be named, with a unit.
 
         Returns
         -------
         Drawing
-            Which a notebook shows, and which `save` writes; it takes ``radcalc[plot]``.
+            A picture for a notebook, or for `save`; it needs ``radcalc[plot]``.
 
         Raises
         ------
         radcalc.RadcalcError
-            If there is nothing to be drawn.
+            If there is nothing to draw.
         """
         return _drawing(self, self._solved, wanted)
 
     @property
     def question(self) -> "Question":
-        """The question whose answers `radcalc.check` judges."""
+        """Return the question for `radcalc.check`."""
         if self._ask is None:
-            problem = "there are several answers, and one is checked"
+            problem = "check takes one answer, but there are several"
             raise ConditionError(problem, "one value of each")
         return self._ask()
 
     @property
     def every(self) -> dict[str, Any]:
-        """The results by all of their names."""
+        """Return the results by all of their names."""
         return self._every
 
     def in_columns(self, columns: "Columns | None") -> "Result":
-        """Return the same with columns for the arrays, where some were given."""
+        """Return the result with columns instead of arrays, if columns were given."""
         if columns is None:
             return self
         every = {name: columns.result(name, value) for name, value in self._every.items()}
         return Result(self.command, self._show, every, self._names, None, self._solved)
 
     def waiting(self, results: Mapping[str, Any]) -> "Result":
-        """Return the same with results that Dask has not computed yet."""
+        """Return the result with Dask arrays that are not computed yet."""
 
         def show() -> answer.Result:
             result = self._renderable
             rows = [_with_value(row, results) for row in result.rows]
             return result._replace(rows=tuple(row for row in rows if row), steps=())
 
-        waits = Undrawn("what Dask has not computed is not drawn", "the same of NumPy's arrays")
+        waits = Undrawn(
+            "a result not yet computed by Dask cannot be drawn", "the same of NumPy's arrays"
+        )
         return Result(self.command, show, results, self._names, None, waits)
 
 
@@ -263,9 +264,9 @@ def _is_same(first: Any, second: Any) -> bool:
 def _restored(
     command: str, result: answer.Result, every: Mapping[str, Any], names: Sequence[str]
 ) -> Result:
-    """A result that pickle kept."""
+    """Return a result from its pickled form."""
 
-    problem = "a result that was pickled is not worked out anew"
+    problem = "a pickled result cannot be calculated again"
 
     def ask() -> "Question":
         raise ConditionError(problem, "radcalc.check of what the function gives")
@@ -275,7 +276,7 @@ def _restored(
 
 
 def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:
-    """A row with the value of its result; None in another unit than that has."""
+    """Return a row with the value of its result; None for another unit."""
     result = results[keyword(row.name)]
     if not is_column(row.value):
         return row
@@ -302,9 +303,9 @@ def _drawing(result: Result, solved: Drawn | Undrawn, wanted: tuple[str, ...]) -
 
 
 def _listed(value: Any) -> Any:
-    """An array as lists."""
+    """Return an array as lists."""
     if is_lazy(value):
-        raise ConditionError("a result of Dask's is not there yet", ".compute() of its magnitude")
+        raise ConditionError("a result of Dask is not computed yet", ".compute() of its magnitude")
     return value.tolist() if hasattr(value, "tolist") else value
 
 
@@ -319,7 +320,7 @@ def of_answer(
     ask: "Callable[[], Question] | None",
     solved: Drawn | Undrawn,
 ) -> Result:
-    """The result of a calculator, each quantity in the first unit it is shown in."""
+    """Return the result of a calculator, each quantity in the first unit shown."""
     answers = (solution, *solution.more)
     parts = [_quantities(part) for part in answers]
     every, names = parts[0]
@@ -339,7 +340,7 @@ def of_answer(
 
 
 def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:
-    """The rows of several answers as one, whose values are arrays of theirs."""
+    """Return the rows of several answers as one, with arrays as values."""
     if len(tables) == 1:
         return tuple(tables[0])
     import numpy

@@ -33,7 +33,7 @@ def scene(
     shares: bool = False,
     **given: Any,
 ) -> Result:
-    """Add up the light of many sources at points, and say how even it is.
+    """Add up the light of many sources at points, and compute its uniformity.
 
     Parameters
     ----------
@@ -44,22 +44,22 @@ def scene(
     points : Points, of the shape (n, 3)
         The points, in metres unless they have a unit; a text such as ``"1,2,0.75"`` for one.
     normal : Vector, optional
-        Where the receivers face; up by default.
+        The normal of the receivers; up by default.
     shares : bool, optional
-        Whether to give the irradiance by each source too.
+        Add the irradiance from each source.
 
     Returns
     -------
     Result
-        `irradiance`, and `share_NAME` of each source where it is asked for, of shape (n,);
+        `irradiance`, and `share_NAME` of each source if requested, of shape (n,);
         `mean_irradiance`, `minimum_irradiance`, `maximum_irradiance`, `uniformity` (minimum over
         mean) and `minimum_to_maximum`.
 
     Raises
     ------
     radcalc.RadcalcError
-        A row that is no source, with its column; a point at a source; kinds of light that
-        nothing links.
+        If a row is not a source (with its column), a point is at a source, or kinds of light
+        are not linked.
 
     Examples
     --------
@@ -95,7 +95,7 @@ def scene(
 
 
 def _joined(parts: Sequence[Value]) -> Value:
-    """The values of blocks of points as one."""
+    """Return the values of blocks of points as one."""
     return parts[0]._replace(
         si=numpy.concatenate([part.amount for part in parts]),
         reach={
@@ -105,12 +105,12 @@ def _joined(parts: Sequence[Value]) -> Value:
 
 
 def _rows(sources: Any) -> str | list[Any]:
-    """The path of a file, or the rows of a scene, whose quantities are numbers with units."""
+    """Return the path of a file, or the rows of a scene, with quantities as numbers with units."""
     if isinstance(sources, (str, os.PathLike)):
         return os.fspath(sources)
     if not isinstance(sources, Iterable) or isinstance(sources, bytes):
         raise ConditionError(
-            f"the sources are of the type {type(sources).__name__}",
+            f"the sources are not rows, but of the type {type(sources).__name__}",
             "the path of a CSV file, or a list with a dict for each",
         )
     return [

@@ -27,8 +27,8 @@ def point_source(*, any_incidence: bool = False, **given: Any) -> Result:
     Returns
     -------
     Result
-        The inputs and everything that follows, as attributes by the names of ``radcalc -g``.
-        Where several heights or exponents fit, arrays of all the answers.
+        The inputs and results, as attributes with the names of ``radcalc -g``.  If several
+        heights or exponents fit, arrays of all the answers.
 
     Examples
     --------

@@ -36,14 +36,14 @@ def photon(wavelength: Amount, **given: Any) -> Result:
 
 @of_page("spectrum")
 def spectrum(source: Path, *, column: str | int | None = None, **given: Any) -> Result:
-    """The peak, width, efficacies, photons and colour of a spectrum.
+    """Compute the peak, width, efficacies, photons and colour of a spectrum.
 
     Parameters
     ----------
     source : str or path
         A name (``"D65"``, ``"LED-B3"``), ``"blackbody:2856K"``, ``"line:632.8nm"``, a file ...
     column : str or int, optional
-        The column of a file's values, by its title or its number.
+        The column of a file's values, by title or number.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def spectrum(source: Path, *, column: str | int | None = None, **given: Any) -> 
 
 
 def _named(inputs: Inputs) -> Inputs:
-    """Call what is given for the wavelength, which has to be there, by what it is."""
+    """Name the operand by the quantity that it is; refuse its absence."""
     if "wavelength" not in inputs:
         raise MissingInput("the wavelength is missing", mention("{wavelength=555nm}"))
     return {**inputs, "wavelength": named(inputs["wavelength"])}

@@ -1,4 +1,4 @@
-"""Errors and remarks in Python's spelling: keywords in place of options."""
+"""Errors and remarks in Python's spelling: keywords instead of options."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -10,8 +10,8 @@ from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.units.numbers import read_number
 from radcalc.units.table import resolve
 
-OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords have another name
-# The commands that are no functions.
+OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
+# Commands that are not functions.
 AT_A_SHELL = ("dose", "integrate", "prompt", "quantities", "typical", "units")
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -23,16 +23,16 @@ def keyword(name: str) -> str:
 
 
 def symbol_name(keyword: str) -> str:
-    """The name of a symbol or a command that a keyword stands for: `half-angle`."""
+    """Return the symbol or command of a keyword: `half-angle`."""
     return keyword.replace("_", "-")
 
 
 class Python:
-    """Python's spelling of the symbols and commands that messages mention."""
+    """Python's spelling of symbols and commands in messages."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """`height="6 m"`; a value in capitals stands for any, and a flag is set to True."""
+        """Return `height="6 m"`; a value in capitals is a placeholder, and a flag is True."""
         spelled = OTHER_KEYWORDS.get(name) or keyword(name)
         if not value:
             return spelled
@@ -42,7 +42,7 @@ class Python:
 
     @staticmethod
     def command(*words: str) -> str:
-        """`radcalc.lambertian("disc")`, or the shell's command where there is no function."""
+        """Return `radcalc.lambertian("disc")`, or the shell's command if there is no function."""
         function = keyword(words[0])
         pairs = [word.partition("=") for word in words[1:]]
         if words[0] in AT_A_SHELL or any(key == "list" for key, *_ in pairs):
@@ -58,7 +58,7 @@ class Python:
 
     @staticmethod
     def result(text: str) -> str:
-        """`.photon_energy.to("eV")`."""
+        """Return `.photon_energy.to("eV")`."""
         name, _, unit = text.partition(":")
         return f".{keyword(name)}" + (f'.to("{unit}")' if unit else "")
 
@@ -69,16 +69,16 @@ class Python:
 
     @staticmethod
     def measured(unit: str) -> str:
-        """`illuminance (lx)`."""
+        """Return `illuminance (lx)`."""
         return describe(resolve(unit))
 
 
 class PythonHint(Python):
-    """In a hint a flag is what one types."""
+    """The spelling in a hint, where a flag is shown as typed."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """`isotropic=True`."""
+        """Return `isotropic=True`."""
         is_flag = name in SYMBOLS and SYMBOLS[name].form == FLAG
         return f"{Python.option(name, '')}=True" if is_flag else Python.option(name, value)
 
@@ -88,12 +88,12 @@ class Documented(Python):
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """`half_angle`, in quotes of its own."""
+        """Return `half_angle`, in backquotes."""
         return f"``{Python.option(name, value)}``" if value else f"`{Python.option(name, '')}`"
 
 
 def _apart(value: str) -> str:
-    """A blank between a number and its unit: 6m becomes 6 m."""
+    """Insert a blank between a number and its unit: 6m becomes 6 m."""
     try:
         end = read_number(value)[1]
     except NumberError:
@@ -102,7 +102,7 @@ def _apart(value: str) -> str:
 
 
 def in_python(function: Callable[P, T]) -> Callable[P, T]:
-    """Raise errors whose texts name keywords in place of options."""
+    """Raise errors with keywords instead of options."""
 
     @wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> T:
@@ -116,5 +116,5 @@ def in_python(function: Callable[P, T]) -> Callable[P, T]:
 
 
 def in_words(text: str) -> str:
-    """A remark with keywords."""
+    """Return a remark with keywords."""
     return spell(text, Python)

@@ -1,4 +1,4 @@
-"""The types of the public names, for type checkers.
+"""Types of the public names, for type checkers.
 
 `python -m radcalc.api.stub` writes them to `radcalc/__init__.pyi`.
 """
@@ -48,7 +48,7 @@ def _imports(names: Mapping[str, Iterable[str]]) -> str:
 
 
 def _signature(function: Any) -> str:
-    """A parameter a line, with those that are only keywords behind a star."""
+    """Return a signature, one parameter a line, with keyword-only ones after a star."""
     lines = []
     signature = inspect.signature(function)
     for parameter in signature.parameters.values():
@@ -60,7 +60,7 @@ def _signature(function: Any) -> str:
 
 
 def _lines(head: str, tail: str, entries: Iterable[str]) -> str:
-    """An entry a line, between brackets."""
+    """Return entries between brackets, one a line."""
     listed = "".join(f"    {entry},\n" for entry in entries)
     return f"{head}\n{listed}{tail}\n".replace("'", '"')
 

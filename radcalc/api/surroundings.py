@@ -1,4 +1,4 @@
-"""Skies, maps of the sphere, and what else surrounds a place."""
+"""Skies, maps of the sphere, and other surroundings of a place."""
 
 from __future__ import annotations
 
@@ -50,15 +50,15 @@ def environment(source: Surroundings, **given: Any) -> Result:
     ----------
     source : str, path, array or Quantity
         The path of a map (.hdr, .exr, .pfm), ``"sky:overcast"`` or another type, or an expression
-        in theta and phi, with a unit of radiance behind a blank.  An array is a map, of the shape
+        in theta and phi, with a unit of radiance after a blank.  An array is a map, of the shape
         (height, width) or (height, width, 3), row 0 at the top; of NumPy, or of Dask, which is
         computed a strip of rows at a time.
 
     Raises
     ------
     radcalc.RadcalcError
-        What is no map or cannot be read, and what is missing, contradictory, impossible or without
-        use.
+        If a map is invalid or unreadable, or an input is missing, contradictory, out of range or
+        unused.
 
     Examples
     --------
@@ -81,27 +81,27 @@ def environment(source: Surroundings, **given: Any) -> Result:
 def irradiance_map(
     source: Surroundings, size: Pair = None, *, order: Literal[2] | None = None, **given: Any
 ) -> Quantity:
-    """The irradiances of receivers that face in all directions, as a latlong map.
+    """Compute the irradiances of receivers facing every direction, as a latlong map.
 
     Parameters
     ----------
     source : str, path, array or Quantity
-        As of `environment`.  Skies and expressions are sampled, at 1024 x 512 pixels.
+        As in `environment`.  Skies and expressions are sampled, at 1024 x 512 pixels.
     size : sequence of 2 ints, optional
-        Width and height of the map that is made, 2:1; 64 x 32 by default.
+        Width and height of the new map, 2:1; 64 x 32 by default.
     order : int, optional
         2 for spherical harmonics up to that order; the exact sum over all pixels by default.
 
     Returns
     -------
     Quantity
-        Of the shape (height, width, channels), in lx, W/m2, umol/m2/s or sr; row 0 is the top, and
-        the middle the receiver that faces 1,0,0.
+        An array of shape (height, width, channels), in lx, W/m2, umol/m2/s or sr; row 0 is the
+        top, and the middle is the receiver that faces 1,0,0.
 
     Raises
     ------
     radcalc.RadcalcError
-        As of `environment`.
+        As in `environment`.
 
     Examples
     --------
@@ -115,12 +115,12 @@ def irradiance_map(
 
 @of_page("environment", without=("normal", "toward", "size"))
 def reproject(source: Surroundings, to: Projection, size: Pair = None, **given: Any) -> Quantity:
-    """A map in another projection: each pixel the mean of what it shows, by solid angle.
+    """Reproject a map: each pixel is the mean over its solid angle.
 
     Parameters
     ----------
     source : str, path, array or Quantity
-        As of `irradiance_map`.
+        As in `irradiance_map`.
     to : {"latlong", "mirror-ball", "angular"}
         The new projection; its middle shows +x.
     size : sequence of 2 ints, optional
@@ -129,12 +129,12 @@ def reproject(source: Surroundings, to: Projection, size: Pair = None, **given: 
     Returns
     -------
     Quantity
-        Of the shape (height, width, channels), in cd/m2, W/m2/sr, umol/m2/s/sr or 1.
+        An array of shape (height, width, channels), in cd/m2, W/m2/sr, umol/m2/s/sr or 1.
 
     Raises
     ------
     radcalc.RadcalcError
-        As of `environment`.
+        As in `environment`.
 
     Examples
     --------
@@ -146,7 +146,7 @@ def reproject(source: Surroundings, to: Projection, size: Pair = None, **given: 
 
 
 def _map(source: Any, given: dict[str, Any], make: Callable[..., RenderedMap]) -> Quantity:
-    """A map that is made of what surrounds a place."""
+    """Return a map made from surroundings."""
     around, given = _surroundings(source, given)
     inputs = read_inputs(given)
     refuse_uncertain(inputs.values(), "a map")
@@ -155,14 +155,16 @@ def _map(source: Any, given: dict[str, Any], make: Callable[..., RenderedMap]) -
 
 
 def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Source, dict[str, Any]]:
-    """Return the surroundings, and the symbols with them: a quantity has the unit of its map."""
+    """Return the surroundings and their symbols; a quantity has the unit of its map."""
     if isinstance(source, str):
         return Source(source), given
     if isinstance(source, os.PathLike):
         return Source(os.fspath(source), is_path=True), given
     if is_quantity(source):
         if given.get("unit") is not None:
-            raise ConditionError("unit is given, and the map has its own", "the same without unit")
+            raise ConditionError(
+                "unit cannot be used with a map that has a unit", "the same without unit"
+            )
         given = {**given, "unit": unit_of(source)}
         source = source.magnitude
     refuse_column(source, "the map")

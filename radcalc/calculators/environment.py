@@ -51,7 +51,7 @@ PAGE = Page(
         "Map": OF_MAP,
         "Sky": (*OF_SKY, *SCALES),
         "Receiver": RECEIVER,
-        "Maps that are written": ("size",),
+        "Maps to write": ("size",),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
     texts={

@@ -1,7 +1,4 @@
-"""The command line: one module per command, one boundary for every error.
-
-What is said of a wrong command line is in `refusals`.
-"""
+"""The command line: one module per command, and one boundary for every error."""
 
 import os
 import sys
@@ -23,12 +20,12 @@ if TYPE_CHECKING:
 
 
 def of_help(words: list[str]) -> list[str]:
-    """`help [COMMAND]` as the option that it is."""
+    """Return `help [COMMAND]` as the --help option."""
     if words[:1] != ["help"]:
         return words
     called = [word for word in words[1:] if word not in HELP_NAMES]
     if len(called) > 1 and called[0] in COMMANDS:
-        raise UsageError("help is of one command", mention_help(called[0]))
+        raise UsageError("help takes one command", mention_help(called[0]))
     return [*called[:1], HELP_NAMES[-1]]
 
 
@@ -38,7 +35,7 @@ def run(words: list[str]) -> int:
 
 
 def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> int:
-    """Answer words, or say what is wrong, and at which place they stand; return the status."""
+    """Run `answer` and return the exit status; report an error with the `place` of the words."""
     try:
         return answer()
     except RadcalcError as error:
@@ -67,8 +64,8 @@ def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> i
 def answered(words: list[str], listener: "Listener | None" = None) -> int:
     """Run a command; return the exit status.
 
-    This is what Click's `main` does, without its own ways out.  A listener is told of every
-    answer, and has options for all commands.
+    This replaces Click's `main`, without its own ways to exit.  A listener hears every answer and
+    has options for all commands.
     """
     if not words and not (words := _alone()):
         with commands.make_context("radcalc", [], resilient_parsing=True) as context:
@@ -86,7 +83,7 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
 
 
 def _color_in(words: list[str], listener: "Listener | None") -> str:
-    """Return what --color says, which help and refusals follow before Click has read it."""
+    """Return the value of --color, which help and errors need before Click has read it."""
     chosen: str = listener.settings.get("color", terminal.AUTO) if listener else terminal.AUTO
     for word, following in zip(words, [*words[1:], ""], strict=True):
         name, is_joined, value = word.partition("=")
@@ -97,7 +94,7 @@ def _color_in(words: list[str], listener: "Listener | None") -> str:
 
 
 def _alone() -> list[str]:
-    """What `radcalc` alone is: the prompt, where somebody can type."""
+    """Return the words that `radcalc` alone stands for: the prompt, on a terminal."""
     return ["prompt"] if terminal.is_terminal() and os.isatty(0) else []
 
 

@@ -1,4 +1,4 @@
-"""Answers on their way to the renderers."""
+"""Preparation of answers for the renderers."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
@@ -16,7 +16,7 @@ from radcalc.tuples import NamedTuple
 
 
 class Answered(NamedTuple):
-    """An answer, which of several it is, and what was given for it."""
+    """An answer with its case and its inputs."""
 
     case: str
     inputs: tuple[ShownInput, ...]
@@ -24,15 +24,14 @@ class Answered(NamedTuple):
 
     @property
     def long(self) -> ShownInput | None:
-        """The input that is an array."""
         arrays = [given for given in self.inputs if is_array(given.value)]
         return arrays[0] if arrays else None
 
 
 def refuse_bare(output: Output) -> None:
-    """Refuse -n where there are several results."""
+    """Refuse -n if there are several results."""
     if output.style.bare:
-        raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
+        raise UsageError("-n prints one number, but there are several results", "-g NAME:UNIT")
 
 
 def show(
@@ -41,7 +40,7 @@ def show(
     output: Output,
     inputs: Sequence[Sequence[ShownInput]] = (),
 ) -> None:
-    """Write the answers, or the results that were asked for; `inputs` are those of all answers."""
+    """Write the answers, or the requested results; `inputs` are those of all answers."""
     if not request.steps:
         answers = (
             answered._replace(answer=answered.answer._replace(steps=())) for answered in answers
@@ -65,10 +64,10 @@ def _are_arrays(inputs: Sequence[Sequence[ShownInput]]) -> bool:
 def _picked(
     answers: Iterable[Answered], wanted: Sequence[str], in_columns: bool = False
 ) -> Iterator[tuple[Answered, list[Row]]]:
-    """Each answer with the results that were asked for, in the units of the first.
+    """Yield each answer with the requested results, in the units of the first answer.
 
-    What was asked for without a unit, and is of another kind of light than in the first, is in its
-    own unit; columns, each of one unit, are refused then.
+    A result without a requested unit keeps its own unit if its kind of light differs from that of
+    the first answer; columns, which have one unit each, are refused then.
     """
     scale_remarks: tuple[str, ...] | None = None
     first = wanted
@@ -90,7 +89,7 @@ def _picked(
 
 
 def _in_first(answered: Answered, name: str, in_unit: str, in_columns: bool) -> Row:
-    """A result in the unit that it has in the first answer; or in its own, if that is not named."""
+    """Return a result in the unit of the first answer, or in its own if the request names none."""
     try:
         return pick(answered.answer.values, in_unit, answered.case)
     except MissingInput:
@@ -109,7 +108,7 @@ def _show_columns(
     output: Output,
     inputs: Sequence[Sequence[ShownInput]],
 ) -> None:
-    """Write numbers alone in plain text, or CSV of arrays."""
+    """Write bare numbers in plain text, or CSV of arrays."""
     units: dict[str, str] = {}
     if output.format == CSV:
         from radcalc.render import csv
@@ -143,7 +142,7 @@ def with_notes(case: Case, answer: Answer) -> Answer:
 def every_answer(
     cases: Iterable[Case], inputs: Iterable[tuple[ShownInput, ...]], solved: Iterable[Answer]
 ) -> Iterator[Answered]:
-    """Pair the cases with their answers; where several answers fit a case, each has its number."""
+    """Pair the cases with their answers; number the answers if a case has several."""
     for case, given, answer in zip(cases, inputs, solved, strict=True):
         if not answer.more:
             yield Answered(case.label, given, answer)
@@ -154,7 +153,7 @@ def every_answer(
 
 
 def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
-    """The answers, those of a long range one by one."""
+    """Yield the answers, with those of a long range one by one."""
     for answered in answers:
         answer, long = answered.answer, answered.long
         if long is None:
@@ -170,7 +169,7 @@ def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
 
 
 def _element(given: ShownInput, k: int) -> ShownInput:
-    """One element of an input that is an array, as it would be typed."""
+    """Return one element of an array input, as it would be typed."""
     if not is_array(given.value):
         return given
     number = float(given.value[k])
@@ -179,7 +178,7 @@ def _element(given: ShownInput, k: int) -> ShownInput:
 
 
 def result(answered: Answered, chosen: Sequence[Row] | None = None) -> Result:
-    """An answer as rows: all of them, or those that are chosen."""
+    """Return an answer as rows: the chosen ones, or all of them."""
     answer = answered.answer
     return Result(
         tuple(rows(answer.values, answered.case) if chosen is None else chosen),

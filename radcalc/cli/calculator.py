@@ -1,4 +1,4 @@
-"""The steps of every calculator: reading its inputs, --get, --check, and showing answers."""
+"""Steps common to all calculators: inputs, --get, --check and answers."""
 
 from collections.abc import Iterator, Sequence
 
@@ -15,11 +15,11 @@ from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.quantities.symbols import QUANTITY
 from radcalc.units.ranges import MOST
 
-BLOCK = 100_000  # values of a long range that are worked out at a time
+BLOCK = 100_000  # values of a long range in one calculation
 
 
 def run(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
-    """Answer the cases of a task, judge a number by one, or draw them; return the exit status."""
+    """Answer the cases of a task, check an answer, or draw them; return the exit status."""
     if request.plot:
         from radcalc.cli import plot
 
@@ -47,7 +47,7 @@ def _solve(cases: Sequence[Case], task: Task) -> Iterator[Answer]:
 
 
 def _draw(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
-    """Draw the answers, below their numbers or into a file."""
+    """Draw the answers, below the numbers or into a file."""
     from radcalc.cli import plot
 
     solved, inputs = [*_solve(cases, task)], _shown_inputs(cases, task)
@@ -57,7 +57,7 @@ def _draw(cases: Sequence[Case], task: Task, request: Request, output: Output) -
 
 
 def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
-    """Say whether a number is the answer to the one case."""
+    """Check a given answer against the one case."""
     from radcalc.homework.question import of_task
 
     assert request.check is not None
@@ -68,7 +68,7 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
 
 
 def _in_parts(cases: Sequence[Case], request: Request, output: Output) -> Sequence[Case]:
-    """Divide long ranges into parts that do not fill the memory; refuse a table without an end."""
+    """Divide long ranges into parts that fit in memory; refuse a table that is too long."""
     if request.wanted and output.has_columns:
         return [part for case in cases for part in _blocks(case)]
     count = sum(case.size for case in cases)
@@ -79,7 +79,7 @@ def _in_parts(cases: Sequence[Case], request: Request, output: Output) -> Sequen
 
 
 def _lines_for(given: Inputs) -> str:
-    """Return the option whose values lines of standard input could have."""
+    """Return an option that could be read from lines of standard input."""
     for name, condition in given.items():
         if condition.symbol.form == QUANTITY:
             return option(name, f"- {condition.unit_text}" if condition.unit else "-")
@@ -87,28 +87,31 @@ def _lines_for(given: Inputs) -> str:
 
 
 def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
-    """Answer the lines of standard input, under one case of everything else."""
+    """Answer the lines of standard input, with one value of every other input."""
     case = cases[0]
     assert case.stream is not None
     stream_option = option(case.stream.name, "-")
     if request.lines is None:
         raise UsageError(
-            f"{stream_option}: {task.command} takes no lines of standard input", "one value a call"
+            f"{stream_option}: {task.command} does not read lines of standard input",
+            "one value a call",
         )
     check.refuse_stream(request.check)
     if request.steps:
-        raise UsageError("--steps is not for a stream", "one value, for the derivation")
+        raise UsageError("--steps cannot be used with a stream", "one value, for the derivation")
     if request.plot:
-        raise UsageError("--plot is not for a stream", "a range of values: 1m:10m:0.1m")
+        raise UsageError("--plot cannot be used with a stream", "a range of values: 1m:10m:0.1m")
     if len(cases) > 1 or case.long:
-        raise UsageError(f"{stream_option} stands beside a list", "one value of everything else")
+        raise UsageError(
+            f"{stream_option} cannot be used with a list", "one value of everything else"
+        )
     from radcalc.cli import streams
 
     return streams.calculate(case, task, request.wanted, request.lines, output)
 
 
 def _blocks(case: Case) -> Iterator[Case]:
-    """A case of a long range in parts, whose answers do not fill the memory."""
+    """Divide a case with a long range into parts whose answers fit in memory."""
     long = case.long
     if long is None:
         yield case

@@ -1,6 +1,6 @@
-"""The cases of a call: what is given for each answer, where inputs are lists or ranges.
+"""The cases of a call: the inputs of each answer if some inputs are lists or ranges.
 
-Several lists make a grid, in the order in which they were typed: the last runs fastest.
+Several lists make a grid in the order in which they were typed: the last varies fastest.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,15 +20,15 @@ from radcalc.units.unit import NUMBER, Unit
 if TYPE_CHECKING:
     from radcalc.streams import Source
 
-READERS_OF_STDIN = (SPECTRUM, DISTRIBUTION)  # of which - is a file
+READERS_OF_STDIN = (SPECTRUM, DISTRIBUTION)  # a - is a file for these
 NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 class Case(NamedTuple):
-    """The inputs of an answer, those that differ from answer to answer, and notes on them.
+    """The inputs of an answer, those that differ between answers, and notes on them.
 
-    `long` is the input that is a range too long for a case each: its values are an array.
-    `stream` is the input of which standard input has the values, where `names` has its place.
+    `long` is an input with a range too long for one case per value: its value is an array.
+    `stream` is the input whose values come from standard input; `names` has its place.
     """
 
     given: Inputs
@@ -40,16 +40,16 @@ class Case(NamedTuple):
 
     @property
     def label(self) -> str:
-        """Return which of several cases it is: `distance 2m, half-angle 30deg`."""
+        """Return the inputs that distinguish an answer from the others."""
         return label(self.varied)
 
     @property
     def size(self) -> int:
-        """Return the number of answers to it."""
+        """Return the number of answers."""
         return len(self.long.value) if self.long else 1
 
     def of_line(self, given: Input) -> Inputs:
-        """All that is given for a line of standard input, in the order in which it was typed."""
+        """Return the inputs for a line of standard input, in the order in which they were typed."""
         return {name: self.given.get(name, given) for name in self.names}
 
 
@@ -59,10 +59,10 @@ def cases(
     intervals: Sequence[str] = (),
     bare: Mapping[str, str] = NOTHING,
 ) -> list[Case]:
-    """The inputs as given; several times where some of them are lists or ranges.
+    """Return the cases of the inputs as typed, one for each combination of listed values.
 
-    With `arrays` a long range is one case, whose values are an array, if it is the last of the
-    lists; `intervals` are A:B; `bare` has the units of what is mostly written without one.
+    With `arrays`, a long range that is the last list is one case with an array; `intervals` are
+    A:B; `bare` has the units of symbols that are usually written without one.
     """
     names = tuple(typed)
     stream = _stream(typed, intervals, bare)
@@ -100,7 +100,7 @@ def _values(
             values[name] = [text] if is_interval else split_values(name, text, arrays and is_last)
         except TooMany as error:
             if arrays and not is_last:
-                hint = f"{error.hint}, or {option(name)} behind the other lists"
+                hint = f"{error.hint}, or {option(name)} after the other lists"
                 raise error.reworded(hint=hint) from None
             raise
         is_last = is_last and len(values[name]) == 1 and not isinstance(values[name][0], tuple)
@@ -108,7 +108,7 @@ def _values(
 
 
 def at_points(given_cases: Sequence[Case], name: str, words: Sequence[str]) -> list[Case]:
-    """Return the cases at each of several points, which words say."""
+    """Return the cases at each of several typed points."""
     from radcalc.inputs.places import read_place
 
     points = [read_place(name, word) for word in words]
@@ -123,7 +123,7 @@ def at_points(given_cases: Sequence[Case], name: str, words: Sequence[str]) -> l
 def _stream(
     typed: dict[str, Any], intervals: Sequence[str], bare: Mapping[str, str]
 ) -> "Source | None":
-    """The option that is - or '- UNIT', and how a line of standard input is read for it."""
+    """Return the option given as - or '- UNIT', and the reader of its lines of standard input."""
     streams = [name for name, text in typed.items() if str(text)[:1] in "- " and is_stream(text)]
     sources = [name for name in streams if SYMBOLS[name].form in READERS_OF_STDIN]
     line_streams = [name for name in streams if name not in sources]
@@ -134,7 +134,7 @@ def _stream(
         return None
     (name,) = line_streams
     if SYMBOLS[name].form != QUANTITY or name in intervals:
-        problem = f"{option(name)} takes no lines of standard input"
+        problem = f"{option(name)} cannot be read from standard input"
         raise UsageError(problem, "- for an option that is one number with its unit")
     unit = str(typed[name]).strip()[1:].strip()
 
@@ -143,7 +143,7 @@ def _stream(
 
     def check(unit: Unit) -> None:
         if unit.dimension not in SYMBOLS[name].dimensions:
-            read(name, f"1 {unit.text}")  # which says what it takes
+            read(name, f"1 {unit.text}")  # its error says what it takes
 
     if unit:
         from radcalc.units.scales import resolve_given
@@ -161,7 +161,7 @@ def is_stream(text: Any) -> bool:
 
 
 def as_typed(given: Input) -> ShownInput:
-    """An input as it was typed."""
+    """Return an input as it was typed."""
     return ShownInput(given.name, text=given.text)
 
 

@@ -1,4 +1,4 @@
-"""--check and --tolerance: whether a number is the right answer."""
+"""The options --check and --tolerance."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -17,32 +17,32 @@ OPTIONS = (
     click.Option(
         ["--check"],
         metavar="[NAME=]VALUE[UNIT]",
-        help="Say whether that answer is right, and if not, what went wrong (status 1).",
+        help="Check your answer; if it is wrong, name the likely mistake (status 1).",
     ),
     click.Option(
         ["--tolerance"],
         metavar="1%",
-        help="How near it must be: 1% (the default), 0.5lx, or 3sf for significant digits.",
+        help="Tolerance of --check: 1% (the default), 0.5lx, or 3sf (significant digits).",
     ),
 )
 
 
 def refuse_idle(check: str | None, tolerance: str | None) -> None:
-    """Refuse a tolerance of nothing."""
+    """Refuse --tolerance without --check."""
     if tolerance is not None and check is None:
         raise UsageError("--tolerance does not apply without --check", "--check VALUE with it")
 
 
 def refuse_several(count: int) -> None:
-    """Refuse to judge one number by several answers."""
+    """Refuse --check with several answers."""
     if count > 1:
         raise UsageError("--check takes one answer, not several", "one value a call")
 
 
 def refuse_stream(check: str | None) -> None:
-    """Refuse to judge one number by the answers to lines."""
+    """Refuse --check with a stream."""
     if check is not None:
-        raise UsageError("--check takes one answer, and a stream has several", "one value")
+        raise UsageError("--check cannot be used with a stream", "one value")
 
 
 def judge(
@@ -52,11 +52,11 @@ def judge(
     output: "Output",
     inputs: Sequence[ShownInput] = (),
 ) -> int:
-    """Say whether an answer is right, and what went wrong; return the exit status."""
+    """Write whether an answer is right, and the likely mistake if not; return the exit status."""
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
-    output.refuse_auto("--check holds an answer to what is claimed", "the same without --auto")
+    output.refuse_auto("--check compares it with the answer given", "the same without --auto")
     verdict = check(question, claim, tolerance)
     answer = question.answer
     right = next(value for value in answer.values if value.name == verdict.name)

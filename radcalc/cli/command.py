@@ -1,4 +1,4 @@
-"""A command whose sections are its options: the help shows them so, with the examples first."""
+"""Commands whose help lists the options in sections, after the examples."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
@@ -20,19 +20,19 @@ GET = click.Option(
     ["-g", "--get", "wanted"],
     multiple=True,
     metavar="NAME[:UNIT]",
-    help="The bare number of that result, or with --format the result alone (repeatable; in the "
-    "unit shown, without one).",
+    help="Print only the number of that result, or with --format only that result (repeatable; "
+    "default: the unit shown).",
 )
 PLOT = click.Option(
     ["--plot"],
     metavar="[FILE]",
-    help="Draw a picture: below the answer, or as a figure in FILE (.svg, .png).",
+    help="Draw a picture below the answer, or in FILE (.svg, .png).",
 )
-# What the word behind --plot ends in where it is its file, and no operand.
+# Endings of a word after --plot that is its file, not an operand.
 FIGURES = (".svg", ".png", ".pdf", ".ps", ".eps", ".jpg", ".jpeg", ".gif", ".webp", ".tif", "/")
-ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
+ALSO = " (also --"  # before the names of the kinds, in the help of a light quantity
 LINES = "Streams"
-Member = str | click.Option  # the name of a symbol, or an option that is none
+Member = str | click.Option  # the name of a symbol, or another option
 
 
 def define(
@@ -141,7 +141,7 @@ def of_page(name: str) -> "SectionedCommand":
 
 
 class SymbolOption(click.Option):
-    """The option of a symbol of the vocabulary, whose help is spelled when it is asked for."""
+    """An option for a symbol of the vocabulary; its help is made on demand."""
 
     def __init__(self, symbol: Symbol, hidden: bool, **kind: Any) -> None:
         self.symbol = symbol
@@ -149,7 +149,7 @@ class SymbolOption(click.Option):
 
     @property
     def help(self) -> str:
-        """The help of the symbol, with the options that it mentions as one types them."""
+        """Return the help of the symbol, with options spelled as typed at a shell."""
         return spelled(mention(self.symbol.help))
 
     @help.setter
@@ -158,7 +158,7 @@ class SymbolOption(click.Option):
 
 
 def _options(member: Member, page: Page) -> list[click.Option]:
-    """The options of a symbol; a light quantity has hidden ones for the names of its kinds."""
+    """Return the options of a symbol; a light quantity has hidden ones for its kinds."""
     if isinstance(member, click.Option):
         return [member]
     symbol = page.symbol(member)
@@ -186,7 +186,7 @@ def _option(symbol: Symbol, hidden: bool = False) -> SymbolOption:
 
 
 class SectionedCommand(Helped):
-    """Options are listed under the titles of `sections`."""
+    """A command whose options are listed under the titles of `sections`."""
 
     def __init__(
         self, *args: Any, sections: dict[str, Sequence[click.Option]], page: Page, **kwargs: Any
@@ -205,9 +205,9 @@ class SectionedCommand(Helped):
         self._text = text
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Refuse an option that is given twice: the first would be ignored silently.
+        """Refuse an option given twice, of which Click would ignore the first.
 
-        A --header without a number is one line, and never takes the next word for the number.
+        --header without a number is one line, and never takes the next word as its number.
         """
         end = args.index("--") if "--" in args else len(args)
         args = ["--header=1" if word == "--header" else word for word in args[:end]] + args[end:]
@@ -230,13 +230,13 @@ class SectionedCommand(Helped):
         return remaining
 
     def _with_long_names(self, args: list[str], end: int) -> list[str]:
-        """Spell out short options: Click takes them for misspelt long ones first, which is slow."""
+        """Replace short options by long ones: Click first takes them for misspelt long ones."""
         names = {short: p.opts[-1] for p in self.params for short in p.opts if short[1:2] != "-"}
-        last = min(end, len(args) - 1)  # where an option lacks its value, it is called as typed
+        last = min(end, len(args) - 1)  # an option without its value keeps the typed name
         return [names.get(word, word) for word in args[:last]] + args[last:]
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write one list of options a section."""
+        """Write the options of each section as a list."""
         for title, listed in self.sections.items():
             of_output = title == "Output"
             visible = [*listed, self.get_help_option(ctx)] if of_output else listed
@@ -249,7 +249,7 @@ class SectionedCommand(Helped):
 
 
 def _help_of(name: str, page: Page) -> str:
-    """Return the help that the texts of a page make."""
+    """Return the help made from the texts of a page."""
     examples = []
     for example in page.examples:
         words, remark = words_of(example)
@@ -259,7 +259,7 @@ def _help_of(name: str, page: Page) -> str:
 
 
 def _with_plot(args: Sequence[str]) -> list[str]:
-    """The words of a call, in which --plot and its file are one word, or --plot has none."""
+    """Return the words with --plot and its file joined, or with --plot alone."""
     words: list[str] = []
     for word in args:
         if words and words[-1] == "--plot":
@@ -271,17 +271,17 @@ def _with_plot(args: Sequence[str]) -> list[str]:
 
 
 def _hidden(option: click.Option) -> click.Option:
-    """The same option, of which the help of another command tells."""
+    """Return a hidden copy of an option that another command documents."""
     hidden = click.Option.__new__(click.Option)  # as `copy` does, which takes longer to load
     vars(hidden).update(vars(option), hidden=True)
     return hidden
 
 
 def _of_lines(listed: Sequence[click.Option]) -> tuple[str, str]:
-    """What the help of a calculator says of its options for streams, which are those of convert."""
+    """Return the help entry of a calculator for the options for streams."""
     *names, last = (option.opts[-1] for option in listed)
     return (
         "- or '- UNIT'",
-        "In place of one value: an answer (-g) to each line of standard input, which carries its "
-        f"unit or is a bare number of UNIT; {', '.join(names)} and {last} as in radcalc convert.",
+        "Values from standard input: an answer (-g) for each line, a value with its unit or a bare "
+        f"number of UNIT; {', '.join(names)} and {last} as in radcalc convert.",
     )

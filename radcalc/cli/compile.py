@@ -1,7 +1,7 @@
-"""Print what the commands take and give as the table of completion.
+"""Compiler of the table of completion from the commands.
 
-`python -m radcalc.cli.compile PATH` writes the module `completion/built.py` of a wheel: completing
-a word must not wait for the commands, nor for Click.  Without a wheel `fill_table` makes the table.
+`python -m radcalc.cli.compile PATH` writes the module `completion/built.py` of a wheel, so that
+completion does not load the commands or Click.  Without a wheel `fill_table` makes the table.
 """
 
 import re
@@ -60,13 +60,13 @@ HEAD = '''"""The table of completion, printed by `radcalc.cli.compile` from the 
 '''
 EXAMPLE = re.compile(r"^ +radcalc (.*)$", re.MULTILINE)
 RESULT, CLAIM = "result", "claim"
-FIGURE = "figure"  # of an option that takes a file, or nothing
+FIGURE = "figure"  # an option with an optional file
 Row = tuple[Any, ...]
 Results = Mapping[str, tuple[bool, tuple[str, ...]]]  # of one kind of light; what it measures
 
 
 class Compiler:
-    """The rows of the table, and the units of the quantities that they name."""
+    """The rows of the table, and the units of their quantities."""
 
     def __init__(self) -> None:
         self.units: dict[str, tuple[tuple[str, str], ...]] = {}
@@ -74,7 +74,7 @@ class Compiler:
             self.quantities(SYMBOLS[name])
 
     def text(self) -> str:
-        """The table as the text of a module."""
+        """Return the table as the text of a module."""
         rows: dict[str, Row] = {}
         for name, line in COMMANDS.items():
             command = command_of(name)
@@ -95,17 +95,17 @@ class Compiler:
         )
         return (
             f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own_rows)})\n\n"
-            f"# what a quantity is measured in: the units and what they are called\n"
+            f"# units of the quantities, with their names\n"
             f"UNITS = {{\n{units}}}\n"
-            "# the names of quantities: the unit (none where the source's kind decides it),\n"
-            "# and whether it is of what leaves a surface\n"
+            "# names of quantities: the unit (none if the source's kind decides it),\n"
+            "# and whether it is an exitance\n"
             f"NAMES = {{\n{quantities}}}\n"
-            f"# what files end in, by the form of what may be one\nENDINGS = {ENDINGS}\n"
+            f"# endings of files, by the form of the value\nENDINGS = {ENDINGS}\n"
             f"# the named spectra\nSPECTRA = {{\n{spectra}}}\n"
         )
 
     def _light_first(self) -> list[tuple[str, tuple[tuple[str, str], ...]]]:
-        """The units of each quantity, those of light before all others."""
+        """Return the units of each quantity, those of light first."""
         light = {name for names, _ in GEOMETRIES.values() for name in names}
         return sorted(self.units.items(), key=lambda row: row[0] not in light)
 
@@ -165,11 +165,11 @@ class Compiler:
         return WORD, (offered_example,) if offered_example else ()
 
     def quantities(self, symbol: Symbol) -> tuple[str, ...]:
-        """The names under which the units of a symbol stand."""
+        """Return the keys of a symbol's units, one for each dimension."""
         return tuple(self.quantity(dimension, symbol) for dimension in symbol.dimensions)
 
     def quantity(self, dimension: Dimension, symbol: Symbol) -> str:
-        """The name under which the units of a dimension stand: first the one that is shown."""
+        """Return the key of the units of a dimension; the displayed unit comes first."""
         name = full_name(Unit("", 1, 1, dimension, ()))
         usual = resolve(symbol.unit or "1")
         usual_texts = (
@@ -177,14 +177,14 @@ class Compiler:
         )
         texts = dict.fromkeys([*usual_texts, *offered(Unit("", 1, 1, dimension, ()))])
         called = {text: full_name(resolve(text)) for text in texts}
-        if dimension not in (NUMBER, TEMPERATURE):  # most of which no scale is for
+        if dimension not in (NUMBER, TEMPERATURE):  # few scales apply to these
             called.update({scale.name: scale.meaning for scale in on(dimension)})
         self.units.setdefault(name, tuple(called.items()))
         return name
 
 
 def command_of(name: str) -> SectionedCommand:
-    """A command by its name."""
+    """Return a command by its name."""
     command = commands.get_command(context(), name)
     if not isinstance(command, SectionedCommand):
         raise KeyError(f"there is no command {name!r}")
@@ -192,7 +192,7 @@ def command_of(name: str) -> SectionedCommand:
 
 
 def main_options() -> list[click.Option]:
-    """The options of `radcalc` itself."""
+    """Return the options of `radcalc` itself."""
     return [
         parameter
         for parameter in commands.get_params(context())
@@ -201,9 +201,9 @@ def main_options() -> list[click.Option]:
 
 
 def results_of(command: SectionedCommand) -> list[str]:
-    """The names of what a calculator gives: what it takes, and what its examples have.
+    """Return the names of a calculator's results: its inputs, and the results of its examples.
 
-    They are read from the hint for a name that is none.
+    The results are read from the hint for an unknown name.
     """
     names = [
         option.opts[-1].removeprefix("--")
@@ -218,7 +218,7 @@ def results_of(command: SectionedCommand) -> list[str]:
         except UsageError as error:
             names += error.hint.split(", ")
         except (RadcalcError, click.ClickException):
-            continue  # a file that is not here
+            continue  # the file is missing here
     kinds = [name for generic in names for name in names_of_kinds(generic)]
     return [
         name
@@ -228,7 +228,7 @@ def results_of(command: SectionedCommand) -> list[str]:
 
 
 def examples_of(command: SectionedCommand) -> Iterator[list[str]]:
-    """The words of a command's examples in its help, which may have some of others."""
+    """Yield the words of the examples of a command in its help."""
     for line in EXAMPLE.findall((command.help or "").replace("\\\n", " ")):
         words = line.partition("  ")[0].split()
         if words[0] == command.name:
@@ -244,14 +244,14 @@ def _lines(rows: Iterable[Row]) -> str:
 
 
 def fill_table() -> None:
-    """Make the table of completion of the sources, and keep it until these change."""
+    """Make the table of completion of the sources, and keep it until they change."""
     text = Compiler().text()
     sources.keep(text)
     table.fill(sources.values_of(text))
 
 
 def main() -> None:
-    """Write the table into the file that is named."""
+    """Write the table into the file named on the command line."""
     Path(sys.argv[1]).write_text(Compiler().text(), encoding="utf-8")
 
 

@@ -1,4 +1,4 @@
-"""`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
+"""`radcalc convert VALUE UNIT [to] TARGET`, with conditions."""
 
 import os
 from collections.abc import Sequence
@@ -53,23 +53,23 @@ Examples:
   radcalc convert 100 W/m2 ppfd --spectrum D65
   radcalc 100,200 lx fc,klx                    (lists; also 1:5:1 m ft)
   radcalc convert 250 cd/m2                    (every unit of luminance)
-  radcalc convert 10 dBm mW                    (scales, too: mag, EV, mired, OD, stops ...)
+  radcalc convert 10 dBm mW                    (also mag, EV, mired, OD, stops ...)
   cut -f3 log.tsv | radcalc convert - lx fc
   radcalc convert - lx fc -d , --column E < log.csv
   radcalc convert - lx ppfd --spectrum sun -d , --column E --add PPFD < log.csv
   printf '100 lx\\n3 fc\\n' | radcalc convert - klx
 
-Symbols of units are case-sensitive, full names are not.  TARGET may be the name of a quantity,
-in English, Czech or Russian: its usual unit.  Without TARGET every unit of the quantity is
-shown.  A condition's value carries its unit and is one word (2m, 30deg).
-VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), TARGET a list, for an answer
-each; the last of several runs fastest.  Each answer uses the conditions that it needs, and
-one that none needs is refused.  Values and conditions
-may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
+Unit symbols are case-sensitive, full names are not.  TARGET may be a quantity, in English,
+Czech or Russian: its usual unit.  Without TARGET, every unit of the quantity is shown.  The
+value of a condition has its unit and is one word (2m, 30deg).
+VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), and TARGET a list; the last
+varies fastest.  Each answer uses the conditions that it needs; a condition that no answer
+needs is an error.  Values and conditions may have a standard uncertainty: 100+-3 lx,
+'100(3) lx', 2.00+-0.03m.
 
-With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
-for VALUE and UNIT they carry their own units, or their title does (E [lx]), which is checked
-and gets the target's.  Every other byte stays as it is.
+With - for VALUE, each line of standard input is a number, and is replaced by the result.
+With - for VALUE and UNIT, the lines or the title of the column (E [lx]) have the unit; a unit
+in the title is checked and replaced.  All other bytes are unchanged.
 """
 
 
@@ -94,7 +94,7 @@ def command(
     output: Output,
     **stream_options: Any,
 ) -> int:
-    """Answer a conversion, or those of the lines of standard input."""
+    """Answer a conversion, or the lines of standard input."""
     checking.refuse_idle(check, tolerance)
     options = line_options.LineOptions(**stream_options)
     if words and is_stream(words[0]):  # '- lx', as an option has it
@@ -102,7 +102,7 @@ def command(
     if words[:1] == ("-",):
         line_options.refuse_second_reader(typed)
     try:
-        # before the operands, so that `--distance 2 m` is told to write 2m
+        # before the operands, so that the hint for `--distance 2 m` is 2m
         all_cases = cases(typed, arrays=False, bare=PAGE.bare)
     except MissingUnit as error:
         if error.symbol == "efficacy":
@@ -140,7 +140,7 @@ def command(
 
 
 class Conversion(NamedTuple):
-    """A value and its targets, of which there may be none, under the conditions of a case."""
+    """A value and its targets (possibly none), with the conditions of a case."""
 
     amount: Amount
     value: float
@@ -155,13 +155,13 @@ class Conversion(NamedTuple):
 
     @property
     def inputs(self) -> tuple[ShownInput, ...]:
-        """The value and the conditions, as an answer tells them."""
+        """Return the value and the conditions, as an answer shows them."""
         text, off = self.amount.text.replace(MINUS, "-"), self.amount.typed_uncertainty
         value = ShownInput("value", self.value, self.source.text, text, off)
         return (value, *shown_inputs(self.case.given))
 
     def answer(self, planned: Sequence[Planned], steps: bool) -> Result:
-        """The value in the targets' units, by a plan for each, and everything about it."""
+        """Return the value in the units of the targets, with a plan for each."""
         results = []
         for conversion, used in planned:
             result = answer(conversion, self.value, self.case.label, steps)
@@ -183,7 +183,7 @@ class Conversion(NamedTuple):
 
 
 def answers(calls: Sequence[Conversion], steps: bool) -> list[Result]:
-    """The answers to all conversions, each under those of the conditions that it uses."""
+    """Return the answers to all conversions; each uses the conditions that it needs."""
     wanted = [
         (call.source, target, call.conditions, f"{call.value:.12g}")
         for call in calls
@@ -194,7 +194,7 @@ def answers(calls: Sequence[Conversion], steps: bool) -> list[Result]:
 
 
 def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]:
-    """Every conversion that is asked for: the values run slowest, and the targets fastest."""
+    """Return every conversion of a call: the values vary slowest, the targets fastest."""
     for word in words:
         if " --" in word and word.rpartition(" --")[2][:1].isalpha():
             raise UsageError(
@@ -217,15 +217,15 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
 
 
 def _refuse_file(words: Sequence[str]) -> None:
-    """Refuse a file in the place of the value, which the shell can put on standard input."""
+    """Refuse a file as VALUE, which the shell can redirect to standard input."""
     if os.path.isfile(words[0]):
         name = quote_path(words[0])
         stream = call_of("convert", "-", *map(quote, words[1:]))
-        raise UsageError(f"'{name}' is a file, and no value", f"{stream} < {name}")
+        raise UsageError(f"'{name}' is a file, not a value", f"{stream} < {name}")
 
 
 def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
-    """A value, and the texts of its targets, from the words of a conversion to each of them."""
+    """Return a value and the texts of its targets, from the words of each conversion."""
     try:
         operands = [read_operands(words) for words in calls]
     except UnitError as error:
@@ -233,12 +233,12 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
     (amount, first), *others = operands
     if others and not first:
         several = quote(",".join(words[-1] for words in calls))
-        raise UsageError(f"'{several}' is a list where one unit is meant", "a TARGET behind it")
+        raise UsageError(f"'{several}' is a list, but one unit is expected", "a TARGET after it")
     return amount, [target for _, target in operands if target]
 
 
 def _meant(words: list[str]) -> UnitError | None:
-    """Return the error for a VALUE in the name of a quantity, or with a blank after its prefix."""
+    """Return the error for a quantity as the unit of VALUE, or a blank after its prefix."""
     from radcalc.quantities.targets import is_name, named
 
     source, _, _ = sides(words)
@@ -249,9 +249,9 @@ def _meant(words: list[str]) -> UnitError | None:
             unit, *following = following
         if is_name(unit):
             usual = named(unit).text.replace(" ", ".")
-            return UnitError(f"'{quote(unit)}' is a quantity, and no unit", usual)
+            return UnitError(f"'{quote(unit)}' is a quantity, not a unit", usual)
         if unit in PREFIX_SYMBOLS and following and unit_of(unit + following[0]):
-            problem = f"'{quote(unit)} {quote(following[0])}' has a blank behind its prefix"
+            problem = f"'{quote(unit)} {quote(following[0])}' has a blank after its prefix"
             return UnitError(problem, quote(unit + following[0]))
     except RadcalcError as error:
         return error if isinstance(error, UnitError) and is_name(unit) else None
@@ -259,12 +259,12 @@ def _meant(words: list[str]) -> UnitError | None:
 
 
 def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
-    """The hint for an efficacy without a unit: one that links the kinds of the two units."""
+    """Return the hint for an efficacy without a unit: one that links the kinds of the units."""
     try:
         amount, target = read_operands(words)
         ends = (amount.unit, target_of(target, amount.unit))
         readings = [read_light(unit) for unit in ends if unit]
-    except RadcalcError:  # which is said when the unit is there
+    except RadcalcError:  # reported when the unit is given
         return error.hint
     kinds = {reading.kind for reading in readings if reading}
     units = {
@@ -279,19 +279,19 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
 
 
 def _cut(unit: str) -> str:
-    """The hint for a unit of no quantity: `lx fc` are a unit and a target."""
+    """Return the hint for a unit that is not of a quantity: `lx fc` are a unit and a target."""
     first, _, target = unit.partition(" ")
     is_target = target and unit_of(first) and unit_of(target)
     return f"{quote(first)} to {quote(target)}" if is_target else "a TARGET unit"
 
 
 def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result:
-    """The value in every unit of its quantity."""
+    """Return the value in every unit of its quantity."""
     source = call.source
     if typed:
         raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", "a TARGET unit")
     if is_bare:
-        raise UsageError("-n prints one number, and there is no target unit", "a TARGET unit")
+        raise UsageError("-n needs a unit to convert to", "a TARGET unit")
     from radcalc.calculators import uncertainty
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
@@ -304,7 +304,8 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     targets = [source, *(resolve_any(text) for text in texts if text != source.text)]
     if len(targets) == 1 and not name_of(source):
         raise UsageError(
-            f"'{quote(source.text)}' measures no quantity radcalc knows", _cut(source.text)
+            f"'{quote(source.text)}' is not a unit of a quantity known to radcalc",
+            _cut(source.text),
         )
     rows, assumptions = [], {}
     assumed: tuple[str, ...] = ()

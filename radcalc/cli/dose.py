@@ -32,41 +32,41 @@ TIME_COLUMN = click.Option(
     ["--time-column"],
     multiple=True,
     metavar="NAME",
-    help="The column of the times, by name or number; twice where date and clock stand apart.",
+    help="Column of the times, by title or number (repeatable: date and time of day).",
 )
 COLUMN = click.Option(
-    ["--column"], metavar="NAME", help="The column of the values, by name or number."
+    ["--column"], metavar="NAME", help="Column of the values, by title or number."
 )
 UNIT = click.Option(
-    ["--unit"], metavar="lx", help="What the values are in, where no title has it: lx, W/m2 ..."
+    ["--unit"], metavar="lx", help="Unit of the values, if their title has none: lx, W/m2 ..."
 )
 DELIMITER = click.Option(
     ["-d", "--delimiter"],
     metavar="X",
-    help="What cuts the cells: one character, or tab (default: what the lines show).",
+    help="Field separator: one character, or tab (default: found in the lines).",
 )
 INVALID_LINES = click.Option(
     ["--invalid"],
     type=click.Choice(INVALID),
     default=ABORT,
-    help="At a line that cannot be read: stop (abort, the default), or leave it out and fail at "
-    "the end (status 2), warn (status 0) or ignore it (status 0).",
+    help="Action at an unreadable line: stop (abort, the default), or skip it and fail at the end "
+    "(status 2), warn (status 0) or ignore it (status 0).",
 )
 TIME_ZONE = click.Option(
     ["--time-zone"],
     metavar="ZONE",
-    help="The zone of local times, and of days: Europe/Prague, +02:00, UTC.",
+    help="Time zone of local times and of days: Europe/Prague, +02:00, UTC.",
 )
 TIME_UNIT = click.Option(
-    ["--time-unit"], metavar="s", help="What times that are numbers are in, from the start."
+    ["--time-unit"], metavar="s", help="Unit of times that are numbers, counted from the start."
 )
 TIME_FORMAT = click.Option(
     ["--time-format"],
     metavar="FORMAT",
-    help="How dates are written, as strptime has it: %d/%m/%Y %H:%M.",
+    help="Format of dates and times, as in strptime: %d/%m/%Y %H:%M.",
 )
 BY = click.Option(
-    ["--by"], type=click.Choice(PERIODS), help="An answer for each local day, or each hour."
+    ["--by"], type=click.Choice(PERIODS), help="Give an answer for each local day or hour."
 )
 HELP = """\
 \b
@@ -79,19 +79,18 @@ Examples:
   radcalc dose - --unit W/m2 --time-unit s < samples.txt
   radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
 
-FILE has a time and a value in each line, - is standard input.  The values are irradiances,
-illuminances or PPFD, which add up to an exposure (with --receiver-area to an energy), or
-fluxes, which add up to an energy; their unit stands in the title (E [lx], PAR_umol/m2/s) or
-in --unit.
+FILE has a time and a value in each line; - is standard input.  Irradiances, illuminances and
+PPFD add up to an exposure (with --receiver-area also to an energy), fluxes to an energy.
+The unit is in the title of the values (E [lx], PAR_umol/m2/s) or in --unit.
 
-Times are ISO 8601 with T or a blank, Unix time, or numbers whose unit the title or
---time-unit tells.  A local time has no offset: --time-zone says whose it is, and knows the
-days of 23 and of 25 hours.  Dates that may be read in two ways are refused: --time-format.
+Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the title or in
+--time-unit.  --time-zone is the zone of times without an offset; days with 23 or 25 hours
+are counted correctly.  Ambiguous dates are an error: use --time-format.
 
-Between two samples the light runs straight.  Steps longer than --max-gap, by more than the
-0.1 % that rounded times may be off, are not bridged, nor is, without it, a step in which a line
-was left out; they are told, and counted by coverage.
-A day or an hour in a gap has an exposure of 0, no mean, and coverage 0.
+Values between samples are interpolated linearly.  Steps longer than --max-gap (by more than
+0.1 %, for rounded times) are gaps; without --max-gap, steps in which a line was skipped are.
+A note lists the gaps, and coverage is the part of the time without them.  A day or hour
+within a gap has an exposure of 0, no mean, and coverage 0.
 """
 
 
@@ -125,7 +124,7 @@ def command(
     all_cases = cases(typed, arrays=False)
     gap = _gap(all_cases)
     if by and len(all_cases) > 1:
-        raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
+        raise UsageError("--by cannot be used with a list of conditions", "one of them, and a loop")
     clock = TimeSettings(time_zone or "", time_unit or "", time_format or "")
     cut = read_delimiter(delimiter) if delimiter is not None else ""
     settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)
@@ -158,7 +157,7 @@ def command(
 def _task(
     summed: page.SummedLog, log: Log, operands: Sequence[ShownInput], of_period: bool
 ) -> Task:
-    """Return the task of a whole log, or of the one period that it has."""
+    """Return the task of a whole log, or of its one period."""
 
     def work_out(given: Inputs) -> Answer:
         light = _light(given)
@@ -189,7 +188,7 @@ def _show_periods(
 
 
 def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
-    """The file of the samples, or - for standard input, which nothing else may read."""
+    """Return the file of the samples, or - for standard input, which no other input may read."""
     if len(words) != 1:
         missing = "the file of the samples is missing"
         problem = f"unexpected argument '{quote(words[1])}'" if words else missing
@@ -200,28 +199,28 @@ def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
 
 
 def _gap(all_cases: Sequence[Case]) -> float:
-    """The longest step that is bridged [s], which is one for all cases."""
+    """Return the longest step that is bridged [s], the same for all cases."""
     gaps = [case.given["max-gap"] for case in all_cases if "max-gap" in case.given]
     refuse_uncertain(gaps, "a log")
     if len({gap.value for gap in gaps}) > 1:
-        raise UsageError("a list of gaps is not for one reading of a log", "--max-gap once")
+        raise UsageError("a log is read with one --max-gap, not a list", "--max-gap once")
     return gaps[0].value if gaps else inf
 
 
 def _light(given: Inputs) -> Inputs:
-    """Return the inputs for the light of the samples, without those for their times."""
+    """Return the inputs for the light of the samples, without those for the times."""
     return {name: condition for name, condition in given.items() if name != "max-gap"}
 
 
 def _with_remarks(log: Log, answer: Answer) -> Answer:
-    """An answer with what is to be said of how its log was read."""
+    """Add the remarks on the reading of the log to an answer."""
     return answer._replace(
         assumptions=(*log.assumptions, *answer.assumptions), notes=[*answer.notes, *log.notes]
     )
 
 
 def _summed(log: Log, longest: float, by: str) -> page.SummedLog:
-    """A log added up, with no step bridged that is longer than so many seconds."""
+    """Integrate a log, bridging no step longer than `gap` seconds."""
     clock = log.clock
     page.check_unit(log.layout.unit)
     top, bottom = clock.tick

@@ -23,26 +23,26 @@ EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky
 IRRADIANCE_MAP = click.Option(
     ["--irradiance-map"],
     metavar="FILE",
-    help="Write the irradiance of receivers that face in all directions, as a latlong map (.hdr, "
-    ".exr, .pfm).",
+    help="Write the irradiances of receivers facing every direction as a latlong map (.hdr, .exr, "
+    ".pfm).",
 )
 ORDER = click.Option(
     ["--order"],
     type=click.Choice(["2"]),
-    help="Use spherical harmonics up to this order instead of the exact sum over all pixels.",
+    help="Order of spherical harmonics, instead of the exact sum over all pixels.",
 )
 REPROJECT = click.Option(
     ["--reproject"], metavar="FILE", help="Write the map in another projection (with --to)."
 )
 TO = click.Option(
-    ["--to"], type=click.Choice(PROJECTIONS), help="The projection that --reproject writes."
+    ["--to"], type=click.Choice(PROJECTIONS), help="Projection of the map written by --reproject."
 )
 
 
 @define(
     "environment",
     page.PAGE,
-    {**page.PAGE.sections, "Maps that are written": (IRRADIANCE_MAP, ORDER, REPROJECT, TO, "size")},
+    {**page.PAGE.sections, "Maps to write": (IRRADIANCE_MAP, ORDER, REPROJECT, TO, "size")},
 )
 def command(
     words: tuple[str, ...],
@@ -54,7 +54,7 @@ def command(
     request: Request,
     output: Output,
 ) -> int:
-    """Answer for a receiver, or write the map that is asked for."""
+    """Answer for a receiver, or write a map."""
     if not words:
         raise UsageError("a map, a sky or an expression is missing", EXAMPLES)
     operands = {"source": " ".join(words)}
@@ -103,6 +103,6 @@ def command(
 
 
 def _refuse_source(path: str, source: str) -> None:
-    """Refuse to write over the map that is read, by whatever name or link."""
+    """Refuse to overwrite the map to read, under any name or link."""
     if os.path.exists(source) and os.path.exists(path) and os.path.samefile(source, path):
-        raise UsageError(f"{quote_path(path)} is the map that is read", "another name")
+        raise UsageError(f"{quote_path(path)} is also the map to read", "another name")

@@ -25,14 +25,14 @@ def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> No
 
 
 class Commands(Helped, click.Group):
-    """The subcommands, each imported when it is called and not for the help that lists them."""
+    """The subcommands, each imported when called, but not for the help that lists them."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Name them all, in the order of the help."""
+        """Return the names in the order of the help."""
         return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import one."""
+        """Import a command."""
         if cmd_name not in COMMANDS:
             return None
         from importlib import import_module
@@ -58,7 +58,7 @@ class Commands(Helped, click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, or say which one is near; what begins with a value is converted."""
+        """Find the command, or suggest one; a call that begins with a value is a conversion."""
         if is_sentence(args):
             return "convert", self.get_command(ctx, "convert"), args
         if args[0] not in COMMANDS and not args[0].startswith("-"):
@@ -93,14 +93,14 @@ def commands() -> None:
 
 
 def context(listener: "Listener | None" = None) -> click.Context:
-    """The context of `radcalc` itself, to which nothing was typed."""
+    """Return an empty context of `radcalc` itself."""
     return click.Context(commands, info_name="radcalc", obj=listener, **SETTINGS)
 
 
 def protect_negatives(words: list[str]) -> list[str]:
-    """Write the minus of words that are numbers in another way, so that Click sees no option.
+    """Replace the minus of negative numbers, so that Click does not read them as options.
 
-    The - of a stream, as in '- nm', has a blank before it.
+    The - of a stream, as in '- nm', gets a blank before it.
     """
     return [
         "→"

@@ -1,17 +1,17 @@
-"""The option that shows the help, and the list of the commands."""
+"""The help option, and the list of the commands."""
 
 import click
 
 from radcalc import terminal
 from radcalc.calculators.pages import SUMMARIES
 
-# The commands in the order of the help, each with its line there.
+# The commands in the order of the help, with their lines there.
 COMMANDS = {
     **SUMMARIES,
     "units": "Units, their definitions and sources.",
-    "quantities": "Names of the quantities, in three languages.",
+    "quantities": "Names of quantities in three languages.",
     "typical": "Typical values: sun, sky, rooms, lamps, screens.",
-    "prompt": "One line after another, with ans and names.",
+    "prompt": "Interactive prompt, with ans and variables.",
 }
 HELP_NAMES = ["-h", "--help"]
 
@@ -23,26 +23,26 @@ def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
         ctx.exit()
 
 
-# Click's own looks for a translation of its text at every start.
+# Click's own option looks for a translation at every start.
 HELP = click.Option(
     HELP_NAMES,
     is_flag=True,
     is_eager=True,
     expose_value=False,
     callback=_help,
-    help="Show this message and exit.",
+    help="Show this help and exit.",
 )
 
 
 class Helped(click.Command):
-    """A command whose help is written as answers are: to its end, or not with status 0."""
+    """A command whose help is written like an answer: completely, or with a failing status."""
 
     def get_help_option(self, ctx: click.Context) -> click.Option | None:
-        """The option that shows the help."""
+        """Return the option that shows the help."""
         return HELP
 
     def get_help(self, ctx: click.Context) -> str:
-        """The help, laid out in the width of the terminal."""
+        """Return the help, laid out in the width of the terminal."""
         from radcalc.cli.help_format import HelpFormatter
 
         formatter = HelpFormatter(width=ctx.terminal_width, max_width=ctx.max_content_width)
@@ -51,5 +51,5 @@ class Helped(click.Command):
         return formatter.getvalue().rstrip("\n")
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Name the page of the manual, which is called as the command is."""
+        """Write the name of the manual page."""
         formatter.write(f"\nManual: man {ctx.command_path.replace(' ', '-')}\n")

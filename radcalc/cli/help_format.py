@@ -1,4 +1,4 @@
-"""The layout of help: no line is wider than the terminal, and no word or option is cut."""
+"""Layout of help: lines fit the terminal, and words and options are not cut."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -8,17 +8,17 @@ import click
 from radcalc.terminal import BOLD, RESET, fold
 
 BETWEEN_COLUMNS = re.compile(r"(?<=\S) {2,}(?=\S)")
-AT_OPTIONS = re.compile(r" (?=-[a-z-]|\| |< )")  # where an example may go on in the next line
+AT_OPTIONS = re.compile(r" (?=-[a-z-]|\| |< )")  # where an example may be folded
 DEEPER = 4  # columns
 
 
 class HelpFormatter(click.HelpFormatter):
-    """Click's, but for how it folds, and for headings that stand out where it is coloured."""
+    """Click's formatter with other folding, and with coloured headings."""
 
     is_colored = False
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-        """Write how the command is called."""
+        """Write the usage line."""
         super().write_usage(prog, args, self._heading(prefix or "Usage:") + " ")
 
     def write_heading(self, heading: str) -> None:
@@ -29,7 +29,7 @@ class HelpFormatter(click.HelpFormatter):
         return f"{BOLD}{text}{RESET}" if self.is_colored else text
 
     def write_text(self, text: str) -> None:
-        """Write paragraphs; one that begins with a line of `\\b` keeps its own lines."""
+        r"""Write paragraphs; one that begins with a line of `\b` keeps its own lines."""
         indent = " " * self.current_indent
         room = self.width - self.current_indent
         blocks = []
@@ -49,7 +49,7 @@ class HelpFormatter(click.HelpFormatter):
     def write_dl(
         self, rows: Iterable[tuple[str, str]], col_max: int = 30, col_spacing: int = 2
     ) -> None:
-        """Write terms and what they mean, in two columns."""
+        """Write terms and their descriptions in two columns."""
         rows = list(rows)
         indent = " " * self.current_indent
         room = self.width - self.current_indent
@@ -69,7 +69,7 @@ class HelpFormatter(click.HelpFormatter):
 
 
 def joined(lines: Iterable[str]) -> Iterator[str]:
-    """The lines of a block, with those of one example, or of one row of a table, as one."""
+    """Join the lines of each example or table row of a block."""
     joined_line = ""
     for line in lines:
         start = len(line) - len(line.lstrip())
@@ -85,9 +85,9 @@ def joined(lines: Iterable[str]) -> Iterator[str]:
 
 
 def narrowed(line: str, width: int) -> list[str]:
-    """A line of a block in a width: an example over several lines, or a row with its last column.
+    """Fold a line of a block: an example over several lines, or the last column of a row.
 
-    What already fits keeps its lines.
+    A line that fits is unchanged.
     """
     text = line.lstrip()
     indent = " " * (len(line) - len(text))
@@ -109,7 +109,7 @@ def narrowed(line: str, width: int) -> list[str]:
 
 
 def _example(indent: str, command: str, remark: str, width: int) -> list[str]:
-    """A command over several lines, as a shell takes it; a remark on it in a line of its own."""
+    """Fold a command over several lines as a shell takes it; its remark gets its own line."""
     lines = [indent]
     for part in AT_OPTIONS.split(command):
         room = width - len(" \\")
@@ -121,7 +121,7 @@ def _example(indent: str, command: str, remark: str, width: int) -> list[str]:
 
 
 def _cut_choices(term: str, width: int) -> list[str]:
-    """An option over several lines, where the choices that it has are many."""
+    """Fold an option with many choices over several lines."""
     lines = [""]
     for part in re.split(r"(?<=\|)", term):
         if lines[-1] and len(lines[-1]) + len(part) > width:

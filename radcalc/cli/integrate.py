@@ -25,7 +25,7 @@ def command(
     request: Request,
     output: Output,
 ) -> int:
-    """Answer for an expression, which may have a unit."""
+    """Answer for an expression, with or without a unit."""
     if not words:
         raise UsageError("an expression is missing", "radcalc integrate 'cos(theta)' --hemisphere")
     all_cases = cases(typed, arrays=False, intervals=PAGE.intervals)

@@ -1,4 +1,4 @@
-"""The options for lines of standard input, which convert shows and calculators hide."""
+"""Options for lines of standard input, shown by convert and hidden in calculators."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class LineOptions(NamedTuple):
-    """The options for streams, as typed; None where they are not."""
+    """The options for streams as typed, or None."""
 
     field: str | None
     column: str | None
@@ -28,69 +28,72 @@ class LineOptions(NamedTuple):
 
 OPTIONS = (
     click.Option(
-        ["--field"], metavar="LIST", help="Which fields are numbers: 3, 1,3, 2-4, 3-, -2 or -."
+        ["--field"],
+        metavar="LIST",
+        help="Numbers of the fields to convert: 3, 1,3, 2-4, 3-, -2 or -.",
     ),
     click.Option(
         ["--column"],
         metavar="NAME",
-        help="The field under that title, which may be without its unit (E for E [lx]), or with "
-        "that number.",
+        help="Field to convert, by its title, with or without the unit (E for E [lx]), or number.",
     ),
     click.Option(
         ["-d", "--delimiter"],
         metavar="X",
-        help="What cuts the fields: one character, or tab (default: runs of blanks).",
+        help="Field separator: one character, or tab (default: runs of blanks).",
     ),
     click.Option(
         ["--header"],
         type=click.IntRange(1),
         metavar="[=N]",
-        help="The first line has titles, or the first N (--header=2); --column implies 1.  Every "
-        "line has as many fields; a unit in the title is checked, and becomes TARGET.",
+        help="Number of header lines (1 without N; --column implies 1).  Every line has the same "
+        "number of fields; a unit in the title is checked and replaced by TARGET.",
     ),
     click.Option(
-        ["--add"], metavar="NAME", help="Keep the field, and add a last one with the result."
+        ["--add"],
+        metavar="NAME",
+        help="Keep the field and append one with the result, under this title.",
     ),
     click.Option(
         ["--rename"],
         metavar="NAME",
-        help="The new title of the field, which one of another quantity needs.",
+        help="New title of the field, required if the quantity changes.",
     ),
     click.Option(
         ["--decimal"],
         type=click.Choice([".", ","]),
-        help="The decimal mark of the numbers, in and out: a comma, or a point (the default).",
+        help="Decimal mark of input and output: a comma, or a point (the default).",
     ),
     click.Option(
         ["--invalid"],
         type=click.Choice(INVALID),
-        help="At a line that cannot be converted: stop (abort, the default), or pass it through "
-        "and fail at the end (status 2), warn (status 0) or ignore it (status 0).",
+        help="Action at an invalid line: stop (abort, the default), or pass it through and fail "
+        "at the end (status 2), warn (status 0) or ignore it (status 0).",
     ),
 )
 
 
 def refuse(options: LineOptions, hint: str = command("convert", "-", "UNIT", "TARGET")) -> None:
-    """Refuse an option for streams where there is none."""
+    """Refuse an option for streams if there is no stream."""
     for name, value in zip(LineOptions._fields, options, strict=True):
         if value is not None and value in SYMBOLS["electric-field"].choices:
             raise UsageError(
-                f"--{name} {value} is for the fields of lines",
+                f"--{name} {value} applies to the fields of lines, not to a wave",
                 f"{option('electric-field', value)} in place of {option(name)}, for a wave",
             )
         if value is not None:
-            raise UsageError(f"--{name} is for lines of standard input", hint)
+            raise UsageError(f"--{name} applies to lines of standard input only", hint)
 
 
 def refuse_second_reader(typed: dict[str, Any]) -> None:
     """Refuse a spectrum from standard input, which has the numbers."""
     if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
-        raise UsageError("there is more than one -, and one standard input", "--spectrum FILE")
+        raise UsageError("- cannot be used twice: there is one standard input", "--spectrum FILE")
 
 
 def refuse_condition(case: "Case") -> None:
     """Refuse lines of standard input for a condition of a conversion."""
     if case.stream:
         stream_option = option(case.stream.name, "-")
-        problem = f"{stream_option}: a conversion takes lines of standard input for VALUE alone"
+        problem = f"{stream_option}: a conversion reads lines of standard input only for VALUE"
         raise UsageError(problem, command("convert", "-", "UNIT", "TARGET"))

@@ -1,4 +1,4 @@
-"""Maps that commands write: one at a time, and none where anything is refused."""
+"""Commands that write maps: one at a time, and only if every input is valid."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def one_case(typed: dict[str, str], request: Request) -> Inputs:
-    """Return the inputs of a map; one map is made at a time."""
+    """Return the inputs of a map; only one map is made at a time."""
     if request.check is not None:
         raise UsageError("--check does not apply when a map is written", "the same without --check")
     if request.plot:
@@ -39,7 +39,7 @@ def write_map(
     output: Output,
     inputs: tuple[ShownInput, ...],
 ) -> int:
-    """Make a map, write it, and tell what it is; everything is checked before it is written."""
+    """Make and write a map, and show its answer; check everything before writing."""
     from radcalc.distributions.maps.pictures import check_target, write_picture
 
     if not request.wanted:

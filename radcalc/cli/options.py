@@ -1,4 +1,4 @@
-"""The options of output that every command shares, and what they decide."""
+"""Output options common to all commands."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -23,7 +23,7 @@ from radcalc.render.formats import (
 )
 from radcalc.tuples import NamedTuple
 
-FEW = 3  # remarks that differ in their numbers alone, and are all shown
+FEW = 3  # remarks that differ only in numbers and are all shown
 WITHOUT_NUMBERS = str.maketrans("", "", "0123456789.+-e")
 
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     class Listener(Protocol):
-        """The prompt, which keeps what is answered, and has options of output for every line."""
+        """The prompt, which keeps answers and has output options for every line."""
 
         settings: dict[str, Any]
 
@@ -40,9 +40,9 @@ if TYPE_CHECKING:
 
 
 class Output(NamedTuple):
-    """How an answer is to be shown, decided once; `is_chosen` if the format was asked for.
+    """The output format of an answer; `is_chosen` if it was requested.
 
-    A listener is told of every answer.
+    A listener hears every answer.
     """
 
     format: str
@@ -52,20 +52,19 @@ class Output(NamedTuple):
 
     @property
     def is_bare(self) -> bool:
-        """Check for bare numbers from `--get`: in plain text, and unless a table is asked for.
+        """Return whether `--get` writes bare numbers: in plain text, unless a table is requested.
 
-        At the prompt, where nothing but people reads them, a table is a line with the unit.
+        At the prompt, which only people read, a table is a line with the unit.
         """
         as_table = self.format == TABLE and not self.is_chosen
         return self.format == PLAIN or (as_table and not self.style.brief)
 
     @property
     def has_columns(self) -> bool:
-        """Check for columns: the results of `--get` are columns, however many lines there are."""
+        """Return whether the results of `--get` are columns, however many lines there are."""
         return self.is_bare or self.format == CSV
 
     def hear(self, results: Sequence[Result]) -> None:
-        """Tell the listener of results."""
         if self.listener:
             self.listener.hear(results)
 
@@ -83,7 +82,7 @@ class Output(NamedTuple):
             self.remark(results)
 
     def records(self, records: Records) -> None:
-        """Write a list of what there is."""
+        """Write a list of records."""
         terminal.write(renderer(self.format).records(records, self._on_terminal()))
 
     def judge(self, judgement: Judgement) -> None:
@@ -98,7 +97,7 @@ class Output(NamedTuple):
             self.remark([remarks])
 
     def remark(self, results: Sequence[Result]) -> None:
-        """Write to standard error what was assumed and noted, once each, and the derivations."""
+        """Write assumptions, notes (each once) and derivations to standard error."""
         from radcalc.render.plain import derivation
 
         lines: list[str] = []
@@ -108,26 +107,26 @@ class Output(NamedTuple):
         terminal.say(lines + [line for r in results for line in derivation(r.steps)])
 
     def refuse_auto(self, problem: str, hint: str) -> None:
-        """Refuse to choose units where they are not shown, or cannot be."""
+        """Refuse --auto if units are not shown or cannot be chosen."""
         if self.style.auto:
-            raise UsageError(f"--auto chooses a unit, and {problem}", hint)
+            raise UsageError(f"--auto chooses a unit, but {problem}", hint)
 
     def _on_terminal(self) -> Style:
-        """The style, with the terminal's width where a table is drawn; 80 where there is none."""
+        """Return the style, with the terminal's width if a table is drawn."""
         if self.format != TABLE:
             return self.style
         return self.style._replace(width=width_of_terminal())
 
 
 def width_of_terminal() -> int:
-    """The terminal's width; 80 where there is none."""
-    import shutil  # costs as much as a conversion, and only tables and pictures need it
+    """Return the terminal's width, or 80 without a terminal."""
+    import shutil  # as slow as a conversion; only for tables and pictures
 
     return shutil.get_terminal_size((80, 24)).columns
 
 
 def folded(lines: Sequence[str]) -> list[str]:
-    """Lines of which those that differ in their numbers alone are one, where they are many."""
+    """Merge many lines that differ only in their numbers."""
     alike: dict[str, list[str]] = {}
     for line in lines:
         alike.setdefault(line.translate(WITHOUT_NUMBERS), []).append(line)
@@ -138,20 +137,20 @@ def folded(lines: Sequence[str]) -> list[str]:
     ]
 
 
-# A list of what there is has no numbers to print; the options stay, for what is said of them.
+# Lists have no numbers to print; the hidden options give better errors.
 NUMERIC = ("number", "precision", "auto")
 
 
 def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
-    """The options of output, of which some are not shown in the help."""
+    """Return the output options, some of them hidden in the help."""
     all_options = (
-        click.Option(["-n", "--number"], is_flag=True, help="Bare numbers only."),
+        click.Option(["-n", "--number"], is_flag=True, help="Print bare numbers only."),
         click.Option(
             ["--format", "format_"],
             type=click.Choice(FORMATS),
-            help="Default: a table on a terminal, plain text elsewhere.",
+            help="Format of the output (default: a table on a terminal, else plain).",
         ),
-        click.Option(["--json", "json_"], is_flag=True, help="Short for --format json."),
+        click.Option(["--json", "json_"], is_flag=True, help="Same as --format json."),
         click.Option(
             ["--precision"],
             type=click.IntRange(1, 17),
@@ -162,14 +161,14 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
             ["--color"],
             type=click.Choice(terminal.COLORING),
             default=terminal.AUTO,
-            help="Colour on a terminal (NO_COLOR and FORCE_COLOR are heeded).",
+            help="Colour on a terminal (also NO_COLOR, FORCE_COLOR).",
         ),
         click.Option(
             ["--auto"],
             is_flag=True,
-            help="Results with the SI prefixes that fit: 2.1 mlx, not 0.0021 lx.",
+            help="Choose SI prefixes that fit: 2.1 mlx, not 0.0021 lx.",
         ),
-        click.Option(["-q", "--quiet"], is_flag=True, help="No notes or assumptions."),
+        click.Option(["-q", "--quiet"], is_flag=True, help="Omit notes and assumptions."),
     )
     for option in all_options:
         option.hidden = option.name in hidden
@@ -182,7 +181,7 @@ STEPS = click.Option(["--steps"], is_flag=True, help="Show the derivation.")
 
 
 def defaults() -> dict[str, Any]:
-    """Return the options of output where none is given."""
+    """Return the default output options."""
     nothing = click.Command(None, params=[*OPTIONS], add_help_option=False)
     return nothing.make_context("", []).params
 
@@ -197,14 +196,14 @@ def decide(
     auto: bool = False,
     command: str = "",
 ) -> Output:
-    """Choose the format from the options and from what standard output is."""
+    """Choose the format from the options and the kind of standard output."""
     if json_ and format_ not in (None, JSON):
         raise UsageError(f"--json cannot be used with --format {format_}", "one of them")
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number cannot be used with another format than plain", "-n alone")
     if number and auto:
         raise UsageError(
-            "--number prints no unit, and --auto chooses one", "the same without --auto"
+            "--number cannot be used with --auto: it prints no unit", "the same without --auto"
         )
     asked = JSON if json_ else PLAIN if number else format_
     is_terminal = terminal.is_terminal()

@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 @define("photon", PAGE)
 def command(words: tuple[str, ...], typed: dict[str, str], request: Request, output: Output) -> int:
-    """Answer for a wavelength, or what is given for one."""
+    """Answer for a wavelength, or a quantity given instead."""
     if not words:
         raise UsageError("a wavelength is missing", "radcalc photon 555nm")
     all_cases = _as_operand(lambda: cases({"wavelength": " ".join(words), **typed}))
@@ -30,7 +30,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], request: Request, out
 
 
 def _as_operand(read: Callable[[], T]) -> T:
-    """What is read; a refusal says the wavelength as it was typed, which is no option here."""
+    """Read the operand; an error shows the wavelength as typed, since it is not an option here."""
     try:
         return read()
     except RadcalcError as error:
@@ -39,7 +39,7 @@ def _as_operand(read: Callable[[], T]) -> T:
 
 
 def _named(case: Case) -> Case:
-    """A case in which what is given for the wavelength is called what it is."""
+    """Rename the input of a case to the quantity that it is."""
     if case.stream:
         read = case.stream.read
         stream = case.stream._replace(read=lambda text: named(_as_operand(lambda: read(text))))
@@ -52,11 +52,10 @@ def _named(case: Case) -> Case:
 
 
 class Operand(Shell):
-    """The spelling of the wavelength in a message, as it was typed."""
+    """The spelling of the wavelength in a message: as typed."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """`photon 555`."""
         return f"photon {value}".rstrip()
 
 
@@ -65,5 +64,4 @@ class Command(Shell):
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """`radcalc photon 555nm`."""
         return f"radcalc photon {value}".rstrip()

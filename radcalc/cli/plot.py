@@ -17,29 +17,29 @@ from radcalc.render.formats import CSV, JSON, TABLE
 if TYPE_CHECKING:
     from radcalc.plots.data import Picture
 
-FEW = 20  # answers of which a terminal has the table beside the picture
+FEW = 20  # most answers with both a table and a picture on a terminal
 IN_A_FILE = "--plot FILE.svg, which leaves the numbers alone"
 
 
 def refuse(request: Request, output: Output) -> None:
-    """Refuse a picture where there is no place for it, before anything is worked out."""
+    """Refuse an impossible picture before anything is calculated."""
     if request.check is not None:
-        raise UsageError("--check has one number, and no picture", "the same without --plot")
+        raise UsageError("--plot cannot be used with --check", "the same without --plot")
     if request.plot != TO_TERMINAL:
         from radcalc.plots.figure import check_place
 
         check_place(request.plot)
         return
     if output.format in (JSON, CSV):
-        raise UsageError(f"a picture is no {output.format.upper()}", IN_A_FILE)
+        raise UsageError(f"--plot cannot be used with --format {output.format}", IN_A_FILE)
     if output.style.bare:
-        raise UsageError("-n prints numbers alone, and no picture", IN_A_FILE)
+        raise UsageError("--plot cannot be used with -n", IN_A_FILE)
 
 
 def picture(
     task: Task, given: Sequence[Inputs], answers: Sequence[Answer], wanted: Sequence[str]
 ) -> "Picture":
-    """Return the picture of a task's answers, or of the results that are wanted of them."""
+    """Return the picture of a task's answers, or of the requested results."""
     from radcalc.plots import answers as pictures
     from radcalc.plots.curves import Solved
 
@@ -54,9 +54,9 @@ def show_with_picture(
     output: Output,
     inputs: Sequence[Sequence[ShownInput]],
 ) -> None:
-    """Write the answers, and a picture below them or into its file.
+    """Write the answers, with a picture below them or in its file.
 
-    On a terminal many answers are the picture alone, unless their table is asked for.
+    On a terminal, many answers are shown as the picture only, unless a table is requested.
     """
     if request.plot != TO_TERMINAL:
         for answered in answers:  # before anything is written

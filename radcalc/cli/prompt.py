@@ -1,6 +1,6 @@
 """`radcalc prompt`, and `radcalc` alone on a terminal: one line after another.
 
-prompt_toolkit is loaded here alone, and only where somebody types.
+Only this module loads prompt_toolkit, and only on a terminal.
 """
 
 import io
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 PROMPT = "> "
 BOM = "\ufeff"
 BLOCK = 1 << 16
-LONGEST = 1 << 20  # bytes of a line, and of the history that is read again
+LONGEST = 1 << 20  # bytes of a line, and of the history to read
 WORST = (terminal.BUG, terminal.FAILED, terminal.WRONG)  # of the statuses of lines
-WARM = (  # what the first answers need
+WARM = (  # modules of the first answers
     "radcalc.cli.convert",
     "radcalc.cli.command",
     "radcalc.calculators.point_source",
@@ -58,14 +58,14 @@ def prompt(**values: Any) -> int:
       help point-source
       exit
 
-    What is typed needs no quotes where a shell would want them.  A name keeps an amount or an
-    answer, vars lists them; ans.NAME is one of several results.  Tab completes, Ctrl-C drops a
-    line or stops an answer, Ctrl-D leaves.
+    No quotes are needed for characters of the shell.  A variable keeps an amount or an answer;
+    vars lists them; ans.NAME is one of several results.  Tab completes, Ctrl-C clears the line
+    or stops an answer, Ctrl-D exits.
 
-    Where standard input is no terminal, each of its lines is answered, and the exit status is
-    that of the worst.  The options are for every line.
+    If standard input is not a terminal, each of its lines is answered, and the exit status is
+    the worst of them.  The options apply to every line.
     """
-    decide(**values)  # which refuses what contradicts itself
+    decide(**values)  # refuses contradictory options
     unset = defaults()
     settings = {name: value for name, value in values.items() if value != unset[name]}
     if os.isatty(0) and (os.isatty(1) or os.isatty(2)):
@@ -98,21 +98,21 @@ def answer_lines(session: Session) -> int:
 
 
 def _lines() -> Iterator[str]:
-    """The lines of standard input as they come, as the words of a command line are decoded."""
+    """Yield the lines of standard input, decoded like the words of a command line."""
     remainder = b""
     while data := terminal.read(BLOCK):
         *complete, remainder = (remainder + data).split(b"\n")
         yield from map(os.fsdecode, complete)
         if len(remainder) > LONGEST:
-            break  # which is refused for its length
+            break  # refused for its length
     if remainder:
         yield os.fsdecode(remainder)
 
 
 def _converse(session: Session) -> int:
-    """Ask for lines on the terminal and answer them until somebody leaves."""
+    """Ask for lines on the terminal and answer them until the user exits."""
     asking = _asking(session)
-    terminal.say([f"radcalc {__version__}: help says how, exit leaves"])
+    terminal.say([f"radcalc {__version__}: type help for help, exit to quit"])
     while True:
         try:
             text = asking.prompt(PROMPT, pre_run=_warm_up)
@@ -123,14 +123,14 @@ def _converse(session: Session) -> int:
         for line in text.replace("\\\n", " ").splitlines():  # of what was pasted
             try:
                 if session.answer(line) == terminal.INTERRUPTED:
-                    terminal.say([""])  # behind the ^C of the terminal
+                    terminal.say([""])  # after the ^C of the terminal
                     break
             except EOFError:
                 return terminal.ANSWERED
 
 
 def _asking(session: Session) -> "PromptSession[str]":
-    """The line on which somebody types: with a history, and with completion."""
+    """Return the input line, with history and completion."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import CompleteEvent, Completer, Completion
     from prompt_toolkit.document import Document
@@ -139,10 +139,10 @@ def _asking(session: Session) -> "PromptSession[str]":
     from prompt_toolkit.output.defaults import create_output
 
     class Words(Completer):
-        """What may follow, each with what it is."""
+        """Completions with their descriptions."""
 
         def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
-            """Offer the words that fit what is before the cursor."""
+            """Offer the words that fit the text before the cursor."""
             line = document.text_before_cursor
             matches, typed = completions(session, line)
             for word in matches:
@@ -153,14 +153,12 @@ def _asking(session: Session) -> "PromptSession[str]":
                 )
 
     class Kept(History):
-        """The lines of this session and of those before, in a file."""
+        """The lines of this session and of earlier ones, in a file."""
 
         def load_history_strings(self) -> Iterable[str]:
-            """Read them, the newest first."""
             return reversed(past_lines(path))
 
         def store_string(self, string: str) -> None:
-            """Add one."""
             keep_line(path, string)
 
     path = history_path()
@@ -175,7 +173,7 @@ def _asking(session: Session) -> "PromptSession[str]":
 
 
 def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
-    """Return the words that may follow in a line, and what of them is typed already."""
+    """Return the words that may follow in a line, and the part of them already typed."""
     from radcalc.completion import completions as words_after
     from radcalc.completion import table
     from radcalc.completion.line import Completion
@@ -191,8 +189,8 @@ def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
     if words[:1] == ["radcalc"]:
         words = words[1:]
     is_first = not words and not assigned
-    with suppress(RadcalcError):  # which is said when the line is answered
-        words = session.read(" ".join(words))  # with what ans is
+    with suppress(RadcalcError):  # reported when the line is answered
+        words = session.read(" ".join(words))  # the description of ans
     matches = words_after(words, incomplete)
     if is_first or incomplete[:1].isalpha():
         known = {word.text for word in matches}
@@ -206,12 +204,12 @@ def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
 
 
 def quoted(text: str) -> str:
-    """A word as it is typed: in quotes where it has blanks."""
+    """Return a word as typed: in quotes if it has blanks."""
     return shlex.quote(text) if " " in text else text
 
 
 def _warm_up() -> None:
-    """Load what the first answers need, while somebody reads and types."""
+    """Load the modules of the first answers while the user reads and types."""
     import asyncio
 
     from prompt_toolkit.application import get_app
@@ -224,7 +222,7 @@ def _warm_up() -> None:
 
 
 def load_what_answers_need() -> Iterator[None]:
-    """Load modules one by one, and answer a conversion that nobody sees."""
+    """Load modules one by one, and answer a conversion without output."""
     for name in WARM:
         yield
         import_module(name)
@@ -235,7 +233,7 @@ def load_what_answers_need() -> Iterator[None]:
 
 
 def history_path() -> Path | None:
-    """Return the file of the lines: RADCALC_HISTORY, or the platform's place; '' is none."""
+    """Return the file of the history: RADCALC_HISTORY, or the platform's; '' for none."""
     setting = os.environ.get("RADCALC_HISTORY")
     if setting is not None:
         return Path(setting).expanduser() if setting else None
@@ -246,13 +244,13 @@ def history_path() -> Path | None:
     if not os.path.isabs(state):
         try:
             state = str(Path.home() / ".local" / "state")
-        except RuntimeError:  # nobody's home
+        except RuntimeError:  # no home folder
             return None
     return Path(state) / "radcalc" / "history"
 
 
 def past_lines(path: Path | None) -> list[str]:
-    """The lines that were kept, the oldest first; none where the file cannot be read."""
+    """Return the lines of the history, oldest first; none if the file is unreadable."""
     if path is None:
         return []
     try:
@@ -266,7 +264,7 @@ def past_lines(path: Path | None) -> list[str]:
 
 
 def keep_line(path: Path | None, text: str) -> None:
-    """Add lines to the history, which their owner alone can read; a failure loses no answer."""
+    """Append lines to the history, readable only by its owner; ignore failures."""
     if path is None:
         return
     try:

@@ -1,4 +1,4 @@
-"""`radcalc quantities [SEARCH]`: what the quantities of light are called, in three languages."""
+"""`radcalc quantities [SEARCH]`: names of the quantities of light, in three languages."""
 
 import click
 
@@ -13,7 +13,7 @@ from radcalc.render.formats import Records
 LANG = click.Option(
     ["--lang"],
     type=click.Choice(LANGUAGES),
-    help="The language of the names (default: the locale's, else English).",
+    help="Language of the names (default: the locale's, else English).",
 )
 
 
@@ -36,8 +36,7 @@ def command(words: tuple[str, ...], lang: str | None, output: Output) -> None:
                                            a name with a unit: do they fit?
       radcalc quantities --lang ru         with Russian names first
 
-    Words that stand for another quantity in some books (intensity, luminosity) are answered with
-    the right term, and a note.
+    Misused words (intensity, luminosity) lead to the correct term, with a note.
     """
     refuse_number_options(output, "quantities")
     first = lang or language()

@@ -1,4 +1,4 @@
-"""The refusals of a wrong command line: loaded when one is met."""
+"""Errors of the command line: loaded only for an error."""
 
 from itertools import pairwise
 
@@ -13,7 +13,7 @@ from radcalc.errors import manual as help_of
 from radcalc.render.formats import FORMATS
 from radcalc.units.numbers import is_sentence
 
-# What people call an option; those of the command are mentioned.
+# Synonyms of options; those of the command are suggested.
 MEANT_OPTIONS = {
     "f-number": "aperture f-stop fstop stop",
     "time": "shutter shutter-speed exposure-time duration",
@@ -38,18 +38,18 @@ MEANT_OPTIONS = {
 
 
 def join_unit(error: MissingUnit, words: list[str]) -> MissingUnit:
-    """Return the refusal with the hint to write `--distance 2 ft` as one word."""
+    """Return the error with the hint to write `--distance 2 ft` as one word."""
     from radcalc.quantities.symbols import SYMBOLS
     from radcalc.units.table import resolve
 
     flag = f"--{error.symbol}"
     following = words[words.index(flag) + 2 :][:1] if flag in words else []
-    if ":" in error.text:  # an interval, each end of which has its unit
+    if ":" in error.text:  # an interval: each end has a unit
         return error
     hint = error.hint
     symbol = SYMBOLS.get(error.symbol)
     called = next((word for word in words if word in COMMANDS), "")
-    if symbol and called in SUMMARIES:  # a shutter's time is no 2h
+    if symbol and called in SUMMARIES:  # a shutter's time is not 2h
         example = page_of(called).symbol(error.symbol).example
         usual, page_unit = _unit_of(symbol.example), _unit_of(example)
         if usual and page_unit and hint == option(error.symbol, f"{error.text}{usual}"):
@@ -63,12 +63,12 @@ def join_unit(error: MissingUnit, words: list[str]) -> MissingUnit:
 
 
 def _unit_of(example: str) -> str:
-    """The unit of an example of a symbol."""
+    """Return the unit of an example."""
     return example.lstrip("0123456789./")
 
 
 def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
-    """Return Click's complaint of a wrong option or command, with the nearest right ones."""
+    """Return Click's error about an option or a command, with the nearest correct ones."""
     called = next((word for word in words if word in COMMANDS), "")
     called = "convert" if is_sentence(words) else called
     help_ = f"{f'radcalc {called}'.strip()} --help"
@@ -86,7 +86,7 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
 
 
 def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> RadcalcError:
-    """Refuse an option that a command lacks; suggest what is meant."""
+    """Refuse an option that a command lacks; suggest another."""
     from radcalc.cli.command import GET
 
     if after_command := options_behind(words):
@@ -101,23 +101,23 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
     known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
     near = [name for name in known if name.startswith(typed)] or _synonyms(typed, known)
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
-        hint = f"{help_of(takers[0])}; it is of {', '.join(takers)}"
+        hint = f"{help_of(takers[0])}; commands with it: {', '.join(takers)}"
         return RadcalcError(problem, hint)
     near = near or nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
     return RadcalcError(problem, f"{', '.join(near)} (see {help_})" if near else help_)
 
 
 def _synonyms(typed: str, known: list[str]) -> list[str]:
-    """Return the known options that people call by that name."""
+    """Return the known options that have that name as a synonym."""
     name = typed.removeprefix("--").lower()
     meant = [f"--{option}" for option, words in MEANT_OPTIONS.items() if name in words.split()]
     return [option for option in meant if option in known]
 
 
 def options_behind(words: list[str]) -> str:
-    """Mention the call with the options that stand before the command behind it.
+    """Mention the call with the options before the command moved after it.
 
-    '' where there are none, or something else is wrong besides.
+    Return '' if there are none, or if the call has another error.
     """
     implied = "convert" if any(is_sentence([word]) for word in words) else ""
     called = next((word for word in words if word in COMMANDS), implied)
@@ -140,7 +140,7 @@ def options_behind(words: list[str]) -> str:
 
 
 def _with_values(words: list[str]) -> list[str]:
-    """The words of a call as a mention has them: an option whose value has a = is one word."""
+    """Return the words of a call for a mention: an option with a = in its value is one word."""
     mentioned: list[str] = []
     for word in words:
         if "=" in word and mentioned and mentioned[-1].startswith("--"):
@@ -151,7 +151,7 @@ def _with_values(words: list[str]) -> list[str]:
 
 
 def _takers(name: str) -> list[str]:
-    """The commands that have an option."""
+    """Return the commands that have an option."""
     return [c for c in COMMANDS if any(name in p.opts for p in _parameters(c))]
 
 
@@ -161,6 +161,6 @@ def _parameters(called: str) -> list[click.Parameter]:
 
 
 def one_line(text: str) -> str:
-    """One printable line of bounded length."""
+    """Return one printable line of bounded length."""
     text = " ".join(text.split())
     return quote(text) if not text.isprintable() or len(text) > 300 else text

@@ -1,4 +1,4 @@
-"""What a command is asked for, beside its inputs."""
+"""Requests of a command, besides its inputs."""
 
 from typing import Any
 
@@ -8,10 +8,10 @@ from radcalc.tuples import NamedTuple
 
 
 class Request(NamedTuple):
-    """What is asked of the answer: some results, the derivation, whether a number is right.
+    """The requested results, derivation, check and picture.
 
-    `lines` are the options for lines of standard input, of a command that takes these; `plot` is
-    where the picture goes, of one that has one.
+    `lines` are the options for lines of standard input, if the command takes them; `plot` is the
+    place of the picture.
     """
 
     wanted: tuple[str, ...]
@@ -23,7 +23,7 @@ class Request(NamedTuple):
 
     @classmethod
     def of(cls, values: dict[str, Any], takes_lines: bool) -> "Request":
-        """Take it out of a command's values; refuse what has no use with --check, or without."""
+        """Take the request out of a command's values; refuse --check and --get together."""
         lines = None
         if takes_lines:
             line_values = [values.pop(name) for name in line_options.LineOptions._fields]
@@ -37,7 +37,7 @@ class Request(NamedTuple):
         return request
 
     def wants(self, name: str) -> bool:
-        """Return whether a result is asked for by its name."""
+        """Return whether a result is requested by name."""
         from radcalc.calculators.results import name_of
 
         names = [*self.wanted, (self.check or "").replace("=", ":")]

@@ -27,12 +27,12 @@ from radcalc.render.formats import CSV, JSON
 from radcalc.units.ranges import MOST
 
 COORDINATES = ("x", "y", "z")
-FEW = 12  # sources whose shares are shown unasked
+FEW = 12  # sources whose shares are shown by default
 AT = click.Option(
     ["--at"],
     multiple=True,
     metavar="X,Y,Z",
-    help="A point that gets the light (repeatable), in metres or with units.",
+    help="Illuminated point (repeatable), in metres or with units.",
 )
 HELP = """\
 \b
@@ -47,25 +47,25 @@ Examples:
   radcalc scene grow.csv --at 0,0,0 --spectrum LED-B3 -g irradiance:umol/m2/s
 
 \b
-FILE.csv has a title for each column and a source in each row:
+FILE.csv has a header with the column titles, then one source in each row:
   name,x (m),y (m),z (m),aim_x,aim_y,aim_z,distribution,flux,exponent
   desk,1,2,1.2,1,2,0.75,lobe,400lm,2
   door,5,0.5,2.5,,,,downlight.ies,,
 
 \b
-x, y, z                 where it is; metres, unless the title or the cell has a unit
-aim_x, aim_y, aim_z     the point it is aimed at (straight down), or
+x, y, z                 its place; metres, unless the title or the cell has a unit
+aim_x, aim_y, aim_z     the point it is aimed at (default: straight down), or
 direction_x ... _z      the direction
-rotate                  angle by which it is turned about its axis, from +x towards +y
-distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) beside
-                        this one, or an expression in theta and phi
+rotate                  angle of rotation about its axis, from +x towards +y
+distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) with a
+                        path relative to FILE.csv, or an expression in theta and phi
 half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (lobe)
-flux, intensity         how strong it is (of a file: what it is scaled to)
+flux, intensity         its strength (a file is scaled to it)
 width, length or area; luminance, exitance, flux or intensity (lambertian)
 
-Rectangles are exact; every other source is small beside its distance.  Light from behind a
-receiver does not count.  A grid has the mean, the extremes and the uniformity; its points come
-with --format csv, or with -g x -g y -g irradiance:lx.
+Rectangles are exact; every other source is taken as a point.  Light from behind a receiver
+does not count.  The answer for a grid is the mean, the extremes and the uniformity; for its
+points, use --format csv, or -g x -g y -g irradiance:lx.
 """
 
 
@@ -89,7 +89,9 @@ def command(
         raise UsageError(problem, f"{call_of('scene', 'FILE.csv')} --at X,Y,Z")
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1:
-        raise UsageError("a list of conditions is not for a scene", "one of them, and a loop")
+        raise UsageError(
+            "a list of conditions cannot be used with a scene", "one of them, and a loop"
+        )
     given = all_cases[0].given
     refuse_uncertain(given.values(), "a scene")
     places = texts_of({"file": words[0], "at": " ".join(at)})
@@ -107,7 +109,6 @@ def command(
         return page.Survey(scene, normal, few or any(map(page.is_share, names)))
 
     def work_out(given: Inputs) -> Answer:
-        """The answer of which there is one: at one point, or over all of them."""
         if points.size == 1 and not of_all:
             return survey(given).at_point(next(points.blocks()))
         return survey(given).over_all(points.blocks(), points.is_grid)
@@ -125,24 +126,24 @@ def command(
 
 
 def _of_all(names: Sequence[str]) -> list[str]:
-    """Return the results of all the points together; refuse them next to results of each."""
+    """Return the requested results over all points; refuse them next to results of each point."""
     of_all = [name for name in names if page.is_of_all(name)]
     if of_all and len(of_all) < len(names):
         other = next(name for name in names if name not in of_all)
-        problem = f"{quote(of_all[0])} is of all the points, {quote(other)} of each"
+        problem = f"{quote(of_all[0])} cannot be used with {quote(other)} of each point"
         raise UsageError(problem, "one call for each")
     return of_all
 
 
 def _refuse_one_of_many(request: Request, count: int) -> None:
-    """Refuse the check and the derivation of a result that each of several points has."""
+    """Refuse to check or derive a result of each point if there are several."""
     if request.check is not None:
         claimed = name_of(request.check.partition("=")[0])
         if (claimed in SYMBOLS or page.is_share(claimed)) and not page.is_of_all(claimed):
-            problem = f"--check {quote(claimed)} is of one point, and there are {count}"
+            problem = f"--check {quote(claimed)} takes one point, but there are {count}"
             raise UsageError(problem, "--at X,Y,Z once, or --check mean-irradiance=VALUE")
     if request.steps:
-        raise UsageError("--steps is of one point", "--at X,Y,Z once")
+        raise UsageError("--steps takes one point", "--at X,Y,Z once")
 
 
 def _draw(
@@ -153,9 +154,9 @@ def _draw(
     output: Output,
     operands: tuple[ShownInput, ...],
 ) -> int:
-    """Draw what the points of a grid get, beside the answer over all of them.
+    """Draw the values at the points of a grid, with the answer over all of them.
 
-    A result of each point that is asked for is what is drawn.
+    A requested result of each point is the one drawn.
     """
     from radcalc.calculators import scene as page
     from radcalc.plots.places import Surveyed
@@ -179,7 +180,7 @@ def _draw(
 def _stream(
     survey: Any, inputs: tuple[ShownInput, ...], points: "Points", request: Request, output: Output
 ) -> int:
-    """Write a line for each point, a block of them at a time."""
+    """Write a line for each point, in blocks of points."""
     output.refuse_auto("a column of points has one", "-g NAME:UNIT, in a unit that fits")
     from radcalc.render import csv
 
@@ -187,7 +188,7 @@ def _stream(
     for answer in survey.at_points(points.blocks()):
         wanted = request.wanted or [f"{v.name}:{unit}" for v in answer.values for unit in v.units]
         rows = [pick(answer.values, name) for name in wanted]
-        if is_first:  # which tells that the answer is no single number
+        if is_first:  # the answer is not a single number
             output.hear([Result(tuple(rows))])
         if output.format == CSV:
             at = () if _has_places(request) else _coordinates(answer)
@@ -204,7 +205,7 @@ def _stream(
 def _list(
     survey: Any, inputs: tuple[ShownInput, ...], points: "Points", request: Request, output: Output
 ) -> int:
-    """Write the results of each point that were asked for, as rows or objects."""
+    """Write the requested results of each point, as rows or objects."""
     if points.size > MOST:
         raise UsageError(f"a table of {points.size} points is too long", "--format csv")
     answers, _ = _at_each(survey, inputs, points)
@@ -215,7 +216,7 @@ def _list(
 
 
 def _show(survey: Any, inputs: tuple[ShownInput, ...], points: "Points", output: Output) -> int:
-    """Write what each of a few points gets, and then what all of them do."""
+    """Write the answers at a few points, and then over all of them."""
     refuse_bare(output)
     answers, over_all = _at_each(survey, inputs, points)
     results = [result(answered) for answered in answers]
@@ -230,7 +231,7 @@ def _show(survey: Any, inputs: tuple[ShownInput, ...], points: "Points", output:
 def _at_each(
     survey: Any, inputs: tuple[ShownInput, ...], points: "Points"
 ) -> tuple[list[Answered], Answered]:
-    """The answer at each of the points, and over all of them."""
+    """Yield the answer at each of the points, and then over all of them."""
     blocks = list(survey.at_points(points.blocks()))
     over_all = survey.remarks(points.is_grid, with_values=True)
     conditions = tuple(entry for entry in inputs if entry.name not in ("at", "grid"))
@@ -247,17 +248,17 @@ def _at_each(
 
 
 def _coordinates(answer: Answer) -> tuple[ShownInput, ...]:
-    """The place of an answer, or the places of a block."""
+    """Return the place of an answer, or the places of a block."""
     return tuple(ShownInput(value.name, value.si, value.units[0]) for value in answer.values[:3])
 
 
 def _has_places(request: Request) -> bool:
-    """Check for coordinates among the wanted results: no others precede the results then."""
+    """Return whether coordinates are among the requested results, which then come first."""
     return any(name_of(name) in COORDINATES for name in request.wanted)
 
 
 class Points(NamedTuple):
-    """The points of a call: their names where they are typed, or the axes; and blocks of them."""
+    """The points of a call: names if typed, or axes of a grid; and blocks of them."""
 
     blocks: Callable[[], Iterator[Any]]
     size: int
@@ -267,12 +268,11 @@ class Points(NamedTuple):
 
     @property
     def is_grid(self) -> bool:
-        """Return whether they are of a grid."""
         return not self.names
 
 
 def _points(at: tuple[str, ...], grid: Input | None) -> Points:
-    """The points that are typed one by one, or those of a grid."""
+    """Read the points typed one by one, or those of a grid."""
     from radcalc.distributions import scene
 
     if at and grid:
@@ -283,7 +283,7 @@ def _points(at: tuple[str, ...], grid: Input | None) -> Points:
         assumptions = () if grid.unit else (IN_METRES,)
         return Points(lambda: scene.grid(*axes), size, (), assumptions, tuple(axes))
     if not at:
-        raise UsageError("there is no point", f"--at X,Y,Z or --grid {AS_GRID}")
+        raise UsageError("the points are missing", f"--at X,Y,Z or --grid {AS_GRID}")
     if several := next((text for text in at if ":" in text), None):
         raise ConditionError(f"--at {quote(several)} is a range", f"--grid {AS_GRID}")
     places = [read_place("point", text, "--at") for text in at]

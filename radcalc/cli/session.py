@@ -1,8 +1,7 @@
-"""What the lines of a prompt share: how one is read, the last answer, and the variables.
+"""State of the prompt: reading a line, the last answer, and variables.
 
-A line is a command as at the shell, without `radcalc`.  `ans` and the names of variables stand
-for amounts: the text of the amount takes their place before anything is read, so that nothing
-below knows of them.
+A line is a command as at the shell, without `radcalc`.  The text of an amount replaces `ans` and
+the names of variables before a line is read, so the commands do not know them.
 """
 
 import re
@@ -44,15 +43,15 @@ from radcalc.units.unit import unit_behind
 
 ANS = "ans"
 LEAVING = ("exit", "quit")
-ALSO_LEAVING = (*LEAVING, "bye", "q", "logout")  # which people type to leave
-WORDS = {"help": "The commands, or the help of one.", "vars": "The names, and what they keep."}
+ALSO_LEAVING = (*LEAVING, "bye", "q", "logout")  # words that people type to exit
+WORDS = {"help": "The commands, or help for one.", "vars": "The variables and their values."}
 WORDS |= dict.fromkeys(LEAVING, "Leave the prompt.")
 SEPARATING = {*SEPARATORS, *ALSO_UNITS}
 RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, *FUNCTIONS, "radcalc", "per", "pi", "π"}
 OF_AMOUNTS = {QUANTITY, INTERVAL, POINT, VECTOR, GRID, DIRECTION, NUMBERS}  # forms of symbols
 OPERANDS_ARE_AMOUNTS = {"convert", "photon"}
 LONGEST = 10_000  # characters of a line
-LIMITS = ("", ",", ":")  # of a value in a list or a range
+LIMITS = ("", ",", ":")  # characters of a value in a list or a range
 
 ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
 NAME = re.compile(r"(?<![\w.])[^\W\d]\w*(?:(?<=\bans)\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*)?(?![\w(])")
@@ -66,27 +65,27 @@ EXAMPLES = {
     "100 lx fc": "A value with its unit, converted.",
     "2 * 100 lx in fc": "Arithmetic.",
     "ans klx": "The last answer; ans.NAME is one of several results.",
-    "x = 800 lm": "A name keeps an amount, or the answer of a command.",
-    "vars": "The names, and what they keep.",
-    "help COMMAND": "More of a command.",
-    "exit": "Leave; Ctrl-D does as well.",
+    "x = 800 lm": "A variable keeps an amount or an answer.",
+    "vars": "The variables and their values.",
+    "help COMMAND": "Help for a command.",
+    "exit": "Exit; also Ctrl-D.",
 }
 
 
 class Session:
-    """The lines of a prompt, one after another; `settings` are options of output for all."""
+    """The lines of a prompt, one after another; `settings` are output options for all."""
 
     def __init__(self, settings: Mapping[str, Any] | None = None, has_stdin: bool = True) -> None:
-        """Take what commands are to be called with; whether they may read standard input."""
+        """Take the default options of commands, and whether they may read standard input."""
         self.settings = dict(settings or {})
         self.has_stdin = has_stdin
         self.variables: dict[str, str] = {}
-        self.rows: list[Row] = []  # of the last line that had any
-        self.origins: dict[str, set[int]] = {}  # of what is uncertain in a name, or in ans
+        self.rows: list[Row] = []  # of the last line with any
+        self.origins: dict[str, set[int]] = {}  # origins of the uncertainty of names and ans
         self.count = 0  # lines
 
     def names(self, with_words: bool = False) -> dict[str, str]:
-        """The names of amounts, with what they stand for, and the words of the prompt if asked."""
+        """Return the names of amounts with their values, and the prompt's words if requested."""
         last = {ANS: "The last answer."} if self.rows else {}
         results = dict.fromkeys(row.name for row in self.rows if row.name)
         if len(self.rows) > 1:
@@ -94,12 +93,12 @@ class Session:
         return (WORDS if with_words else {}) | last | self.variables
 
     def hear(self, results: Sequence[Result]) -> None:
-        """Keep what a command answers."""
-        for result in results:  # a conversion has one value, if in many units
+        """Keep the answer of a command."""
+        for result in results:  # a conversion has one value, in one or more units
             self.heard += result.rows if result.named else result.rows[:1]
 
     def answer(self, line: str, place: str = "") -> int:
-        """Answer a line as the shell would be; raise EOFError where it leaves the prompt."""
+        """Answer a line as at the shell; raise EOFError if it exits the prompt."""
         if line.strip() in LEAVING:
             raise EOFError
         words: list[str] = []
@@ -118,7 +117,7 @@ class Session:
             refuse_name(name, text)
         if not assignment and self._leaves(line):
             hint = f"{LEAVING[0]}, alone in its line, or Ctrl-D"
-            raise UsageError(f"'{quote(line.strip())}' does not leave the prompt", hint)
+            raise UsageError(f"'{quote(line.strip())}' is not the command to exit", hint)
         self.count += 1
         words[:] = self.read(text)
         amount = _amount(words)
@@ -136,7 +135,7 @@ class Session:
         return status
 
     def _leaves(self, line: str) -> bool:
-        """Check for a line that is meant to leave the prompt, and begins with no given name."""
+        """Return whether a line is meant to exit the prompt, and does not begin with a variable."""
         first = line.split()[0].rstrip("();.").lstrip(":")
         return first.lower() in ALSO_LEAVING and first not in self.variables
 
@@ -144,8 +143,8 @@ class Session:
         return any(self._is_name(name) for name in NAME.findall(text))
 
     def read(self, line: str) -> list[str]:
-        """The words of a line as the command line takes them."""
-        self.used: set[int] = set()  # origins of what is uncertain in it
+        """Return the words of a line as the command line takes them."""
+        self.used: set[int] = set()  # origins of the uncertainties in it
         words = split(line)
         if words[:1] == ["radcalc"]:
             words = words[1:]
@@ -164,7 +163,7 @@ class Session:
         return name.partition(".")[0] == ANS or name in self.variables
 
     def _filled(self, called: str, words: list[str]) -> list[str]:
-        """The words behind a command, with amounts in the place of names."""
+        """Return the words after a command, with names replaced by amounts."""
         takers = _takers(called)
         operands: list[str] = []
         filled: list[str] = []
@@ -190,7 +189,7 @@ class Session:
         return self._fill(text) if symbol and symbol.form in OF_AMOUNTS else text
 
     def _fill(self, text: str, is_part: bool = False) -> str:
-        """A text with amounts in the place of names: in brackets, unless they stand alone."""
+        """Replace names by amounts: in brackets, unless they are the whole text."""
 
         def amount(match: re.Match[str]) -> str:
             if not self._is_name(match[0]):
@@ -204,23 +203,23 @@ class Session:
         return NAME.sub(amount, text)
 
     def _text_of(self, name: str) -> str:
-        """The text of the amount that a name stands for.
+        """Return the text of the amount that a name means.
 
-        What is uncertain may stand in a line once: values are taken to be off independently.
+        An uncertain value may occur in a line only once: values are taken as independent.
         """
         owner, _, result = name.partition(".")
         text = self.variables.get(name) or text_of(self._only_row(result, self.rows, name), name)
         if (amount := _read(text)) and amount.is_uncertain:
             if self.used & self.origins[owner]:
-                problem = f"{name} is uncertain, and so is what it comes of or with in this line"
+                problem = f"{name} is correlated with another uncertain value in this line"
                 raise UsageError(problem, "a line in which each uncertain value stands once")
             self.used |= self.origins[owner]
         return text
 
     def _only_row(self, result: str, rows: Sequence[Row], name: str) -> Row:
-        """The only row, or the one of a result."""
+        """Return the only row, or the row of a result."""
         if not rows:
-            raise UsageError(f"there is no {name} yet", "an answer before it, such as 100 lx fc")
+            raise UsageError(f"{name} has no value yet", "an answer before it, such as 100 lx fc")
         matching = [row for row in rows if not result or row.name == result]
         if len(matching) == 1:
             return matching[0]
@@ -228,21 +227,21 @@ class Session:
         if not matching:
             raise UsageError(f"the last answer has no '{quote(result)}'", listed(names))
         if len(names) < 2 or result:
-            problem = f"{name} stands for one value, and there are {len(matching)}"
+            problem = f"{name} is one value, but there are {len(matching)}"
             raise UsageError(problem, "a call with one answer")
         raise UsageError(
-            f"{name} stands for one value, and the answer has several",
+            f"{name} is one value, but the answer has several",
             listed([f"{ANS}.{known}" for known in names])
             if name == ANS
             else f"{option('get', names[0])}, or another of them",
         )
 
     def _operands(self, words: list[str]) -> list[str]:
-        """The words of a conversion, those of a value that is arithmetic as one."""
+        """Return the words of a conversion, with those of an arithmetic value joined."""
         if words[:1] == ["-"]:
             return words
         words = _closed(words)
-        if words and words[-1][-1:] in tuple(OPERATIONS):  # what is missing there, convert says
+        if words and words[-1][-1:] in tuple(OPERATIONS):  # convert reports what is missing
             return [self._fill(word) for word in words]
         last = max((k for k, word in enumerate(words) if _is_part(word, k)), default=-1)
         if last < 0 or SEPARATING.intersection(words):
@@ -269,21 +268,21 @@ class Session:
         if called == "prompt" and not words[1:]:
             raise UsageError("this is the prompt", "help, or exit")
         if not self.has_stdin and any(map(is_stream, words)):
-            problem = "- reads standard input, where the lines of the prompt are"
+            problem = "- cannot be used at the prompt, which reads standard input"
             raise UsageError(problem, "the same at a shell")
         return cli.answered(words, self) if words else terminal.ANSWERED
 
     def _list(self) -> None:
-        """Write the variables and the last answer, as lines that could be typed."""
+        """Write the variables and the last answer as lines that can be typed."""
         texts = dict(self.variables)
         if len(self.rows) == 1:
             texts[ANS] = text_of(self.rows[0], ANS)
         terminal.write("".join(f"{name} = {text}\n" for name, text in texts.items()))
 
     def _kept(self, name: str) -> str:
-        """The text of what a command answered, to be kept under a name."""
+        """Return the text of a command's answer, to be kept under a name."""
         if not self.heard:
-            raise UsageError(f"there is no amount for {name}", f"{name} = 800 lm")
+            raise UsageError(f"the amount for {name} is missing", f"{name} = 800 lm")
         return text_of(self._only_row("", self.heard, name), name)
 
     def _show(self, amount: Amount, words: list[str]) -> int:
@@ -309,17 +308,17 @@ def _help() -> str:
 
 
 def split(line: str) -> list[str]:
-    """The words of a line, which quotes may hold together as they do at a shell."""
+    """Split a line into words, with quotes as at a shell."""
     try:
         return shlex.split(line)
     except ValueError as error:
         mark = "\\" if "escaped" in str(error) else '"' if line.count('"') % 2 else "'"
-        missing = "nothing behind it" if mark == "\\" else "no second one"
-        raise UsageError(f"there is a {mark} with {missing}", f"the line without {mark}") from None
+        missing = "nothing after it" if mark == "\\" else "no second one"
+        raise UsageError(f"the {mark} has {missing}", f"the line without {mark}") from None
 
 
 def refuse_name(name: str, text: str) -> None:
-    """Refuse a name that has a meaning already."""
+    """Refuse a name that already has a meaning."""
     if name in RESERVED:
         what = "a word of radcalc"
     elif scales.find(name):
@@ -336,9 +335,9 @@ def refuse_name(name: str, text: str) -> None:
 
 
 def text_of(row: Row, name: str) -> str:
-    """The exact text of a row's value, with its unit."""
+    """Return the exact text of a row's value, with its unit."""
     if isinstance(row.value, bool) or not isinstance(row.value, (int, float)):
-        raise UsageError(f"{name} is no number", "a call with a number for its answer")
+        raise UsageError(f"{name} is not a number", "a call with a number for its answer")
     return _exact(row.value, row.unit, row.uncertainty)
 
 
@@ -350,20 +349,20 @@ def _exact(number: float, unit: str, uncertainty: float) -> str:
 
 
 def _takers(called: str) -> set[str]:
-    """The options of a command that take the next word for their value."""
+    """Return the options of a command that take the next word as their value."""
     if called not in COMMANDS:
         return set()
     command = group.commands.get_command(group.context(), called)
     options = (
         [option for option in command.params if isinstance(option, click.Option)] if command else []
     )
-    # [=N] is a value that is never the next word
+    # a value [=N] is never the next word
     takers = [o for o in options if not o.is_flag and not (o.metavar or "").startswith("[=")]
     return {text for option in takers for text in option.opts}
 
 
 def _is_option(word: str) -> bool:
-    """Return whether a word begins with a dash, and is no number below 0."""
+    """Return whether a word begins with a dash, and is not a negative number."""
     return word[:1] == "-" and word[1:2] in ("-", *ascii_letters) and not _is_negative(word)
 
 
@@ -372,7 +371,7 @@ def _is_negative(word: str) -> bool:
 
 
 def _closed(words: list[str]) -> list[str]:
-    """The words, of which those from a bracket to the one that closes it are one."""
+    """Join the words from a bracket to the one that closes it."""
     joined: list[str] = []
     text = " ".join(words)
     if text.count("(") != text.count(")"):
@@ -391,10 +390,10 @@ def _is_part(word: str, place: int) -> bool:
 
 
 def _parted(head: str, last: str) -> list[str]:
-    """Arithmetic that ends in a number, and a word: the unit of that number, or the target.
+    """Split arithmetic that ends in a number, and a word: its unit, or the target.
 
-    `800 lm / 2 m2` has no target and `800 lm * 2 cd` has one, which their quantities tell; where
-    both make sense, it is refused.
+    `800 lm / 2 m2` has no target and `800 lm * 2 cd` has one, as their quantities show; an
+    ambiguous line is refused.
     """
     phrase = f"{head} {last}"
     as_unit, value, target = _read(phrase), _read(head), unit_of(last)
@@ -418,19 +417,19 @@ def _read(text: str) -> Amount | None:
 
 
 def _amount(words: list[str]) -> Amount | None:
-    """The amount that words are, where they are no more than that."""
+    """Return the amount that words mean, if they are only an amount."""
     if words[:1] != ["convert"] or any(map(_is_option, words)) or words[1:2] == ["-"]:
         return None
     try:
         amount, target = read_operands(words[1:])
-    except RadcalcError:  # a bare number; or what the command says best
+    except RadcalcError:  # a bare number, or an error that the command reports best
         bare = _read(" ".join(words[1:]))
         return bare if bare and bare.unit is None else None
     return None if target else amount
 
 
 def _is_plain(amount: Amount) -> bool:
-    """Return whether it was typed as a number with a unit, and not as arithmetic."""
+    """Return whether it was typed as a number with a unit, not as arithmetic."""
     unit = amount.unit.text if amount.unit else ""
     if amount.scale:
         return True
@@ -443,9 +442,9 @@ def _is_plain(amount: Amount) -> bool:
 
 
 def _text(amount: Amount) -> str:
-    """The text of an amount: as it was typed, or what arithmetic came to.
+    """Return the text of an amount: as typed, or the value of arithmetic.
 
-    A fraction with its unit stands in brackets, as arithmetic with it takes it.
+    A fraction with its unit is in brackets, as arithmetic needs it.
     """
     if _is_plain(amount):
         if not amount.unit or amount.scale or amount.uncertainty:

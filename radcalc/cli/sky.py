@@ -17,7 +17,7 @@ from radcalc.inputs.given import shown_inputs
 SAVE = click.Option(
     ["--save"],
     metavar="FILE.hdr",
-    help="Write a latlong map of the sky (.hdr, .exr or .pfm; 1024x512), with the sun's disc if "
+    help="Write a latlong map of the sky (.hdr, .exr or .pfm; 1024x512), with the solar disc if "
     "the sun has light.",
 )
 
@@ -33,7 +33,7 @@ def command(
     """Answer for a sky, or write its map."""
     word, *others = words or [OPERAND.default]
     if others:
-        raise UsageError(f"too many words: '{quote(' '.join(others))}'", "one type of sky")
+        raise UsageError(f"unexpected argument '{quote(others[0])}'", "one type of sky")
     name = word.lower()
     if save:
         given = one_case(typed, request)

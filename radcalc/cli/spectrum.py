@@ -26,17 +26,17 @@ from radcalc.spectra.sources import read_spectra, spectrum
 
 STDIN = "-"
 FILES = {"FILE": "a measured spectrum", STDIN: "a measured spectrum, from standard input"}
-TITLES = ("source", "kind", "T_cp [K]", "lux/PPFD [lm.s/umol]")  # of a list for people
-FIELDS = ("source", "kind", "cct:K", "lux-per-ppfd:lm.s/umol")  # of one in CSV
-KEYS = ("source", "kind", "cct", "lux_per_ppfd")  # of one in JSON, in the same units
+TITLES = ("source", "kind", "T_cp [K]", "lux/PPFD [lm.s/umol]")  # in a list for people
+FIELDS = ("source", "kind", "cct:K", "lux-per-ppfd:lm.s/umol")  # in CSV
+KEYS = ("source", "kind", "cct", "lux_per_ppfd")  # in JSON, in the same units
 DIGITS = 4
 COLUMN = click.Option(
     ["--column"],
     metavar="NAME",
-    help="The column of a file's values, by its title, with its unit or without, or its number.",
+    help="Column of a file's values, by its title, with or without the unit, or number.",
 )
 LIST = click.Option(
-    ["--list", "list_"], is_flag=True, help="List the named sources, or those of a kind."
+    ["--list", "list_"], is_flag=True, help="List the named sources, or those of one kind."
 )
 
 
@@ -52,7 +52,9 @@ def command(
     """Answer for each source, or list the named ones."""
     if list_:
         if typed or column or request != Request((), False, None, None):
-            raise UsageError("--list takes words to search for alone", "radcalc spectrum --list")
+            raise UsageError(
+                "--list takes no options, only words to search for", "radcalc spectrum --list"
+            )
         _show_list(" ".join(words), output)
         return terminal.ANSWERED
     if not words:
@@ -61,27 +63,27 @@ def command(
     refined = {name: read(name, text) for name, text in typed.items()}
     texts = [text for word in words for text in read_spectra(word)]
     if texts.count(STDIN) > 1:
-        raise UsageError("standard input is one source", "- once, and files")
+        raise UsageError("- cannot be used twice: there is one standard input", "- once, and files")
     sources = [_source(text, column) for text in texts]
     all_cases = [
         Case({"spectrum": source, **refined}, (as_typed(source),) if len(texts) > 1 else ())
         for source in sources
     ]
     operands = texts_of({"column": column or ""})
-    if len(words) > 1:  # what is compared has its names beside it, wherever there is a table
+    if len(words) > 1:  # in a comparison each row has its source, in every table
         output = output._replace(is_chosen=output.is_chosen or output.format == TABLE)
     return run(all_cases, Task("spectrum", describe, operands), request, output)
 
 
 def _source(text: str, column: str | None) -> Input:
-    """A source, which has a column where it is a file."""
+    """Read a source, with the column of a file."""
     if column:
         return Input(SYMBOLS["spectrum"], text, spectrum(text, column))
     return read("spectrum", text, uncertain=True)
 
 
 def _show_list(text: str, output: Output) -> None:
-    """Show the named sources that are searched for; without a text all, and the other forms."""
+    """Show the named sources that match; without a text all, and the other forms."""
     from radcalc.spectra.listing import search, temperature_and_ratio
 
     refuse_number_options(output, "spectrum --list")

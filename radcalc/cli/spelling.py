@@ -1,4 +1,4 @@
-"""The shell's spelling of the symbols and commands that messages mention."""
+"""The shell's spelling of symbols and commands in messages."""
 
 from radcalc.errors import spell
 
@@ -6,17 +6,17 @@ NEED_QUOTES = set(" ()<>;&|")  # at a shell
 
 
 class Shell:
-    """Options begin with two dashes, and a command is what one types."""
+    """The spelling as typed at a shell: options begin with two dashes."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """`--height 6m`."""
+        """Return `--height 6m`."""
         text = f"'{value}'" if "'" not in value and NEED_QUOTES.intersection(value) else value
         return f"{'-g' if name == 'get' else f'--{name}'} {text}".rstrip()
 
     @staticmethod
     def command(*words: str) -> str:
-        """`radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
+        """Return `radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
         typed = []
         for word in words:
             name, equals, value = word.partition("=")
@@ -32,7 +32,7 @@ class Shell:
 
     @staticmethod
     def measured(unit: str) -> str:
-        """`illuminance (lx)`."""
+        """Return `illuminance (lx)`."""
         from radcalc.quantities.light import describe
         from radcalc.units.table import resolve
 
@@ -40,5 +40,5 @@ class Shell:
 
 
 def spelled(text: str) -> str:
-    """A text with what it mentions, as one types it at a shell."""
+    """Return a text with its mentions spelled as at a shell."""
     return spell(text, Shell)

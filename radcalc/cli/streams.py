@@ -1,4 +1,4 @@
-"""Standard input, line by line: `radcalc convert -`, and a calculator with - for an input."""
+"""Standard input, line by line: `radcalc convert -`, and calculators with - for an input."""
 
 import os
 from collections.abc import Callable, Sequence
@@ -39,11 +39,11 @@ def convert(
     from radcalc.streams.readers import Numbers, Quantities, Texts
 
     output.refuse_auto(
-        "a stream has one for all its lines", "a TARGET that fits, such as mlx or klx"
+        "a stream has one unit for all lines", "a TARGET that fits, such as mlx or klx"
     )
     source_text, target_text = read_stream_operands(words)
     if "," in target_text:
-        problem = f"'{quote(target_text)}' is a list, and a stream has one target"
+        problem = f"'{quote(target_text)}' is a list, but a stream has one target"
         raise UsageError(problem, "one unit a call")
     given = _given(cases, steps)
     _refuse_format(output)
@@ -54,7 +54,7 @@ def convert(
     header = conversion.header(options.column or "") if layout.has_titles else None
     texts: Texts
     if source:
-        if target.text != " ".join(target_text.split()):  # a quantity by its name
+        if target.text != " ".join(target_text.split()):  # the name of a quantity
             target.notes += (f"the numbers are in {target.text}",)
         texts = Numbers(conversion.plan(source), output.style.precision, layout.mark)
     else:
@@ -67,7 +67,7 @@ def convert(
 
 
 class _Work:
-    """What converting and calculating have in common: the layout of lines, and what is shown."""
+    """Base of conversions and calculators on streams: the layout of lines, and the output."""
 
     def __init__(self, layout: "Layout", output: Output) -> None:
         self.layout = layout
@@ -75,7 +75,7 @@ class _Work:
         self.as_json = output.format == JSON
 
     def say(self, texts: Sequence[str]) -> None:
-        """Say remarks where there are any."""
+        """Write remarks if they are shown."""
         if self.style.remarks and not self.as_json:
             terminal.say(list(map(spelled, texts)))
 
@@ -89,7 +89,7 @@ class _Work:
 
 
 class _Conversion(_Work):
-    """The plans of a stream, one for each unit of its lines, and the remarks on them."""
+    """The plans of a stream, one for each unit of its lines, and their remarks."""
 
     def __init__(
         self,
@@ -107,7 +107,7 @@ class _Conversion(_Work):
         self.already_said: set[str] = set()
 
     def plan(self, unit: Unit, *assumptions: str) -> Plan:
-        """Plan the conversion of a unit of the lines, and say what it assumes."""
+        """Plan the conversion of a unit of the lines, and write its assumptions."""
         try:
             planned = plan(unit, self.target, self.given)
         except Unused as error:
@@ -124,7 +124,7 @@ class _Conversion(_Work):
         return planned
 
     def header(self, column: str) -> "Header":
-        """Return the reader of the titles, and of the unit in that of the numbers."""
+        """Return the reader of the titles, and of the unit in the title of the numbers."""
         from radcalc.streams.header import Header
 
         def note(text: str) -> None:
@@ -152,7 +152,7 @@ class _Conversion(_Work):
         return self.line_of(answer(planned, value, inputs=inputs), line, field, title)
 
     def _titled(self, unit: Unit) -> "tuple[Texts, Unit]":
-        """Return the reader of numbers whose unit is in their title."""
+        """Return the reader of numbers with the unit in their title."""
         from radcalc.streams.readers import Numbers
 
         assumption = f"the numbers are in {quote(unit.text)}, as their title says"
@@ -162,7 +162,7 @@ class _Conversion(_Work):
         return texts, self.target
 
     def _remark(self, assumptions: Sequence[str], notes: Sequence[str]) -> None:
-        """Say assumptions and notes, each once."""
+        """Write assumptions and notes, each once."""
         texts = terminal.remarks(assumptions, notes)
         self.say([text for text in dict.fromkeys(texts) if text not in self.already_said])
         self.already_said.update(texts)
@@ -177,13 +177,13 @@ def calculate(
     """
     source = case.stream
     assert source is not None
-    output.refuse_auto("a stream has one unit for all its lines", "the same without --auto")
+    output.refuse_auto("a stream has one unit for all lines", "the same without --auto")
     _refuse_format(output)
     refuse_uncertain(case.given.values(), "a stream")
     layout = Layout.of(options, source.is_bare)
     calculation = _Calculation(case, source, task, wanted, layout, output)
     if len(wanted) > 1 and not calculation.as_json and (layout.cut or layout.lines or layout.adds):
-        raise UsageError(f"{len(wanted)} results in the place of one field", "-g once")
+        raise UsageError(f"{len(wanted)} results cannot replace one field", "-g once")
     names_in_units = calculation.in_units(source)
     header = None
     if layout.lines or layout.adds:
@@ -197,7 +197,7 @@ def calculate(
 
 
 class _Calculation(_Work):
-    """The answers of a calculator to lines, and the remarks on them."""
+    """The answers of a calculator to lines, and their remarks."""
 
     def __init__(
         self,
@@ -216,7 +216,7 @@ class _Calculation(_Work):
         self.task = task
         self.wanted = wanted
         self.has_titles = bool(layout.lines) and not self.as_json
-        self.target: Unit | None = None  # of the results, which a title has
+        self.target: Unit | None = None  # unit of the results, for their title
         self.remarks = Remarks()
 
     def write(self, data: bytes) -> None:
@@ -225,18 +225,18 @@ class _Calculation(_Work):
         terminal.pour(data)
 
     def texts(self, source: Source, wanted: Sequence[str]) -> "Calculated":
-        """Return the reader of texts that are answered by the results that are wanted."""
+        """Return the reader of texts that answers with the requested results."""
         from radcalc.streams.calculated import Calculated
 
         heard, precision = self.remarks.hear, self.style.precision
         return Calculated(source, self._of_line, wanted, heard, precision, self.layout.mark)
 
     def in_units(self, source: Source) -> Sequence[str]:
-        """Return the wanted results with the units in which lines have them."""
+        """Return the requested results with the units of the lines."""
         return _in_units(source, self._of_value, self.wanted, self.as_json)
 
     def header(self, column: str, target: Unit | None) -> "Header":
-        """Return the reader of titles, which writes that of the result in the target's unit."""
+        """Return the reader of titles, which writes the title of the result."""
         from radcalc.streams.header import Header, refuse_change
 
         self.target = target
@@ -276,27 +276,27 @@ class _Calculation(_Work):
         return self._of_value(given)
 
     def _refuse_change(self, unit: Unit) -> None:
-        """Refuse results of another quantity under the title of the inputs."""
+        """Refuse results of another quantity under the title of the input."""
         if self.has_titles and self.layout.name is None and self.target:
             from radcalc.streams.header import refuse_change
 
             refuse_change(unit, self.target)
 
     def _titled(self, unit: Unit) -> "tuple[Calculated, Unit]":
-        """Return the reader of numbers whose unit is in their title."""
+        """Return the reader of numbers with the unit in their title."""
         self.say([f"assumed: the numbers are in {quote(unit.text)}, as their title says"])
         self.source.check(unit)
         of_unit = self.source._replace(unit=unit.text)
         names = self.in_units(of_unit)
         self.target = _unit_of(names)
         if self.target is None and not self.as_json:
-            raise UsageError("a title has a unit", option("get", "NAME:UNIT"))
+            raise UsageError("the title needs a unit", option("get", "NAME:UNIT"))
         self._refuse_change(unit)
         return self.texts(of_unit, names), self.target or resolve("1")
 
 
 def _unit_of(wanted: Sequence[str]) -> Unit | None:
-    """The unit of the first result, NAME:UNIT; None where the name is alone."""
+    """Return the unit of the first result, NAME:UNIT; None for a name alone."""
     text = wanted[0].partition(":")[2].strip() if wanted else ""
     return resolve_any(text) if text else None
 
@@ -304,9 +304,9 @@ def _unit_of(wanted: Sequence[str]) -> Unit | None:
 def _in_units(
     source: Source, of_line: Callable[[Input], Answer], wanted: Sequence[str], as_json: bool
 ) -> Sequence[str]:
-    """The results NAME:UNIT that lines have; where only a line tells the unit, NAME.
+    """Return the results as NAME:UNIT in the units of the lines; NAME if each line has a unit.
 
-    Refuses what no line has, by what follows of a value of the same kind in the same unit.
+    Refuse unknown results, found by answering a value of the same kind in the same unit.
     """
     from radcalc.calculators.results import name_of, names_of, pick
 
@@ -321,19 +321,19 @@ def _in_units(
     for k, name in enumerate(wanted if values else ()):
         try:
             row = pick(values, name)
-        except NumberError:  # of that value
+        except NumberError:  # an error of that value only
             continue
         except UsageError:
             if name_of(name) not in {v.name for v in values if v.is_absent}:
                 raise
             continue
-        if source.unit or not row.given:  # which has the unit of its line
+        if source.unit or not row.given:  # it has the unit of its line
             names_in_units[k] = f"{row.name}:{row.unit}"
     return names_in_units
 
 
 def _likely(source: Source, of_line: Callable[[Input], Answer]) -> Sequence[Value]:
-    """What follows of a line as there may be one; nothing where the lines may be of other kinds."""
+    """Return the results for a likely line, or none if the lines may be of other kinds."""
     symbol = SYMBOLS[source.name]
     example = source.read(symbol.example)
     texts = [symbol.example]
@@ -347,21 +347,24 @@ def _likely(source: Source, of_line: Callable[[Input], Answer]) -> Sequence[Valu
     for text in texts:
         try:
             return of_line(source.read(text)).values
-        except RadcalcError:  # of everything else, which the first line says, or of that value
+        except RadcalcError:  # an error of that value, or one that the first line reports
             continue
     return ()
 
 
 def _refuse_format(output: Output) -> None:
-    """Refuse a format that has a header or borders, if it was asked for."""
+    """Refuse a requested format with a header or borders."""
     if output.is_chosen and output.format in (TABLE, CSV):
-        raise UsageError(f"--format {output.format} is not for a stream", "--format plain or json")
+        raise UsageError(
+            f"--format {output.format} cannot be used with a stream", "--format plain or json"
+        )
 
 
 class Layout(NamedTuple):
-    """The way that lines fall into fields and which of these are read, as the options say it.
+    """The division of lines into fields, from the options.
 
-    `lines` are those of a header; `mark` is the decimal mark, `name` the title of the results.
+    `lines` is the number of header lines; `mark` is the decimal mark; `name` is the title of the
+    results.
     """
 
     cut: "Cut | None"
@@ -373,7 +376,7 @@ class Layout(NamedTuple):
 
     @classmethod
     def of(cls, options: LineOptions, has_unit: bool) -> "Layout":
-        """Read the options; lines whose numbers have no unit may be cut at blanks."""
+        """Read the options; lines of bare numbers may be separated at blanks."""
         from radcalc.streams.fields import Cut, Fields, read_delimiter
 
         lines = options.header or (1 if options.column is not None else 0)
@@ -391,12 +394,12 @@ class Layout(NamedTuple):
         name = options.rename if options.add is None else options.add
         name = None if name is None else name.strip()
         if name is not None and not fields.is_one:
-            raise UsageError("--add and --rename are for one field", "a call for each field")
+            raise UsageError("--add and --rename take one field", "a call for each field")
         return cls(cut, fields, lines, mark, name, options.add is not None)
 
     @property
     def has_titles(self) -> bool:
-        """Return whether there are titles to read or to write."""
+        """Return whether titles are read or written."""
         return bool(self.lines) or self.name is not None
 
     def run(
@@ -407,7 +410,6 @@ class Layout(NamedTuple):
         write: Callable[[bytes], object],
         invalid: str | None,
     ) -> int:
-        """Convert the texts in the lines of standard input; return the exit status."""
         from radcalc.streams.stream import Stream, run
 
         stream = Stream(texts, self.cut, self.fields, self.lines, header, record, self.adds)
@@ -416,7 +418,7 @@ class Layout(NamedTuple):
 
 
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
-    """Refuse options that exclude each other, or lack another one."""
+    """Refuse options that exclude each other, or need another one."""
     if options.field is not None and options.column is not None:
         raise UsageError("--field cannot be used with --column", "one of them")
     if options.add is not None and options.rename is not None:
@@ -425,21 +427,23 @@ def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> 
         raise UsageError("--rename needs a header", "--header, or --column NAME")
     if not has_unit and options.delimiter is None and options.field is not None and not lines:
         raise UsageError(
-            "--field needs --delimiter where the lines carry their own units",
-            "--delimiter X, which says what cuts the fields",
+            "--field needs --delimiter if the lines have their own units",
+            "--delimiter X, the field separator",
         )
 
 
 def _given(cases: Sequence[Case], steps: bool) -> Sequence[Input]:
-    """The conditions, of which there is one case."""
+    """Return the conditions, as the only case."""
     if steps:
-        raise UsageError("--steps is not for a stream", "one value, for the derivation")
+        raise UsageError("--steps cannot be used with a stream", "one value, for the derivation")
     if len(cases) > 1:
-        raise UsageError("a list of conditions is not for a stream", "one value a condition")
+        raise UsageError(
+            "a list of conditions cannot be used with a stream", "one value a condition"
+        )
     refuse_uncertain(cases[0].given.values(), "a stream")
     return list(cases[0].given.values())
 
 
 def complain(error: RadcalcError) -> None:
-    """Say what is wrong with a line, and nothing more: there may be many."""
+    """Write the error of a line, without a hint: there may be many."""
     terminal.say([f"radcalc: {spelled(error.message)}"])

@@ -1,11 +1,11 @@
-"""Commands to suggest for a word that is not a command."""
+"""Suggestions for a word that is not a command."""
 
 from radcalc.cli.help import COMMANDS
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
 from radcalc.errors import nearest, quote
 
-# What people call what a command is about, whose own name is not like it.
+# Words for the subjects of commands, if unlike the command's name.
 MEANT = {
     "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
     "point-source": "point lamp led bulb spot spotlight beam inverse-square cosine candela",
@@ -25,7 +25,7 @@ MEANT = {
 
 
 def meant(args: list[str]) -> str:
-    """Return what to type in place of a word that is no command."""
+    """Return the hint for a word that is not a command."""
     word = args[0].lower()
     if near := nearest(word, COMMANDS, 1, 0.75):
         return f"{near[0]} (see radcalc --help)"
@@ -40,7 +40,7 @@ def meant(args: list[str]) -> str:
 
 
 def _looked_up(word: str) -> str:
-    """The call that tells of a word that is a unit, a quantity or a spectrum; '' of any other."""
+    """Return the call that explains a unit, a quantity or a spectrum; '' for other words."""
     from radcalc.quantities.targets import is_name
     from radcalc.spectra.sources import find_named
     from radcalc.units.scales import find

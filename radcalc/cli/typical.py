@@ -1,4 +1,4 @@
-"""`radcalc typical [SEARCH]`: values for orientation, with their sources."""
+"""`radcalc typical [SEARCH]`: typical values, with their sources."""
 
 from radcalc.answer import Result, texts_of
 from radcalc.calculators.page import Operand, Page
@@ -23,9 +23,9 @@ def command(words: tuple[str, ...], output: Output) -> None:
       radcalc typical candle           by a word, in English, Czech or Russian
       radcalc typical illuminance      by a quantity
       radcalc typical cd/m2            by a unit
-      radcalc typical 500lx            those nearest to a value
+      radcalc typical 500lx            the nearest to a value
 
-    Where a table of lecture notes is wrong, the corrected value is given, and a note says so.
+    Errors in published tables are corrected, with a note.
     """
     refuse_number_options(output, "typical")
     text = " ".join(words)

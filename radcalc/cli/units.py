@@ -19,7 +19,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
       radcalc units luminance          the units of a quantity
       radcalc units освещённость       the same, by its Russian name
       radcalc units lambert            the units with that in their name
-      radcalc units cd/m2              what a unit measures, and its fellows
+      radcalc units cd/m2              what a unit measures, and the units like it
       radcalc units scales             dBm, mag, EV and others, with their formulas
     """
     refuse_number_options(output, "units")

@@ -1,7 +1,7 @@
-"""What can be typed next: for the shells (`shells`), and for a prompt in the same process.
+"""Completion of the next word, for the shells (`shells`) and for a prompt in the same process.
 
-The commands, their options and results are in `table`, which `radcalc.cli.compile` prints from them
-for a wheel, so that Click, which takes longer than an answer may, stays out.
+The commands, their options and results are in `table`, which `radcalc.cli.compile` prints for a
+wheel, so that completion does not load Click, which is too slow.
 """
 
 import os
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 
 def completions(words: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Every way to finish the word `incomplete`, which stands behind `words`; the best first.
+    """Return every completion of the word `incomplete` after `words`, the best first.
 
-    Neither has `radcalc` itself nor the quotes of a shell.
+    The words are without `radcalc` itself and without the quotes of a shell.
     """
     try:
         candidates = _candidates(list(words), incomplete)
-    except Exception:  # whatever was typed, a Tab says nothing of it
+    except Exception:  # a Tab never reports an error
         if os.environ.get("RADCALC_DEBUG") == "1":
             raise
         return []
@@ -46,12 +46,12 @@ def _candidates(words: list[str], incomplete: str) -> list[Completion]:
 
 
 def _first(incomplete: str) -> list[Completion]:
-    """A command, an option of radcalc itself, or the value of a conversion."""
+    """Return a command, an option of radcalc itself, or the value of a conversion."""
     if incomplete == "-" or is_option(incomplete):
         return _options(map(Option, RADCALC), incomplete)
     if is_sentence([incomplete]):
         return _in_command(Line("convert", ()), incomplete)
-    return [*_commands(incomplete), Completion(HELP, "Show the help of a command.")]
+    return [*_commands(incomplete), Completion(HELP, "Show the help for a command.")]
 
 
 def _commands(incomplete: str) -> list[Completion]:
@@ -76,7 +76,7 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
         from radcalc.completion.targets import operands
 
         candidates = operands(line.operands, line.given, incomplete)
-    elif not line.operands or (form == "spectrum" and incomplete):  # several are compared
+    elif not line.operands or (form == "spectrum" and incomplete):  # several spectra are compared
         from radcalc.completion.values import values_of
 
         candidates = values_of(form, values, incomplete)
@@ -94,7 +94,7 @@ def _values(option: Option, incomplete: str) -> list[Completion]:
 
 
 def _fitting_options(line: Line, incomplete: str) -> list[Completion]:
-    """The options that are not given yet, first those that the conversion lacks."""
+    """Return the options not given yet, first those that the conversion lacks."""
     fitting = [
         option for option in line.options if option.repeats or option.names[-1] not in line.given
     ]
@@ -110,7 +110,7 @@ def _fitting_options(line: Line, incomplete: str) -> list[Completion]:
 
 
 def _options(options: "Iterable[Option]", incomplete: str) -> list[Completion]:
-    """Options by their names: a hidden one, another name of another, where nothing else fits."""
+    """Return options by name; hidden ones, which are other names, only if no other fits."""
     by_hidden: dict[bool, list[Completion]] = {False: [], True: []}
     for option in options:
         fitting = [name for name in option.names if name.startswith(incomplete)]

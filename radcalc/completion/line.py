@@ -1,4 +1,4 @@
-"""The words of a line that is being typed."""
+"""The words of a line being typed."""
 
 from radcalc.completion.table import COMMANDS
 from radcalc.units.numbers import is_sentence
@@ -13,12 +13,11 @@ DIGITS = "0123456789"
 
 
 class Completion:
-    """One way to finish a word; `closes` where a blank follows, and not more of the word."""
+    """A completion of a word; `closes` if a blank follows rather than more of the word."""
 
     __slots__ = ("closes", "description", "text")
 
     def __init__(self, text: str, description: str = "", closes: bool = True) -> None:
-        """Hold the whole word."""
         self.text = text
         self.description = description
         self.closes = closes
@@ -29,25 +28,24 @@ class Completion:
 
 
 class Option:
-    """A row of the table: what an option is called, what it takes, what its help says."""
+    """A row of the table: the names of an option, its values, and its help."""
 
     __slots__ = ("form", "help", "hidden", "names", "repeats", "values")
 
     def __init__(self, row: "Sequence[Any]") -> None:
-        """Read the row."""
         self.names, self.form, self.values, self.help, self.hidden, self.repeats = row
 
 
 class Line:
-    """The words of a command before the one that is being typed.
+    """The words of a command before the word being typed.
 
-    `given` are the texts of the options by their longest names; `waiting` is the option whose value
-    comes next, and `offering` one whose file may, or an operand; behind `--` everything is an
+    `given` has the texts of the options by their longest names; `waiting` is the option whose
+    value comes next, and `offering` one with an optional file; after `--` every word is an
     operand.
     """
 
     def __init__(self, command: str, words: "Iterable[str]") -> None:
-        """Tell options from operands."""
+        """Separate options from operands."""
         self.command = command
         _, self.operand, option_rows = COMMANDS[command]
         self.options = [Option(row) for row in option_rows]
@@ -81,10 +79,10 @@ class Line:
                     self.waiting = option
 
     def option(self, name: str) -> Option | None:
-        """The option of that name."""
+        """Return the option of that name."""
         return next((option for option in self.options if name in option.names), None)
 
 
 def is_option(word: str) -> bool:
-    """Whether a word is read as an option: a lone - and a negative number are none."""
+    """Return whether a word is read as an option, not a lone - or a negative number."""
     return word[:1] == "-" and not is_sentence([word])

@@ -1,8 +1,8 @@
-"""Completion in bash, zsh and fish: their scripts, the line they send, the words they get back.
+"""Completion in bash, zsh and fish: their scripts, the line they send, the words they get.
 
 `_RADCALC_COMPLETE=bash_source radcalc` prints the script, which a shell evaluates once.  At a Tab
-it calls `_RADCALC_COMPLETE=bash_complete radcalc` with the line up to the cursor, quotes and all,
-in `COMP_LINE`; nothing that stands there makes radcalc complain.
+it calls `_RADCALC_COMPLETE=bash_complete radcalc` with the line up to the cursor, with quotes, in
+`COMP_LINE`; no such line makes radcalc report an error.
 """
 
 import os
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 VARIABLE = "_RADCALC_COMPLETE"
 LINE, BREAKS = "COMP_LINE", "COMP_WORDBREAKS"
-SAFE = "_-./:=@%+,~^"  # means itself in bash, as letters and digits do
-# A completion that ends its word brings the blank behind it: any bash can do that.
+SAFE = "_-./:=@%+,~^"  # characters that mean themselves in bash, like letters and digits
+# A completion that ends its word includes the blank after it, which every bash can do.
 BASH = """\
 _radcalc_completion() {
     local line
@@ -66,14 +66,14 @@ SCRIPTS = {"bash": BASH, "zsh": ZSH, "fish": FISH}
 
 
 def answer(request: str) -> int:
-    """Write what a shell asks for, and return the exit status."""
+    """Write the answer to a shell, and return the exit status."""
     shell, _, wanted = request.partition("_")
     if shell in SCRIPTS and wanted == "source":
         return _write(SCRIPTS[shell].encode())
     if shell in SCRIPTS and wanted == "complete" and LINE in os.environ:
         lines = WRITERS[shell](Typed(os.environ[LINE], os.environ.get(BREAKS, "")))
         return _write("".join([f"{line}\n" for line in lines]).encode("utf-8", "surrogateescape"))
-    problem = f"{VARIABLE}={quote(request)} asks for nothing that can be completed"
+    problem = f"{VARIABLE}={quote(request)} is not a known request for completion"
     hint = "bash_source, zsh_source or fish_source there, or without it"
     return terminal.complain(UsageError(problem, hint))
 
@@ -89,16 +89,16 @@ def _write(data: bytes) -> int:
 
 
 class Typed:
-    """A line up to the cursor, as a shell has it: its words, and the one that is being typed.
+    """A line up to the cursor: its words, and the word being typed.
 
-    `quote` is the quotation mark that is still open; `cut` is where the part of the last word
-    begins that readline replaces: behind one of its `breaks`, or an open quotation mark.
+    `quote` is an open quotation mark; `cut` is the start of the part of the last word that
+    readline replaces: after one of its `breaks`, or an open quotation mark.
     """
 
     def __init__(self, line: str, breaks: str) -> None:
         self.words: list[str] = []
         self.word, self.quote, self.cut = "", "", 0
-        self.is_redirected = False  # the word is the name of a file, behind < or >
+        self.is_redirected = False  # the word is a file after < or >
         is_word = False
         letters = iter(line)
         for letter in letters:
@@ -132,7 +132,7 @@ class Typed:
         self.is_redirected = False
 
     def completions(self) -> list[Completion]:
-        """What the last word can become; no file whose name would be several lines."""
+        """Return completions of the last word, except files whose names have several lines."""
         if self.is_redirected:
             candidates = files(("",), self.word)
         else:
@@ -143,7 +143,7 @@ class Typed:
 
 
 def _bash(typed: Typed) -> list[str]:
-    """The part of the word that readline replaces, as one has to type it."""
+    """Return the part of the word that readline replaces, as typed."""
     lines = []
     for candidate in typed.completions():
         text = candidate.text[typed.cut :]
@@ -160,7 +160,7 @@ def _escaped(text: str, is_plain: "Callable[[str], bool]") -> str:
 
 
 def _zsh(typed: Typed) -> list[str]:
-    """Word and what is shown of it; a blank before one that ends its word."""
+    """Return the word and its description; a blank precedes one that ends its word."""
     candidates = typed.completions()
     width = max((len(candidate.text) for candidate in candidates), default=0)
     return [
@@ -178,7 +178,7 @@ def _with_description(candidate: Completion, width: int) -> str:
 
 
 def _fish(typed: Typed) -> list[str]:
-    """Word and description."""
+    """Return word and description."""
     return [f"{candidate.text}\t{candidate.description}" for candidate in typed.completions()]
 
 

@@ -1,4 +1,4 @@
-"""The table of completion of sources that no wheel was built of: kept until these change."""
+"""The table of completion of sources without a wheel, kept until they change."""
 
 import ast
 import os
@@ -11,7 +11,7 @@ KEPT = Path(__file__).parent / "__pycache__" / "table.txt"
 
 
 def kept() -> dict[str, Any]:
-    """Return the table that was made of the sources as they are; empty if none was kept."""
+    """Return the table made from the current sources; empty if there is none."""
     with suppress(OSError, UnicodeDecodeError):
         text = KEPT.read_text(encoding="utf-8")
         if text.startswith(_state()):
@@ -20,7 +20,7 @@ def kept() -> dict[str, Any]:
 
 
 def values_of(text: str) -> dict[str, Any]:
-    """Return the values that the text of the module has, by their names."""
+    """Return the values in the text of the module, by name."""
     return {
         node.targets[0].id: ast.literal_eval(node.value)
         for node in ast.parse(text).body
@@ -29,12 +29,12 @@ def values_of(text: str) -> dict[str, Any]:
 
 
 def keep(text: str) -> None:
-    """Keep the text of the module, where the folder can be written."""
+    """Keep the text of the module, if the folder is writable."""
     with suppress(OSError):
         KEPT.parent.mkdir(exist_ok=True)
         path = KEPT.with_suffix(f".{os.getpid()}")
         path.write_text(_state() + text, encoding="utf-8")
-        os.replace(path, KEPT)  # in one step, so that nobody reads a part of it
+        os.replace(path, KEPT)  # in one step, so that nobody reads only a part
 
 
 def _state() -> str:

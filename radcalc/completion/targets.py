@@ -1,4 +1,4 @@
-"""The operands of a conversion: units, and which of them the source's quantity reaches."""
+"""Operands of a conversion: units, and those that the source's quantity reaches."""
 
 from radcalc.completion.line import Completion
 from radcalc.completion.table import NAMES
@@ -25,26 +25,25 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
 
-# The parts that finish a compound unit, behind a stroke and in other products.
+# The last parts of compound units, after a stroke and in other products.
 BELOW = ("m2", "sr", "s", "cm2", "mm2", "ft2", "in2", "nm", "um", "Hz", "THz", "m", "h", "day", "W")
 BESIDE = ("m-2", "sr-1", "s-1", "cm-2", "nm-1", "um-1", "Hz-1", "sr", "s", "h")
-AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1")  # of densities
+AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1")  # in densities
 USUAL = [text.replace(" ", ".") for units, _ in LIGHT_UNITS.values() for text in units]
 USUAL.append("td")
-TYPING = "x"  # in the place of the word that is being typed
+TYPING = "x"  # stands for the word being typed
 
 
 class Alone:
-    """Conditions by their names alone: how much of them there is, the user knows."""
+    """Conditions by name, without a value, which the user knows."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """`--distance`."""
         return f"--{name}"
 
 
 def operands(words: "Sequence[str]", given: "Mapping[str, str]", typed: str) -> list[Completion]:
-    """Every way to finish an operand: a value with its unit, a unit, a target."""
+    """Return every completion of an operand: a value with its unit, a unit, a target."""
     if not words:
         head, number, unit = split_number(typed)
         units = _units("", unit) if number and unit else []
@@ -67,9 +66,9 @@ def operands(words: "Sequence[str]", given: "Mapping[str, str]", typed: str) -> 
 
 
 def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ...]:
-    """The symbols that a conversion lacks."""
+    """Return the symbols that a conversion lacks."""
     source, _, target_words = _read(words)
-    target = unit_of(" ".join(target_words).rpartition(",")[2])  # the last of a list
+    target = unit_of(" ".join(target_words).rpartition(",")[2])  # only the last of a list
     if source and target:
         try:
             plan(source, target, _conditions(given))
@@ -79,13 +78,13 @@ def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ..
 
 
 def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
-    """The unit of VALUE UNIT, whether a separator stands behind it, and the words behind that."""
+    """Return the unit of VALUE UNIT, whether a separator follows it, and the words after it."""
     if words[0] == "-":
         before, separator, target = sides([*words[1:], TYPING], is_stream=True)
         if separator:
             return resolve_any(before), True, target.split()[:-1]
         return (resolve_any(words[1]) if words[1:] else None), False, words[2:]
-    words = read_lists([*words, TYPING])[-1][-1]  # of a list or a range its last value
+    words = read_lists([*words, TYPING])[-1][-1]  # the last value of a list or a range
     amount, separator, later_words = read_value(words)
     if separator:
         return amount.typed[1], True, " ".join(later_words).split()[:-1]
@@ -95,7 +94,7 @@ def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
 
 
 def _conditions(given: "Mapping[str, str]") -> list[Input]:
-    """The conditions as typed; what is no value (yet), or a file, as its example has it."""
+    """Return the conditions as typed; for an incomplete value or a file, its example."""
     conditions = []
     for option, text in given.items():
         name = option.lstrip("-")
@@ -111,14 +110,14 @@ def _conditions(given: "Mapping[str, str]") -> list[Input]:
 
 
 class Reach:
-    """What can be reached from a unit under the conditions that are given."""
+    """The units reached from a unit under the given conditions."""
 
     def __init__(self, source: Unit, given: "Sequence[Input]") -> None:
         self.source, self.given = source, given
         self.known: dict[tuple[object, ...], str | None] = {}
 
     def lacks(self, target: Unit) -> str | None:
-        """What is lacking, '' where nothing is; None where nothing leads there."""
+        """Return the missing conditions, '' for none; None if no condition helps."""
         key = (target.dimension, target.is_exitance, target.has_wavelength, len(target.notes))
         if key not in self.known:
             self.known[key] = self._lacks(target)
@@ -134,9 +133,9 @@ class Reach:
         return ""
 
     def units(self, head: str, typed: str) -> list[Completion]:
-        """The units that begin so: those in reach, those with a condition, those that need none.
+        """Return units with this beginning: those in reach, then those that need a condition.
 
-        A unit of the source's own quantity has no use for conditions, and stands last beside them.
+        Units of the source's own quantity need no conditions; if some are given, they come last.
         """
         reached, conditional, same_dimension = [], [], []
         seen = set() if self.source.is_scale else {frozenset(self.source.atoms)}
@@ -153,7 +152,7 @@ class Reach:
                 reached.append(Completion(text, full_name(unit)))
             elif self.given and unit.dimension == self.source.dimension:
                 same_dimension.append(Completion(text, full_name(unit)))
-        conditional.sort(key=lambda row: row[0])  # what takes least first
+        conditional.sort(key=lambda row: row[0])  # the fewest conditions first
         reached += [] if head else self._scales(typed)
         return [
             *reached,
@@ -163,7 +162,7 @@ class Reach:
         ]
 
     def _scales(self, typed: str) -> list[Completion]:
-        """The scales of the source's quantity that begin so; of any in reach, once typed."""
+        """Return scales with this beginning: of the source's quantity or, once typed, in reach."""
         rows = [(text, self.lacks(unit), description) for text, unit, description in _scales(typed)]
         return [
             Completion(text, f"{description}, with {lack}" if lack else description)
@@ -172,7 +171,7 @@ class Reach:
         ]
 
     def _names(self, head: str, typed: str) -> "Iterator[Completion]":
-        """The names of quantities that begin so and are in reach, with their units."""
+        """Return the names of quantities with this beginning in reach, with their units."""
         for name, (text, is_exitance) in NAMES.items():
             if head or not typed or not name.startswith(typed):
                 continue
@@ -186,7 +185,7 @@ class Reach:
 
 
 def _units(head: str, typed: str) -> list[Completion]:
-    """The units of any quantity that begin so."""
+    """Return the units of any quantity with this beginning."""
     known = [(text, unit_of(head + text)) for text in _texts(None, head, typed)]
     units = [Completion(text, full_name(unit)) for text, unit in known if unit and _is_known(unit)]
     return units + [
@@ -209,7 +208,7 @@ def _is_known(unit: Unit) -> bool:
 
 
 def _texts(source: Unit | None, head: str, typed: str) -> "Iterator[str]":
-    """What may be a unit and begins so, the most usual first; `head` is the unit before it."""
+    """Return units with this beginning, the most usual first; `head` is the unit before."""
     if head:
         yield from (part for part in BESIDE if part.startswith(typed))
         return
@@ -229,7 +228,7 @@ def _texts(source: Unit | None, head: str, typed: str) -> "Iterator[str]":
 
 
 def _spellings(offered_texts: "Sequence[str]", typed: str) -> "Iterator[str]":
-    """Yield the units that begin as typed, and densities of those that are typed whole."""
+    """Yield the units with this beginning, and densities of those typed in full."""
     style = "**" if "**" in typed else "^" if "^" in typed else ""
     measure_texts = [text for units in MEASURES.values() for text, _ in units]
     texts = sorted([*offered_texts, *USUAL, *measure_texts], key=lambda text: text in SPELLINGS)
@@ -242,7 +241,7 @@ def _spellings(offered_texts: "Sequence[str]", typed: str) -> "Iterator[str]":
 
 
 def _powers(text: str, style: str) -> str:
-    """A unit with its powers written in another way: W/m^2."""
+    """Return a unit with its powers written in another way: W/m^2."""
     letters = [
         style + letter if letter.isdigit() and before.isalpha() else letter
         for before, letter in zip(" " + text, text, strict=False)

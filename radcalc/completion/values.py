@@ -1,4 +1,4 @@
-"""What an option or an operand can be: quantities, choices, spectra, files, results."""
+"""Completions of values: quantities, choices, spectra, files, results."""
 
 import os
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 def values_of(form: str, values: "Sequence[Any]", incomplete: str) -> list[Completion]:
-    """Every way to finish a value of that form."""
+    """Return every completion of a value of that form."""
     reader = READERS.get(form)
     return reader(values, incomplete) if reader else []
 
 
 def starting(texts: "Iterable[str]", prefix: str, closes: bool = True) -> list[Completion]:
-    """The texts that begin so."""
+    """Return the texts with this beginning."""
     return [Completion(text, "", closes) for text in texts if text.startswith(prefix)]
 
 
@@ -28,7 +28,7 @@ def _choices(choices: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def _quantities(values: "Sequence[Any]", incomplete: str) -> list[Completion]:
-    """A number with a unit that fits, also at the end of a list or a range; else an example."""
+    """Return a number with units that fit, also at the end of a list or range; or an example."""
     example, quantities = values
     if not incomplete:
         return [Completion(example, "an example")] if example else []
@@ -37,7 +37,7 @@ def _quantities(values: "Sequence[Any]", incomplete: str) -> list[Completion]:
 
 
 def in_units(quantities: "Sequence[str]", incomplete: str, likely: str = "") -> list[Completion]:
-    """A number, the last of a list or a range, with each of its units, a likely one first."""
+    """Return a number (the last of a list or a range) with each unit, a likely one first."""
     head, number, typed = split_number(incomplete)
     if not number:
         return []
@@ -50,7 +50,7 @@ def in_units(quantities: "Sequence[str]", incomplete: str, likely: str = "") -> 
 
 
 def units_of(quantities: "Sequence[str]", typed: str) -> list[tuple[str, str]]:
-    """The units that begin so, with what they are called; unasked none of the long names."""
+    """Return the units with this beginning and their names; long names only once typed."""
     return [
         (text, description)
         for name in quantities
@@ -60,7 +60,7 @@ def units_of(quantities: "Sequence[str]", typed: str) -> list[tuple[str, str]]:
 
 
 def split_number(text: str) -> tuple[str, str, str]:
-    """What stands before the last number of a list or range, the number, and its unit so far."""
+    """Split a list or range: the text before the last number, the number, and its unit."""
     start = max(text.rfind(","), text.rfind(":")) + 1
     head, last = text[:start], text[start:]
     for end in range(len(last), 0, -1):
@@ -69,11 +69,11 @@ def split_number(text: str) -> tuple[str, str, str]:
     return head, "", last
 
 
-Results = dict[str, tuple[bool, tuple[str, ...]]]  # of one kind of light; what it measures
+Results = dict[str, tuple[bool, tuple[str, ...]]]  # whether of one kind of light; its units
 
 
 def _results(results: Results, incomplete: str) -> list[Completion]:
-    """NAME or NAME:UNIT."""
+    """Return NAME or NAME:UNIT."""
     name, colon, unit = incomplete.partition(":")
     fitting = _named(results, name)
     if name in results and (colon or len(fitting) == 1):
@@ -86,13 +86,13 @@ def _results(results: Results, incomplete: str) -> list[Completion]:
 
 
 def _named(results: Results, typed: str) -> list[str]:
-    """The results that begin so; those of one kind of light once something is typed."""
+    """Return the results with this beginning; those of one kind of light only once typed."""
     fitting = [name for name in results if name.startswith(typed)]
     return fitting if typed else [name for name in fitting if not results[name][0]]
 
 
 def _claims(results: Results, incomplete: str) -> list[Completion]:
-    """NAME=VALUE with its unit."""
+    """Return NAME=VALUE with its unit."""
     name, equals, value = incomplete.partition("=")
     if not equals:
         return [Completion(f"{result}=", "", False) for result in _named(results, name)]
@@ -104,7 +104,7 @@ def _claims(results: Results, incomplete: str) -> list[Completion]:
 
 
 def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """The kinds that take parameters, the names of sources, files."""
+    """Return the kinds with parameters, the names of sources, and files."""
     kind, colon, parameters = incomplete.partition(":")
     if colon and kind in FORMS:
         head, number, typed = split_number(parameters)
@@ -124,14 +124,14 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """The name of a quantity, or a unit."""
+    """Return the names of quantities, or units."""
     named = [Completion(name, row[0]) for name, row in NAMES.items() if name.startswith(incomplete)]
     units = units_of(list(UNITS), incomplete) if incomplete else []
     return named + [Completion(text, description) for text, description in units]
 
 
 def _units(quantities: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """A unit of these quantities, or 1 for none."""
+    """Return the units of these quantities, or 1."""
     return [
         Completion(text, description)
         for text, description in [*units_of(quantities, incomplete), ("1", "")]
@@ -154,7 +154,7 @@ def _files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def _figures(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Folders and figures: another word is none of these."""
+    """Return folders and files of figures."""
     return [
         completion
         for completion in files(endings, incomplete)
@@ -163,7 +163,7 @@ def _figures(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Folders, and the files with such an ending; every file where none has."""
+    """Return folders, and the files with these endings; every file if none has."""
     folder, name = os.path.split(incomplete)
     typed = incomplete[: len(incomplete) - len(name)]
     fitting: list[Completion] = []
@@ -172,7 +172,7 @@ def files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
         entries = sorted(
             os.scandir(os.path.expanduser(folder) or "."), key=lambda entry: entry.name
         )
-    except (OSError, ValueError):  # a name that no file has
+    except (OSError, ValueError):  # an impossible name of a file
         return []
     for entry in entries:
         if not entry.name.startswith(name) or (entry.name[0] == "." and name[:1] != "."):

@@ -11,10 +11,10 @@ if TYPE_CHECKING:
 
 
 class Source(NamedTuple):
-    """An input of which standard input has the values: bare numbers of a unit, or texts with one.
+    """An input whose values come from standard input: bare numbers of a unit, or texts with one.
 
-    `read` reads a text as that of a call of its own, and `check` refuses a unit that it cannot
-    have; `is_bare` where the texts are numbers.
+    `read` reads a text like one on the command line, and `check` refuses a unit that the input
+    cannot have; `is_bare` if the texts are bare numbers.
     """
 
     name: str

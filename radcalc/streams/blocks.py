@@ -1,14 +1,14 @@
 """Blocks of numbers through a plan: the answers of `Plan.apply`, many at a time.
 
-A plan between two units is an exact fraction, applied with one rounding.  Here floats alone
-have to give the same, and there are two ways to know that they do:
+A plan between two units is an exact fraction, applied with one rounding.  Here floats must give
+the same result, which is certain in two cases:
 
-- Where the fraction is a decimal of few digits (1 lx = 0.09290304 fc) and so are the numbers,
-  their product is a decimal of at most 15 digits.  Either it lies halfway between two numbers
-  of the precision asked for, which the factors of 2 in it exclude, or it is further from that
-  than three roundings can carry it: a plain product prints the same digits.
-- Otherwise the product is taken in two parts, with a bound on what is lost.  Where both ends of
-  the interval round to one float, that is the exact answer; where not, the fraction decides.
+- The fraction is a decimal of few digits (1 lx = 0.09290304 fc), as are the numbers: their product
+  is a decimal of at most 15 digits.  It never lies halfway between two numbers of the required
+  precision, because of its factors of 2, and otherwise it is further from that point than three
+  roundings can move it: a plain product prints the same digits.
+- The product is computed in two parts, with a bound on the error.  If both ends of the interval
+  round to one float, that is the exact answer; if not, the fraction decides.
 """
 
 from math import gcd
@@ -17,26 +17,26 @@ from radcalc.conversion.linear import Plan
 from radcalc.errors import RadcalcError
 from radcalc.units.unit import divide
 
-SHAPE = bytes.maketrans(b"123456789E", b"000000000e")  # any digit is 0, to look for long numbers
+SHAPE = bytes.maketrans(b"123456789E", b"000000000e")  # every digit becomes 0, to find long numbers
 SIGNS = b".+-"
-SPLITTER = 134217729.0  # 2^27 + 1 halves a float's 53 bits (Veltkamp)
-LOST = 2.0**-75  # more than what the parts of a product lose, relative to it
-SMALL, LARGE = 1e-100, 1e100  # between these no part of a product leaves the range of a float
-LONGEST = 99  # digits of a number that is surely between them, or 0
-MOST_DIGITS, MOST_PRECISION = 15, 14  # of decimals that three roundings do not confuse
+SPLITTER = 134217729.0  # 2^27 + 1 splits the 53 bits of a float (Veltkamp)
+LOST = 2.0**-75  # bound of the relative error of a product in parts
+SMALL, LARGE = 1e-100, 1e100  # between these, every part of a product is in the range of a float
+LONGEST = 99  # digits of a number that is certainly between them, or 0
+MOST_DIGITS, MOST_PRECISION = 15, 14  # digits of decimals that three roundings keep distinct
 
 
 class Bulk:
-    """A plan made ready for blocks of numbers, shown with `precision` digits."""
+    """A plan prepared for blocks of numbers, shown with `precision` digits."""
 
     def __init__(self, plan: Plan, precision: int) -> None:
-        """Choose the way: see the module."""
+        """Choose the method: see the module."""
         self.plan = plan
         self.factor = plan.factor
         self.line = b"%%.%dg\n" % precision
         able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
         self.able = able or not plan.is_linear
-        self.digits = LONGEST  # numbers of so many digits are multiplied as they are
+        self.digits = LONGEST  # numbers of at most so many digits take a plain product
         if not plan.links and plan.is_linear:
             over = plan.source.top * plan.target.bottom
             under = plan.source.bottom * plan.target.top
@@ -45,17 +45,17 @@ class Bulk:
                 self._split(over, under)
 
     def _split(self, over: int, under: int) -> None:
-        """Cut the factor into a part of 26 bits and the rest."""
+        """Split the factor into a part of 26 bits and the rest."""
         scaled = SPLITTER * self.factor
         self.high = scaled - (scaled - self.factor)
         top, bottom = self.high.as_integer_ratio()
         self.low = divide(over * bottom - top * under, under * bottom)
 
     def lines(self, block: bytes) -> bytes | None:
-        """Convert lines of one decimal number each; None where anything is unusual.
+        """Convert lines of one decimal number each; return None if any is unusual.
 
-        What is not taken here (blanks, an empty line, `1/3`, a number out of range) is not
-        wrong: it has to be read by the grammar.
+        Unusual lines (blanks, an empty line, `1/3`, a number out of range) are not errors: the
+        grammar must read them.
         """
         shape = shape_of(block)
         if shape is None or not self.able:
@@ -99,14 +99,14 @@ class Bulk:
 
 
 def shape_of(block: bytes) -> bytes | None:
-    """Lines of decimal numbers with every digit as 0; None where there may be anything else."""
+    """Return lines of decimal numbers with every digit as 0, or None for other lines."""
     shape = block.translate(SHAPE, SIGNS)
     is_other = shape.translate(None, b"0e\n") or b"0" * (LONGEST + 1) in shape
     return None if is_other else shape
 
 
 def numbers(texts: list[bytes]) -> list[float] | None:
-    """Decimal numbers as the grammar reads them; None where any text is anything else, or -0."""
+    """Return decimal numbers as the grammar reads them, or None for other texts or -0."""
     block = b"\n".join(texts) + b"\n"
     shape = shape_of(block)
     if shape is None:
@@ -126,12 +126,12 @@ def _in_range(texts: list[bytes]) -> bool:
 
 
 def plain_digits(over: int, under: int, precision: int) -> int:
-    """Return how long numbers may be so that their plain product with over/under prints right.
+    """Return the digits of numbers whose plain product with over/under is printed correctly.
 
-    0 where the fraction is no decimal of few digits.  With T the digits of the fraction as a
-    whole number, a number N of n digits gives N T of at most n + digits(T) digits.  Only where
-    N T has L digits and is 5 * 10^(L - precision - 1) times an odd number does it lie halfway,
-    and then 2 divides it exactly L - precision - 1 times; but it does so at least as often as T.
+    Return 0 if the fraction is not a decimal of few digits.  With T the digits of the fraction as
+    a whole number, a number N of n digits gives N T of at most n + digits(T) digits.  N T lies
+    halfway only if it has L digits and is 5 * 10^(L - precision - 1) times an odd number; then 2
+    divides it exactly L - precision - 1 times, but it does so at least as often as T.
     """
     under //= gcd(over, under)
     tens = next((power for power in range(23) if 10**power % under == 0), None)

@@ -1,8 +1,8 @@
-"""The texts of a stream that are one input of a calculator: an answer to each.
+"""Texts of a stream as one input of a calculator, with an answer to each.
 
-Many plain numbers of one unit are an array, which the calculator takes at once, `exactly`: each
-element has the last bit that a float has.  A stream cuts a block that has a bad number into smaller
-ones, and a few texts are worked out one by one.
+Many plain numbers of one unit are an array that the calculator takes at once, `exactly`: each
+element has the last bit of a single float.  A block with a bad number is divided into smaller ones,
+and a few texts are calculated one by one.
 """
 
 from collections.abc import Callable, Sequence
@@ -22,24 +22,24 @@ from radcalc.streams.readers import LONGEST_UNIT, MOST_UNITS, POINT, by_unit, de
 from radcalc.terminal import remarks
 from radcalc.units.numbers import parse_number
 
-# How many texts are worked out at once: at first so many that they take longer than loading NumPy.
+# Texts in one calculation: the first block takes longer than loading NumPy.
 FIRST, FEWEST = 256, 16
-JOINED = "%‰°"  # which stand behind a number without a blank, as letters do
-SEVERAL = "{} answers fit '{}', and a line has one", "a call of its own for it"
+JOINED = "%‰°"  # written after a number without a blank, like letters
+SEVERAL = "{} answers fit '{}', but a line has one", "a separate call for it"
 
 
 class LineAnswer(NamedTuple):
-    """The answer to a text, and the results of it that are wanted."""
+    """The answer to a text, and its requested results."""
 
     answer: Answer
     rows: list[Row]
 
 
 class Calculated:
-    """Texts that are an input, each of which becomes the results that are wanted.
+    """Texts of an input, each replaced by the requested results.
 
-    With a unit of its own the input's texts are bare numbers.  `work_out` answers to what was
-    given; `hear` takes what is to be said of the answer to some lines.
+    If the input has a unit, its texts are bare numbers.  `work_out` answers an input; `hear`
+    takes the remarks on the answer to some lines.
     """
 
     def __init__(
@@ -51,8 +51,8 @@ class Calculated:
         precision: int | None = None,
         mark: bytes = POINT,
     ) -> None:
-        """Take the calculator, what is asked of it, and the decimal mark of the numbers."""
-        self.line = 0  # at which the stream is
+        """Take the calculator, the request, and the decimal mark of the numbers."""
+        self.line = 0  # the current line
         self.source = source
         self.work_out = work_out
         self.wanted = tuple(wanted)
@@ -60,11 +60,11 @@ class Calculated:
         self.precision = precision
         self.mark = mark
         self.form = "\t".join([f"%.{precision or DIGITS}g"] * len(self.wanted)).encode()
-        self.units: dict[bytes, Input] = {}  # the first of each
+        self.units: dict[bytes, Input] = {}  # the first of each unit
         self.fewest = FIRST
 
     def read(self, text: bytes) -> tuple[Input, LineAnswer]:
-        """Return what a text gives, and the answer to it."""
+        """Return the input of a text, and its answer."""
         typed = self._typed(pointed(decoded(text), self.mark))
         try:
             given = self.source.read(typed)
@@ -74,7 +74,7 @@ class Calculated:
         return given, self.find(given)
 
     def _typed(self, text: str) -> str:
-        """A text as the option of a call of its own would have it."""
+        """Return a text as the option of a single call."""
         unit = self.source.unit
         if not unit:
             return text
@@ -89,7 +89,7 @@ class Calculated:
         return f"{text}{unit}" if is_joined else f"{text} {unit}"
 
     def find(self, given: Input) -> LineAnswer:
-        """Return the answer to an input, and the wanted results in the units of the first."""
+        """Return the answer to an input, and the requested results in the units of the first."""
         answer = self.work_out(given)
         if answer.more:
             problem, hint = SEVERAL
@@ -99,20 +99,20 @@ class Calculated:
         return LineAnswer(answer, rows)
 
     def show(self, given: Input, result: LineAnswer) -> bytes:
-        """Return what stands in the output for a text that was read."""
+        """Return the output for a text."""
         self.hear(remarks_of(result.answer), range(self.line, self.line + 1))
         line = "\t".join([number(row.value, self.precision) for row in result.rows])
         return line.encode().replace(POINT, self.mark)
 
     def lines(self, block: bytes) -> bytes | None:
-        """Work out a block of lines, each of them one text; None where any is unusual."""
+        """Calculate a block of lines, each of one text; return None if any is unusual."""
         texts = block.split(b"\n")
         texts.pop()
         converted = self._format(texts)
         return None if converted is None else converted + b"\n"
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
-        """Work out many texts; None where any is unusual."""
+        """Calculate many texts; return None if any is unusual."""
         converted = self._format(texts)
         return None if converted is None else converted.split(b"\n")
 
@@ -130,7 +130,7 @@ class Calculated:
         return lines if self.mark == POINT else lines.replace(POINT, self.mark)
 
     def _columns(self, texts: list[bytes]) -> "list[list[float]] | None":
-        """Return the results of each text in columns, those of one unit at a time."""
+        """Return the results of each text in columns, one unit at a time."""
         if len(texts) < self.fewest:
             return None
         if self.source.unit:
@@ -152,7 +152,7 @@ class Calculated:
     def _of_unit(
         self, unit: bytes, texts: list[bytes], bare: list[bytes], lines: Sequence[int]
     ) -> list[list[float]] | None:
-        """Return the results of texts of one unit, whose numbers are `bare`."""
+        """Return the results of texts of one unit, with the numbers `bare`."""
         values = numbers(bare)
         if values is None or len(unit) > LONGEST_UNIT or unit != unit.rstrip():
             return None
@@ -166,13 +166,13 @@ class Calculated:
             with exactly(), numpy.errstate(all="raise", under="ignore"):
                 result = self.find(with_numbers(given, numpy.array(values)))
         except (ArithmeticError, ValueError, DigitsMatter, RadcalcError):
-            return None  # of some of them, which are found in smaller parts
+            return None  # some of them fail, and are found in smaller parts
         self.hear(remarks_of(result.answer), lines)
         count = len(values)
         return [numpy.broadcast_to(row.value, count).tolist() for row in result.rows]
 
     def _first(self, unit: bytes, text: bytes, line: int) -> Input:
-        """Return what the first text of a unit gives, once it has an answer of its own."""
+        """Answer the first text of a unit, alone."""
         if unit not in self.units:
             if len(self.units) >= MOST_UNITS:
                 self.units.clear()
@@ -183,5 +183,5 @@ class Calculated:
 
 
 def remarks_of(answer: Answer) -> list[str]:
-    """Return what is assumed and noted, a line each."""
+    """Return assumptions and notes, a line each."""
     return remarks(answer.assumptions, answer.notes)

@@ -1,8 +1,8 @@
-"""The times of a log: of a calendar, as Unix time, or what has passed since the start.
+"""Times of a log: calendar times, Unix time, or times since the start.
 
-A clock turns texts into ticks, which are whole nanoseconds since 1970 in UTC for dates, and
-numbers in the log's own unit for what has passed.  A local time that comes twice, as clocks are
-put back, is told by the order; one that is left out, as they are put forward, is refused.
+A clock turns texts into ticks: whole nanoseconds since 1970 in UTC for dates, or numbers in the
+log's own unit for elapsed times.  A local time that occurs twice, when clocks are put back, is
+resolved by the order; one that does not exist, when they are put forward, is refused.
 """
 
 import re
@@ -33,7 +33,7 @@ from radcalc.units.unit import Unit
 
 PERIODS = PER_DAY, PER_HOUR = "day", "hour"
 LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
-MOST_KNOWN = 200_000  # texts of dates or clocks that are remembered
+MOST_KNOWN = 200_000  # texts of dates or times in the cache
 # Unix time from 2001 to 2286: ticks by the digits before the point.
 OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
 UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
@@ -41,9 +41,9 @@ ZONE = option("time-zone", "Europe/Prague")
 
 
 class TimeSettings(NamedTuple):
-    """The settings for times: the zone, the unit of numbers, the format of dates.
+    """The settings for times: zone, unit of numbers, format of dates.
 
-    The title of their column may have told something, and the unit `declared` there.
+    The title of their column is `title`, with the unit `declared`.
     """
 
     zone: str = ""
@@ -54,7 +54,7 @@ class TimeSettings(NamedTuple):
 
 
 class Interval(NamedTuple):
-    """A day or an hour: from one tick up to another, and what it is called."""
+    """A day or an hour: its first tick, its end, and its label."""
 
     start: int
     end: int
@@ -62,13 +62,13 @@ class Interval(NamedTuple):
 
 
 class Undecided(NumberError):
-    """A local time before this one came twice, and no order tells which of both it is."""
+    """An earlier local time occurs twice, and the order does not tell which one it is."""
 
 
 class Elapsed:
-    """Numbers of a unit that have passed since some start."""
+    """Numbers of a unit elapsed since some start."""
 
-    has_numbers = True  # whose decimals have marks
+    has_numbers = True  # decimals with a mark
     doubtful = ""
 
     def __init__(self, unit: Unit) -> None:
@@ -77,7 +77,7 @@ class Elapsed:
         self.assumptions: tuple[str, ...] = ()
 
     def many(self, texts: list[str]) -> list[float]:
-        """Return the ticks of many texts; ValueError where any is unusual."""
+        """Return the ticks of many texts; raise ValueError if any is unusual."""
         _refuse_odd_digits(texts)
         return columns.finite_numbers(texts)
 
@@ -89,19 +89,19 @@ class Elapsed:
         return value
 
     def say(self, tick: float) -> str:
-        """A time for people."""
+        """Return a time for people."""
         return f"{tick:.12g} {self.unit.text}"
 
     def period(self, tick: float, by: str) -> Interval:
-        """Refuse days: a time without a date is in none."""
+        """Refuse days: a time without a date has none."""
         raise ConditionError(
-            f"the times have no date, and no {by} to add up by",
+            f"the times have no date, so they have no {by}",
             "times with dates: 2024-06-01T12:35, or Unix time",
         )
 
 
 class Calendar:
-    """Dates with the time of the day, in one zone or with offsets of their own."""
+    """Dates with times of day, in one zone or with their own offsets."""
 
     tick = 1, SECOND
     has_numbers = False
@@ -111,7 +111,7 @@ class Calendar:
     ) -> None:
         """Read by a pattern; the first stamp shows whether there are offsets.
 
-        A title may have told the offset of all the stamps [ticks].
+        The title may have the offset of all stamps [ticks].
         """
         self.zone = zone
         self.pattern = pattern
@@ -123,26 +123,26 @@ class Calendar:
             self.offsets.add(of_title)
         self.days = _Known(self._day)
         self.clocks = _Known(self._clock)
-        self.last: int | None = None  # tick, of what is local
-        self.doubtful = ""  # a text that may be the first or the second of two
+        self.last: int | None = None  # ticks of local texts
+        self.doubtful = ""  # a text that may be the first or the second time
         self.resolved = ""
-        self.by = ""  # what was added up by
+        self.by = ""  # the period of the sums
 
     def many(self, texts: list[str]) -> list[int]:
-        """Return the ticks of one text or more; any error where one of them is unusual."""
+        """Return the ticks of texts; raise any error if one of them is unusual."""
         days, clocks = self.days, self.clocks
         if self.doubtful or not self.pattern.mark:
             raise ValueError
         mark = self.pattern.mark
         day = texts[0].partition(mark)[0]
         text = "\n" + "\n".join(texts)
-        if text.count(f"\n{day}{mark}") == len(texts):  # all of one day, as most of a log is
+        if text.count(f"\n{day}{mark}") == len(texts):  # all of one day, like most of a log
             midnight = days[day]
             clock_texts = text.replace(f"\n{day}{mark}", "\n").split("\n")[1:]
             ticks = [midnight + clocks[time] for time in clock_texts]  # type: ignore[operator]
         else:
             parts = [text.partition(mark) for text in texts]
-            # a day on which the clocks change is None, and adds to nothing
+            # a day with a clock change is None, and the addition fails
             ticks = [days[day] + clocks[time] for day, _, time in parts]  # type: ignore[operator]
         self.last = ticks[-1]
         return ticks
@@ -157,7 +157,7 @@ class Calendar:
         return self.last
 
     def _day(self, text: str) -> int | None:
-        """Return the tick of a day's midnight; None where the clocks change on that day."""
+        """Return the tick of a day's midnight, or None if the clocks change on that day."""
         day = self.pattern.day(text)
         if not self.is_local:
             return day - (self.of_title or 0)
@@ -166,7 +166,7 @@ class Calendar:
         return day - offsets.pop() if len(offsets) == 1 else None
 
     def _clock(self, text: str) -> int:
-        """Ticks since midnight, less the offset."""
+        """Return ticks since midnight, less the offset."""
         ticks, offset = self.pattern.clock(text)
         if (offset is not None) != self.has_offsets:
             problem = "an offset" if offset is not None else "no offset"
@@ -176,7 +176,7 @@ class Calendar:
         return ticks - (offset or 0)
 
     def _local(self, local: int, text: str) -> int:
-        """Return the tick of a local time: which of two it is, its order tells."""
+        """Return the tick of a local time; the order resolves one that occurs twice."""
         assert self.zone is not None
         candidates = {local - _offset(self.zone, local, fold) for fold in (0, 1)}
         ticks = sorted(t for t in candidates if t + _offset_at(self.zone, t) == local)
@@ -199,28 +199,28 @@ class Calendar:
         return ticks[1]
 
     def comes_twice(self, text: str, tick: int) -> NumberError:
-        """Return what is wrong with a time of which no order tells which of two it is."""
+        """Return the error of a time that occurs twice, unresolved by the order."""
         assert self.zone is not None
         return NumberError(*_comes_twice(text, self.zone, tick + _offset_at(self.zone, tick)))
 
     @property
     def shown_in(self) -> tzinfo:
-        """The zone of days, hours and messages."""
+        """Return the zone of days, hours and messages."""
         if self.zone:
             return self.zone
         return _fixed(next(iter(self.offsets))) if len(self.offsets) == 1 else UTC
 
     @property
     def has_offset(self) -> bool:
-        """Check whether it is known how far the times are from UTC."""
+        """Return whether the offset of the times from UTC is known."""
         return bool(self.zone or self.offsets)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """Return how the stamps were read, where they do not say so."""
+        """Return how ambiguous stamps were read."""
         assumptions = (self.pattern.assumption,) if self.pattern.assumption else ()
         if not self.has_offset:
-            zone = f"the times are of a zone without changes of daylight saving time ({ZONE})"
+            zone = f"the times are in a zone without changes of daylight saving time ({ZONE})"
             assumptions = (*assumptions, zone)
         elif self.by and not self.zone:
             zone = _format_offset(_offset_at(self.shown_in, 0))
@@ -228,7 +228,7 @@ class Calendar:
         if self.resolved:
             assumptions = (
                 *assumptions,
-                f"the hour that comes twice is told by the order ('{self.resolved}')",
+                f"the hour that comes twice is resolved by the order ('{self.resolved}')",
             )
         if self.doubtful:
             assumptions = (
@@ -238,7 +238,7 @@ class Calendar:
         return assumptions
 
     def say(self, tick: float) -> str:
-        """A time for people."""
+        """Return a time for people."""
         seconds, fraction = divmod(int(tick), SECOND)
         text = _at(self.shown_in, seconds).strftime("%Y-%m-%d %H:%M:%S")
         if fraction:
@@ -246,9 +246,9 @@ class Calendar:
         return text + self._offset_text(_offset_at(self.shown_in, int(tick)))
 
     def period(self, tick: float, by: str) -> Interval:
-        """Return the local day or hour of a time, which may be a day of 23 hours or of 25."""
+        """Return the local day or hour of a time; a day may have 23 or 25 hours."""
         if self.zone is None and len(self.offsets) > 1:
-            raise MissingInput(f"the offset changes: which zone has the {by}s is missing", ZONE)
+            raise MissingInput(f"the offset changes: the zone of the {by}s is missing", ZONE)
         self.by = by
         zone = self.shown_in
         local = _at(zone, int(tick) // SECOND)
@@ -265,7 +265,7 @@ class Calendar:
 
 
 class Unix(Calendar):
-    """Seconds since 1970, or thousandths of them and so on."""
+    """Seconds since 1970, or milliseconds and so on."""
 
     has_numbers = True
 
@@ -275,7 +275,7 @@ class Unix(Calendar):
         self.is_utc = zone is None
 
     def many(self, texts: list[str]) -> list[int]:
-        """Return the ticks of many texts, which are in order."""
+        """Return the ticks of many texts in order."""
         _refuse_odd_digits(texts)
         try:
             ticks = [int(text) * self.ticks for text in texts]
@@ -290,15 +290,15 @@ class Unix(Calendar):
         from decimal import Decimal
 
         if not OF_UNIX.fullmatch(text):
-            raise NumberError(f"'{quote(text)}' is no Unix time", "seconds since 1970")
+            raise NumberError(f"'{quote(text)}' is not a Unix time", "seconds since 1970")
         tick = round(Decimal(text.replace(",", ".")) * self.ticks)
         if not 0 < tick < LATEST:
-            raise NumberError(f"'{quote(text)}' is no Unix time", f"up to the year {LAST_YEAR}")
+            raise NumberError(f"'{quote(text)}' is not a Unix time", f"up to the year {LAST_YEAR}")
         return tick
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """In which unit they are."""
+        """Return the unit of the times."""
         names = {SECOND: "seconds", 10**6: "milliseconds", 10**3: "microseconds"}
         assumption = f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}"
         return (
@@ -315,7 +315,7 @@ T = TypeVar("T")
 
 
 class _Known(dict[str, T]):
-    """The values of texts, each read once; a bounded number of them is remembered."""
+    """A bounded cache of the values of texts."""
 
     def __init__(self, read: Callable[[str], T]) -> None:
         super().__init__()
@@ -330,7 +330,7 @@ class _Known(dict[str, T]):
 
 
 def clock_for(first: str, settings: TimeSettings) -> Clock:
-    """Return what reads the times of a log, of which the first is known."""
+    """Return the reader of the times of a log, from the first time."""
     zone = zone_of(settings.zone) if settings.zone else None
     if settings.format:
         if settings.unit:
@@ -341,20 +341,20 @@ def clock_for(first: str, settings: TimeSettings) -> Clock:
     if columns.is_number(first, comma=True):
         return _of_numbers(first, settings, zone)
     if settings.unit:
-        problem = f"{option('time-unit', quote(settings.unit))} is of numbers, not of"
+        problem = f"{option('time-unit', quote(settings.unit))} applies to numbers, not to"
         raise ConditionError(f"{problem} '{quote(first)}'", "the same without it")
     pattern = pattern_of(first, settings.title)
     return Calendar(zone, pattern, first, offset_in(settings.title))
 
 
 def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Clock:
-    """Unix time, a date in digits alone, or what has passed in a unit."""
+    """Return the reader of Unix time, dates of digits, or times elapsed in a unit."""
     integer_part = first.replace(",", ".").partition(".")[0]
     unit = settings.declared
     if settings.unit:
         declared = resolve(settings.unit)
         if declared.dimension != TIME:
-            problem = f"{option('time-unit', quote(settings.unit))} is no unit of time"
+            problem = f"{option('time-unit', quote(settings.unit))} is not a unit of time"
             raise ConditionError(problem, "s, ms, min, h")
         if unit and (unit.top, unit.bottom) != (declared.top, declared.bottom):
             problem = f"{option('time-unit', quote(settings.unit))} contradicts the title"
@@ -379,7 +379,7 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
 
 
 def zone_of(text: str) -> tzinfo:
-    """A zone by its name, or one with a fixed offset."""
+    """Return a zone by name, or one with a fixed offset."""
     if re.fullmatch(OFFSET, text):
         return _fixed(read_offset(text))
     from zoneinfo import ZoneInfo, available_timezones
@@ -391,14 +391,13 @@ def zone_of(text: str) -> tzinfo:
     names = available_timezones()
     if not names:
         raise ConditionError(
-            f"this system has no data of time zones, and {option('time-zone', quote(text))} "
-            "is not known",
+            f"this system has no time zone data: {option('time-zone', quote(text))} is unknown",
             mention("the package tzdata, or a fixed offset: {time-zone=+02:00}"),
         )
     from radcalc.errors import nearest
 
     near = nearest(text, names) or ["Europe/Prague, +02:00 or UTC"]
-    raise ConditionError(f"there is no time zone '{quote(text)}'", ", ".join(near))
+    raise ConditionError(f"unknown time zone '{quote(text)}'", ", ".join(near))
 
 
 def _fixed(offset: int) -> tzinfo:
@@ -406,13 +405,13 @@ def _fixed(offset: int) -> tzinfo:
 
 
 def _format_offset(offset: int) -> str:
-    """An offset as a stamp has it."""
+    """Return an offset as in a stamp."""
     minutes = abs(offset) // (60 * SECOND)
     return f"{'-' if offset < 0 else '+'}{minutes // 60:02}:{minutes % 60:02}"
 
 
 def _offset(zone: tzinfo, local: int, fold: int) -> int:
-    """Return the offset of a local time from UTC, in ticks; of two, the first or the second."""
+    """Return the offset of a local time from UTC in ticks; of two, the first or the second."""
     when = (EPOCH + timedelta(seconds=local // SECOND)).replace(fold=fold)
     offset = zone.utcoffset(when)
     assert offset is not None
@@ -420,7 +419,7 @@ def _offset(zone: tzinfo, local: int, fold: int) -> int:
 
 
 def _at(zone: tzinfo, seconds: int) -> datetime:
-    """Return the local time, seconds after 1970 in UTC."""
+    """Return the local time at seconds since 1970 in UTC."""
     return (EPOCH + timedelta(seconds=seconds)).replace(tzinfo=UTC).astimezone(zone)
 
 
@@ -438,14 +437,14 @@ def _tick(zone: tzinfo, local: datetime) -> int:
 
 def _comes_twice(text: str, zone: tzinfo, local: int) -> tuple[str, str]:
     return (
-        f"'{quote(text)}' comes twice in {zone}, as clocks are put back, and the log has no order "
-        "that tells which it is",
+        f"'{quote(text)}' comes twice in {zone}, as clocks are put back, and the order "
+        "of the log does not resolve it",
         f"times with offsets, or {_without_change(zone, local)}",
     )
 
 
 def _without_change(zone: tzinfo, local: int) -> str:
-    """Return what helps where a clock shows the same time all the year, that of the winter."""
+    """Return the hint for a clock on winter time all the year."""
     offset = min(_offset(zone, local, fold) for fold in (0, 1))
     return f"{option('time-zone', _format_offset(offset))}, where the clock was not changed"
 

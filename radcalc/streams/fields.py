@@ -1,4 +1,4 @@
-"""Which fields of a line are meant, and where in the line they stand.  All of it in bytes."""
+"""Fields of a line, as bytes: the selected ones, and their places."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -8,31 +8,31 @@ from radcalc.errors import MINUS, NumberError, UsageError, option, quote
 
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
-MOST = 1_000_000  # as a field's number
-LONG = 1 << 16  # bytes of a header in which the units in brackets are not looked for
+MOST = 1_000_000  # the greatest number of a field
+LONG = 1 << 16  # bytes of a header too long to search for units in brackets
 FIELDS = "N, N-, N-M, -M or several of them with commas between"
 
-Span = tuple[int, int]  # where a text begins and ends
-Convert = Callable[[list[bytes]], list[bytes] | None]  # many texts, or None where any is unusual
+Span = tuple[int, int]  # start and end of a text
+Convert = Callable[[list[bytes]], list[bytes] | None]  # converts many texts; None if any is unusual
 
 
 class Fields:
-    """A list of fields as `cut` and `numfmt` take it: `2`, `1,3`, `2-4`, `3-`, `-2`."""
+    """A list of fields as in `cut` and `numfmt`: `2`, `1,3`, `2-4`, `3-`, `-2`."""
 
     def __init__(self, text: str = "1") -> None:
-        """Read the list; raise UsageError where it is none."""
+        """Read the list; raise UsageError if it is invalid."""
         self.ranges = sorted(_range(text, part) for part in text.replace(MINUS, "-").split(","))
         self.last = max(last or first for first, last in self.ranges)
 
     @property
     def is_one(self) -> bool:
-        """Check whether it is one field, whatever the line."""
+        """Return whether it is one field for every line."""
         return self.ranges == [(self.last, self.last)]
 
     def of(self, count: int) -> Iterator[int]:
-        """Return the indices of the fields meant, in order, of a line that has `count` of them."""
+        """Return the indices of the selected fields, in order, of a line with `count` fields."""
         if count < self.last:
-            raise NumberError(f"there is no field {self.last}", f"a line of {self.last} fields")
+            raise NumberError(f"field {self.last} is missing", f"a line of {self.last} fields")
         chosen, done = [], 0
         for first, last in self.ranges:
             end = last or count
@@ -42,7 +42,7 @@ class Fields:
 
 
 def _range(text: str, part: str) -> tuple[int, int]:
-    """Return the first and the last field of a part of a list; 0 for the last of a line."""
+    """Return the first and last field of a part of a list; 0 for the last of a line."""
     option_text = option("field", quote(text))
     first, dash, last = part.strip().partition("-")
     numbers = [first or "1", last or "0"] if dash else [first, first]
@@ -57,7 +57,7 @@ def _range(text: str, part: str) -> tuple[int, int]:
 
 
 def read_delimiter(text: str) -> str:
-    """One character, or the name of one that a shell makes hard to type."""
+    """Read one character, or the name of one that is hard to type at a shell."""
     character = NAMED.get(text.lower(), text)
     if len(character) != 1 or character in '"\n\r\0':
         raise UsageError(
@@ -68,11 +68,11 @@ def read_delimiter(text: str) -> str:
 
 
 def typed_delimiter(character: str) -> str:
-    """A delimiter as one types it: the name of one that has a name."""
+    """Return a delimiter as typed: its name, if it has one."""
     return next((name for name, known in NAMED.items() if known == character), character)
 
 
-# A title between blanks: a word, with a unit in brackets or behind a slash, if there is one.
+# A title between blanks: a word, perhaps with a unit in brackets or after a slash.
 _BRACKETS = r"(?:\[[^\[\]]*\]|\((?:[^()]|\([^()]*\))*\))"
 _WORD = rf"(?:[^ \t\[\]()]|{_BRACKETS})+"
 TITLE = re.compile(
@@ -81,14 +81,13 @@ TITLE = re.compile(
 
 
 class Cut:
-    """The cutting of a line into fields: at a delimiter, or at blanks where it is empty.
+    """The division of a line into fields: at a delimiter, or at blanks if it is empty.
 
-    A field in double quotes, as CSV has it, may contain the delimiter; with blanks there are no
+    A field in double quotes, as in CSV, may contain the delimiter; with blanks there are no
     quotes.
     """
 
     def __init__(self, delimiter: bytes = b"") -> None:
-        """Prepare the patterns."""
         self.delimiter = delimiter
         self.blanks = bytes(c for c in BLANKS if c not in delimiter)
         mark = re.escape(delimiter)
@@ -99,7 +98,7 @@ class Cut:
         )
 
     def spans(self, line: bytes) -> Iterator[Span]:
-        """Yield where every field begins and ends, blanks and quotes around it included."""
+        """Yield the start and end of every field, with blanks and quotes."""
         if not self.delimiter:
             yield from (match.span() for match in re.finditer(rb"[^ \t]+", line))
             return
@@ -118,13 +117,13 @@ class Cut:
             start = end + len(self.delimiter)
 
     def _check(self, field: bytes) -> None:
-        """Refuse a quote that opens a field and is not closed on the line, or not at its end."""
+        """Refuse an opening quote that is not closed at the end of the field, on the line."""
         field = field.strip(self.blanks)
         if field[:1] == b'"' and (len(field) < 2 or field[-1:] != b'"'):
             raise NumberError("a quoted field does not end on its line", "one line for each record")
 
     def inner(self, line: bytes, span: Span) -> Span:
-        """Return the same without the blanks and the quotes around it."""
+        """Return the span without the blanks and quotes around it."""
         if not self.delimiter:
             return span
         start, end = _strip(line, span, self.blanks)
@@ -133,9 +132,9 @@ class Cut:
         return start, end
 
     def titles(self, header: bytes) -> list[Span]:
-        """Return the spans of the titles; at blanks a unit in brackets belongs to its title.
+        """Return the spans of the titles; at blanks, a unit in brackets belongs to its title.
 
-        A # at the start of the line is no title.
+        A # at the start of the line is not a title.
         """
         start = len(header) - len(header.lstrip(BLANKS + b"#"))
         if self.delimiter or len(header) > LONG:
@@ -143,11 +142,11 @@ class Cut:
         return [match.span() for match in TITLE.finditer(header, start)]
 
     def joint(self, line: bytes) -> bytes:
-        """Return what stands before a field that is added to a line."""
+        """Return the separator before a field added to a line."""
         return self.delimiter or (b"\t" if b"\t" in line else b" ")
 
     def quoted(self, field: bytes) -> bytes:
-        """A field as it can stand in a line."""
+        """Return a field quoted if needed."""
         if self.delimiter and (self.delimiter in field or field[:1] == b'"'):
             return b'"' + field.replace(b'"', b'""') + b'"'
         return field
@@ -157,9 +156,9 @@ class Cut:
     ) -> bytes | None:
         """Convert the fields of a block of lines, all lines at once.
 
-        Every line has `width` fields, where that is not 0.  With `adds` the one field stays, and
-        what it becomes is added to the line.  None where a line has not the shape of the others:
-        each has to be looked at by itself.
+        Every line has `width` fields, unless that is 0.  With `adds` the field stays, and the
+        result is appended to the line.  Return None if the lines differ in shape: then each is
+        read alone.
         """
         converted = None
         mark = self.delimiter or _only_blank(block)
@@ -173,10 +172,10 @@ class Cut:
     def _table(
         block: bytes, mark: bytes, fields: Fields, convert: Convert, expected: int, adds: bool
     ) -> bytes | None:
-        """Convert column by column, where all lines have as many fields."""
+        """Convert column by column, if all lines have the same number of fields."""
         rows = block.count(b"\n")
         width = block.count(mark, 0, block.index(b"\n")) + 1
-        # the ends of the lines as cells of their own: in a table they are a column
+        # the ends of the lines as separate cells: in a table they are a column
         end = mark + b"\n" + mark
         cells = block[:-1].replace(b"\n", end).split(mark)
         ends = cells[width :: width + 1]
@@ -199,7 +198,7 @@ class Cut:
         """Convert one field of lines with blanks or quotes around their fields."""
         if not fields.is_one or len(self.delimiter) > 1 or 0 < width < fields.last:
             return None
-        # what is between the matches, what stands before the field, the field, and so on
+        # alternately the text between matches, the text before the field, and the field
         parts = re.split(self._line(fields.last - 1, width), block)
         if len(parts) != 3 * block.count(b"\n") + 1:
             return None
@@ -216,10 +215,10 @@ class Cut:
         return b"".join(parts)
 
     def _line(self, before: int, width: int) -> re.Pattern[bytes]:
-        """Return what a line with so many fields before the one that is meant looks like.
+        """Return the pattern of a line with so many fields before the selected one.
 
-        In groups: what stands before the field, and the field, which has no blanks in it.  What
-        is quoted has no quotes in it, and the rest of the line is well formed.
+        Its groups are the text before the field, and the field, which has no blanks.  Quoted fields
+        have no quotes in them, and the rest of the line is well formed.
         """
         count = f"{{{width - before - 1}}}" if width else "*"
         if not self.delimiter:
@@ -237,7 +236,7 @@ class Cut:
 
 
 def _only_blank(block: bytes) -> bytes:
-    """Return the one blank or tab that separates all fields of a block; else empty."""
+    """Return the one blank or tab that separates all fields of a block, or empty bytes."""
     mark = b"\t" if b"\t" in block else b" "
     if mark == b"\t" and b" " in block:
         return b""

@@ -1,6 +1,6 @@
-"""What the header of a stream says: which fields are meant, how many there are, in what units.
+"""Header of a stream: the selected fields, their number, and their units.
 
-It is held against the unit of the numbers, and says in the output what the numbers there are.
+The unit in the header is compared with the unit of the numbers, and replaced in the output.
 """
 
 from collections.abc import Callable
@@ -27,11 +27,7 @@ NEW_NAME = f"{option('add', 'NAME')} for a column of its own, or {option('rename
 
 
 class Header:
-    """The titles in the last line of the header.
-
-    `texts` reads the numbers where their unit is that of the titles, `fields` are those of the
-    column that is meant, and `shown` the titles of the results by field.
-    """
+    """The titles in the last line of the header."""
 
     def __init__(
         self,
@@ -46,14 +42,6 @@ class Header:
         call: Callable[[str], str] | None = None,
         is_bare: bool = False,
     ) -> None:
-        """Take what is typed.
-
-        `source` is the unit of the numbers, and `target` that of the results, or None; `titled`
-        makes what reads numbers in the unit of their title, and gives the unit of its results.
-        `column` is the title that is meant, `name` the title of the results, and with `adds` that
-        of a new column behind the others.  `call` is what is to be typed for numbers in a unit,
-        where that is no conversion, and `is_bare` where they need none.
-        """
         self.cut = cut
         self.source = source
         self.target = target or resolve("1")
@@ -71,12 +59,9 @@ class Header:
         self.new_titles: dict[int | None, str] = {}
 
     def read(self, line: bytes, fields: Fields, above: bytes = b"") -> tuple[bytes, int]:
-        """Return the line as it is written, and how many fields lines have (0: any number).
-
-        The line `above` may have the names of columns whose units stand in this one.
-        """
+        """Return the line as written, and the number of fields (0: any number)."""
         if b"\0" in line:
-            raise UsageError(f"{WHERE} is no text in UTF-8", UTF_8)
+            raise UsageError(f"{WHERE} is not text in UTF-8", UTF_8)
         try:
             spans = self._spans(line)
             titles = [self._text(line, span) for span in spans]
@@ -111,10 +96,10 @@ class Header:
         return bytes(out), len(titles) if self.cut else 0
 
     def title_of(self, title: Title | None = None) -> str:
-        """Return what stands over the results of the column with that title, or without one."""
+        """Return the new title of a column, or of the only one."""
         unit = self.target.text
         if self.cut and not self.cut.delimiter:
-            unit = unit.replace(" ", ".")  # one word where lines are cut at blanks
+            unit = unit.replace(" ", ".")  # one word if fields are separated by blanks
         if self.own:
             is_bare = unit == "1" or (title and not title.unit and not self.adds)
             if self.own.unit or is_bare:
@@ -125,7 +110,7 @@ class Header:
         if title is None:
             return ""
         if title.unit is None and title.text[-1:] in ("]", ")"):
-            self.note(f"the title '{quote(title.text)}' has no unit that is known, and stays")
+            self.note(f"the title '{quote(title.text)}' has no known unit, and is kept")
         _refuse_other(title.name, self.target)
         return title.with_unit(unit)
 
@@ -136,7 +121,7 @@ class Header:
         return [(start, max(start, len(line.rstrip(BLANKS))))]
 
     def _find(self, titles: list[str], above: bytes) -> int:
-        """Return the place of the column that is meant."""
+        """Return the place of the requested column."""
         try:
             return find(titles, self.column, WHERE, self.source)
         except UsageError as error:
@@ -150,12 +135,12 @@ class Header:
             raise
 
     def _names_above(self, above: bytes, count: int) -> list[str]:
-        """Return the names of the columns in the line above, where it has so many."""
+        """Return the names of the columns in the line above, if it has as many."""
         names = [self._text(above, span) for span in self._spans(above)]
         return names if len(names) == count > 1 else []
 
     def _check_units(self, titles: list[Title]) -> None:
-        """Hold the units in the titles against the one that is typed, or take theirs."""
+        """Compare the units in the titles with the typed one, or take theirs."""
         first = next((title for title in titles if title.unit), None)
         if first is None or first.unit is None:
             if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):
@@ -186,13 +171,13 @@ class Header:
             self.own = self._own()
 
     def _own(self) -> Title | None:
-        """Return the name that is typed for the column of the results, which may have its unit."""
+        """Return the typed title for the results, which may have their unit."""
         name = self.name
         if name is None:
             return None
         typed = option("add" if self.adds else "rename", quote(name))
         if not name.strip() or not name.isprintable():
-            raise UsageError(f"{typed} is no title", "a word for the column")
+            raise UsageError(f"{typed} is not a title", "a word for the column")
         if self.cut and not self.cut.delimiter and len(name.split()) > 1:
             hint = "_".join(name.split())
             raise UsageError(f"{typed} has blanks, at which the lines are cut", quote(hint))
@@ -213,12 +198,12 @@ class Header:
     def _is_quoted(self, line: bytes, start: int) -> bool:
         if self.cut is None or not self.cut.delimiter:
             return False
-        while start and line[start - 1] in BLANKS:  # no copy of what is before each of many titles
+        while start and line[start - 1] in BLANKS:  # avoids copies of the line before each title
             start -= 1
         return line[start - 1 : start] == b'"'
 
     def _cell(self, title: str, in_quotes: bool = False) -> bytes:
-        """A title as it stands in the line."""
+        """Return a title as a cell of the line."""
         text = title.encode(errors="surrogateescape")
         if in_quotes:
             return text.replace(b'"', b'""')
@@ -226,7 +211,7 @@ class Header:
 
 
 def refuse_change(source: Unit, target: Unit) -> None:
-    """Refuse numbers of another quantity under a title that was there for the first."""
+    """Refuse numbers of another quantity under the title of the first."""
     if source.dimension != target.dimension or source.is_exitance != target.is_exitance:
         raise UsageError(
             f"{describe(source)} under a header would become {describe(target)}", NEW_NAME
@@ -234,6 +219,6 @@ def refuse_change(source: Unit, target: Unit) -> None:
 
 
 def _refuse_other(name: str, target: Unit) -> None:
-    """Refuse a title that names another quantity than the one of the unit."""
+    """Refuse a title that names another quantity than its unit."""
     if other_quantity(name, target):
         raise UsageError(f"the column '{quote(name)}' would have {describe(target)}", NEW_NAME)

@@ -1,8 +1,4 @@
-"""How a log is laid out, which its first lines show.
-
-What parts its cells, which lines are its header, which columns have its times and its values, how
-the times are written, and in which unit the values are.
-"""
+"""Layout of a log, found from its first lines."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -41,8 +37,8 @@ from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
-HEAD = 100  # lines in which the data begin, without comments and blank lines
-MOST_REMARKS = 10_000  # lines that are looked through for them
+HEAD = 100  # lines searched for the data, without comments and blank lines
+MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 SECONDS = resolve("s")
 PPFD_UNIT = light_unit("irradiance", PHOTON)
@@ -53,7 +49,7 @@ NumberedLine = tuple[int, str]
 
 
 class LogSettings(NamedTuple):
-    """The settings for a log: its columns, its unit, its delimiter, its times."""
+    """The settings for a log: columns, unit, delimiter, times."""
 
     times: tuple[str, ...] = ()
     column: str = ""
@@ -64,7 +60,7 @@ class LogSettings(NamedTuple):
 
 
 class LogLayout(NamedTuple):
-    """The columns of the times and the values of a log, and how they are read."""
+    """The columns of times and values of a log, and their readers."""
 
     delimiter: str | None
     width: int
@@ -75,12 +71,12 @@ class LogLayout(NamedTuple):
 
 
 def error(name: str, number: int, problem: str, hint: str) -> LineError:
-    """Return what is wrong with a log, and in which line (0: in none)."""
+    """Return the error of a log in a line (0: in none)."""
     return LineError(f"{where(name, number)}: {problem}", hint)
 
 
 def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
-    """Return the lines that show how a log is laid out, and what comes in one block with them."""
+    """Return the lines that show the layout of a log, and the rest of their block."""
     head: list[NumberedLine] = []
     count = 0
     for number, lines in blocks:
@@ -92,7 +88,7 @@ def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
 
 
 class Head:
-    """The first lines of a log: its layout, and the line in which the data begin."""
+    """The first lines of a log: its layout, and the first line of the data."""
 
     def __init__(self, name: str, lines: Sequence[NumberedLine], settings: LogSettings) -> None:
         self.name = name
@@ -105,7 +101,7 @@ class Head:
         if first is None:
             raise self.error(
                 0,
-                f"no time and value in the first {HEAD} lines" if rows else "there is no data",
+                f"no time and value in the first {HEAD} lines" if rows else "the data are missing",
                 "lines with a time and a value: 2024-06-01T12:35,812",
             )
         number, line = rows[first]
@@ -126,14 +122,13 @@ class Head:
         self.layout = self._columns(number, cells, titles, delimiter)
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
-        """See `error`."""
         return error(self.name, number, problem, hint)
 
     def _delimiter(self, line: str) -> str | None:
         return self.settings.delimiter or columns.dialect(line)[0]
 
     def _named_row(self, rows: Sequence[NumberedLine]) -> int | None:
-        """Return the row with the names of columns that were asked for."""
+        """Return the row with the requested names of columns."""
         wanted = (*self.settings.times, self.settings.column)
         names = [name for name in wanted if name and not name.isdecimal()]
         if not names:
@@ -151,10 +146,10 @@ class Head:
                     refusal, widest = error, len(titles)
             else:
                 return k
-        raise refusal or self.error(0, f"there is no column '{quote(names[0])}'", "its number")
+        raise refusal or self.error(0, f"unknown column '{quote(names[0])}'", "its number")
 
     def _is_data(self, line: str, named: int | None) -> bool:
-        """Check whether a line has a time and a value: a stamp and a number, or numbers alone."""
+        """Return whether a line has a time and a value: a stamp and a number, or only numbers."""
         cells = columns.cells(line, self._delimiter(line))
         numbers = [cell for cell in cells if _is_number(cell) or cell.lower() in MISSING]
         if named is not None:
@@ -164,7 +159,7 @@ class Head:
         return len(numbers) == len(cells) > 1 and any(map(_is_number, cells))
 
     def _is_bad(self, line: str, good: str) -> bool:
-        """Check whether a line above a good one has data, too: a time or a number."""
+        """Return whether a line above a good one has data, too: a time or a number."""
         delimiter = self._delimiter(good)
         cells, good_cells = columns.cells(line, delimiter), columns.cells(good, delimiter)
         pairs = zip(cells, good_cells, strict=False)
@@ -178,7 +173,7 @@ class Head:
     def _titles(
         self, rows: Sequence[NumberedLine], named: int | None, delimiter: str | None, width: int
     ) -> list[list[str]]:
-        """Return the rows of titles above the data: names, and units if they stand below."""
+        """Return the rows of titles above the data: names, and units if they are below."""
         titles: list[list[str]] = []
         for _, line in reversed(rows[named or 0 :]):
             cells = columns.cells(line, delimiter)
@@ -192,7 +187,7 @@ class Head:
         return titles
 
     def _has_titles(self, line: str, delimiter: str | None) -> bool:
-        """Check whether the line above the data has titles of times and of light, of any number."""
+        """Return whether the line above the data has titles of times and of light."""
         cells = columns.cells(line, delimiter) if delimiter else []
         if len(cells) < 2 or any(_is_number(cell) or self._is_stamp(cell) for cell in cells):
             return False
@@ -201,7 +196,7 @@ class Head:
         )
 
     def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> LineError:
-        """Return what is wrong where the data have more columns than titles, or fewer."""
+        """Return the error of data with more or fewer columns than titles."""
         number, line = row
         count = len(columns.cells(line, delimiter))
         return self.error(
@@ -228,7 +223,7 @@ class Head:
         return LogLayout(delimiter, len(cells), times, place, clock, unit)
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
-        """Return the column of the times, or those of dates and of clocks."""
+        """Return the column of the times, or those of dates and times of day."""
         if self.settings.times:
             return tuple([self._place(name, names, len(cells)) for name in self.settings.times])
         stamps = [k for k, cell in enumerate(cells) if self._is_stamp(cell)]
@@ -239,11 +234,15 @@ class Head:
         if len(stamps) == 1:
             return (*stamps, *self._clock_column(stamps[0], cells, names))
         choices = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
-        problem = f"there are {len(stamps)} columns of times" if stamps else "no column has times"
+        problem = (
+            f"there are {len(stamps)} columns of times"
+            if stamps
+            else "the column of the times is missing"
+        )
         raise self.error(number, problem, f"{option('time-column', 'NAME')} of {listed(choices)}")
 
     def _clock_column(self, date: int, cells: list[str], names: list[str]) -> list[int]:
-        """Find the column of the clock: the one next to the dates, or one of that title."""
+        """Find the column of the times of day: next to the dates, or by its title."""
         clocks = [k for k, cell in enumerate(cells) if looks_like_clock(cell)]
         titled = [k for k in clocks if names and _is_of_time(names[k]) and k != date]
         near = [k for k in clocks if abs(k - date) == 1]
@@ -281,7 +280,7 @@ class Head:
         return place, self._unit(self._unit_in(titles, place), titles[0][place] if titles else "")
 
     def _unit(self, declared: Unit | None, title: str) -> Unit:
-        """Return the unit of the values: as told, or as the title has it."""
+        """Return the unit of the values: as typed, or from the title."""
         if not self.settings.unit:
             if declared is None:
                 raise MissingInput(
@@ -301,7 +300,7 @@ class Head:
         return unit
 
     def _unit_in(self, titles: list[list[str]], place: int) -> Unit | None:
-        """Return the unit of light in the titles of a column, which has its numbers as they are."""
+        """Return the unit of light in the titles of a column, in which its numbers are."""
         texts = [row[place] for row in titles]
         try:
             read = [read_title(title) for title in texts]
@@ -331,7 +330,7 @@ class Head:
 
 
 def is_remark(line: str) -> bool:
-    """Check whether a line is blank or a comment."""
+    """Return whether a line is blank or a comment."""
     return not line or line.isspace() or columns.is_comment(line)
 
 
@@ -340,7 +339,7 @@ def _is_number(cell: str) -> bool:
 
 
 def _is_of_time(title: str) -> bool:
-    """Check whether a title is that of times."""
+    """Return whether a title is that of times."""
     if OF_TIME.search(columns.plain(title).replace("_", " ")):
         return True
     unit = unit_in(title, SECONDS)
@@ -357,7 +356,7 @@ def _unit_of_time(title: str) -> Unit | None:
 
 
 def _may_be_light(title: str) -> bool:
-    """Check whether a title has a unit of light, or what looks like one, or is that of PPFD."""
+    """Return whether a title has a unit of light, or what looks like one, or is PPFD."""
     if unit := unit_in(title):
         return read_light(unit) is not None
     try:

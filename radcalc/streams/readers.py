@@ -1,7 +1,4 @@
-"""The texts of a stream: bare numbers of one unit, or quantities with units of their own.
-
-Each is converted by itself, as a single conversion is, or many at a time where all are plain.
-"""
+"""Texts of a stream: bare numbers of one unit, or quantities with their own units."""
 
 import re
 from collections.abc import Callable
@@ -15,30 +12,30 @@ from radcalc.units.numbers import parse_number
 from radcalc.units.reading import read_amount
 from radcalc.units.unit import Unit
 
-MOST_UNITS, LONGEST_UNIT = 1000, 100  # that are remembered
+MOST_UNITS, LONGEST_UNIT = 1000, 100  # units in the cache
 NUMBER = b"0123456789.+-"
 UTF_8 = "UTF-8 (iconv converts UTF-16)"
-POINT, COMMA = b".", b","  # what decimals begin with
+POINT, COMMA = b".", b","  # first characters of decimals
 DECIMAL_COMMA = re.compile(r"(?<![\d,])(?:\d+,\d*|,\d+)(?![\d,])")
 POINTED = re.compile(r"\.\d|\d\.(?!\w)")  # a number with a point; W.m-2 has another
 
 
 class Texts(Protocol):
-    """The work of a stream on the texts that it cuts out of lines; `line` is where it is."""
+    """The reader of the texts in the lines of a stream; `line` is the current one."""
 
     line: int
 
     def read(self, text: bytes) -> tuple[Any, Any]:
-        """Return what one text says; raise RadcalcError where that is nothing."""
+        """Return the value of one text; raise RadcalcError if it has none."""
 
     def show(self, source: Any, value: Any) -> bytes:
-        """Return what stands in the output for one that was read."""
+        """Return the output for a text."""
 
     def lines(self, block: bytes) -> bytes | None:
-        """Convert a block of lines, each of them one text; None where any is unusual."""
+        """Convert a block of lines, each of one text; return None if any is unusual."""
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
-        """Convert many texts; None where any is unusual."""
+        """Convert many texts; return None if any is unusual."""
 
 
 class Numbers:
@@ -48,7 +45,7 @@ class Numbers:
     example += f"{command('convert', '-', 'TARGET')} for 100 lx"
 
     def __init__(self, plan: Plan, precision: int | None = None, mark: bytes = POINT) -> None:
-        """Take the plan for all of them, and the decimal mark that they have."""
+        """Take the plan for all numbers, and their decimal mark."""
         self.line = 0
         self.plan = plan
         self.precision = precision
@@ -56,7 +53,6 @@ class Numbers:
         self.bulk = Bulk(plan, precision or DIGITS)
 
     def read(self, text: bytes) -> tuple[Plan, float]:
-        """Return the plan and the number of one text."""
         try:
             return self.plan, parse_number(pointed(decoded(text), self.mark))
         except NumberError as error:
@@ -68,21 +64,18 @@ class Numbers:
             raise NumberError(error.message, hint) from None
 
     def show(self, plan: Plan, value: float) -> bytes:
-        """Return what stands in the output for a number that was read."""
         return number(plan.apply(value), self.precision).encode().replace(POINT, self.mark)
 
     def lines(self, block: bytes) -> bytes | None:
-        """Convert a block of lines, each of them one text; None where any is unusual."""
         return _with_mark(self.mark, block, self.bulk)
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
-        """Convert many texts; None where any is unusual."""
         lines = self.lines(b"\n".join(texts) + b"\n")
         return None if lines is None else lines[:-1].split(b"\n")
 
 
 class Quantities:
-    """Texts that carry their own units: a plan for each that comes."""
+    """Texts with their own units, and a plan for each unit."""
 
     def __init__(
         self,
@@ -91,7 +84,7 @@ class Quantities:
         precision: int | None = None,
         mark: bytes = POINT,
     ) -> None:
-        """Take what makes a plan from a unit, what follows each answer, and the decimal mark."""
+        """Take the planner of a unit, the text after each answer, and the decimal mark."""
         self.line = 0
         self.plans = plans
         self.unit = unit
@@ -101,7 +94,6 @@ class Quantities:
         self.bulks: dict[bytes, Bulk | None] = {}
 
     def read(self, text: bytes) -> tuple[Plan, float]:
-        """Return the plan and the number of one text."""
         amount = read_amount(pointed(decoded(text), self.mark))
         if amount.unit is None:
             raise UsageError(
@@ -127,23 +119,21 @@ class Quantities:
                 plan = error
             self.known[unit.text] = plan
         if isinstance(plan, RadcalcError):
-            raise plan.with_traceback(None)  # which would grow with every line
+            raise plan.with_traceback(None)  # it would grow with every line
         return plan
 
     def show(self, plan: Plan, value: float) -> bytes:
-        """Return what stands in the output for a quantity that was read."""
         text = number(plan.apply(value), self.precision).encode()
         return text.replace(POINT, self.mark) + self.unit
 
     def lines(self, block: bytes) -> bytes | None:
-        """Convert a block of lines, each of them one text; None where any is unusual."""
         texts = block.split(b"\n")
         texts.pop()
         converted = self.column(texts)
         return None if converted is None else b"\n".join(converted) + b"\n"
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
-        """Convert many texts, those of one unit at a time; None where any is unusual."""
+        """Convert many texts, one unit at a time; return None if any is unusual."""
         converted = texts[:]
         for unit, having in by_unit(texts, self.mark).items():
             bulk = self._bulk(unit, texts[having[0]])
@@ -159,10 +149,9 @@ class Quantities:
         return converted
 
     def _bulk(self, unit: bytes, text: bytes) -> Bulk | None:
-        """Return what converts numbers with this text of a unit behind them.
+        """Return the converter of numbers followed by this text of a unit.
 
-        The grammar must agree that this is where the unit begins, and blanks behind it are none
-        of it.
+        The grammar must agree that the unit begins here, without blanks after it.
         """
         if len(unit) > LONGEST_UNIT:
             return None
@@ -182,7 +171,7 @@ class Quantities:
 
 
 def _with_mark(mark: bytes, block: bytes, bulk: Bulk) -> bytes | None:
-    """Convert lines of one decimal number each, which have that decimal mark."""
+    """Convert lines of one decimal number each, with that decimal mark."""
     if mark == POINT:
         return bulk.lines(block)
     if POINT in block:
@@ -192,7 +181,7 @@ def _with_mark(mark: bytes, block: bytes, bulk: Bulk) -> bytes | None:
 
 
 def by_unit(texts: list[bytes], mark: bytes = POINT) -> dict[bytes, list[int]]:
-    """Group the places of texts by the unit after their numbers, which have that decimal mark."""
+    """Group the places of texts by the unit after their numbers, with that decimal mark."""
     start = NUMBER.replace(POINT, mark)
     places: dict[bytes, list[int]] = {}
     for place, text in enumerate(texts):
@@ -205,12 +194,12 @@ def by_unit(texts: list[bytes], mark: bytes = POINT) -> dict[bytes, list[int]]:
 
 
 def pointed(text: str, mark: bytes) -> str:
-    """A text with decimal points in the place of its decimal marks."""
+    """Return a text with decimal points instead of its decimal marks."""
     if mark == POINT:
         return text
     if POINTED.search(text):
         raise NumberError(
-            f"'{quote(text)}' has a point in its number, where commas are decimal",
+            f"'{quote(text)}' has a point in its number, but the decimal mark is a comma",
             "a comma before the decimals, and nothing between thousands",
         )
     if "," in DECIMAL_COMMA.sub("", text):
@@ -222,7 +211,7 @@ def decoded(text: bytes) -> str:
     """Decode the text of a number or a unit from UTF-8; refuse unusual blanks around it."""
     try:
         decoded = text.decode()
-        if decoded != decoded.strip():  # a form feed, a no-break space: not ours to drop
+        if decoded != decoded.strip():  # a form feed or no-break space is not dropped
             raise NumberError(f"'{quote(decoded)}' is not a number", "blanks or tabs around it")
         return decoded
     except UnicodeDecodeError:

@@ -1,6 +1,6 @@
-"""Remarks on the answers to lines: assumptions and notes, each said once for all its lines.
+"""Remarks on the answers to lines: assumptions and notes, each written once for all its lines.
 
-Remarks that differ in their numbers alone are one, which has the range of each number.
+Remarks that differ only in their numbers are one, with the range of each number.
 """
 
 import re
@@ -8,17 +8,16 @@ from collections.abc import Sequence
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?:/[1-9]\d*)?"
 SPAN = re.compile(f"({NUMBER})(?: to ({NUMBER}))?")
-MARK = "\0"  # in place of a number or a range
-FEW = 3  # lines that are named one by one
+MARK = "\0"  # stands for a number or a range
+FEW = 3  # most lines named one by one
 
-Span = tuple[str, str]  # the least and the largest number, as they are written
+Span = tuple[str, str]  # the least and the largest number, as written
 
 
 class Remark:
     """A remark on some of the lines so far."""
 
     def __init__(self, template: str, spans: list[Span], lines: Sequence[int]) -> None:
-        """Begin with the first lines and their numbers."""
         self.template = template
         self.spans = spans
         self.first_lines = [*lines[: FEW + 1]]
@@ -28,7 +27,7 @@ class Remark:
         self.shown_spans: list[Span] | None = None
 
     def widen(self, spans: list[Span], lines: Sequence[int]) -> None:
-        """Take in more lines and their numbers."""
+        """Add lines and their numbers."""
         touches = lines[0] - 1 <= self.last_line and self.first_lines[0] - 1 <= lines[-1]
         self.is_unbroken = self.is_unbroken and touches and _are_unbroken(lines)
         self.first_lines = sorted({*self.first_lines, *lines[: FEW + 1]})[: FEW + 1]
@@ -38,7 +37,7 @@ class Remark:
 
     @property
     def text(self) -> str:
-        """The remark with its numbers, and with its lines where others lack it."""
+        """Return the remark with its numbers, and with its lines if other lines lack it."""
         spans = iter(self.spans)
         text = re.sub(MARK, lambda _: " to ".join(dict.fromkeys(next(spans))), self.template)
         if self.is_shared:
@@ -71,10 +70,9 @@ def _size(number: str) -> float:
 
 
 class Remarks:
-    """The remarks on a stream's lines."""
+    """The remarks on the lines of a stream."""
 
     def __init__(self) -> None:
-        """Begin without any."""
         self.remarks: dict[str, Remark] = {}  # by their templates
         self.shared: set[str] | None = None  # by all lines before any answer is written
         self.has_begun = False
@@ -92,7 +90,7 @@ class Remarks:
                 self.remarks[template] = Remark(template, spans, lines)
 
     def not_yet_said(self) -> list[str]:
-        """Return the remarks that were not said yet, which goes before the answers."""
+        """Return the remarks not yet written, for output before the answers."""
         remarks = [item for item in self.remarks.values() if item.shown_spans is None]
         for remark in remarks:
             remark.is_shared = not self.has_begun and remark.template in (self.shared or ())
@@ -101,7 +99,7 @@ class Remarks:
         return [remark.text for remark in remarks]
 
     def changed(self) -> list[str]:
-        """Return the remarks whose numbers have left the range that was said."""
+        """Return the remarks with numbers outside the range already written."""
         return [
             remark.text
             for remark in self.remarks.values()

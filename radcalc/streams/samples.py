@@ -1,6 +1,6 @@
-"""Logs of light: the lines of a file or a stream as times and values, many at a time.
+"""Samples of light logs: the lines of a file or a stream as times and values, in blocks.
 
-The first lines show how a log is laid out (`log_layout.py`).
+The first lines show the layout of a log (`log_layout.py`).
 """
 
 import re
@@ -18,15 +18,15 @@ from radcalc.streams.log_layout import MISSING, Head, LogSettings, is_remark
 from radcalc.terminal import ABORT, FAIL, IGNORE
 from radcalc.units.numbers import parse_number
 
-FEW = 32  # lines that are not cut further
-MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # as loggers mark what is missing: -9999.9
-LEAST = -999.0  # such marks are no greater
+FEW = 32  # lines read one by one
+MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # loggers mark missing values so: -9999.9
+LEAST = -999.0  # such marks are not greater
 
 Samples = tuple[list[Any], list[float]]  # times in ticks, and values
 
 
 class Sample(NamedTuple):
-    """A sample with its line, and its time as it stands there."""
+    """A sample with its line, and its time as written."""
 
     time: Any
     value: float
@@ -44,7 +44,7 @@ class Log:
         settings: LogSettings,
         say: Callable[[LineError], object],
     ) -> None:
-        """Read the first lines; `say` is told of lines that are left out."""
+        """Read the first lines; `say` reports skipped lines."""
         self.name = name
         self.settings = settings
         self.say = say
@@ -53,7 +53,7 @@ class Log:
         self.left_out, self.first_left_out = 0, ""
         self.last: Any = None  # tick
         self.last_line = 0
-        # Local times that come twice wait for a later one, None for a line that was left out.
+        # Local times that occur twice wait for a later one; None for a skipped line.
         self.waiting: list[Sample | None] = []
         self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
         self.decimals = columns.Decimals()
@@ -66,15 +66,15 @@ class Log:
 
     @property
     def clock(self) -> Clock:
-        """Return what reads the times."""
+        """Return the reader of the times."""
         return self.layout.clock
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
-        """Return what is wrong, with the line."""
+        """Return the error of a line."""
         return log_layout.error(self.name, number, problem, hint)
 
     def samples(self) -> Iterator[Samples | None]:
-        """Times and values, many at a time; None where a line was left out."""
+        """Yield blocks of times and values; None for a skipped line."""
         for number, lines in self._pending:
             yield from self._of(lines, number)
         for number, lines in self._blocks:
@@ -86,11 +86,11 @@ class Log:
             self.notes.append(self.text.note)
         if self.left_out:
             how_many = "a line is" if self.left_out == 1 else f"{self.left_out} lines are"
-            self.notes.append(f"{how_many} left out; the first: {self.first_left_out}")
+            self.notes.append(f"{how_many} skipped; the first: {self.first_left_out}")
         self.assumptions += self.clock.assumptions
 
     def _of(self, lines: list[str], number: int) -> Iterator[Samples | None]:
-        """Yield the samples of lines, all at once or in parts, down to a few read alone."""
+        """Yield the samples of lines, all at once or in parts, down to single lines."""
         samples = self._at_once(lines, number)
         if samples:
             yield samples
@@ -102,7 +102,7 @@ class Log:
             yield from self._of(lines[middle:], number + middle)
 
     def _at_once(self, lines: list[str], number: int) -> Samples | None:
-        """Return the samples of lines that have nothing unusual; else None."""
+        """Return the samples of lines without anything unusual, or None."""
         layout = self.layout
         try:
             cells = _columns_of(lines, layout.delimiter, layout.width)
@@ -123,7 +123,7 @@ class Log:
         return times, values
 
     def _with_points(self, texts: list[str], number: int) -> list[str]:
-        """Numbers with decimal points; ValueError where a text or a mark is unusual."""
+        """Return numbers with decimal points; raise ValueError if a text is unusual."""
         joined = " ".join(texts)
         if columns.has_odd_digits(joined):
             raise ValueError
@@ -142,12 +142,12 @@ class Log:
         return texts
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
-        """Yield the samples of lines, each by itself; what is wrong with one is said."""
+        """Yield the samples of lines one by one, and report errors."""
         rows = [row for row in enumerate(lines, number) if not is_remark(row[1])]
         yield from _runs(sample for row in rows for sample in self._of_line(*row))
 
     def _of_line(self, number: int, line: str) -> Iterator[Sample | None]:
-        """Yield the sample of a line, with those before it that waited for its time."""
+        """Yield the sample of a line, after those that waited for its time."""
         try:
             try:
                 sample = self._sample(line, number)
@@ -169,7 +169,7 @@ class Log:
         yield from self._in_order([sample])
 
     def _in_order(self, samples: list[Sample | None]) -> list[Sample | None]:
-        """Return the samples whose times are known; some may have waited for a later one."""
+        """Return the samples with known times; some may have waited for a later one."""
         self.waiting += samples
         if self.clock.doubtful:
             return []
@@ -177,7 +177,7 @@ class Log:
         return samples
 
     def _leave_out_waiting(self) -> Iterator[None]:
-        """Leave out the samples of which no order tells which of two times they have."""
+        """Skip the samples whose time occurs twice, unresolved by the order."""
         assert isinstance(self.clock, Calendar)
         waiting, self.waiting = self.waiting, []
         self.clock.doubtful = ""
@@ -190,7 +190,7 @@ class Log:
         yield None
 
     def _leave_out(self, error: LineError) -> None:
-        """Say what is wrong with a line, or stop there."""
+        """Report the error of a line, or stop there."""
         if self.settings.invalid == ABORT:
             raise error
         self.first_left_out = self.first_left_out or error.message
@@ -216,7 +216,7 @@ class Log:
             raise self.error(number, error.message, error.hint) from None
         text = cells[layout.place]
         if text.lower() in MISSING or MARKED.fullmatch(text):
-            hint = mention("{invalid=ignore}, which leaves the line out")
+            hint = mention("{invalid=ignore}, to skip the line")
             raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
         value = columns.finite(text, comma)
         if value is None:
@@ -236,17 +236,17 @@ class Log:
             return
         say = self.clock.say
         if time == self.last:
-            problem = f"the time {say(time)} stands in line {self.last_line} already"
+            problem = f"the time {say(time)} is already in line {self.last_line}"
             raise self.error(number, problem, "each time once")
         problem = f"{say(time)} is before {say(self.last)} in line {self.last_line}"
         hint = "lines in the order of their times"
         if isinstance(self.clock, Calendar) and not self.clock.has_offset:
-            hint += f"; where clocks were put back, {ZONE}"
+            hint += f"; if clocks were put back, {ZONE}"
         raise self.error(number, problem, hint)
 
 
 def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples | None]:
-    """Samples as lists of times and values, with None between them where a line was left out."""
+    """Yield samples as lists of times and values, and None for a skipped line."""
     times: list[Any] = []
     values: list[float] = []
     for sample in samples:
@@ -263,7 +263,7 @@ def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples | None]:
 
 
 def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[list[str]]:
-    """Return the columns of lines that have as many cells each; ValueError where any has not."""
+    """Return the columns of lines with as many cells each; raise ValueError for other lines."""
     if not delimiter:
         rows = [line.split() for line in lines]
     else:
@@ -271,7 +271,7 @@ def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[lis
         if '"' in text:
             rows = _unquoted(lines, delimiter)
         else:
-            # the ends of the lines as cells of their own: in a table they are a column
+            # the ends of the lines as separate cells: in a table they are a column
             cells = text.replace("\n", f"{delimiter}\n{delimiter}").split(delimiter)
             if cells[width :: width + 1].count("\n") != len(lines) - 1:
                 raise ValueError
@@ -284,7 +284,7 @@ def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[lis
 
 
 def _unquoted(lines: list[str], delimiter: str) -> list[list[str]]:
-    """Return the cells of lines; ValueError where a quoted one goes on in the next."""
+    """Return the cells of lines; raise ValueError if a quoted cell spans lines."""
     import csv
 
     try:

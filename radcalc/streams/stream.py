@@ -1,7 +1,7 @@
-"""Standard input converted line by line: one line out for every line in.
+"""Standard input converted line by line: one output line for every input line.
 
-Everything is bytes, and only the numbers change.  A block of lines in which every number is a
-plain decimal is converted at once (`blocks.py`); any other goes line by line through the grammar.
+Everything is bytes, and only the numbers change.  A block in which every number is a plain decimal
+is converted at once (`blocks.py`); any other is read line by line with the grammar.
 """
 
 from collections.abc import Callable, Iterator
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
     from radcalc.streams.header import Header
 
 BLOCK = 1 << 16
-FEW = 200  # bytes that are not cut further
-MANY = 1000  # fields of a line that are converted at once
-LONGEST = 1 << 24  # bytes of a line; an endless one would fill the memory
+FEW = 200  # bytes of the smallest part
+MANY = 1000  # fields of a line converted at once
+LONGEST = 1 << 24  # bytes of a line, against endless ones
 BOM = b"\xef\xbb\xbf"
 
 Read = Callable[[int], bytes]
-Record = Callable[[int, int | None, Any, Any], str]  # line, field, and what the text said
+Record = Callable[[int, int | None, Any, Any], str]  # line, field, and the value of the text
 
 
 class Stream:
-    """The work on every line: which texts of it are converted, and how they are shown."""
+    """The texts to convert in every line, and their output."""
 
     def __init__(
         self,
@@ -41,10 +41,10 @@ class Stream:
         record: Record | None = None,
         adds: bool = False,
     ) -> None:
-        """Take whole lines where `cut` is None; the first `lines` are a header.
+        """Take whole lines if `cut` is None; the first `lines` are a header.
 
-        With `adds` what is converted stays, and the result is a field behind the others.  With a
-        `record` every number becomes a line of its own, and nothing else is shown.
+        With `adds` the text stays, and the result is a field after the others.  With a `record`
+        every number becomes a separate line, without other output.
         """
         self.texts = texts
         self.cut = cut
@@ -54,11 +54,11 @@ class Stream:
         self.record = record
         self.adds = adds
         self.width = 0  # fields of every line; 0 for any number
-        # A comma may stand in a number: without a header the first good line says how many.
+        # A number may have a comma: without a header, the first good line sets the number.
         self.is_counted = bool(cut and cut.delimiter == b"," and not lines)
 
     def head(self, line: bytes, above: bytes) -> bytes:
-        """Read the last line of the header, below another: what it is in the output."""
+        """Read the last line of the header, after the line above; return its output."""
         if self.header is None:
             return line
         body = _body(line)
@@ -68,9 +68,9 @@ class Stream:
         return title_line + line[len(body) :]
 
     def block(self, block: bytes, count: int = 1) -> bytes | None:
-        """Convert a block of whole lines from line `count` on; None where any is unusual."""
+        """Convert a block of whole lines from line `count` on; return None if any is unusual."""
         self.texts.line = count
-        if block[-1:] != b"\n" or len(block) > 2 * BLOCK:  # which has a very long line
+        if block[-1:] != b"\n" or len(block) > 2 * BLOCK:  # it has a very long line
             return None
         crlf = b"\r" in block
         if crlf:
@@ -79,7 +79,7 @@ class Stream:
                 return None
             block = block.replace(b"\r\n", b"\n")
         if self.is_counted and not self.width:
-            return None  # the first lines go one by one
+            return None  # the first lines are read one by one
         if self.cut:
             column = self.texts.column
             converted = self.cut.convert(block, self.fields, column, self.width, self.adds)
@@ -91,7 +91,7 @@ class Stream:
         return converted.replace(b"\n", b"\r\n") if converted and crlf else converted
 
     def line(self, line: bytes, count: int) -> bytes:
-        """Convert one line, its end included; raise LineError where it cannot be."""
+        """Convert one line with its end; raise LineError if that fails."""
         body = _body(line)
         text = body.lstrip(BLANKS)
         if not text or text[:1] == b"#":
@@ -129,7 +129,7 @@ class Stream:
         return bytes(out + body[done:] + added + line[len(body) :])
 
     def passed(self, line: bytes) -> bytes:
-        """A line that cannot be converted as it passes; a field that is added is empty."""
+        """Return the output for a line that cannot be converted; an added field is empty."""
         if self.record or not self.adds:
             return b"" if self.record else line
         body = _body(line)
@@ -140,19 +140,19 @@ class Stream:
         return self.cut.joint(body) if self.cut else b"\t"
 
     def _check_width(self, count: int) -> None:
-        """Refuse a line that has not as many fields as the header, or as the first good line."""
+        """Refuse a line with more or fewer fields than the header, or the first good line."""
         if self.width and count != self.width:
             place = ", and lines before have" if self.is_counted else " under a header of"
             hint = "as many in every line"
             if self.cut and self.cut.delimiter == b",":
                 hint += "; quotes around one with a comma in it"
             elif self.cut and not self.cut.delimiter:
-                hint += f"; {option('delimiter', 'X')} where a field may have blanks"
+                hint += f"; {option('delimiter', 'X')} if a field may have blanks"
             fields = "1 field" if count == 1 else f"{count} fields"
             raise NumberError(f"{fields}{place} {self.width}", hint)
 
     def _places(self, body: bytes) -> Iterator[tuple[int | None, Span]]:
-        """Yield the texts to be converted: the number of the field, and where it is.
+        """Yield the number of the field, and the place, of each text to convert.
 
         A line may have millions of fields: they are counted first and not kept.
         """
@@ -176,9 +176,9 @@ def run(
     invalid: str = ABORT,
     complain: Callable[[RadcalcError], object] = lambda error: None,
 ) -> bool:
-    """Convert all that is read; whether every line could be, or it does not matter.
+    """Convert the whole input; return whether every line was good, or errors are allowed.
 
-    What stands before a bad line is written before anything is said about it.
+    Output before a bad line is written before its error.
     """
     count, good, above = 0, True, b""
     stream.width = 0
@@ -212,20 +212,20 @@ def run(
         write(b"".join(lines))
         count += block.count(b"\n")
     if count < stream.lines and stream.header and stream.header.column:
-        raise UsageError("stdin has no header", "a line with the names of the columns")
+        raise UsageError("the header of stdin is missing", "a line with the names of the columns")
     return good
 
 
 def _converted(
     stream: Stream, block: bytes, count: int
 ) -> Iterator[tuple[bytes, LineError | None]]:
-    """Convert a block, from line `count` on: many lines at once, or one with its error if any."""
+    """Convert a block, from line `count` on: many lines, or one line with its error, if any."""
     for part, converted_part in _parts(stream, block, count):
         if converted_part is not None:
             yield converted_part, None
             count += part.count(b"\n")
             continue
-        for line in BytesIO(part):  # unlike splitlines, at newlines alone
+        for line in BytesIO(part):  # unlike splitlines, only at newlines
             try:
                 converted, problem = stream.line(line, count), None
             except LineError as error:
@@ -235,9 +235,9 @@ def _converted(
 
 
 def _parts(stream: Stream, block: bytes, count: int) -> Iterator[tuple[bytes, bytes | None]]:
-    """Cut a block, from line `count` on, until its parts are converted at once.
+    """Divide a block, from line `count` on, until its parts are converted at once.
 
-    A few lines, or what leads to records, are left to be converted one by one, with None.
+    A few lines, or lines for records, are yielded with None, for conversion one by one.
     """
     converted = None if stream.record else stream.block(block, count)
     middle = block.find(b"\n", len(block) // 2) + 1
@@ -249,7 +249,7 @@ def _parts(stream: Stream, block: bytes, count: int) -> Iterator[tuple[bytes, by
 
 
 def _blocks(read: Read) -> Iterator[bytes | None]:
-    """Whole lines, as many as there are; the last may lack its end; None for one too long."""
+    """Yield blocks of whole lines; the last may lack its end; None for a line too long."""
     parts: list[bytes] = []
     size = 0
     while data := read(BLOCK):
@@ -275,5 +275,5 @@ def _first(block: bytes) -> tuple[bytes, bytes]:
 
 
 def _body(line: bytes) -> bytes:
-    """A line without its end."""
+    """Return a line without its end."""
     return line.removesuffix(b"\n").removesuffix(b"\r")

@@ -1,6 +1,6 @@
-"""How logs write dates and the time of the day, with an offset from UTC or without.
+"""Dates and times of day in logs, with an offset from UTC or without.
 
-A day and a time of it are ticks: whole nanoseconds since 1970, and since midnight.
+Ticks are whole nanoseconds: of a date since 1970, of a time of day since midnight.
 """
 
 import re
@@ -24,13 +24,13 @@ TIME_OF_DAY = (
     r"|(?P<H2>\d\d)(?P<M2>\d\d)(?P<S2>\d\d)?"
 )
 OFFSET = r"(?P<z>[Zz]|UTC|GMT|[-+\u2212]\d\d(?::?\d\d)?)"
-CLOCK = re.compile(rf"(?:{TIME_OF_DAY}) ?{OFFSET}?", re.ASCII)  # no digits of other scripts
+CLOCK = re.compile(rf"(?:{TIME_OF_DAY}) ?{OFFSET}?", re.ASCII)  # only ASCII digits
 # begins with a date
 STAMP = re.compile(r"\d{1,4}([-/.]) ?\d\d?\1 ?\d{1,4}(?![\d.])|\d{8}(?=T\d)", re.ASCII)
 TIME_ALONE = re.compile(r"\d\d?:\d\d(:\d\d)?([.,]\d+)?( ?[AaPp]\.?[Mm]\.?)?", re.ASCII)
 IN_TITLE = re.compile(r"\b(?:GMT|UTC) ?(?P<z>[-+\u2212]\d\d?(?::?\d\d)?)?(?!\w)", re.IGNORECASE)
 ORDER_IN_TITLE = re.compile(r"(mm?[-/]dd?|dd?[-/]mm?)[-/]yyyy", re.IGNORECASE)
-# What a format has, as strptime reads it.
+# Parts of a format, as in strptime.
 DIRECTIVES = {
     "Y": r"(?P<Y>\d{4})",
     "y": r"(?P<y>\d\d)",
@@ -55,9 +55,9 @@ KNOWN = "2024-06-01T12:35:00, with Z, an offset or {time-zone}; or {time-format=
 
 
 class Pattern(NamedTuple):
-    """The notation of dates and clocks: a pattern of each, and the mark between them.
+    """The notation of dates and times of day: a pattern of each, and the mark between them.
 
-    Without a mark one pattern has both.
+    Without a mark, one pattern has both.
     """
 
     dates: re.Pattern[str] | None
@@ -66,19 +66,19 @@ class Pattern(NamedTuple):
     assumption: str
 
     def parts(self, text: str) -> tuple[str, str]:
-        """Return the date and the clock in a stamp."""
+        """Return the date and the time of day of a stamp."""
         if not self.mark:
             return text, text
         day, _, clock = text.partition(self.mark)
         return day, clock
 
     def begins(self, text: str) -> bool:
-        """Check whether a text has a date that is so written, be it in the calendar or not."""
+        """Return whether a text begins with a date of this form, even an impossible one."""
         assert self.dates is not None
         return bool(self.dates.fullmatch(self.parts(text)[0].strip()))
 
     def day(self, text: str) -> int:
-        """Return the tick of a day's midnight, as if it were one of UTC."""
+        """Return the tick of a day's midnight, as if in UTC."""
         assert self.dates is not None
         match = self.dates.fullmatch(text.strip())
         if not match:
@@ -98,11 +98,11 @@ class Pattern(NamedTuple):
                 )
                 ordinal = date(year, month, int(parts["d"])).toordinal()
         except (ValueError, OverflowError):
-            raise NumberError(f"'{quote(text)}' is no day of the calendar", "a date") from None
+            raise NumberError(f"'{quote(text)}' is not a day of the calendar", "a date") from None
         return (ordinal - FIRST_DAY) * DAY
 
     def clock(self, text: str) -> tuple[int, int | None]:
-        """Ticks since midnight, and the offset from UTC if there is one."""
+        """Return ticks since midnight, and the offset from UTC if there is one."""
         text = text.strip()
         if not text:
             return 0, None
@@ -113,28 +113,28 @@ class Pattern(NamedTuple):
         hour, minute, second = (int(parts.get(key, 0)) for key in "HMS")
         if "p" in parts:
             if not 1 <= hour <= 12:
-                raise NumberError(f"'{quote(text)}' is no time of the day", "12:35 PM")
+                raise NumberError(f"'{quote(text)}' is not a time of day", "12:35 PM")
             hour = hour % 12 + (12 if parts["p"] in "pP" else 0)
         fraction = int(parts.get("f", "").ljust(9, "0"))
         is_end = (hour, minute, second, fraction) == (24, 0, 0, 0)
         if (hour > 23 or minute > 59 or second > 59) and not is_end:
-            raise NumberError(f"'{quote(text)}' is no time of the day", "from 00:00 to 24:00")
+            raise NumberError(f"'{quote(text)}' is not a time of day", "from 00:00 to 24:00")
         ticks = hour * HOUR + (minute * 60 + second) * SECOND + fraction
         return ticks, read_offset(parts["z"]) if "z" in parts else None
 
 
 def looks_like_stamp(text: str, format_: str = "") -> bool:
-    """Check whether a cell begins with a date, or has that format."""
+    """Return whether a cell begins with a date, or has that format."""
     return pattern_of_format(format_).begins(text) if format_ else bool(STAMP.match(text))
 
 
 def looks_like_clock(text: str) -> bool:
-    """Check whether a cell is the time of a day alone."""
+    """Return whether a cell is only a time of day."""
     return bool(TIME_ALONE.fullmatch(text))
 
 
 def pattern_of(text: str, title: str) -> Pattern:
-    """Return how a stamp is written, from one of them."""
+    """Return the notation of a stamp."""
     mark = "T" if "T" in text and ":" not in text.partition("T")[0] else " "
     day = text.partition(mark)[0]
     if re.fullmatch(YEAR_FIRST, day):
@@ -145,8 +145,8 @@ def pattern_of(text: str, title: str) -> Pattern:
     first, joint, second, year = parts.groups()
     if len(year) != 4:
         raise ConditionError(
-            f"'{quote(text)}' has a year of {len(year)} digits, and no plain order",
-            mention("{time-format=%m/%d/%y %I:%M:%S %p} or what else it is written in"),
+            f"'{quote(text)}' has a year of {len(year)} digits, without a clear order",
+            mention("{time-format=%m/%d/%y %I:%M:%S %p} or another format"),
         )
     order = ORDER_IN_TITLE.search(title.replace("_", " "))
     if order:
@@ -161,7 +161,7 @@ def pattern_of(text: str, title: str) -> Pattern:
         readings = " or ".join(
             _reading(year, *month_and_day) for month_and_day in ((second, first), (first, second))
         )
-        raise ConditionError(f"'{quote(day)}' may be {readings}", FORMATS)
+        raise ConditionError(f"'{quote(day)}' is ambiguous: {readings}", FORMATS)
     if by_day:
         return Pattern(re.compile(DAY_FIRST, re.ASCII), None, mark, assumption)
     return Pattern(re.compile(MONTH_FIRST, re.ASCII), None, mark, assumption)
@@ -172,7 +172,7 @@ def _reading(year: str, month: str, day: str) -> str:
 
 
 def pattern_of_format(text: str) -> Pattern:
-    """A format as strptime has it; its date and its clock apart, where a blank or T parts them."""
+    """Return the pattern of a strptime format, with date and time apart at a blank or T."""
     _check_format(text)
     for mark in (" ", "T"):
         day, _, clock = text.partition(mark)
@@ -186,23 +186,23 @@ def pattern_of_format(text: str) -> Pattern:
 
 
 def _check_format(text: str) -> None:
-    """Refuse a format that is not read here, has no whole date, or leaves the half of the day."""
+    """Refuse a format with an unknown part, an incomplete date, or an ambiguous hour."""
     option_text = option("time-format", quote(text))
     letters = {*(directives := re.findall("%(.)", text))}
     if unknown := [letter for letter in directives if letter not in DIRECTIVES]:
-        problem = f"{option_text} has %{quote(unknown[0])}, which is not read here"
+        problem = f"{option_text} has %{quote(unknown[0])}, which is not supported"
         raise ConditionError(
             problem, " ".join(f"%{letter}" for letter in DIRECTIVES if letter != "%")
         )
     if not (letters & {*"Yy"} and ("j" in letters or ("d" in letters and letters & {*"mbB"}))):
-        raise ConditionError(f"{option_text} has no whole date", FORMATS)
+        raise ConditionError(f"{option_text} has no complete date", FORMATS)
     if ("I" in letters) != ("p" in letters):
         problem = f"{option_text} has %{'I' if 'I' in letters else 'p'} alone"
         raise ConditionError(problem, "%H up to 23, or %I up to 12 with %p for AM and PM")
 
 
 def _year_of_two_digits(year: int) -> int:
-    """Return the year as POSIX has it: 69 is 1969, and 68 is 2068."""
+    """Return the year by POSIX: 69 is 1969, and 68 is 2068."""
     return year + (1900 if year >= 69 else 2000)
 
 
@@ -221,7 +221,7 @@ def _compiled(part: str, text: str) -> re.Pattern[str]:
 
 
 def offset_in(title: str) -> int | None:
-    """Return the offset that a title tells: Date Time, GMT-05:00."""
+    """Return the offset in a title: Date Time, GMT-05:00."""
     match = IN_TITLE.search(title.replace("_", " "))
     if not match:
         return None
@@ -229,7 +229,7 @@ def offset_in(title: str) -> int | None:
 
 
 def read_offset(text: str) -> int:
-    """An offset from UTC, in ticks."""
+    """Read an offset from UTC, in ticks."""
     if not text[1:2].isdigit():
         return 0
     digits = text[1:].replace(":", "")
@@ -237,10 +237,10 @@ def read_offset(text: str) -> int:
     if len(digits) > 2:
         minutes = int(digits[-2:])
     if hours > 23 or minutes > 59:
-        raise NumberError(f"'{quote(text)}' is no offset from UTC", "+02:00")
+        raise NumberError(f"'{quote(text)}' is not an offset from UTC", "+02:00")
     ticks = hours * HOUR + minutes * 60 * SECOND
     return ticks if text[0] == "+" else -ticks
 
 
 def _no_stamp(text: str) -> NumberError:
-    return NumberError(f"'{quote(text)}' is no date and time", mention(KNOWN))
+    return NumberError(f"'{quote(text)}' is not a date and time", mention(KNOWN))

@@ -177,7 +177,7 @@ def test_a_bad_row_is_told_with_its_place(tmp_path, text):
 @pytest.mark.parametrize(
     ("words", "message", "hint"),
     [
-        ((), "there is no point", "--at"),
+        ((), "the points are missing", "--at"),
         (("--at", "0,0,0", "--grid", "0:1:2,0:1:2,0"), "--at cannot be used with --grid", "one"),
         (("--at", "0,0"), "has 2 coordinates, not three", "X,Y,Z"),
         (("--at", "0,0,x"), "--at '0,0,x': 'x' is not a number", "1.5e3"),
@@ -419,5 +419,5 @@ def test_a_result_of_each_point_is_checked_at_one(tmp_path):
     places = ["scene", str(file), "--at", "0,0,0", "--at", "1,0,0"]
     refused = run(*places, "--check", "irradiance=25lx")
     assert refused.returncode == 2
-    assert "--check irradiance is of one point, and there are 2" in refused.stderr
+    assert "--check irradiance takes one point, but there are 2" in refused.stderr
     assert run(*places, "--check", "maximum-irradiance=25lx").returncode == 0

@@ -169,7 +169,7 @@ def test_what_it_assumes_is_said():
         ("", "a light quantity is missing", "--horizontal-irradiance"),
         ("cleer --zenith-luminance 1cd/m2", "unknown sky 'cleer'", "clear"),
         ("clear --zenith-luminance 1cd/m2", "the sun's elevation is missing", "--sun-elevation"),
-        ("clear clear", "too many words", "one type of sky"),
+        ("clear clear", "unexpected argument 'clear'", "one type of sky"),
         ("5 --sun-illuminance 1klx", "the sun's elevation is missing", "--sun-elevation"),
         ("3 --sun-elevation 3deg --zenith-luminance 1cd/m2", "not apply to the sky 3", "without"),
         ("3 --tilt 3deg --azimuth 1deg", "the same at every azimuth", "without --azimuth"),

@@ -122,7 +122,7 @@ def terminal(tmp_path, monkeypatch):
     words = (sys.executable, "-c", OWN_TERMINAL, entry_point())
     with on_terminal(*words, start_new_session=True) as (process, leader):
         screen = Screen(leader)
-        screen.read("help says how")
+        screen.read("type help for help")
         screen.read(">")
         yield screen, process
         process.kill()

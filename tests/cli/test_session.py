@@ -122,7 +122,7 @@ def test_points_by_the_line_are_no_value(typed, tmp_path, monkeypatch):
 
 def test_one_of_several_results_is_asked_for_by_its_name(typed):
     typed("point-source --flux 800lm --distance 2m")
-    assert "ans stands for one value, and the answer has several" in typed("ans fc")
+    assert "ans is one value, but the answer has several" in typed("ans fc")
     assert "ans.irradiance" in typed("ans fc")
     assert "no 'exitance'" in typed("ans.exitance fc")
     assert typed("ans.distance ft") == "6.56167979003\tft\n"  # 2 / 0.3048
@@ -134,7 +134,7 @@ def test_several_answers_are_no_value(typed):
 
 
 def test_there_is_no_last_answer_at_first(typed):
-    assert typed("ans fc").startswith("radcalc: there is no ans yet\ntry: ")
+    assert typed("ans fc").startswith("radcalc: ans has no value yet\ntry: ")
 
 
 def test_a_name_keeps_an_amount_as_it_was_typed(typed):
@@ -258,13 +258,13 @@ REFUSED = {
     "dBm = 5": ("'dBm' is a scale already", "my_dBm = 5"),
     "EV = 5": ("'EV' is a scale already", "my_EV = 5"),
     "x =": ("x = has no value", "x = 800 lm"),
-    "x = help": ("there is no amount for x", "x = 800 lm"),
+    "x = help": ("the amount for x is missing", "x = 800 lm"),
     "x = zork": ("unknown command 'zork'", "radcalc --help"),
-    "x = point-source --flux 800lm --distance 2m": ("x stands for one value", "-g intensity"),
+    "x = point-source --flux 800lm --distance 2m": ("x is one value", "-g intensity"),
     "x = 1,5 lx": ("has a comma in its number", "1.5"),
     "units 'lux": ("there is a ' with no second one", "the line without '"),
     'units "lux': ('there is a " with no second one', 'the line without "'),
-    "units lux \\": ("there is a \\ with nothing behind it", "the line without \\"),
+    "units lux \\": ("the \\ has nothing after it", "the line without \\"),
     "zork 5": ("unknown command 'zork'", "radcalc --help"),
     "prompt": ("this is the prompt", "exit"),
     "y fc": ("unknown command 'y'", "radcalc --help"),
@@ -303,8 +303,8 @@ def test_what_is_uncertain_stands_in_a_line_once(typed):
     """Two of one origin are off together, and would be carried as if each was off for itself."""
     typed("side = 2 ± 0.1 m", "same = side ft", "other = 2 ± 0.1 m")
     line = "solid-angle rectangle --width side --length {} --height 1m -g solid-angle"
-    assert "side is uncertain, and so is" in typed(line.format("side"))
-    assert "same is uncertain, and so is" in typed(line.format("same"))
+    assert "side is correlated with" in typed(line.format("side"))
+    assert "same is correlated with" in typed(line.format("same"))
     assert "is uncertain" not in typed(line.format("other"))
 
 
@@ -312,7 +312,7 @@ def test_what_is_uncertain_stands_in_a_line_once(typed):
 @pytest.mark.parametrize("line", ["x + x", "x - x", "x + ans", "x + same", "same / x"])
 def test_in_arithmetic_too_however_it_is_written(typed, value, line):
     typed(f"x = {value}", "same = 2*x", "x")
-    assert "is uncertain, and so is" in typed(line)
+    assert "is correlated with" in typed(line)
 
 
 def test_a_bug_is_reported_and_the_next_line_is_answered(session, monkeypatch, capsys):

@@ -247,7 +247,7 @@ def test_a_number_with_more_behind_it_is_no_bare_number():
 def test_options_for_streams_have_no_use_without_one(words):
     done = answered(b"", "convert", "1", "lx", "fc", *words)
     assert (done.stdout, done.returncode) == (b"", 2)
-    assert b"is for lines of standard input" in done.stderr
+    assert b"applies to lines of standard input" in done.stderr
 
 
 def test_a_column_must_be_there_once():

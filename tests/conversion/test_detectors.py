@@ -56,7 +56,7 @@ def test_more_than_one_electron_for_a_photon_is_told(responsivity, is_told):
         ("5 lx W/m2 --wavelength 555nm --electric-field rms", "--electric-field does not apply"),
         ("-5 W/m2 V/m --electric-field rms", "negative"),
         ("1e300 V/m W/m2 --electric-field rms", "is out of range"),
-        ("5 W/m2 V/m --field rms", "--field rms is for the fields of lines"),
+        ("5 W/m2 V/m --field rms", "--field rms applies to the fields of lines"),
         ("5 W/m2 V/m --electric-field mean", "peak"),
     ],
 )

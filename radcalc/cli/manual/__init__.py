@@ -1,11 +1,11 @@
-"""The manual's pages in man/, of which the lists and the helps are made of the commands and tables.
+r"""Generated parts of the manual pages in man/: lists and help, from the commands and tables.
 
-`python -m radcalc.cli.manual man` writes anew what stands between the pages' marks
+`python -m radcalc.cli.manual man` rewrites the text between the marks of the pages
 
-    .\\" generated: WHAT of NAME
-    .\\" end of generated
+    .\" generated: WHAT of NAME
+    .\" end of generated
 
-where WHAT is one of `WRITERS`.  The rest of a page is written by hand.
+with WHAT one of `WRITERS`.  The rest of a page is written by hand.
 """
 
 import re
@@ -33,7 +33,7 @@ WRITERS: Mapping[str, Callable[[str], Iterable[str]]] = {
 
 
 def rewritten(page: str) -> str:
-    """The page with everything between its marks as the commands and tables have it."""
+    """Return the page with its generated parts made anew."""
 
     def write(match: re.Match[str]) -> str:
         lines = WRITERS[match[2]](match[3] or "")
@@ -43,12 +43,12 @@ def rewritten(page: str) -> str:
 
 
 def pages(folder: Path) -> list[Path]:
-    """The pages in man1 and man7 of a folder."""
+    """Return the pages in man1 and man7 of a folder."""
     return sorted(folder.glob("man?/radcalc*.?"))
 
 
 def transcripts(page: str) -> list[tuple[str, str]]:
-    """Every command of a page's displays, with the output below it."""
+    """Yield every command of a page's displays, with the output below it."""
     displays = []
     for block in re.findall(r"^\.Bd -literal[^\n]*\n(.*?)^\.Ed$", page, re.M | re.S):
         for entry in re.split(r"^\$ ", mdoc.displayed(block), flags=re.M)[1:]:

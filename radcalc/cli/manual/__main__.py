@@ -1,4 +1,4 @@
-"""Rewrite the pages of a folder in their places: `python -m radcalc.cli.manual man`."""
+"""Rewrite the generated parts of the manual: `python -m radcalc.cli.manual man`."""
 
 import sys
 from pathlib import Path

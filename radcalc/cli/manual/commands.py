@@ -1,4 +1,4 @@
-"""What the pages have of the commands: names and helps, options as in --help, results."""
+"""Generated parts about commands: names, help, options and results."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -41,7 +41,7 @@ def name(of: str) -> Iterator[str]:
 
 
 def listed(of: str) -> Iterator[str]:
-    """The commands with their lines and pages."""
+    """Yield the commands with their lines and pages."""
     yield ".Bl -tag -width Ds -compact"
     for name, line in COMMANDS.items():
         yield f".It Xr radcalc-{name} 1"
@@ -54,9 +54,9 @@ def _lowered(line: str) -> str:
 
 
 def help_text(of: str) -> Iterator[str]:
-    """What --help says, but for its examples and lists: the page has fuller ones.
+    """Yield the text of --help, without its examples and lists: the page has fuller ones.
 
-    What stands in lines of its own is kept where a colon leads to it, and so is a drawing.
+    Lines after a colon, and drawings, are kept as they are.
     """
     before = ""
     for paragraph in (command_of(of).help or "").split("\n\n"):
@@ -76,7 +76,7 @@ def help_text(of: str) -> Iterator[str]:
 
 
 def options(of: str) -> Iterator[str]:
-    """The options of a command, or those of every command or every stream."""
+    """Yield the options of a command, or those of every command or every stream."""
     for i, (title, group) in enumerate(sections_of(of).items()):
         yield from [".Pp"] if i else []
         yield from [f"{text(title)}:"] if title else []
@@ -86,7 +86,7 @@ def options(of: str) -> Iterator[str]:
 
 
 def sections_of(of: str) -> Sections:
-    """The options that a block lists, by the titles of the help; a single list has no title."""
+    """Return the options of a block by the titles of the help; a single list has no title."""
     if of == "every command":
         return {"": [*output.OPTIONS, HELP]}
     if of == "every stream":
@@ -98,7 +98,7 @@ def sections_of(of: str) -> Sections:
 
 
 def results(of: str) -> Iterator[str]:
-    """The results of a command by the names that --get takes, each with its letter and unit."""
+    """Yield the results of a command by their names for --get, with letter and unit."""
     command = command_of(of)
     names = [name for name in results_of(command) if of == "photon" or name not in LINKS]
     kinds, rows = _kinds(command), _heard(of).rows
@@ -115,24 +115,24 @@ def results(of: str) -> Iterator[str]:
 
 
 def laws(of: str) -> Iterator[str]:
-    """The laws that the derivations of the help's examples take, each with where it is from."""
+    """Yield the laws in the derivations of the help's examples, with their sources."""
     steps = {step.law: step for step in _heard(of).steps if step.formula}
     yield from sentences("As --steps writes them, where Omega0 is 1 sr:")
     yield ".Bl -tag -width Ds -compact"
     for step in steps.values():
         yield f".It {argument(step.law)}"
         reference = f" [{step.reference}]" if step.reference else ""
-        # the initials of authors end no sentence
+        # initials of authors do not end a sentence
         yield from (line.replace(". ", r".\& ") for line in filled([step.formula + reference]))
     yield ".El"
 
 
 class Enough(RadcalcError):
-    """An answer was heard, and is not to be written."""
+    """An answer was heard, and is not written."""
 
 
 class Listener:
-    """What takes answers in place of standard output: their rows by name, and their derivations."""
+    """A listener that keeps the rows of answers by name, and their derivations."""
 
     settings: Mapping[str, Any] = {}
 
@@ -141,7 +141,7 @@ class Listener:
         self.steps: list[Step] = []
 
     def hear(self, results: Sequence[Result]) -> None:
-        """Keep what is answered, and end the command."""
+        """Keep an answer, and end the command."""
         for result in results:
             self.rows.update((row.name, row) for row in result.rows)
             self.steps += result.steps
@@ -150,7 +150,7 @@ class Listener:
 
 @cache
 def _heard(of: str) -> Listener:
-    """What the examples of a help answer, where these can be run and write no file."""
+    """Return the answers to the examples of a help that can run and write no file."""
     command, listener = command_of(of), Listener()
     writes = {
         spelling
@@ -172,9 +172,9 @@ def _heard(of: str) -> Listener:
 
 
 def _kinds(command: SectionedCommand) -> list[str]:
-    """The kinds of light that a command takes, by the names of its options.
+    """Return the kinds of light that a command takes, by the names of its options.
 
-    A name such as irradiance is that of every kind, and of the radiant one.
+    A name such as irradiance belongs to every kind, and to the radiant one.
     """
     options = {
         spelling.removeprefix("--") for parameter in command.params for spelling in parameter.opts
@@ -187,7 +187,7 @@ def _kinds(command: SectionedCommand) -> list[str]:
 
 
 def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
-    """What a symbol is, its letter and its units."""
+    """Return the description of a symbol, with its letter and units."""
     if symbol.label == symbol.letter:  # x, y and z
         return f"{symbol.label}."
     label = f"{symbol.label[0].upper()}{symbol.label[1:]}"
@@ -207,7 +207,7 @@ def _either(words: Sequence[str]) -> str:
 
 
 def _items(listed: Sequence[click.Option]) -> Iterator[str]:
-    """An item an option; hidden ones are other names of the one before them."""
+    """Yield an item for each option; hidden ones are other names of the one before."""
     visible = [option for option in listed if not option.hidden]
     starts = [listed.index(option) for option in visible]
     for option, start, end in zip(visible, starts, [*starts[1:], len(listed)], strict=True):
@@ -219,16 +219,16 @@ def _items(listed: Sequence[click.Option]) -> Iterator[str]:
 
 
 def _spellings(option: click.Option) -> list[str]:
-    """The short name first."""
+    """Return the spellings of an option, the short name first."""
     return sorted(option.opts, key=len)
 
 
 def _argument(option: click.Option) -> str:
-    """What follows an option: one of several words, or an example or a word for a value."""
+    """Return the argument of an option: its choices, an example or a placeholder."""
     if option.is_flag or option.count:
         return ""
     if isinstance(option.type, click.Choice):
-        # a punctuation mark of its own is none of mdoc's
+        # a lone punctuation mark must not be mdoc's
         choices = [rf"\&{word}" if word in (".", ",") else word for word in option.type.choices]
         return f" Cm {' | '.join(choices)}"
     metavar = option.metavar or "VALUE"

@@ -1,4 +1,4 @@
-"""Text as mdoc(7) has it: escapes, filled lines, displays, and options that are marked up."""
+"""Text in mdoc(7): escapes, filled lines, displays, and marked-up options."""
 
 import re
 import textwrap
@@ -11,29 +11,29 @@ ROOM = 73  # of a display, in a page of that width
 
 
 def plain(text: str) -> str:
-    """Text whose characters mean themselves."""
+    """Escape a text so that its characters mean themselves."""
     text = text.replace("\\", r"\e").replace("^", r"\(ha").replace("~", r"\(ti")
     return "".join(c if c.isascii() else f"\\[u{ord(c):04X}]" for c in text)
 
 
 def text(words: str) -> str:
-    """Running text: hyphens stay hyphens, and no word is taken for a request."""
+    """Escape running text: hyphens stay hyphens, and no word is taken as a request."""
     words = re.sub(r"(?<![A-Za-z])-|(?<=\de)-(?=\d)", r"\\-", plain(words))
     return rf"\&{words}" if words[:1] in (".", "'") else words
 
 
 def filled(words: Iterable[str]) -> list[str]:
-    """Lines of running text."""
+    """Return lines of running text."""
     lines = textwrap.wrap(
         " ".join(map(text, words)), WIDTH, break_long_words=False, break_on_hyphens=False
     )
     lines = [rf"\&{line}" if line[:1] in (".", "'") else line for line in lines]
-    # an abbreviation at the end of a line ends no sentence
+    # an abbreviation at the end of a line does not end a sentence
     return [*(rf"{line}\&" if line.endswith(".") else line for line in lines[:-1]), *lines[-1:]]
 
 
 def sentences(words: str) -> Iterator[str]:
-    """A text in lines, each sentence in its own, with the options that it names marked up."""
+    """Return a text with one sentence a line, and its options marked up."""
     for sentence in BETWEEN_SENTENCES.split(" ".join(words.split())):
         waiting: list[str] = []
         for word in sentence.split():
@@ -48,12 +48,12 @@ def sentences(words: str) -> Iterator[str]:
 
 
 def argument(words: str) -> str:
-    """Words behind a macro, of which none is taken for another."""
+    """Escape the arguments of a macro, so that none is taken as another macro."""
     return re.sub(r"(?<![\w\\])(?=[A-Z][a-z](?!\w))", r"\\&", plain(words))
 
 
 def literal(lines: Iterable[str]) -> Iterator[str]:
-    """Lines that stay as they are."""
+    """Return a display of unchanged lines."""
     yield ".Bd -literal -offset 2n"
     for line in lines:
         kept = plain(line).replace("-", r"\-").replace("'", r"\(aq").replace("`", r"\(ga")

@@ -1,4 +1,4 @@
-"""What the pages have of the tables: quantities, conditions, units, prefixes and scales."""
+"""Generated parts about the tables: quantities, conditions, units, prefixes and scales."""
 
 from collections.abc import Iterator, Sequence
 
@@ -22,7 +22,7 @@ LIGHT = [names[i] for i in range(len(KINDS)) for names, _ in GEOMETRIES.values()
 
 
 def quantities(_: str) -> Iterator[str]:
-    """Each quantity: its name, symbol and unit, what it is, its names, and where it leads."""
+    """Yield each quantity: name, symbol, unit, definition, other names, and conversions."""
     yield ".Bl -tag -width Ds"
     for quantity in QUANTITIES:
         symbol, unit = argument(quantity.symbol), argument(quantity.unit)
@@ -39,7 +39,7 @@ def quantities(_: str) -> Iterator[str]:
 
 
 def _names(quantity: Quantity) -> str:
-    """The other names in each language."""
+    """Return the other names in each language."""
     names = [f"also {name}" for name in quantity.names(ENGLISH)[1:]]
     names += [
         f"{LANGUAGE_NAMES[code]} {', '.join(quantity.names(code))}"
@@ -54,14 +54,14 @@ def _sentence(words: str) -> str:
 
 
 def _misnomers(quantity: Quantity) -> Iterator[str]:
-    """The words that people use for a quantity, and why it is called otherwise."""
+    """Return the misused words for a quantity, with the reason."""
     for terms, meant, why in MISNOMERS:
         if meant == quantity.symbol:
             yield f"{', '.join(terms)}: {why}"
 
 
 def _leads(quantity: Quantity) -> Iterator[str]:
-    """The quantities that one condition leads to, by the condition."""
+    """Return the quantities that one condition leads to, by the condition."""
     by_condition: dict[str, list[str]] = {}
     for other in QUANTITIES:
         try:
@@ -70,20 +70,20 @@ def _leads(quantity: Quantity) -> Iterator[str]:
             if len(error.lacking) == 1 and _is_one_step(quantity, other):
                 by_condition.setdefault(error.lacking[0], []).append(other.name(ENGLISH))
         except RadcalcError:
-            continue  # nothing leads there, or a quantity has no unit of its own
+            continue  # no condition leads there, or the quantity has no unit of its own
     for what, names in by_condition.items():
         yield f"with {what}: {', '.join(names)}"
 
 
 def _is_one_step(quantity: Quantity, other: Quantity) -> bool:
-    """Return whether they differ by one step, though W/m2 may reach a surface or leave it."""
+    """Return whether they differ by one step, even if W/m2 is both incident and emitted."""
     source, target = _unit(quantity), _unit(other)
     start, end = read(source), read(target)
     if start is None or end is None:
         return True
     if EXITANCE in (quantity.symbol[0], other.symbol[0]):
         if start.axis or end.axis:
-            return False  # no density is told to leave a surface
+            return False  # densities are not marked as leaving a surface
         if start.geometry != end.geometry:
             return start.kind == end.kind and start.time == end.time
         return start.kind == end.kind or source.is_exitance == target.is_exitance
@@ -91,12 +91,12 @@ def _is_one_step(quantity: Quantity, other: Quantity) -> bool:
 
 
 def _unit(quantity: Quantity) -> Unit:
-    """The usual unit; of an exitance one that leaves a surface."""
+    """Return the usual unit; for an exitance, one of light that leaves a surface."""
     return target_of(quantity.name(ENGLISH))
 
 
 def conditions(_: str) -> Iterator[str]:
-    """Yield the missing conditions in the words of a refusal, and the options that supply it."""
+    """Yield the missing conditions as worded in errors, and the options that supply them."""
     yield ".Bl -tag -width Ds -compact"
     for phrase, options in WANTED.values():
         yield f".It {phrase}"
@@ -105,7 +105,7 @@ def conditions(_: str) -> Iterator[str]:
 
 
 def units(_: str) -> Iterator[str]:
-    """Every unit that has a name, by the quantity that it measures; those of light first."""
+    """Yield every named unit by quantity, units of light first."""
     measured: dict[str, list[Entry]] = {}
     for name in UNITS:
         listed = entry(name)
@@ -117,7 +117,7 @@ def units(_: str) -> Iterator[str]:
 
 
 def scales(_: str) -> Iterator[str]:
-    """Every scale, with its function."""
+    """Yield every scale, with its function."""
     yield from _entries(scale_entries(SCALES))
 
 
@@ -135,7 +135,7 @@ def _entries(entries: Sequence[Entry]) -> Iterator[str]:
 
 
 def prefixes(_: str) -> Iterator[str]:
-    """The prefixes with their symbols and powers of ten."""
+    """Yield the prefixes with their symbols and powers of ten."""
     yield ".Bl -column quetta Micro 10^-30 -compact"
     for name, power in PREFIX_NAMES.items():
         symbols = ", ".join(symbol for symbol, of in PREFIX_SYMBOLS.items() if of == name)
