@@ -132,11 +132,11 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
     "a turn at which one patch cuts the other leads to a lesser one": (
         lambda: HorizonCuts("tilt", "89deg", "84.2deg", law="A1 A2 / d^2"),
         ("--tilt 89deg: the source's horizon may cut the receiver, and A1 A2 / d^2 does not hold",
-         "--tilt 84.2deg, or as far past 90 deg, where nothing is left"),
+         "--tilt 84.2deg, or as far past 90 deg, where there is no light"),
         ("tilt 89deg: the source's horizon may cut the receiver, and A1 A2 / d^2 does not hold",
-         "tilt 84.2deg, or as far past 90 deg, where nothing is left"),
+         "tilt 84.2deg, or as far past 90 deg, where there is no light"),
         ('tilt="89 deg": the source\'s horizon may cut the receiver, and A1 A2 / d^2 does not '
-         "hold", 'tilt="84.2 deg", or as far past 90 deg, where nothing is left')),
+         "hold", 'tilt="84.2 deg", or as far past 90 deg, where there is no light')),
     "a call leads to the manual": (
         lambda: UsageError("too little", manual("point-source")),
         ("too little", "radcalc point-source --help"), ("too little", "the help of point-source"),

@@ -244,7 +244,8 @@ COMMANDS = {
         "--f-number 2.8 convert 100 lx fc", "convert has no --f-number option"),
     "a conversion has one result, and needs no name of it": (
         "convert 100 lx fc --get illuminance", "convert has no --get option", "-n"),
-    "the help is of one command": ("help convert ev", "help is of one", "radcalc convert --help"),
+    "the help is of one command": (
+        "help convert ev", "help takes one command", "radcalc convert --help"),
     "the help of no command names the near one": ("help covnert", "unknown command", "convert"),
     # too little: which quantities would do
     "an irradiance wants a distance": (
@@ -366,9 +367,9 @@ COMMANDS = {
         "--radius cannot be used with --diameter"),
     "a grid of more answers than anybody reads is refused": (
         "point-source --flux 1lm:101lm:1lm --distance 1m:101m:1m", "101 x 101 = 10201 answers"),
-    "a long range stands behind the other lists": (
+    "a long range stands after the other lists": (
         "point-source --flux 1lm --distance 1m:10001m:1m --half-angle 1deg,2deg -g flux",
-        "10001 values", "behind the other lists"),
+        "10001 values", "after the other lists"),
     # geometry
     "a polygon of vertices in a line has no area": (
         "solid-angle polygon 0,0,1 1,0,1 2,0,1", "no area"),
@@ -569,9 +570,9 @@ STREAMS = {
     "the word to stands once": (("a", "to", "b", "to", "c"), "more than once"),
     "a second dash is refused": (("-", "fc"), "'-' is given more than once"),
     "a spectrum and the numbers are not both read from standard input": (
-        ("lx", "W/m2", "--spectrum", "-"), "more than one -"),
+        ("lx", "W/m2", "--spectrum", "-"), "- cannot be used twice"),
     "a column of a spectrum and the numbers are not both read from standard input": (
-        ("lx", "W/m2", "--spectrum", "-:2"), "more than one -"),
+        ("lx", "W/m2", "--spectrum", "-:2"), "- cannot be used twice"),
     "a stream of lux becomes candelas at a distance only": (("lx", "cd"), "a distance is missing"),
     "a distance does not apply between lux and foot-candles": (
         ("lx", "fc", "--distance", "1m"), "does not apply"),
@@ -585,7 +586,7 @@ STREAMS = {
         ("lx", "fc", "--format", "csv"), "--format csv cannot be used with a stream"),
     "a stream has no table": (
         ("lx", "fc", "--format", "table"), "--format table cannot be used with a stream"),
-    "there is no field 0": (("lx", "fc", "--field", "0"), "out of range"),
+    "field 0 is out of range": (("lx", "fc", "--field", "0"), "out of range"),
     "there are no fields up to 0": (("lx", "fc", "--field", "-0"), "out of range"),
     "fields from 3 down to 2 are refused": (("lx", "fc", "--field", "3-2"), "decreasing"),
     "an empty field in a list of fields is refused": (
@@ -608,8 +609,8 @@ STREAMS = {
     "a title is for a column that has one": (
         ("lx", "fc", "--rename", "b"), "--rename needs a header"),
     "one title for two fields is refused": (
-        ("lx", "fc", "-d", ",", "--field", "1,2", "--add", "b"), "for one field"),
-    "a title without a letter is refused": (("lx", "fc", "--add", " "), "is no title"),
+        ("lx", "fc", "-d", ",", "--field", "1,2", "--add", "b"), "take one field"),
+    "a title without a letter is refused": (("lx", "fc", "--add", " "), "is not a title"),
     "a title in another unit is refused": (("lx", "fc", "--add", "E [lx]"), "is in lx, not in fc"),
     "a title of another quantity is refused": (
         ("lx", "fc", "--add", "luminance"), "'luminance' would have illuminance (fc)"),

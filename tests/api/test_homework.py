@@ -66,7 +66,7 @@ def test_a_tolerance_is_a_part_a_size_or_digits():
     [
         (lambda: radcalc.check(CONE, "zork"), "zork"),
         (lambda: radcalc.check(CONE, "luminance=3 cd/m2"), "unknown result 'luminance'"),
-        (lambda: radcalc.check(5, "3 sr"), "no result to check"),
+        (lambda: radcalc.check(5, "3 sr"), "not a result to check"),
         (
             lambda: radcalc.check(
                 radcalc.point_source(flux="1 lm", distance=["1 m", "2 m"]), "3 lx"

@@ -232,7 +232,7 @@ def test_what_dask_has_not_computed_is_shown_as_such():
     found = radcalc.point_source(intensity="1 cd", distance=Q(array, "m"))
     assert "irradiance  an array of the shape (2,), not computed yet lx" in repr(found)
     assert found.assumptions
-    with pytest.raises(radcalc.ConditionError, match="not there yet"):
+    with pytest.raises(radcalc.ConditionError, match="not computed yet"):
         found.to_dict()
 
 

@@ -55,7 +55,7 @@ PRODUCED = {
     "the unit 'W/m^2 sr'": "convert '5 W/m^2 sr' to W/m2/sr",
     "'1,5 lx'": "convert 1,5 lx fc",
     "stdin, line 2, field 3": "printf 'a b 1\\na b x\\n' | radcalc convert - lx fc --field 3",
-    "stdin, line 2: there is no field 3": "printf 'a b 1\\na b\\n' | radcalc convert - lx fc "
+    "stdin, line 2: field 3 is missing": "printf 'a b 1\\na b\\n' | radcalc convert - lx fc "
     "--field 3",
     "stdin, line 2: a quoted": "printf '1,2\\n\"1,2\\n' | radcalc convert - lx fc -d , --field 1",
     "cannot write the answer": "convert 1 lx fc > /dev/full",

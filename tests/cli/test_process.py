@@ -133,7 +133,7 @@ def test_a_completion_that_there_is_not_is_refused(asked, monkeypatch):
     monkeypatch.setenv("_RADCALC_COMPLETE", asked)
     done = process()
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith(f"radcalc: _RADCALC_COMPLETE={asked} asks for nothing")
+    assert done.stderr.startswith(f"radcalc: _RADCALC_COMPLETE={asked} is not a known request")
 
 
 def test_an_interrupt_exits_130_without_a_traceback():

@@ -176,7 +176,7 @@ def test_the_arrow_finds_the_lines_of_the_last_session(tmp_path, monkeypatch):
     monkeypatch.setenv("RADCALC_HISTORY", str(kept))
     with on_terminal(entry_point(), "prompt") as (process, leader):
         screen = Screen(leader)
-        screen.read("exit leaves")
+        screen.read("exit to quit")
         screen.read(">")
         screen.answer("\x1b[A", "250 nit")
         screen.type("\x04")
@@ -190,7 +190,7 @@ def test_a_history_that_cannot_be_kept_stops_nothing(place, monkeypatch, tmp_pat
     monkeypatch.setenv("HOME", str(tmp_path))
     with on_terminal(entry_point(), "prompt") as (process, leader):
         screen = Screen(leader)
-        screen.read("exit leaves")
+        screen.read("exit to quit")
         screen.read(">")
         screen.answer("100 lx fc", "9.2903 fc")
         screen.type("\x04")
@@ -205,7 +205,7 @@ def test_the_answers_of_a_prompt_can_be_kept_in_a_file(tmp_path):
         on_terminal(entry_point(), "prompt", stdout=file) as (process, leader),
     ):
         screen = Screen(leader)
-        screen.read("exit leaves")
+        screen.read("exit to quit")
         screen.read(">")
         screen.type("100 lx fc\r\x04")
         assert process.wait(60) == 0
@@ -226,7 +226,7 @@ def test_a_plain_terminal_gets_no_colours(name, monkeypatch):
 
 OFFERED = {  # what is typed: a word that is offered, and what it says
     "": ("convert", "Convert units"),
-    "va": ("vars", "The names"),
+    "va": ("vars", "The variables"),
     "ex": ("exit", "Leave"),
     "help ca": ("calorimeter", "Radiant flux"),
     "100 lx k": ("klx", "kilolux"),

@@ -117,7 +117,7 @@ def test_points_by_the_line_are_no_value(typed, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("lamp.csv").write_text("x,y,z,intensity\n0,0,2,100cd\n")
     typed("100 lx fc", "scene lamp.csv --grid 0:1:2,0,0 -g irradiance")
-    assert "no number" in typed("ans fc")
+    assert "ans is not a number" in typed("ans fc")
 
 
 def test_one_of_several_results_is_asked_for_by_its_name(typed):
@@ -262,8 +262,8 @@ REFUSED = {
     "x = zork": ("unknown command 'zork'", "radcalc --help"),
     "x = point-source --flux 800lm --distance 2m": ("x is one value", "-g intensity"),
     "x = 1,5 lx": ("has a comma in its number", "1.5"),
-    "units 'lux": ("there is a ' with no second one", "the line without '"),
-    'units "lux': ('there is a " with no second one', 'the line without "'),
+    "units 'lux": ("the ' has no second one", "the line without '"),
+    'units "lux': ('the " has no second one', 'the line without "'),
     "units lux \\": ("the \\ has nothing after it", "the line without \\"),
     "zork 5": ("unknown command 'zork'", "radcalc --help"),
     "prompt": ("this is the prompt", "exit"),

@@ -215,7 +215,7 @@ def test_a_line_passes_unchanged_where_one_of_its_fields_is_bad():
 def test_a_field_that_is_not_there_is_no_number():
     done = convert(b"1 2\n1\n", "lx", "fc", "--field", "2")
     assert (done.stdout, done.returncode) == (b"1 0.18580608\n", 2)
-    assert done.stderr.startswith(b"radcalc: stdin, line 2: there is no field 2\ntry: ")
+    assert done.stderr.startswith(b"radcalc: stdin, line 2: field 2 is missing\ntry: ")
 
 
 def test_a_quote_that_is_not_closed_is_refused():
@@ -251,7 +251,11 @@ def test_options_for_streams_have_no_use_without_one(words):
 
 
 def test_a_column_must_be_there_once():
-    for header, message in ((b"a,a\n", "2 times"), (b"b,c\n", "has no column"), (b"", "no header")):
+    for header, message in (
+        (b"a,a\n", "2 times"),
+        (b"b,c\n", "has no column"),
+        (b"", "header of stdin is missing"),
+    ):
         done = convert(header + b"1,2\n" * bool(header), "lx", "fc", "-d", ",", "--column", "a")
         assert (done.stdout, done.returncode) == (b"", 2)
         assert message in done.stderr.decode()
@@ -260,7 +264,7 @@ def test_a_column_must_be_there_once():
 def test_a_header_in_utf_16_is_told_from_one_without_the_column():
     done = convert("t,E [lx]\n0,1\n".encode("utf-16"), "lx", "fc", "-d", ",", "--column", "E")
     assert (done.stdout, done.returncode) == (b"", 2)
-    assert b"is no text in UTF-8\ntry: UTF-8 (iconv" in done.stderr
+    assert b"is not text in UTF-8\ntry: UTF-8 (iconv" in done.stderr
 
 
 def test_a_header_of_a_megabyte_is_read():

@@ -14,7 +14,7 @@ from radcalc.streams.samples import Log
 
 
 def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Log]:
-    """Times in seconds from the first, with None where a line was left out; values; the log."""
+    """Times in seconds from the first, with None for a skipped line; values; the log."""
     raw = io.BytesIO(data.encode() if isinstance(data, str) else data)
     clock = {key: told.pop(key) for key in ("zone", "format") if key in told}
     if "time_unit" in told:
@@ -99,7 +99,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
 @pytest.mark.parametrize(
     ("text", "told", "said"),
     [
-        ("", {}, "there is no data"),
+        ("", {}, "the data are missing"),
         ("t_s,E_lx\n", {}, "no time and value"),
         ("t_s,E_lx\n0,1\n1\n", {}, "line 3: 1 cells instead of 2"),
         ("t_s,E_lx\n0,1\n1,2,3\n", {}, "line 3: 3 cells instead of 2"),
@@ -112,12 +112,12 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         *[(f"t_s,E_lx\n0,1\n1,{mark}\n", {}, "line 3: a value is missing")
           for mark in ("", "NaN", "N/A", "--", "null", "-9999", "-9999.9", "-6999")],
         ("t_s,E_lx\n0,1\n2,1\n1,1\n", {}, "line 4: 1 s is before 2 s in line 3"),
-        ("t_s,E_lx\n0,1\n2,1\n2,1\n", {}, "line 4: the time 2 s stands in line 3 already"),
+        ("t_s,E_lx\n0,1\n2,1\n2,1\n", {}, "line 4: the time 2 s is already in line 3"),
         ("t_s,E_lx,F_lx\n0,1,2\n1,1,2\n", {}, "there are 2 columns of values"),
         ("t_s,a,b\n0,1,2\n1,1,2\n", {"unit": "lx"}, "there are 2 columns of values"),
         ("1\t2015-12-06 15:41:07\t'x'\n", {"unit": "lx"}, "there are 2 columns of values"),
         ("a,b,E_lx\n2024-06-01,2024-06-02,1\n", {}, "there are 2 columns of times"),
-        ("a,b,E_lx\n1,2,1\n", {}, "no column has times"),
+        ("a,b,E_lx\n1,2,1\n", {}, "the column of the times is missing"),
         ("t_s,E_lx\n0,1\n", {"column": "F"}, "has no column 'F'"),
         ("t_s,E_lx\n0,1\n", {"column": "3"}, "no column '3'"),
         ("t_s,E,E\n0,1,2\n", {"column": "E", "unit": "lx"}, "the column 'E' 2 times"),
@@ -135,7 +135,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         *[(f"time,E [lx]\n2024-06-01T11:00,{bad}\n2024-06-01T12:00,1\n", told, "line 2: ")
           for bad in ("OVER", "<1", "1.000.000", "\0") for told in ({}, {"column": "E"})],
         ("time,E [lx]\n2024-06-01T11:00\n2024-06-01T12:00,1\n", {}, "line 2: 1 cells"),
-        ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is no date and time"),
+        ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is not a date and time"),
         ("t_s,E_lx\n0,OVER\n1,2\n", {}, "line 2: 'OVER' is not a number"),
         ("a,b,c,E_lx\n12:00,2024-06-01,12:01,1\n", {}, "there are 2 columns of clocks"),
         ("time,E [lx]\n2024-06-01T12:00,1\n２０２４-06-01T13:00,1\n", {}, "line 3: "),
@@ -144,7 +144,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' is ambiguous: a thousand"),
         ("t_s;E_lx\n0,5;1,5\n1.5;2,5\n", {}, "line 3: a decimal point"),
         ("t_s;E_lx\n0.5;1\n1.5;2,5\n", {}, "line 3: a decimal comma"),
-        *[(f"t,E [lx]\n1717245300,1\n{bad},2\n", {}, "is no Unix time")
+        *[(f"t,E [lx]\n1717245300,1\n{bad},2\n", {}, "is not a Unix time")
           for bad in ("1e-9999999999999999999", "1.7172453e9", "9" * 5000)],
     ],
 )  # fmt: skip
@@ -244,7 +244,7 @@ def test_what_is_left_out_is_told_and_leaves_a_mark(invalid, is_good):
     times, values, log = read("t_s,E_lx\n0,1\n1,--\n2,3\n2,4\n3,5\n", invalid=invalid)
     assert (times, values) == ([0, None, 2, 3], [1, 3, 5])  # a line twice hides no sample
     assert log.is_good is is_good
-    assert "2 lines are left out; the first: log, line 3" in log.notes[0]
+    assert "2 lines are skipped; the first: log, line 3" in log.notes[0]
 
 
 @pytest.mark.parametrize("mark", [".", ","])

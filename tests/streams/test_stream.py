@@ -216,7 +216,7 @@ def test_a_comma_in_a_number_does_not_make_two_of_it():
     assert (good, said) == (
         False,
         [
-            "stdin, line 1: there is no field 2",
+            "stdin, line 1: field 2 is missing",
             "stdin, line 3: 3 fields, and lines before have 2",
         ],
     )
