@@ -66,7 +66,7 @@ def test_a_name_of_no_result_is_an_attribute_error_that_names_those_like_it():
 def test_what_was_assumed_noted_and_derived_is_told_in_pythons_words():
     assert LAMP.assumptions[0] == "isotropic: the same intensity in all directions"
     assert [step.law for step in LAMP.steps][-1] == "inverse square law"
-    assert radcalc.photon("300 nm").notes[0].startswith("nothing is seen at 300 nm")
+    assert radcalc.photon("300 nm").notes[0].startswith("300 nm is invisible")
     ball = radcalc.uberlight((0, 0, 1), intensity="1 cd")
     assert "a fall-off distance of 1 m (falloff_distance)" in ball.assumptions
 

@@ -106,7 +106,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t_s;E_lx\n0;1,5\n1;2.5\n", {}, "line 3: a decimal point, but line 2 has a decimal comma"),
         ("t_s;E_lx\n0;1,500\n1;2\n", {}, "is ambiguous: a thousand"),
         ("t_s,E_lx\n0,1\n1,x\n", {}, "line 3: 'x' is not a number"),
-        ("t_s,E_lx\n0,1\n1,inf\n", {}, "line 3: 'inf' is not a number"),
+        ("t_s,E_lx\n0,1\n1,inf\n", {}, "line 3: 'inf' is not a finite number"),
         ("t_s,E_lx\n0,1\n1,1_0\n", {}, "line 3: '1_0' is not a number"),
         ("t_s,E_lx\n0,1\nx,1\n", {}, "line 3: 'x' is not a number of s"),
         *[(f"t_s,E_lx\n0,1\n1,{mark}\n", {}, "line 3: a value is missing")
