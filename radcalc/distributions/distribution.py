@@ -49,12 +49,12 @@ class Distribution(Protocol):
     Attributes
     ----------
     kind : str
-            Kind of light: "v" for intensities in cd, "e" for W/sr, "p" for photon/s/sr; empty for
-            relative intensities.
-        is_axial : bool
-            Whether the intensity is the same at every azimuth.
-        finest : float [rad]
-            Smallest width of a peak.
+        Kind of light: "v" for intensities in cd, "e" for W/sr, "p" for photon/s/sr; empty for
+        relative intensities.
+    is_axial : bool
+        Whether the intensity is the same at every azimuth.
+    finest : float [rad]
+        Smallest width of a peak.
     """
 
     @property

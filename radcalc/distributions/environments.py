@@ -79,7 +79,7 @@ def expression(text: str) -> Environment:
     Raises
     ------
     ConditionError, UnitError
-            If it is not an expression, or its unit is not a unit of radiance.
+        If it is not an expression, or its unit is not a unit of radiance.
 
     Examples
     --------
@@ -218,7 +218,7 @@ def picture_of(pixels: Any) -> "Picture":
     Parameters
     ----------
     pixels : array of shape (height, width), (height, width, 1) or (height, width, 3)
-            A NumPy or Dask array; three channels are R, G and B.
+        A NumPy or Dask array; three channels are R, G and B.
 
     Returns
     -------
@@ -367,7 +367,7 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
     Raises
     ------
     MissingInput
-            If the channels have no common sum in that kind of light.
+        If the channels have no common sum in that kind of light.
     """
     from radcalc.distributions.maps.pictures import REC_709, RGB
 

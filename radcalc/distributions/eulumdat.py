@@ -60,23 +60,23 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Parameters
     ----------
     lines : sequence of str
-            Lines of the file, without line ends.
-        name : str
-            Name of the file in messages.
+        Lines of the file, without line ends.
+    name : str
+        Name of the file in messages.
 
-        Returns
-        -------
-        Photometry
-            Intensities [cd] in all planes, closed to a whole circle.  It declares `lamp-flux` and
-            `output-ratio` (or `flux`, for absolute photometry), `downward-fraction` and
-            `input-power`, if the file has them.
+    Returns
+    -------
+    Photometry
+        Intensities [cd] in all planes, closed to a whole circle.  It declares `lamp-flux` and
+        `output-ratio` (or `flux`, for absolute photometry), `downward-fraction` and
+        `input-power`, if the file has them.
 
-        Raises
-        ------
-        ConditionError
-            With the line: if it does not have the expected content, if angles contradict the
-            declared steps, do not rise or do not fit the symmetry, if an intensity is negative, or
-            if lines are missing or left over.
+    Raises
+    ------
+    ConditionError
+        With the line: if it does not have the expected content, if angles contradict the
+        declared steps, do not rise or do not fit the symmetry, if an intensity is negative, or
+        if lines are missing or left over.
 
     Notes
     -----

@@ -39,13 +39,13 @@ def read_file(path: str) -> Photometry:
     Returns
     -------
     Photometry
-            Distribution, declared values, and assumptions of the reader.
+        Distribution, declared values, and assumptions of the reader.
 
-        Raises
-        ------
-        ConditionError
-            If it cannot be read, is not text, or has none of the three formats; also the errors of
-            the format's reader, with the line.
+    Raises
+    ------
+    ConditionError
+        If it cannot be read, is not text, or has none of the three formats; also the errors of
+        the format's reader, with the line.
     """
     name, lines = read_lines(path, KNOWN)
     reader = _by_content(lines) or READERS.get(os.path.splitext(path)[1].lower())
@@ -79,7 +79,7 @@ def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
     Raises
     ------
     ConditionError
-            If it cannot be read, or is not text.
+        If it cannot be read, or is not text.
     """
     name, data = contents.read_bytes(path, MOST_BYTES, expected)
     return name, _lines(data, name, expected)

@@ -30,24 +30,24 @@ class Formula:
     text : str
         The expression; theta is the polar angle from the axis, phi the azimuth about it [rad].
     factor : float, optional
-            Factor that converts the values to coherent SI; 1 by default.
-        kind : str, optional
-            "v" for candelas, "e" or "p"; empty, the default, for relative values.
-        unit : str, optional
-            Unit of the values, for messages.
-        quantity : str, optional
-            Quantity of the values, for messages: an intensity or a radiance.
+        Factor that converts the values to coherent SI; 1 by default.
+    kind : str, optional
+        "v" for candelas, "e" or "p"; empty, the default, for relative values.
+    unit : str, optional
+        Unit of the values, for messages.
+    quantity : str, optional
+        Quantity of the values, for messages: an intensity or a radiance.
 
-        Attributes
-        ----------
-        unseen : float [rad]
-            Narrower peaks may be missed.
+    Attributes
+    ----------
+    unseen : float [rad]
+        Narrower peaks may be missed.
 
-        Raises
-        ------
-        ConditionError
-            If the text is not an expression; on evaluation, if a value is negative or not a finite
-            number.
+    Raises
+    ------
+    ConditionError
+        If the text is not an expression; on evaluation, if a value is negative or not a finite
+        number.
 
     Examples
     --------

@@ -55,21 +55,21 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Parameters
     ----------
     lines : sequence of str
-            Lines of the file.
-        name : str
-            Name of the file in messages.
+        Lines of the file.
+    name : str
+        Name of the file in messages.
 
-        Returns
-        -------
-        Photometry
-            Distribution and declared values.  Intensities are those of the table times the
-            multiplier and the ballast factor, and in the editions of 1986 and 1991 the ballast-lamp
-            factor.  The factors of a tilted lamp are not applied.
+    Returns
+    -------
+    Photometry
+        Distribution and declared values.  Intensities are those of the table times the
+        multiplier and the ballast factor, and in the editions of 1986 and 1991 the ballast-lamp
+        factor.  The factors of a tilted lamp are not applied.
 
     Raises
     ------
     ConditionError
-            If the file is not LM-63, ends early or is ambiguous.
+        If the file is not LM-63, ends early or is ambiguous.
 
     References
     ----------

@@ -174,7 +174,7 @@ def heights(
     Raises
     ------
     ConditionError
-            If no height gives this irradiance.
+        If no height gives this irradiance.
 
     Examples
     --------
@@ -216,7 +216,7 @@ def laterals(
     Raises
     ------
     ConditionError
-            If no place has this irradiance.
+        If no place has this irradiance.
 
     Examples
     --------
@@ -279,7 +279,7 @@ def on_plane(
     Raises
     ------
     ConditionError
-            If there are too many discs, or the edges of the light on one are too sharp.
+        If there are too many discs, or the edges of the light on one are too sharp.
 
     Examples
     --------

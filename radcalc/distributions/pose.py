@@ -69,7 +69,7 @@ class Pose:
         Raises
         ------
         ConditionError
-                If a point is at the source.
+            If a point is at the source.
         """
         return spherical(*components(self.axes, to))
 

@@ -23,12 +23,12 @@ class Radiances(Protocol):
     Attributes
     ----------
     kind : str
-            Kind of light: "v" for radiances in cd/m2, "e" for W/m2/sr, "p" for photon/s/m2/sr;
-            empty for relative radiances.
-        is_axial : bool
-            Whether the radiance is known to be the same at every azimuth.
-        coverage : float [1]
-            Share of the sphere that is covered, by solid angle; the rest is dark.
+        Kind of light: "v" for radiances in cd/m2, "e" for W/m2/sr, "p" for photon/s/m2/sr;
+        empty for relative radiances.
+    is_axial : bool
+        Whether the radiance is known to be the same at every azimuth.
+    coverage : float [1]
+        Share of the sphere that is covered, by solid angle; the rest is dark.
     """
 
     @property
@@ -83,7 +83,7 @@ class FormulaRadiances:
     Parameters
     ----------
     formula : Formula
-            The expression of the radiances.
+        The expression of the radiances.
 
     Examples
     --------

@@ -72,9 +72,9 @@ class Emitter:
         Parameters
         ----------
         points : tuple of 3 ndarrays of shape (n,) [m]
-                Coordinates of the points.
-            normal : tuple of 3 floats [1]
-                Unit normal of the receivers.
+            Coordinates of the points.
+        normal : tuple of 3 floats [1]
+            Unit normal of the receivers.
 
         Returns
         -------
@@ -83,7 +83,7 @@ class Emitter:
         Raises
         ------
         ConditionError
-                If a point is at the source, or too near a patch.
+            If a point is at the source, or too near a patch.
 
         Notes
         -----
@@ -232,7 +232,7 @@ def unit(normal: Vector) -> Vector:
     Parameters
     ----------
     normal : tuple of 3 floats
-            A vector of any length but 0.
+        A vector of any length but 0.
 
     Returns
     -------
@@ -241,7 +241,7 @@ def unit(normal: Vector) -> Vector:
     Raises
     ------
     ConditionError
-            If its length is 0 or not finite.
+        If its length is 0 or not finite.
 
     Examples
     --------
@@ -290,23 +290,23 @@ def field(
     Parameters
     ----------
     sources : sequence of Emitter or Panel
-            Sources of one kind of light.
+        Sources of one kind of light.
     points : tuple of 3 ndarrays of shape (n,) [m]
-            Coordinates of the points.
-        normal : tuple of 3 floats [1]
-            Unit normal of the receivers.
-        with_parts : bool, optional
-            Whether to keep the irradiance from each source.
+        Coordinates of the points.
+    normal : tuple of 3 floats [1]
+        Unit normal of the receivers.
+    with_parts : bool, optional
+        Whether to keep the irradiance from each source.
 
-        Returns
-        -------
-        Field
-            n irradiances.
+    Returns
+    -------
+    Field
+        n irradiances.
 
     Raises
     ------
     ConditionError
-            As in `Emitter.irradiance`.
+        As in `Emitter.irradiance`.
 
     Examples
     --------
@@ -416,7 +416,7 @@ def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
     Parameters
     ----------
     x, y, z : Axis
-            Coordinates of the grid.
+        Coordinates of the grid.
 
     Yields
     ------
@@ -453,7 +453,7 @@ def blocks(points: Any) -> Iterator[Vector]:
     Raises
     ------
     ConditionError
-            If the array has another shape, or a coordinate is not finite.
+        If the array has another shape, or a coordinate is not finite.
 
     Examples
     --------

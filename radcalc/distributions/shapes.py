@@ -24,7 +24,7 @@ def of_shape(shape: str, width: float | None = None) -> Distribution:
     ----------
     shape : {"isotropic", "cone", "lobe"}
     width : float, optional
-            Half angle of a cone [rad], or exponent of a lobe [1].
+        Half angle of a cone [rad], or exponent of a lobe [1].
 
     Examples
     --------
@@ -69,7 +69,7 @@ class Cone(_Axial):
     Parameters
     ----------
     half_angle : float [rad]
-            Angle from the axis to the edge, above 0 and up to pi.
+        Angle from the axis to the edge, above 0 and up to pi.
 
     Examples
     --------

@@ -49,20 +49,20 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Parameters
     ----------
     lines : sequence of str
-            Lines of the file, without line ends.
-        name : str
-            Name of the file in messages.
+        Lines of the file, without line ends.
+    name : str
+        Name of the file in messages.
 
-        Returns
-        -------
-        Photometry
-            Intensities in coherent SI, or relative ones (kind "") if there is no unit.
+    Returns
+    -------
+    Photometry
+        Intensities in coherent SI, or relative ones (kind "") if there is no unit.
 
-        Raises
-        ------
-        ConditionError
-            With the line: if the columns are not angles and intensities, if angles do not rise, if
-            a value is missing or negative, or if a unit or a plane cannot be identified.
+    Raises
+    ------
+    ConditionError
+        With the line: if the columns are not angles and intensities, if angles do not rise, if
+        a value is missing or negative, or if a unit or a plane cannot be identified.
 
     Examples
     --------

@@ -47,26 +47,26 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     Parameters
     ----------
     data : bytes
-            The whole file: scan lines or tiles (the largest level is read), in one or more parts.
-        name : str
-            Name of the file in messages.
-        channel : str, optional
-            Single channel to read, of any layer: "Z", "diffuse.R"; in any case.
+        The whole file: scan lines or tiles (the largest level is read), in one or more parts.
+    name : str
+        Name of the file in messages.
+    channel : str, optional
+        Single channel to read, of any layer: "Z", "diffuse.R"; in any case.
 
-        Returns
-        -------
-        Picture
-            Half floats are widened.  Of several parts, the first with R, G and B is read, else the
-            first with Y; of luminance and chroma, the luminance.  With a `whiteLuminance` in the
-            file, pixels are multiplied by it, and are in cd/m2.  A map with an `envmap` is its
-            whole data window; otherwise the pixels are cut to the display window, and have a frame
-            if they do not fill it.
+    Returns
+    -------
+    Picture
+        Half floats are widened.  Of several parts, the first with R, G and B is read, else the
+        first with Y; of luminance and chroma, the luminance.  With a `whiteLuminance` in the
+        file, pixels are multiplied by it, and are in cd/m2.  A map with an `envmap` is its
+        whole data window; otherwise the pixels are cut to the display window, and have a frame
+        if they do not fill it.
 
     Raises
     ------
     ConditionError
-            If it is damaged, deep, a cube or too large, or has neither R, G and B nor Y; if the
-            package OpenEXR is missing.
+        If it is damaged, deep, a cube or too large, or has neither R, G and B nor Y; if the
+        package OpenEXR is missing.
 
     References
     ----------
@@ -74,7 +74,7 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
 
     Examples
     --------
-    >>> read(b"v/1\\x01\\x02\\0\\0\\0", "sky.exr")
+    >>> read(b"v/1\x01\x02\0\0\0", "sky.exr")
     Traceback (most recent call last):
     radcalc.errors.ConditionError: sky.exr is damaged: its header cannot be read
     try: another copy of it

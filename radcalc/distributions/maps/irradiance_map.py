@@ -71,7 +71,7 @@ def irradiance_map(
     Raises
     ------
     ConditionError
-            If the size is not that of a latlong map, or the order is not 2.
+        If the size is not that of a latlong map, or the order is not 2.
 
     Examples
     --------

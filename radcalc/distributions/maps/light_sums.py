@@ -46,7 +46,7 @@ class Raster:
     size : tuple of 2 ints
         Width and height of the image [pixels].
     part : tuple of 4 ints
-            Left, top, width and height of the rectangle [pixels].
+        Left, top, width and height of the rectangle [pixels].
     """
 
     def __init__(

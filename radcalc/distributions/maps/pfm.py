@@ -37,7 +37,7 @@ def read(data: bytes, name: str) -> Picture:
     data : bytes
         The whole file.
     name : str
-            Name of the file in messages.
+        Name of the file in messages.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def read(data: bytes, name: str) -> Picture:
 
     Examples
     --------
-    >>> read(b"Pf\\n1 2\\n-1\\n" + bytes([0, 0, 0, 64, 0, 0, 128, 63]), "sky.pfm").pixels.tolist()
+    >>> read(b"Pf\n1 2\n-1\n" + bytes([0, 0, 0, 64, 0, 0, 128, 63]), "sky.pfm").pixels.tolist()
     [[[1.0]], [[2.0]]]
     """
     head = HEADER.match(data[:200])
@@ -86,7 +86,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     Raises
     ------
     ConditionError
-            If the channels are X, Y, Z, which a reader would interpret as R, G, B.
+        If the channels are X, Y, Z, which a reader would interpret as R, G, B.
     """
     if picture.channels == XYZ:
         raise ConditionError("PFM has no X, Y, Z", "a Radiance (.hdr) or OpenEXR (.exr) picture")

@@ -224,7 +224,7 @@ class RadianceMap:
         Returns
         -------
         ndarray of shape (n, channels)
-                0 if no pixel shows the direction; not multiplied by the factor.
+            0 if no pixel shows the direction; not multiplied by the factor.
         """
         column, row = self._pixel_of(direction)
         values = numpy.zeros((len(column), self.pixels.shape[2]))

@@ -92,22 +92,22 @@ def read(data: bytes, name: str) -> Picture:
     data : bytes
         The whole file.
     name : str
-            Name of the file in messages.
+        Name of the file in messages.
 
     Returns
     -------
     Picture
-            R, G, B; X, Y, Z, where Y is luminance in cd/m2; or Y of a grey picture from `write`.
+        R, G, B; X, Y, Z, where Y is luminance in cd/m2; or Y of a grey picture from `write`.
 
-        Raises
-        ------
-        ConditionError
-            If there is no header of a picture, the data are incomplete, or a scanline is damaged;
-            with its number and the byte.
+    Raises
+    ------
+    ConditionError
+        If there is no header of a picture, the data are incomplete, or a scanline is damaged;
+        with its number and the byte.
 
     Examples
     --------
-    >>> head = b"#?RADIANCE\\nEXPOSURE=2\\nFORMAT=32-bit_rle_rgbe\\n\\n-Y 1 +X 1\\n"
+    >>> head = b"#?RADIANCE\nEXPOSURE=2\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n"
     >>> read(head + bytes([128, 64, 0, 129]), "sky.hdr").pixels.tolist()
     [[[0.5, 0.25, 0.0]]]
     """

@@ -30,11 +30,11 @@ class Sun(NamedTuple):
     Attributes
     ----------
     polar, azimuth : float [rad]
-            Direction of the centre.
-        radius : float [rad]
-            Angular radius.
-        irradiance : float [lx, W/m2 or photon/s/m2]
-            Irradiance of a receiver that faces the sun.
+        Direction of the centre.
+    radius : float [rad]
+        Angular radius.
+    irradiance : float [lx, W/m2 or photon/s/m2]
+        Irradiance of a receiver that faces the sun.
 
     Examples
     --------
@@ -74,7 +74,7 @@ def sky_map(sky: Sky, width: int, height: int, sun: Sun | None = None) -> Pictur
     Raises
     ------
     ConditionError
-            If the size is not that of such a map.
+        If the size is not that of such a map.
 
     Examples
     --------
