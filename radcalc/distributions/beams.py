@@ -40,11 +40,6 @@ class Beam(NamedTuple):
     References
     ----------
     .. [1] CIE e-ILV 17-27-077, beam angle (to half of the maximum or of the axial intensity).
-
-    Examples
-    --------
-    >>> Beam(1.0, None, True).is_ambiguous
-    True
     """
 
     outermost: float | None
@@ -59,16 +54,10 @@ def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
     Parameters
     ----------
     distribution : Distribution
-        Intensities.
     azimuth : float [rad]
-        Azimuth of one half of the plane: 0 for C0-C180, pi/2 for C90-C270.
+        0 for C0-C180, pi/2 for C90-C270.
     share : float [1]
         Share of the intensity: 1/2 for the beam angle, 1/10 for the field angle.
-
-    Returns
-    -------
-    Beam
-        The angle by both definitions.
 
     Examples
     --------
@@ -82,7 +71,6 @@ def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
     angle = numpy.linspace(-math.pi, math.pi, 2 * STEPS + 1)
 
     def along(angle: Any) -> Any:
-        """Return the intensity in the plane, by the angle from the axis."""
         return distribution.intensity(
             abs(angle), numpy.where(angle < 0, azimuth + math.pi, azimuth)
         )

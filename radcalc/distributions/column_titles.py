@@ -37,19 +37,9 @@ KNOWN = "an intensity in cd, mcd, W/sr, mW/sr or the like, or no unit for relati
 
 
 class Column(NamedTuple):
-    """C planes and unit of a column of intensities.
+    """C planes [deg] and unit in the title of a column of intensities, if it has them.
 
-    Attributes
-    ----------
-    plane, opposite : float [deg] or None
-        C plane, and the opposite one if the title names both.
-    unit : Unit or None
-        Unit, if the title has one.
-
-    Examples
-    --------
-    >>> column("C90 (mcd)").plane
-    90.0
+    `opposite` is the opposite plane of a title such as C0-C180.
     """
 
     plane: float | None
@@ -58,17 +48,7 @@ class Column(NamedTuple):
 
 
 def angles(title: str) -> Unit | None:
-    """Return the unit of the angles in a title, or None.
-
-    Parameters
-    ----------
-    title : str
-        Title of the first column; may be empty.
-
-    Returns
-    -------
-    Unit or None
-        A unit of angle.
+    """Return the unit of angle in the title of the first column, or None.
 
     Raises
     ------
@@ -96,17 +76,7 @@ def angles(title: str) -> Unit | None:
 
 
 def column(title: str) -> Column:
-    """Return the C planes and the unit in the title of a column of intensities.
-
-    Parameters
-    ----------
-    title : str
-        May be empty.
-
-    Returns
-    -------
-    Column
-        C planes and unit, if the title has them.
+    """Read the title of a column of intensities.
 
     Raises
     ------
@@ -151,11 +121,6 @@ def in_comments(comments: Sequence[str]) -> Unit | None:
     ------
     ConditionError
         If comments have different units.
-
-    Examples
-    --------
-    >>> in_comments(["lamp 7, 3 m", "I (cd)"])
-    Unit('cd')
     """
     units: dict[tuple[object, float], Unit] = {}
     for comment in comments:

@@ -1,7 +1,4 @@
-"""Safe reading of the contents of files, and writing of whole files.
-
-Only regular files up to a given size are read.
-"""
+"""Safe reading of the contents of regular files up to a given size, and writing of whole files."""
 
 import errno
 import os
@@ -19,28 +16,12 @@ BLOCK = 1 << 20  # bytes to read at a time if the size is unknown
 
 
 def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
-    """Read all of a file.
-
-    Parameters
-    ----------
-    path : str
-        A regular file, or "-" for standard input.
-    largest : int
-        Largest accepted size [bytes].
-    expected : str
-        Expected content, for the hint of a message.
-
-    Returns
-    -------
-    name : str
-        Name of the file in messages.
-    data : bytes
-        Contents.
+    """Return the name in messages, and all contents, of a regular file or of standard input (-).
 
     Raises
     ------
     ConditionError
-        If it cannot be read, is not a regular file or is too large.
+        If it cannot be read, is not a regular file or has more than `largest` bytes.
     """
     if path == "-":
         return "stdin", _whole(terminal.read, BLOCK, largest, "stdin")
@@ -52,8 +33,7 @@ def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
 def opened(path: str, largest: int, expected: str, instead: str = "a file") -> Iterator[FileIO]:
     """Open a regular file for reading, without waiting for a pipe or a device.
 
-    It raises the errors of `read_bytes`, also for a failure during reading; `instead` is the
-    hint for a pipe or a device.
+    It raises the errors of `read_bytes`, also during reading; `instead` is the hint for a pipe.
 
     Examples
     --------
@@ -81,19 +61,7 @@ def whole(file: FileIO, largest: int, path: str) -> bytes:
 def check_place(path: str, extensions: Collection[str], things: str, instead: str) -> str:
     """Check that a file can be written, before the work whose result would be lost.
 
-    Parameters
-    ----------
-    path : str
-        File to be written.
-    extensions : collection of str
-        Accepted extensions, in lower case.
-    things, instead : str
-        Kind of contents, and the extensions, for messages.
-
-    Returns
-    -------
-    str
-        Extension of the path, in lower case.
+    Return its extension in lower case.
 
     Raises
     ------
@@ -130,12 +98,7 @@ def check_place(path: str, extensions: Collection[str], things: str, instead: st
 def written(path: str) -> Iterator[str]:
     """Create an empty file that replaces a path once it is written completely.
 
-    On an error, the previous file stays unchanged.
-
-    Raises
-    ------
-    OutputError
-        If it cannot be written.
+    On an error, the previous file stays unchanged.  Raise an OutputError if it cannot be written.
     """
     target = os.path.realpath(path)  # the target of a link, not the link
     # in the same folder: a file moved from elsewhere may arrive incomplete

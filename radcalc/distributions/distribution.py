@@ -1,4 +1,4 @@
-"""The protocol of distributions, and functions that need no more than the protocol."""
+"""The protocol of distributions, and functions for all of them."""
 
 import math
 from collections.abc import Callable
@@ -15,20 +15,7 @@ ALL_AZIMUTHS: Interval = (0.0, 2 * math.pi)  # [rad]
 
 
 class Peak(NamedTuple):
-    """The greatest value of a function of direction, and a direction with that value.
-
-    Attributes
-    ----------
-    value : float [coherent SI]
-        The value, such as an intensity.
-    polar, azimuth : float [rad]
-        The direction.
-
-    Examples
-    --------
-    >>> Peak(100.0, 0.0, 0.0).value
-    100.0
-    """
+    """The greatest value of a function of direction [coherent SI], and its direction [rad]."""
 
     value: float
     polar: float
@@ -49,8 +36,7 @@ class Distribution(Protocol):
     Attributes
     ----------
     kind : str
-        Kind of light: "v" for intensities in cd, "e" for W/sr, "p" for photon/s/sr; empty for
-        relative intensities.
+        Kind of light: "v" for cd, "e" for W/sr, "p" for photon/s/sr; empty if relative.
     is_axial : bool
         Whether the intensity is the same at every azimuth.
     finest : float [rad]
@@ -80,17 +66,9 @@ class Distribution(Protocol):
         ...
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
-        """Return the integral of the intensity over all directions, or a part of them.
+        """Return the flux [lm, W, photon/s or sr] in all directions or in a part, and its error.
 
-        Parameters
-        ----------
-        polar, azimuth : tuple of 2 floats [rad], optional
-            Limits of the polar angle and of the azimuth; all directions by default.
-
-        Returns
-        -------
-        Integral
-            Flux [lm, W, photon/s or sr] and an estimate of its error.
+        `polar` and `azimuth` [rad] are the limits of the part.
         """
         ...
 
@@ -123,7 +101,7 @@ def integrated(
     Returns
     -------
     Integral
-        Flux and error; both are 0 if the part is dark at all points of a fine grid.
+        0 if the part is dark at all points of a fine grid.
 
     Raises
     ------
@@ -172,20 +150,10 @@ NO_LIGHT, DARK_AXIAL = (361, 361), (20_000, 1)
 
 
 def last_where(holds: Callable[[Any], Any], inside: float, outside: float) -> float:
-    """Return the last number between two at which a condition still holds.
+    """Return the last number from `inside` to `outside` at which a condition holds.
 
-    Parameters
-    ----------
-    holds : callable
-        Takes an array of numbers and returns an array of truth values.
-    inside, outside : float
-        A number at which it holds, and one at which it does not.
-
-    Returns
-    -------
-    float
-        To the precision of a float, by repeated refinement with many numbers at once;
-        `radcalc.maths.limit` does the same with single numbers.
+    The precision is that of a float, by repeated refinement with many numbers at once;
+    `radcalc.maths.limit` does the same with single numbers.
 
     Examples
     --------

@@ -33,20 +33,9 @@ RADIANCES = {light_dimension(kind, (0, 1, 1), ""): kind for kind in KINDS}
 class Environment(NamedTuple):
     """Radiances, with their origin, assumptions and notes.
 
-    Attributes
-    ----------
-    radiances : Radiances
-        By direction.
-    channels, weights : tuple
-        Names of a map's channels and their weights in the sum; one for a sky or an expression.
-    efficacy : float [lm/W]
-        Luminous efficacy of its watts, if the format defines it; else 0.
-    luminance : str
-        Formula for the radiance from the channels of a map; else empty.
-    reference : str
-        Source of the formula.
-    assumptions, notes : tuple of str
-        Assumptions of the reader, and oddities.
+    A map has the names of its `channels`, and their `weights` in the sum, whose formula and source
+    are `luminance` and `reference`.  `efficacy` is the luminous efficacy [lm/W] of its watts, or 0
+    if the format does not define it.
     """
 
     radiances: Radiances
@@ -66,15 +55,6 @@ def is_map(source: str) -> bool:
 
 def expression(text: str) -> Environment:
     """Read an expression in theta (polar angle from +z) and phi (azimuth from +x), with its unit.
-
-    Parameters
-    ----------
-    text : str
-        See `radcalc.distributions.sources.formula_with_unit`.
-
-    Returns
-    -------
-    Environment
 
     Raises
     ------
@@ -100,20 +80,9 @@ def of_picture(
     aim: Vector | None = None,
     channel: str = "",
 ) -> Environment:
-    """Return the environment of a map.
+    """Return the environment of a map, with the world direction of its centre (+x by default).
 
-    Parameters
-    ----------
-    picture : Picture
-        Pixels, and what the file declares.
-    unit, projection, channel : optional
-        Choices of the user; see `unit_of`, `projection_of` and `channel_of`.
-    aim : tuple of 3 floats, optional
-        World direction of the map's centre; +x by default.
-
-    Returns
-    -------
-    Environment
+    `unit`, `projection` and `channel` are choices of the user.
 
     Raises
     ------
@@ -160,13 +129,7 @@ def of_picture(
 
 
 def channel_of(picture: "Picture", channel: str) -> "Picture":
-    """Return a picture with one channel, found by its name in any case.
-
-    Raises
-    ------
-    ConditionError
-        If there is no such channel.
-    """
+    """Return a picture with one channel, in any case; raise a ConditionError without it."""
     names = [name.lower() for name in picture.channels]
     if channel.lower() not in names:
         raise ConditionError(
@@ -183,18 +146,6 @@ def channel_of(picture: "Picture", channel: str) -> "Picture":
 def sampled(radiances: Radiances, width: int, height: int) -> "RadianceMap":
     """Sample radiances at the pixel centres of a latlong map.
 
-    Parameters
-    ----------
-    radiances : Radiances
-    width, height : int
-        Size of the map [pixels].
-
-    Returns
-    -------
-    RadianceMap
-
-    Examples
-    --------
     >>> from radcalc.distributions.sky import Sky
     >>> round(sampled(Sky("uniform"), 64, 32).irradiance((0, 0, 1)).value, 6)
     3.141593
@@ -215,19 +166,8 @@ def sampled(radiances: Radiances, width: int, height: int) -> "RadianceMap":
 def picture_of(pixels: Any) -> "Picture":
     """Return an array as a picture without metadata.
 
-    Parameters
-    ----------
-    pixels : array of shape (height, width), (height, width, 1) or (height, width, 3)
-        A NumPy or Dask array; three channels are R, G and B.
-
-    Returns
-    -------
-    Picture
-
-    Raises
-    ------
-    ConditionError
-        If it has another shape.
+    Its shape is (height, width), with a third dimension for 1 channel or for R, G and B; raise a
+    ConditionError for another shape.
     """
     from radcalc.distributions.maps.pictures import REC_709, RGB, Picture, Y
 
@@ -274,28 +214,16 @@ def _in(unit: Unit) -> str:
 
 
 def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
-    """Return the unit of a picture's values.
+    """Return the factor to coherent SI, and the kind of light, of a picture's values.
 
-    Parameters
-    ----------
-    picture : Picture
-        May declare the unit.
-    given : Unit, optional
-        Unit given by the user; it overrules the picture's.
-
-    Returns
-    -------
-    factor : float
-        Factor that converts the values to coherent SI.
-    kind : str
-        "v", "e" or "p"; empty for relative values.
+    A unit given by the user overrules that of the picture.
 
     Raises
     ------
     ConditionError
         If the unit is not a unit of radiance.
     MissingInput
-        If no unit is given.
+        If there is no unit.
     """
     file_unit = resolve(picture.unit) if picture.unit else None
     if file_unit and file_unit.dimension not in (NUMBER, *RADIANCES):
@@ -332,16 +260,9 @@ def _radiance_for(unit: Unit) -> str:
 
 
 class Weighted(NamedTuple):
-    """Weights of a picture's channels in the radiance.
+    """Weights of a picture's channels in the radiance, and texts for a derivation.
 
-    Attributes
-    ----------
-    weights : tuple of float [1]
-        Weight of each channel.
-    assumption, formula, reference : str
-        Texts for an assumption and a derivation.
-    efficacy : float [lm/W]
-        Luminous efficacy of the radiance; 0 if it is not defined.
+    `efficacy` is the luminous efficacy of the radiance [lm/W], or 0 if it is not defined.
     """
 
     weights: tuple[float, ...]
@@ -353,16 +274,6 @@ class Weighted(NamedTuple):
 
 def weighted(picture: "Picture", kind: str) -> Weighted:
     """Return the weights with which the channels add up to a luminance or radiance.
-
-    Parameters
-    ----------
-    picture : Picture
-    kind : str
-        Kind of light of its unit; empty for relative values.
-
-    Returns
-    -------
-    Weighted
 
     Raises
     ------
@@ -395,14 +306,13 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
 
 
 def _sum(weights: Sequence[float], names: Sequence[str]) -> str:
-    """Return the weighted sum of channels as a formula."""
     return " + ".join(
         f"{weight:.4g} {name}" for weight, name in zip(weights, names, strict=True) if weight
     )
 
 
 def projection_of(picture: "Picture", given: str) -> str:
-    """Return the projection of a picture: given by the user, declared by its file, or by its shape.
+    """Return the projection: given by the user, declared by the file, or latlong for a 2:1 picture.
 
     Raises
     ------

@@ -57,13 +57,6 @@ SYMMETRIES = {
 def read(lines: Sequence[str], name: str) -> Photometry:
     """Read an EULUMDAT file.
 
-    Parameters
-    ----------
-    lines : sequence of str
-        Lines of the file, without line ends.
-    name : str
-        Name of the file in messages.
-
     Returns
     -------
     Photometry
@@ -74,9 +67,8 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Raises
     ------
     ConditionError
-        With the line: if it does not have the expected content, if angles contradict the
-        declared steps, do not rise or do not fit the symmetry, if an intensity is negative, or
-        if lines are missing or left over.
+        With the line: for unexpected contents, angles that contradict the declared steps or the
+        symmetry, negative intensities, and missing or superfluous lines.
 
     Notes
     -----
@@ -97,8 +89,6 @@ def read(lines: Sequence[str], name: str) -> Photometry:
 
 
 class _Reader:
-    """Reader of a file, line by line."""
-
     def __init__(self, lines: Sequence[str], name: str) -> None:
         end = len(lines)
         while end and not lines[end - 1].strip():
@@ -113,14 +103,12 @@ class _Reader:
         raise refusal(self.name, number, problem, hint)
 
     def text(self, what: str) -> str:
-        """Read a line."""
         if self.at >= len(self.lines):
             self.refuse(max(self.at, 1), f"the file ends here, before its {what}", "the whole file")
         self.at += 1
         return self.lines[self.at - 1].strip()
 
     def number(self, what: str, low: float = -math.inf, high: float = math.inf) -> float:
-        """Read a line with a number."""
         text = self.text(what)
         value = finite(text, True)
         if value is None or not low <= value <= high:
@@ -136,14 +124,13 @@ class _Reader:
         return value
 
     def optional(self, what: str, low: float = -math.inf) -> float:
-        """Read a line that is a number or empty; return 0 if it is empty."""
+        """Return 0 for an empty line."""
         if self.at < len(self.lines) and not self.lines[self.at].strip():
             self.at += 1
             return 0.0
         return self.number(what, low)
 
     def whole(self, what: str, low: int, high: int = MOST) -> int:
-        """Read a line with a whole number."""
         value = self.number(what, low, high)
         if value != int(value):
             self.refuse(
@@ -214,7 +201,6 @@ class _Reader:
                 self.optional(f"direct ratio {k + 1}")
 
     def check_end(self) -> None:
-        """Raise an error if the file goes on after its intensities."""
         for number, line in enumerate(self.lines[self.at :], self.at + 1):
             if line.strip():
                 self.refuse(

@@ -36,11 +36,6 @@ def read_file(path: str) -> Photometry:
     path : str
         A regular file of 64 MiB at most, or "-" for standard input.
 
-    Returns
-    -------
-    Photometry
-        Distribution, declared values, and assumptions of the reader.
-
     Raises
     ------
     ConditionError
@@ -60,21 +55,9 @@ def read_file(path: str) -> Photometry:
 
 
 def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
-    """Read the lines of a text in an unknown encoding.
+    """Return the name of a text in messages, and its lines without line ends, in any encoding.
 
-    Parameters
-    ----------
-    path : str
-        A regular file of 64 MiB at most, or "-" for standard input.
-    expected : str
-        Expected content, for the hint of a message.
-
-    Returns
-    -------
-    name : str
-        Name of the file in messages.
-    lines : list of str
-        Lines without line ends; at least one is not blank.
+    At least one line is not blank.
 
     Raises
     ------

@@ -96,7 +96,6 @@ class Grid:
         return self._at(polar, azimuth)
 
     def _at(self, polar: Number, azimuth: Number) -> Number:
-        """Return the intensity at the table's own angles."""
         polar, azimuth = numpy.broadcast_arrays(polar, azimuth)
         if self._has_one_plane:
             values = in_chunks(self._in_plane, polar.ravel())
@@ -105,14 +104,12 @@ class Grid:
         return values.reshape(polar.shape)[()]
 
     def _in_plane(self, polar: Any) -> Any:
-        """Interpolate linearly between the two values around each direction."""
         return numpy.interp(polar, self.polar, self.values[0]) * self._reaches(polar)
 
     def _reaches(self, polar: Any) -> Any:
         return (polar >= self.polar[0] - SLACK) & (polar <= self.polar[-1] + SLACK)
 
     def _between_planes(self, polar: Any, azimuth: Any) -> Any:
-        """Interpolate bilinearly between the four values around each direction."""
         count = len(self.polar)
         turned = (azimuth - self.azimuth[0] + SLACK) % TURN + (self.azimuth[0] - SLACK)
         # fractional row and column of each direction
@@ -153,17 +150,10 @@ class Grid:
         return flux.error / flux.value if flux.value else 0.0
 
     def zonal_flux(self) -> float:
-        """Return the flux by the zonal method: mean of a cell's corners times its solid angle.
+        """Return the flux in all directions by the zonal method of photometric laboratories.
 
-        Returns
-        -------
-        float [lm, W, photon/s or sr]
-            Flux in all directions.
-
-        References
-        ----------
-        .. [1] IES LM-63 and the zonal lumen method of photometric laboratories; agrees with the
-           digits in their reports.
+        It is the sum of the mean of a cell's corners times its solid angle, and agrees with the
+        digits in laboratories' reports (IES LM-63).
         """
         return self._sum(self.polar, self.values, ALL_POLAR, ALL_AZIMUTHS, is_zonal=True)
 
@@ -192,7 +182,6 @@ class Grid:
         return float(across @ values @ along)
 
     def _every_other(self, polar: Interval, azimuth: Interval, first: int) -> float:
-        """Return the same integral with every other angle of the table omitted."""
         rows, columns = (_halved(len(angles), first) for angles in (self.azimuth, self.polar))
         if len(self.azimuth) < MANY:
             rows = list(range(len(self.azimuth)))
@@ -218,13 +207,6 @@ class Grid:
     def contradictions(self) -> tuple[str, ...]:
         """Return notes on directions for which the table has several, different values.
 
-        Returns
-        -------
-        tuple of str
-            Notes for the axis, the opposite direction, and the two ends of the circle.
-
-        Examples
-        --------
         >>> Grid([0, 1], [0, 1, 2], [[10, 1], [11, 1], [10, 1]]).contradictions()
         ('the planes differ on the axis, which is one direction, by 9.1 % of the peak',)
         """
@@ -248,7 +230,6 @@ class Grid:
 
 
 def _halved(count: int, first: int) -> list[int]:
-    """Return every other index from `first`, and both ends."""
     return sorted({0, *range(first, count, 2), count - 1})
 
 
@@ -271,12 +252,12 @@ def _weights(nodes: Any, low: float, high: float, cell: Any) -> Any:
 
 
 def _even(middle: Any, half: Any) -> Any:
-    """For a linear function of the azimuth: the mean times the width."""
+    """Linear in the azimuth: the mean times the width."""
     return 2 * half, 0.0 * half
 
 
 def _sine(middle: Any, half: Any) -> Any:
-    """For a linear function of theta times its sine: A, and B without the width."""
+    """Linear in theta, times its sine: A, and B without the width."""
     sine, square = numpy.sin(half), half * half
     # sin(h) - h cos(h); a series for narrow cells, as the difference loses digits
     series = half * square * (1 / 3 - square * (1 / 30 - square * (1 / 840 - square / 45360)))
@@ -285,5 +266,5 @@ def _sine(middle: Any, half: Any) -> Any:
 
 
 def _zonal(middle: Any, half: Any) -> Any:
-    """For the zonal method: the mean of both ends times the solid angle."""
+    """The zonal method: the mean of both ends times the solid angle."""
     return 2 * numpy.sin(middle) * numpy.sin(half), 0.0 * half

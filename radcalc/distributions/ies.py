@@ -52,13 +52,6 @@ _RADIANT = re.compile(r"\b([mu\u00b5\u03bc]?W)\s*/\s*sr\b", re.IGNORECASE)
 def read(lines: Sequence[str], name: str) -> Photometry:
     """Read a photometric file of IES LM-63.
 
-    Parameters
-    ----------
-    lines : sequence of str
-        Lines of the file.
-    name : str
-        Name of the file in messages.
-
     Returns
     -------
     Photometry
@@ -160,7 +153,7 @@ class _Label:
 
 
 def _unit(label: _Label) -> tuple[str, float, list[str]]:
-    """Return kind of light and SI value of the unit of intensity, and assumptions."""
+    """Return the kind of light and the SI value of the unit of intensity, and assumptions."""
     wanted = f"[{UNITS_ARE}] with one of: cd, mW/sr, W/sr, uW/sr"
     if UNITS_ARE in label.keywords:
         line, text = label.keywords[UNITS_ARE]
@@ -218,7 +211,7 @@ class _Header(NamedTuple):
 
 
 def _header(numbers: Numbers, edition: int, assumptions: list[str]) -> _Header:
-    """Read the thirteen numbers, and check the counts against the numbers after them."""
+    """Read the header, and check its counts of angles."""
     numbers.need(13, "the 13 numbers of the lamps and the table")
     lumens = numbers.whole("number of lamps", 0) * numbers.number()
     factor = numbers.factor("multiplier")
@@ -238,7 +231,7 @@ def _header(numbers: Numbers, edition: int, assumptions: list[str]) -> _Header:
 
 
 def _ballast_lamp_factor(numbers: Numbers, edition: int, assumptions: list[str]) -> float:
-    """Return the factor of 1986 and 1991; later editions do not have it."""
+    """Return the ballast-lamp factor, which only LM-63-1986 and 1991 have."""
     if edition in (1986, 1991):
         value = numbers.factor("ballast-lamp factor")
         if value != 1:
@@ -255,7 +248,7 @@ def _ballast_lamp_factor(numbers: Numbers, edition: int, assumptions: list[str])
 
 
 def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
-    """Raise an error if the table has fewer or more numbers than its counts of angles require.
+    """Raise an error if there are not as many numbers as the counts of angles require.
 
     A record ends at the end of a line; the first one that does not is reported.
     """
@@ -352,7 +345,7 @@ class _Table:
         return angles + 90, self.vertical, values.T
 
     def of_a(self) -> tuple[Any, Any, Any]:
-        """Return the same for type A, about the same axis as type C."""
+        """Return the same for type A, which has the axis of type C."""
         angles, values = self.both_sides((-90, 90), (-180, 180))
         self.assumptions.append(
             "V = H = 0 of type A is at C 0, gamma 90 deg; V increases upwards and H to C 270 deg"
@@ -384,7 +377,6 @@ class _Table:
             raise self.error(what, f"{what} angles from {low} to {high} deg")
 
     def error(self, what: str, hint: str) -> ConditionError:
-        """Return an error about angles, which precede the table, the vertical ones first."""
         angles = getattr(self, what)
         later_angles = len(self.horizontal) if what == "vertical" else 0
         span = f"{angles[0]:g} to {angles[-1]:g}" if len(angles) > 1 else f"{angles[0]:g}"

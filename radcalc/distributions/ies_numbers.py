@@ -1,4 +1,4 @@
-"""The numbers after the label of an IES LM-63 file, one by one, with their lines."""
+"""The numbers after the label of an IES LM-63 file."""
 
 import re
 from bisect import bisect_right
@@ -15,13 +15,16 @@ BEYOND = 1e18  # limit of a number, so that products stay finite
 
 
 class Numbers:
-    """The numbers after the label, in order, with their lines."""
+    """The numbers after the label, in order, with their lines.
+
+    `start` is the line of the label's end, `ends` the count of numbers up to the end of each line.
+    """
 
     def __init__(self, lines: Sequence[str], start: int, name: str) -> None:
         self.name = name
         self.start = start
         values: list[float] = []
-        self.ends: list[int] = []  # count of numbers up to the end of each line
+        self.ends: list[int] = []
         self.place = 0
         body = list(lines[start:])
         while body and body[-1].strip().upper() in ("", "END"):
@@ -37,7 +40,6 @@ class Numbers:
             raise self.error(place, problem, "a finite number")
 
     def numbers(self, line: str, number: int) -> list[float]:
-        """Return the numbers of a line."""
         words = line.split()
         values = numbers_at_once(line, words)
         if values is not None:
@@ -79,7 +81,6 @@ class Numbers:
         return len(self.values) - self.place
 
     def whole(self, what: str, least: int) -> int:
-        """Read a count."""
         value = self.number()
         if value != int(value) or value < least:
             raise self.error(
@@ -88,7 +89,6 @@ class Numbers:
         return int(value)
 
     def one_of(self, what: str, codes: dict[int, str]) -> int:
-        """Read a code number."""
         value = self.number()
         if value not in codes:
             meanings = ", ".join(f"{code} ({meaning})" for code, meaning in codes.items())
@@ -96,7 +96,6 @@ class Numbers:
         return int(value)
 
     def factor(self, what: str) -> float:
-        """Read a factor."""
         value = self.number()
         if value <= 0:
             raise self.error(self.place - 1, f"the {what} is {value:g}", "a factor above 0")

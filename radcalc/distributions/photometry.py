@@ -14,12 +14,6 @@ class Photometry(NamedTuple):
 
     Attributes
     ----------
-    distribution : Distribution
-        Intensities as emitted: all factors of the file are applied.
-    format : str
-        Format of the file, such as "IES LM-63-2002, type C".
-    name : str
-        Name of the luminaire in the file; may be empty, and has no control characters.
     declared : dict of str to float
         Declared values [SI], by symbol: `lamp-flux` of all lamps and `output-ratio`, or the
         luminaire's `flux` for absolute photometry; `input-power`, `downward-fraction`.
@@ -27,12 +21,6 @@ class Photometry(NamedTuple):
         Longest side or diameter of the luminous area, if declared; else 0.
     assumptions, notes : tuple of str
         Assumptions of the reader, and oddities.
-
-    Examples
-    --------
-    >>> from radcalc.distributions.shapes import Isotropic
-    >>> Photometry(Isotropic(), "IES LM-63-2002, type C").declared
-    {}
     """
 
     distribution: Distribution
@@ -47,12 +35,6 @@ class Photometry(NamedTuple):
         """Yield the declared values that differ from those of the intensities by more than 2 %.
 
         Lamps may have more flux than the luminaire, but not less.
-
-        Examples
-        --------
-        >>> from radcalc.distributions.shapes import Isotropic
-        >>> [*Photometry(Isotropic(), "a file", declared={"lamp-flux": 10.0}).contradictions()]
-        ['the file declares lamps of 10 lm, but its intensities give 12.57 lm, which is more']
         """
         declared, flux = self.declared, self.distribution.flux().value
         if not (declared and flux):
@@ -73,5 +55,5 @@ class Photometry(NamedTuple):
 
 
 def _rounded(*figures: float) -> Iterator[str]:
-    """Yield numbers with four significant digits."""
+    """Four significant digits."""
     return (f"{float(f'{figure:.4g}'):g}" for figure in figures)

@@ -2,12 +2,6 @@
 
 A source with the pose P is at the height h above a horizontal plane.  A place in the plane is at
 x, y from the point below the source.  Results have the unit of the distribution: candelas give lux.
-
-- `relative_irradiance` at a place in the plane
-- `upward_flux` into the upper half of space
-- `heights`, `laterals`: places with a given irradiance
-- `on_plane`, `on_facing_disc`: solid angle of a disc, weighted with the intensity
-- `unevenness` of the intensity over a disc
 """
 
 import math
@@ -39,14 +33,12 @@ MOST = 1 << 25  # points in all
 def relative_irradiance(
     distribution: Distribution, pose: Pose, x: Number, y: Number, height: Number
 ) -> Number:
-    """Return the irradiance at a place in a horizontal plane under a source.
+    """Return the irradiance I(theta, phi) h / d^3 at a place in a horizontal plane under a source.
 
     Parameters
     ----------
     distribution : Distribution
-        Intensities.
     pose : Pose
-        Aim and rotation of the source.
     x, y : float or ndarray [m]
         The place, from the point below the source.
     height : float or ndarray [m]
@@ -55,7 +47,6 @@ def relative_irradiance(
     Returns
     -------
     float or ndarray [lx, W/m^2, photon/s/m^2 or 1/m^2]
-        I(theta, phi) h / d^3.
 
     Examples
     --------
@@ -68,19 +59,7 @@ def relative_irradiance(
 
 
 def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Integral:
-    """Return the flux of a source into the upper half of space.
-
-    Parameters
-    ----------
-    distribution, pose
-        As in `relative_irradiance`.
-    whole : Integral
-        Flux in all directions.
-
-    Returns
-    -------
-    Integral
-        Flux [lm, W, photon/s or sr] and an estimate of its error.
+    """Return the flux of a source into the upper half of space, from its `whole` flux.
 
     Raises
     ------
@@ -157,8 +136,6 @@ def heights(
 
     Parameters
     ----------
-    distribution, pose
-        As in `relative_irradiance`.
     lateral : float [m]
         Distance of the place from the point below the source, above 0.
     bearing : float [rad]
@@ -199,8 +176,6 @@ def laterals(
 
     Parameters
     ----------
-    distribution, pose
-        As in `relative_irradiance`.
     height : float [m]
         Height of the source above the plane, above 0.
     bearing : float [rad]
@@ -253,7 +228,6 @@ def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[
 
 
 def _is_so(light: Callable[[Any], Any], wanted: float, is_above: bool, off: Any) -> Any:
-    """Return whether the light reaches what is wanted, or the opposite if `is_above` is false."""
     return (light(off) >= wanted) == is_above
 
 
@@ -264,8 +238,6 @@ def on_plane(
 
     Parameters
     ----------
-    distribution, pose
-        As in `relative_irradiance`.
     radius : float or ndarray [m]
         Radius of the disc, above 0.
     x, y, height : float or ndarray [m]
@@ -307,8 +279,6 @@ def on_facing_disc(
 
     Parameters
     ----------
-    distribution : Distribution
-        Intensities.
     radius, distance : float or ndarray [m]
         Radius of the disc and distance of its centre, above 0.
     theta, phi : float or ndarray [rad]
@@ -317,11 +287,6 @@ def on_facing_disc(
     Returns
     -------
     float or ndarray [lm, W, photon/s or sr]
-        As in `on_plane`.
-
-    Raises
-    ------
-    ConditionError
         As in `on_plane`.
 
     Examples
@@ -343,7 +308,6 @@ def on_facing_disc(
 
 
 def _about_axis(distribution: Distribution, radius: Number, away: Number) -> Number:
-    """Return the flux on discs with their centres on the axis."""
     return each(lambda r, d: distribution.flux((0.0, math.atan2(r, d))).value, radius, away)
 
 
@@ -363,18 +327,9 @@ def _counts(distribution: Distribution, radius: Number, away: Number) -> list[in
 def unevenness(
     distribution: Distribution, radius: Number, distance: Number, theta: Number, phi: Number
 ) -> float:
-    """Return how much the intensity varies over a disc that faces a source.
+    """Return the largest relative difference of the intensity on a disc from that at its centre.
 
-    Parameters
-    ----------
-    distribution, radius, distance, theta, phi
-        As in `on_facing_disc`.
-
-    Returns
-    -------
-    float [1]
-        Largest difference from the intensity at the centre, relative to it; infinite if only
-        the centre is dark.
+    Parameters are those of `on_facing_disc`.  It is infinite if only the centre is dark.
 
     Examples
     --------

@@ -41,11 +41,8 @@ def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
 
     Examples
     --------
-    >>> planes, values = mirrored([0, 45, 90], [[1], [2], [3]])
-    >>> planes.tolist()
+    >>> mirrored([0, 45, 90], [[1], [2], [3]])[0].tolist()
     [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0, 360.0]
-    >>> values[:, 0].tolist()
-    [1.0, 2.0, 3.0, 2.0, 1.0, 2.0, 3.0, 2.0, 1.0]
     """
     planes, values = numpy.array(planes, float), numpy.array(values, float)
     span = planes[-1] - planes[0]
@@ -61,20 +58,9 @@ def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
 
 
 def closed(planes: Any, values: Any) -> tuple[Any, Any]:
-    """Close a table of the whole circle by a repetition of its first plane.
+    """Close a table of the whole circle by a repetition of its first plane, unless it has one.
 
-    Parameters
-    ----------
-    planes : array_like of shape (n,) [deg]
-        Azimuths of the half planes, rising.
-    values : array_like of shape (n, m)
-        A row for each half plane.
-
-    Returns
-    -------
-    tuple of two ndarrays
-        Azimuths [deg] over a whole turn, and their rows; a table that already ends with its
-        first plane is returned unchanged.
+    Parameters are those of `mirrored`, for planes anywhere on the circle.
 
     Raises
     ------
@@ -101,20 +87,8 @@ def closed(planes: Any, values: Any) -> tuple[Any, Any]:
 
 
 def end_of(polar: Any) -> tuple[str, ...]:
-    """Return the assumption about the intensity beyond the polar angles of a table.
+    """Return the assumption about the intensity beyond the polar angles [deg] of a table, if any.
 
-    Parameters
-    ----------
-    polar : array_like [deg]
-        Polar angles of the table, rising.
-
-    Returns
-    -------
-    tuple of str
-        An assumption, or none if the table extends from 0 to 180 degrees.
-
-    Examples
-    --------
     >>> end_of([0, 45, 90])
     ('no light beyond the angles of the table, 0 to 90 deg',)
     """
@@ -126,21 +100,11 @@ def end_of(polar: Any) -> tuple[str, ...]:
 def without_noise(
     values: Any, refuse: Callable[[int, str, str], NoReturn]
 ) -> tuple[Any, tuple[str, ...]]:
-    """Return intensities without negative values.
+    """Return intensities with 0 for negative noise, and a note about it.
 
-    Parameters
-    ----------
-    values : ndarray
-        Measured intensities, finite.
-    refuse : callable
-        Raises the error of a bad value, from its index in the flat array, the problem and a
-        hint.  Bad are values further below 0 than noise or too large for sums, and the last
-        value if none is above 0.
-
-    Returns
-    -------
-    tuple of ndarray and tuple of str
-        Intensities with 0 for negative noise, and a note about it.
+    `refuse` raises the error of a bad value, from its index in the flat array, the problem and a
+    hint.  Bad are values further below 0 than noise or too large for sums, and the last value if
+    none is above 0.
 
     Examples
     --------

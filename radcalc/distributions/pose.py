@@ -55,35 +55,24 @@ class Pose:
         Parameters
         ----------
         to : tuple of 3 floats or ndarrays [m]
-            World vector from the source to a point; not 0.
+            World vector from the source to a point.
 
         Returns
         -------
-        theta : float or ndarray [rad]
-            Polar angle from the source's axis.
-        phi : float or ndarray [rad]
-            Azimuth about it, from C0 towards C90.
+        theta, phi : float or ndarray [rad]
+            Polar angle from the source's axis, and azimuth about it from C0 towards C90.
         distance : float or ndarray [m]
             Length of the vector.
 
         Raises
         ------
         ConditionError
-            If a point is at the source.
+            If the vector is 0.
         """
         return spherical(*components(self.axes, to))
 
     def world(self, direction: Vector) -> Vector:
-        """Return a vector in the source's coordinates in world coordinates.
-
-        Parameters
-        ----------
-        direction : tuple of 3 floats or ndarrays
-
-        Returns
-        -------
-        tuple of 3 floats or ndarrays
-        """
+        """Return a vector in the source's coordinates in world coordinates."""
         return from_components(self.axes, direction)
 
 

@@ -41,31 +41,17 @@ class Radiances(Protocol):
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         """Return the radiance from directions.
 
+        It is 0 or more.
+
         Parameters
         ----------
         polar, azimuth : float or ndarray [rad]
             Polar angle from +z, from 0 to pi, and azimuth from +x; broadcast together.
-
-        Returns
-        -------
-        float or ndarray [cd/m2, W/m2/sr, photon/s/m2/sr or 1]
-            0 or more.
         """
         ...
 
     def irradiance(self, normal: Vector) -> Integral:
-        """Return the irradiance of a small plane receiver.
-
-        Parameters
-        ----------
-        normal : tuple of 3 floats
-            Normal of the receiver, of any length but 0.
-
-        Returns
-        -------
-        Integral
-            Irradiance [lx, W/m2, photon/s/m2 or sr] and an estimate of its error.
-        """
+        """Return the irradiance [lx, W/m2, photon/s/m2 or sr] of a plane receiver."""
         ...
 
     def mean(self) -> float:
@@ -79,11 +65,6 @@ class Radiances(Protocol):
 
 class FormulaRadiances:
     """Radiances by an expression in theta (polar angle from +z) and phi (azimuth from +x).
-
-    Parameters
-    ----------
-    formula : Formula
-        The expression of the radiances.
 
     Examples
     --------
@@ -114,7 +95,7 @@ class FormulaRadiances:
         return integrated(turned, (0.0, math.pi / 2), ALL_AZIMUTHS, ACCURACY)
 
     def _in_own_angles(self, normal: Vector, is_axial: bool) -> Integral:
-        """Return the integral in theta and phi, for which the steps of the expression are known."""
+        """Integrate in theta and phi, for which the steps of the expression are known."""
         polar = ALL_POLAR
         if is_axial:
             polar = (0.0, math.pi / 2) if normal[2] > 0 else (math.pi / 2, math.pi)

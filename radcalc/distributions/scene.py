@@ -17,29 +17,15 @@ from radcalc.geometry.numerics import vectors
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus
 
 NEAREST = 1e-6  # [m] a point must be farther than this from a source
-BLOCK = 1 << 16  # points that are computed at a time
+BLOCK = 1 << 16  # points at a time
 RECTANGLE = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # corners, in half sides
 
 
 class Emitter:
     """A source that is small compared with its distance, at its position.
 
-    Parameters
-    ----------
-    name : str
-        Name in messages.
-    place : tuple of 3 floats [m]
-        Position.
-    pose : Pose
-        Aim and rotation.
-    distribution : Distribution
-        Intensities.
-    factor : float, optional
-        Factor that converts the intensities to coherent SI; 1 by default.
-    size : float, optional [m]
-        Size, if it is known; 0 by default.
-    is_patch : bool, optional
-        True for a surface: points nearer than five times its size are refused.
+    Intensities times `factor` are in coherent SI.  `size` [m] is 0 if it is not known; with
+    `is_patch`, a surface, points nearer than five times its size are refused.
 
     Examples
     --------
@@ -67,12 +53,14 @@ class Emitter:
         self.size, self.is_patch = size, is_patch
 
     def irradiance(self, points: Vector, normal: Vector) -> Any:
-        """Return the irradiance at points; it is negative for light from behind the receiver.
+        """Return the irradiance E = I(gamma, C) cos(theta) Omega0 / d^2 at points.
+
+        It is negative for light from behind the receiver.
 
         Parameters
         ----------
         points : tuple of 3 ndarrays of shape (n,) [m]
-            Coordinates of the points.
+            Coordinates.
         normal : tuple of 3 floats [1]
             Unit normal of the receivers.
 
@@ -84,18 +72,12 @@ class Emitter:
         ------
         ConditionError
             If a point is at the source, or too near a patch.
-
-        Notes
-        -----
-        ::
-
-            E = I(gamma, C) cos(theta) Omega0 / d^2
         """
         intensity, cosine, distance = self.terms(points, normal)
         return intensity * cosine / (distance * distance)
 
     def terms(self, points: Vector, normal: Vector) -> tuple[Any, Any, Any]:
-        """Return the intensity towards points, the cosine of incidence there, and the distance."""
+        """Return the intensity towards points, the cosine of incidence, and the distance."""
         to = minus(points, self.place)
         distance = length(to)
         _refuse(distance <= NEAREST, points, f"is where {self.name} is", "another point")
@@ -125,18 +107,7 @@ class Emitter:
 class Panel:
     """A rectangle of uniform luminance that emits on one side; exact at any distance.
 
-    Parameters
-    ----------
-    name : str
-        Name in messages.
-    place : tuple of 3 floats [m]
-        Position of the centre.
-    pose : Pose
-        Direction of the normal, and rotation about it.
-    width, length_ : float [m]
-        Sides along C0 and along C90.
-    radiance : float [cd/m^2, W/sr/m^2 or photon/s/sr/m^2]
-        Radiance, uniform over the surface and in all directions.
+    `place` [m] is its centre; `width` and `length_` [m] are its sides along C0 and C90.
 
     Examples
     --------
@@ -157,22 +128,15 @@ class Panel:
         self.half = (width / 2, length_ / 2)
 
     def irradiance(self, points: Vector, normal: Vector) -> Any:
-        """Return the irradiance at points from the part of the panel above their horizon.
+        """Return the irradiance E = L Omega_p at points, with the parameters of `Emitter.irradiance`.
 
-        Parameters are those of `Emitter.irradiance`.  It is negative if all of the panel is below.
-
-        Notes
-        -----
-        ::
-
-            E = L Omega_p
-
-        with the projected solid angle of a polygon, by Lambert's contour formula.
+        Omega_p is the projected solid angle of the part of the panel above their horizon, by
+        Lambert's contour formula.  It is negative if all of the panel is below.
         """
         return self.radiance * self.projected_solid_angle(points, normal)
 
     def projected_solid_angle(self, points: Vector, normal: Vector) -> Any:
-        """Return the projected solid angle [sr] at points, with the sign of `irradiance`."""
+        """Return the projected solid angle [sr], with the sign of `irradiance`."""
         to = minus(points, self.place)
         across, along, ahead = (dot(axis, to) for axis in self.pose.axes)
         inside = (abs(across) <= self.half[0]) & (abs(along) <= self.half[1])
@@ -206,20 +170,8 @@ def _refuse(bad: Any, points: Vector, problem: str, hint: str) -> None:
 
 
 def point_text(x: float, y: float, z: float) -> str:
-    """Return a point as text for a message.
+    """Return a point for a message, as the user types it.
 
-    Parameters
-    ----------
-    x, y, z : float [m]
-        Coordinates.
-
-    Returns
-    -------
-    str
-        The point, as the user types it.
-
-    Examples
-    --------
     >>> point_text(1.0, 0.25, -0.0)
     '1,0.25,0'
     """
@@ -227,27 +179,7 @@ def point_text(x: float, y: float, z: float) -> str:
 
 
 def unit(normal: Vector) -> Vector:
-    """Return a normal scaled to length 1.
-
-    Parameters
-    ----------
-    normal : tuple of 3 floats
-        A vector of any length but 0.
-
-    Returns
-    -------
-    tuple of 3 floats [1]
-
-    Raises
-    ------
-    ConditionError
-        If its length is 0 or not finite.
-
-    Examples
-    --------
-    >>> unit((0.0, 0.0, 5.0))
-    (0.0, 0.0, 1.0)
-    """
+    """Return a normal scaled to length 1; raise a ConditionError if it is 0 or not finite."""
     if not any(normal) or not math.isfinite(sum(normal)):
         raise ConditionError("a normal needs a finite length above 0", option("normal", "0,0,1"))
     return vectors.unit(normal)
@@ -259,20 +191,13 @@ class Field(NamedTuple):
     Attributes
     ----------
     points : tuple of 3 ndarrays of shape (n,) [m]
-        The points.
     total : ndarray of shape (n,) [lx, W/m^2 or photon/s/m^2]
-        Irradiance from all sources.
     parts : list of ndarrays of shape (n,)
         Irradiance from each source; empty unless requested.
     behind : int
         Number of points with light from behind the receiver, which does not count.
     near : tuple of int
         For each source, the number of points nearer than five times its size.
-
-    Examples
-    --------
-    >>> Field((), numpy.zeros(0), [], 0, ()).behind
-    0
     """
 
     points: Vector
@@ -285,28 +210,10 @@ class Field(NamedTuple):
 def field(
     sources: Sequence[Source], points: Vector, normal: Vector, with_parts: bool = False
 ) -> Field:
-    """Return the irradiance at points, summed over all sources.
+    """Return the irradiance at points, summed over sources of one kind of light.
 
-    Parameters
-    ----------
-    sources : sequence of Emitter or Panel
-        Sources of one kind of light.
-    points : tuple of 3 ndarrays of shape (n,) [m]
-        Coordinates of the points.
-    normal : tuple of 3 floats [1]
-        Unit normal of the receivers.
-    with_parts : bool, optional
-        Whether to keep the irradiance from each source.
-
-    Returns
-    -------
-    Field
-        n irradiances.
-
-    Raises
-    ------
-    ConditionError
-        As in `Emitter.irradiance`.
+    Parameters and errors are those of `Emitter.irradiance`; `with_parts` keeps the irradiance
+    from each source.
 
     Examples
     --------
@@ -332,24 +239,8 @@ def field(
 class Statistics:
     """Mean and extremes over many points, updated with one field at a time.
 
-    Attributes
-    ----------
-    count, behind : int
-        Number of points, and of those with light from behind the receiver.
-    near : list of int
-        For each source, the number of points nearer than five times its size.
-    least, most : float
-        Extremes of the irradiance.
-    least_at, most_at : tuple of 3 floats [m]
-        First points with the extremes.
-
-    Examples
-    --------
-    >>> statistics = Statistics()
-    >>> points = tuple(numpy.zeros((3, 2)))
-    >>> statistics.add(Field(points, numpy.array([1.0, 3.0]), [], 0, (0,)))
-    >>> statistics.count, statistics.mean, statistics.least, statistics.most
-    (2, 2.0, 1.0, 3.0)
+    `behind` and `near` are those of `Field`; `least_at` and `most_at` [m] are the first points with
+    the extremes.
     """
 
     def __init__(self) -> None:
@@ -360,13 +251,7 @@ class Statistics:
         self.least_at = self.most_at = (0.0, 0.0, 0.0)
 
     def add(self, field: Field) -> None:
-        """Add more points.
-
-        Parameters
-        ----------
-        field : Field
-            At least one point.
-        """
+        """Add a field of at least one point."""
         self.count += len(field.total)
         self.behind += field.behind
         self.near = [
@@ -390,20 +275,7 @@ def _point(field: Field, k: int) -> tuple[float, float, float]:
 
 
 class Axis(NamedTuple):
-    """Evenly spaced coordinates of a grid along an axis, both ends included.
-
-    Attributes
-    ----------
-    start, end : float [m]
-        Ends.
-    size : int
-        Number of coordinates.
-
-    Examples
-    --------
-    >>> Axis(0.0, 1.0, 3).size
-    3
-    """
+    """Evenly spaced coordinates [m] of a grid along an axis, both ends included."""
 
     start: float
     end: float
@@ -411,20 +283,8 @@ class Axis(NamedTuple):
 
 
 def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
-    """Yield the points of a grid in blocks; z varies fastest, then y.
+    """Yield the points of a grid in blocks of up to `BLOCK`; z varies fastest, then y.
 
-    Parameters
-    ----------
-    x, y, z : Axis
-        Coordinates of the grid.
-
-    Yields
-    ------
-    tuple of 3 ndarrays of shape (n,) [m]
-        Up to `BLOCK` points.
-
-    Examples
-    --------
     >>> [x.tolist() for x in next(grid(Axis(0, 1, 2), Axis(0, 2, 2), Axis(5, 5, 1)))]
     [[0.0, 0.0, 1.0, 1.0], [0.0, 2.0, 0.0, 2.0], [5.0, 5.0, 5.0, 5.0]]
     """
@@ -438,17 +298,7 @@ def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
 
 
 def blocks(points: Any) -> Iterator[Vector]:
-    """Yield given points in blocks.
-
-    Parameters
-    ----------
-    points : array_like of shape (n, 3) [m]
-        The points.
-
-    Yields
-    ------
-    tuple of 3 ndarrays of shape (k,) [m]
-        Up to `BLOCK` points.
+    """Yield points, array_like of shape (n, 3) [m], in blocks of up to `BLOCK`.
 
     Raises
     ------

@@ -1,7 +1,4 @@
-"""Distributions with exact formulas: isotropic, a uniform cone, a lobe.
-
-Their intensities are relative to the intensity on the axis.
-"""
+"""Distributions with exact formulas, relative to the intensity on the axis."""
 
 import math
 
@@ -18,18 +15,9 @@ _, CONICAL, LOBED = DISTRIBUTIONS
 
 
 def of_shape(shape: str, width: float | None = None) -> Distribution:
-    """Return the distribution with a given name.
+    """Return a distribution by its shape: "isotropic", "cone" or "lobe".
 
-    Parameters
-    ----------
-    shape : {"isotropic", "cone", "lobe"}
-    width : float, optional
-        Half angle of a cone [rad], or exponent of a lobe [1].
-
-    Examples
-    --------
-    >>> of_shape("lobe", 3.0).peak().value
-    1.0
+    `width` is the half angle of a cone [rad], or the exponent of a lobe.
     """
     if shape == LOBED and width is not None:
         return Lobe(width)
@@ -37,7 +25,7 @@ def of_shape(shape: str, width: float | None = None) -> Distribution:
 
 
 class _Axial:
-    """A distribution that is the same at every azimuth, and greatest on the axis."""
+    """Greatest on the axis."""
 
     kind = ""
     is_axial = True
@@ -66,10 +54,7 @@ class Isotropic(_Axial):
 class Cone(_Axial):
     """The same intensity up to an angle from the axis, and 0 beyond.
 
-    Parameters
-    ----------
-    half_angle : float [rad]
-        Angle from the axis to the edge, above 0 and up to pi.
+    `half_angle` [rad] is that of its edge from the axis, above 0 and up to pi.
 
     Examples
     --------
@@ -91,11 +76,6 @@ class Cone(_Axial):
 
 class Lobe(_Axial):
     """Intensity that falls as a power of the cosine, up to 90 degrees from the axis.
-
-    Parameters
-    ----------
-    exponent : float [1]
-        Exponent, 0 or more.
 
     Examples
     --------

@@ -26,11 +26,6 @@ class Sky:
     kind : str, optional
         "v", "e" or "p"; empty, the default, for relative radiances.
 
-    Attributes
-    ----------
-    coverage : float [1]
-        Half of the sphere.
-
     Raises
     ------
     ConditionError

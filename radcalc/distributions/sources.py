@@ -37,11 +37,6 @@ def photometry(source: Any) -> Photometry:
         The path of a file; an expression in theta and phi, followed by a blank and a unit of
         intensity, or relative without a unit; or a distribution.
 
-    Returns
-    -------
-    Photometry
-        The contents of the file, or the distribution alone.
-
     Raises
     ------
     ConditionError, UnitError
@@ -71,7 +66,6 @@ def photometry(source: Any) -> Photometry:
 
 
 def _expression(text: str) -> Photometry:
-    """Read an expression with its unit."""
     if is_unknown_word(text):
         near = nearest(text.lower(), DISTRIBUTIONS)
         problem = f"unknown distribution '{quote(text)}' (and no such file)"
@@ -97,22 +91,16 @@ def unseen(formula: Any) -> tuple[str, ...]:
 def formula_with_unit(
     text: str, quantity: str, kinds: Mapping[Dimension, str], example: str
 ) -> Any:
-    """Read an expression with its unit.
+    """Read an expression, followed by a blank and a unit of `kinds`, or relative without a unit.
 
     Parameters
     ----------
-    text : str
-        An expression, followed by a blank and a unit, or relative without a unit.
     quantity : str
-        Quantity of the expression: an intensity or a radiance.
+        Quantity of the expression, for messages: an intensity or a radiance.
     kinds : dict
         Accepted dimensions of the unit, with their kinds of light.
     example : str
         An accepted unit, for messages.
-
-    Returns
-    -------
-    Formula
 
     Raises
     ------

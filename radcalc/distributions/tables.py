@@ -9,15 +9,14 @@ The first column has the polar angles from the source's axis; the others have in
 
 A single column with angles from 0 upwards represents every plane.  Columns of C planes (`C0`,
 `C 22.5`, `phi=45`, or the angle alone) that span 90 or 180 degrees are mirrored; other columns must
-cover the whole circle.  If the angles go from -90 to 90 degrees, a column is a cut through the
-axis, with the negative angles in the opposite half plane.
+cover the whole circle.  With angles from -90 to 90 degrees, a column is a cut through the axis,
+with the negative angles in the opposite half plane.
 
-Columns are separated by commas, semicolons, tabs, bars or blanks; unless commas separate them,
-numbers may have decimal commas.  Lines that begin with #, %, // or ;; are comments; the titles may
-be in the last comment.  The unit of the intensities (cd, mcd, W/sr, mW/sr, umol/s/sr ...) is in
-their titles, in brackets or after them, in a row of units below the titles, or in a comment such
-as `# I (cd)`; without a unit the intensities are relative.
-Angles are in degrees unless the title of the first column has another unit.
+Commas, semicolons, tabs, bars or blanks separate columns; numbers may have decimal commas unless
+commas separate columns.  Lines that begin with #, %, // or ;; are comments; the last one may have
+the titles.  The unit of the intensities is in their titles, in a row of units below them, or in a
+comment such as `# I (cd)`; without a unit they are relative.  Angles are in degrees unless the
+title of the first column has another unit.
 """
 
 import math
@@ -46,13 +45,6 @@ BRACKETED = re.compile(
 def read(lines: Sequence[str], name: str) -> Photometry:
     """Read a table of angles and intensities.
 
-    Parameters
-    ----------
-    lines : sequence of str
-        Lines of the file, without line ends.
-    name : str
-        Name of the file in messages.
-
     Returns
     -------
     Photometry
@@ -61,8 +53,8 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Raises
     ------
     ConditionError
-        With the line: if the columns are not angles and intensities, if angles do not rise, if
-        a value is missing or negative, or if a unit or a plane cannot be identified.
+        With the line: for other columns, angles that do not rise, missing or negative values, and
+        units or planes that cannot be identified.
 
     Examples
     --------
@@ -75,8 +67,6 @@ def read(lines: Sequence[str], name: str) -> Photometry:
 
 
 class _Reader:
-    """Reader of a file."""
-
     def __init__(self, lines: Sequence[str], name: str) -> None:
         self.name = name
         self.assumptions: list[str] = []
@@ -127,7 +117,7 @@ class _Reader:
         )
 
     def titles(self) -> tuple[list[str], int]:
-        """Take out the titles of the columns; return them (empty without titles) and their line."""
+        """Take out the titles of the columns; return them and their line."""
         if not self.rows:
             self.refuse(0, "there is no data", "rows of an angle and an intensity")
         self.delimiter, comma = columns.dialect(self.rows[min(1, len(self.rows) - 1)][1])
@@ -172,7 +162,6 @@ class _Reader:
         return [""] * width
 
     def numbers(self, width: int) -> tuple[Any, Any]:
-        """Return the angles, and a row of intensities for each angle."""
         if width < 2:
             self.refuse(
                 self.rows[0][0], "there is only one column", "an angle and an intensity in each row"
@@ -197,7 +186,6 @@ class _Reader:
         return angles, values
 
     def row(self, number: int, line: str, width: int) -> list[float]:
-        """Return the numbers of a row: at once if all are plain, or one by one."""
         if not self.comma:
             values = columns.numbers_at_once(line, line.split(self.delimiter))
             if values is not None and len(values) == width:
@@ -238,7 +226,6 @@ class _Reader:
         return numpy.clip(degrees, -FLAT, FLAT)
 
     def units(self, titled_columns: Sequence[column_titles.Column]) -> tuple[str, Any]:
-        """Return the kind of light, and the factor for the values of each column."""
         declared = [column.unit for column in titled_columns if column.unit]
         common = None if declared else column_titles.in_comments(self.comments)
         if common:
@@ -257,7 +244,6 @@ class _Reader:
     def planes(
         self, titles: Sequence[str], titled_columns: Sequence[column_titles.Column], head: int
     ) -> Any:
-        """Return the C planes of the columns [deg]."""
         if len(titled_columns) == 1 and titled_columns[0].plane is None:
             return numpy.zeros(1)
         unknown = [

@@ -42,25 +42,13 @@ ASCII = bytes(range(128)) + b"?" * 128  # of each byte
 
 
 def read(data: bytes, name: str, channel: str = "") -> Picture:
-    """Read an OpenEXR picture: R, G and B, else Y; or a single channel.
+    """Read an OpenEXR picture: R, G and B, else Y; or a single channel of any layer, in any case.
 
-    Parameters
-    ----------
-    data : bytes
-        The whole file: scan lines or tiles (the largest level is read), in one or more parts.
-    name : str
-        Name of the file in messages.
-    channel : str, optional
-        Single channel to read, of any layer: "Z", "diffuse.R"; in any case.
-
-    Returns
-    -------
-    Picture
-        Half floats are widened.  Of several parts, the first with R, G and B is read, else the
-        first with Y; of luminance and chroma, the luminance.  With a `whiteLuminance` in the
-        file, pixels are multiplied by it, and are in cd/m2.  A map with an `envmap` is its
-        whole data window; otherwise the pixels are cut to the display window, and have a frame
-        if they do not fill it.
+    The largest level of tiles is read, and half floats are widened.  Of several parts, the first
+    with R, G and B is read, else the first with Y; of luminance and chroma, the luminance.  With a
+    `whiteLuminance` in the file, pixels are multiplied by it, and are in cd/m2.  A map with an
+    `envmap` is its whole data window; otherwise the pixels are cut to the display window, and have
+    a frame if they do not fill it.
 
     Raises
     ------
@@ -71,13 +59,6 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     References
     ----------
     [1]_, [2]_, [3]_
-
-    Examples
-    --------
-    >>> read(b"v/1\x01\x02\0\0\0", "sky.exr")
-    Traceback (most recent call last):
-    radcalc.errors.ConditionError: sky.exr is damaged: its header cannot be read
-    try: another copy of it
     """
     file = io.BytesIO(data)
     parts = _parts(file, name)
@@ -143,13 +124,6 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
 
     A latlong map is marked as one, and cd/m2 by a `whiteLuminance` of 1.  X, Y, Z are written as
     R, G, B with the primaries of XYZ.  Return notes for the user.
-
-    Raises
-    ------
-    ConditionError
-        If the package OpenEXR is missing.
-    OSError
-        If it cannot be written.
     """
     openexr = library()
     height, width, _ = picture.pixels.shape
@@ -206,16 +180,15 @@ class _Window(NamedTuple):
 
 
 class _Part:
-    """The header of a part."""
+    """The header of a part; an error of any class means that an attribute is damaged."""
 
     def __init__(self, part: Any) -> None:
-        """Read the attributes; an error of any class means that one is damaged."""
         header = part.header
         self.label = part.name()
         self.is_deep = part.type().name.startswith("deep")
         self.pixels = _window(header["dataWindow"])
         self.display = _window(header["displayWindow"])
-        # the columns and rows that share one sample of a channel
+        # columns and rows that share a sample of a channel
         self.channels = {
             channel.name: (channel.xSampling, channel.ySampling) for channel in header["channels"]
         }
@@ -241,7 +214,6 @@ def _window(corners: Any) -> _Window:
 
 
 def _floats(header: dict[str, Any], attribute: str, count: int) -> tuple[float, ...]:
-    """Return the numbers of an attribute, or none if the header does not have it."""
     if attribute not in header:
         return ()
     return tuple(np.array(header[attribute], float).reshape(count).tolist())
@@ -296,7 +268,6 @@ def _headers(file: io.BytesIO) -> list[Any]:
 
 
 def _opened(file: io.BytesIO, header_only: bool = False) -> list[Any]:
-    """Return the parts of a file that the library can read."""
     file.seek(0)
     parts: list[Any] = library().File(file, separate_channels=True, header_only=header_only).parts
     return parts
@@ -340,7 +311,6 @@ def _full_size(part: _Part, channels: tuple[str, ...], name: str) -> tuple[str, 
 
 
 def _missing(parts: Sequence[_Part], problem: str) -> ConditionError:
-    """Return an error that lists the channels of the file."""
     channels = list(dict.fromkeys(channel for part in parts for channel in part.channels))
     return ConditionError(
         f"{problem}; it has {quote(listed(channels)) or 'no channels'}",
@@ -349,7 +319,6 @@ def _missing(parts: Sequence[_Part], problem: str) -> ConditionError:
 
 
 def _check_directions(part: _Part, name: str) -> None:
-    """Refuse pixels whose directions are not known."""
     if part.environment is not None:
         if part.environment != library().ENVMAP_LATLONG:
             raise ConditionError(
@@ -369,7 +338,7 @@ def _check_directions(part: _Part, name: str) -> None:
 def _planes(
     file: io.BytesIO, count: int, number: int, channels: Sequence[str], name: str
 ) -> dict[str, Any]:
-    """Read the pixels of the channels of a part, and of its alpha if there is one."""
+    """Read the channels of a part, and its alpha if there is one."""
     with _caught() as printed:
         try:
             parts = _opened(file)

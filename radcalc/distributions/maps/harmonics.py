@@ -13,16 +13,8 @@ ORDER = 2
 def irradiances_of_order_2(around: RadianceMap, normals: Any) -> Any:
     """Return irradiances of receivers from the harmonics up to order 2 of a map, by channel.
 
-    Parameters
-    ----------
-    around : RadianceMap
-    normals : ndarray of shape (n, 3)
-        Unit normals of the receivers, in the map's own axes.
-
-    Returns
-    -------
-    ndarray of shape (n, channels) [lx, W/m2, photon/s/m2 or sr]
-        May be negative if the contrast of the map is too high for the nine harmonics.
+    `normals` are unit vectors (n, 3) in the map's own axes.  The result [lx, W/m2, photon/s/m2 or
+    sr] may be negative if the contrast of the map is too high for the nine harmonics.
 
     Notes
     -----

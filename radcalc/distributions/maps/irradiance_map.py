@@ -30,11 +30,6 @@ class IrradianceMap(NamedTuple):
         Number of pixels with negative harmonics, which were set to 0.
     deepest : float [1]
         Largest amount below 0, relative to the same irradiance.
-
-    Examples
-    --------
-    >>> IrradianceMap(numpy.ones((4, 8, 1))).largest
-    0.0
     """
 
     pixels: Any
@@ -55,18 +50,12 @@ def irradiance_map(
 
     Parameters
     ----------
-    around : RadianceMap
-        Surroundings.
     width, height : int
         Size of the new map [pixels], 2:1.
     order : int, optional
         2 for spherical harmonics up to that order; the exact sum by default.
     progress : callable, optional
         Called with the work done so far and the total.
-
-    Returns
-    -------
-    IrradianceMap
 
     Raises
     ------

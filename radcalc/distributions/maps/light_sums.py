@@ -11,8 +11,7 @@ pixel cut by the horizon, the part above it counts:
 where p and q point from the pixel's centre to two of its edges, so that the cosine has its variance
 over the pixel.  The reported error is the second term with a = |n . p| + |n . q|, which reaches the
 corners.  Pixels that extend farther than `WIDE` are split.  A constant map of 1024 x 512 pixels
-then gives pi L to about 1e-8 in any direction, a map of 64 x 32 to 1e-6; without the second term
-the error would be h^2/12 for pixels of the angle h: 3e-6 and 8e-4.
+then gives pi L to about 1e-8 in any direction, a map of 64 x 32 to 1e-6.
 """
 
 import math
@@ -40,13 +39,7 @@ Pixels = tuple[Any, Any, Any, Any]  # light vectors at radiance 1, both half edg
 class Raster:
     """An image, or a rectangle of it, divided into blocks of pixels.
 
-    Parameters
-    ----------
-    projection : {"latlong", "mirror-ball", "angular"}
-    size : tuple of 2 ints
-        Width and height of the image [pixels].
-    part : tuple of 4 ints
-        Left, top, width and height of the rectangle [pixels].
+    `part` is left, top, width and height of the rectangle [pixels].
     """
 
     def __init__(
@@ -75,7 +68,7 @@ class Raster:
         return down * self.side, min((down + 1) * self.side, self.part[3])
 
     def blocks(self, values: Any) -> Any:
-        """Arrange rows of pixels, (rows, columns, ...), as (blocks, side, side, ...)."""
+        """Arrange (rows, columns, ...) as (blocks, side, side, ...)."""
         rows, columns, *channels = values.shape
         room = numpy.zeros((self.side, self.across * self.side, *channels), values.dtype)
         room[:rows, :columns] = values
@@ -105,13 +98,8 @@ class Raster:
 class LightSums:
     """Light vectors of the blocks of a raster, for irradiances.
 
-    Parameters
-    ----------
-    raster : Raster
-    rows : callable
-        Returns the radiances of a range of rows, (rows, columns, channels).
-    seen : callable, optional
-        Called once with each range of rows and their radiances, during construction.
+    `rows` returns the radiances of a range of rows, (rows, columns, channels); `seen` is called
+    once with each range and its radiances, during construction.
     """
 
     def __init__(
@@ -136,7 +124,7 @@ class LightSums:
     def irradiances(
         self, normals: Any, progress: Progress | None = None, has_errors: bool = False
     ) -> tuple[Any, Any]:
-        """Return the irradiances of receivers, and their possible errors.
+        """Return the irradiances of receivers, and their possible errors: (n, channels) each.
 
         Parameters
         ----------
@@ -145,11 +133,7 @@ class LightSums:
         progress : callable, optional
             Called with the number of completed rows of blocks and the total.
         has_errors : bool, optional
-            Whether to compute the errors; else they are 0.
-
-        Returns
-        -------
-        irradiances, errors : ndarray of shape (n, channels)
+            Else the errors are 0.
         """
         channels = self._vectors.shape[2]
         total, errors = numpy.zeros((2, len(normals), channels))
@@ -207,7 +191,6 @@ def _shape(projection: str, u: Any, v: Any) -> Any:
 
 
 def _received(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> Any:
-    """Return the irradiances from pixels."""
     mean = normals @ vectors
     reach = numpy.hypot(normals @ along, normals @ down) * _size(vectors)
     return (numpy.maximum(mean, 0.0) + _beyond(mean, reach)) @ light

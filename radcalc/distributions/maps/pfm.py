@@ -32,13 +32,6 @@ BLOCK = 1 << 20  # floats to write at a time
 def read(data: bytes, name: str) -> Picture:
     """Read a portable float map.
 
-    Parameters
-    ----------
-    data : bytes
-        The whole file.
-    name : str
-        Name of the file in messages.
-
     Returns
     -------
     Picture
@@ -51,7 +44,7 @@ def read(data: bytes, name: str) -> Picture:
 
     Examples
     --------
-    >>> read(b"Pf\n1 2\n-1\n" + bytes([0, 0, 0, 64, 0, 0, 128, 63]), "sky.pfm").pixels.tolist()
+    >>> read(b"Pf\\n1 2\\n-1\\n" + bytes([0, 0, 0, 64, 0, 0, 128, 63]), "sky.pfm").pixels.tolist()
     [[[1.0]], [[2.0]]]
     """
     head = HEADER.match(data[:200])

@@ -1,9 +1,8 @@
 """Picture files, read by their first bytes and written by their extension.
 
-Each format has a module, loaded when needed: `rgbe`, `pfm` and `exr` define `read(data, name)`,
-with the bytes of a file and its name in messages, and `write(path, picture)`, which writes over an
-empty file and returns notes (a tuple of str).  They raise a ConditionError for a bad file or
-picture; this module handles OSError.
+Each format has a module, loaded when needed: `rgbe`, `pfm` and `exr` define `read(data, name)` and
+`write(path, picture)`, which writes over an empty file and returns notes (a tuple of str).  They
+raise a ConditionError for a bad file or picture; this module handles OSError.
 """
 
 from collections.abc import Sequence
@@ -65,12 +64,6 @@ class Picture(NamedTuple):
         Left, top, full width and full height, if the pixels are a part of a larger picture.
     assumptions, notes : tuple of str
         Assumptions of the reader, and oddities.
-
-    Examples
-    --------
-    >>> grey = Picture(np.full((1, 2, 1), 0.18, np.float32), ("Y",), (1.0,), "PFM")
-    >>> grey.pixels.shape
-    (1, 2, 1)
     """
 
     pixels: Any
@@ -87,24 +80,14 @@ class Picture(NamedTuple):
 def read_picture(path: str, channel: str = "") -> Picture:
     """Read a picture in a format that its first bytes identify: Radiance, OpenEXR or PFM.
 
-    Parameters
-    ----------
-    path : str
-        A regular file of 4 GiB at most.
-    channel : str, optional
-        Channel to read from an OpenEXR picture; from other pictures all channels are read.
-
-    Returns
-    -------
-    Picture
-        At most 2^28 pixels.  Negative values become 0 if their sum is less than a millionth of
-        all, as after lossy encoding; otherwise they stay.
+    Negative values become 0 if their sum is less than a millionth of all, as after lossy encoding.
+    `channel` selects a channel of an OpenEXR picture.
 
     Raises
     ------
     ConditionError
-        If it cannot be read, has none of the three formats, or has more pixels; also the errors
-        of the format's reader.
+        If it cannot be read, has none of the three formats, or has more than 4 GiB or 2^28
+        pixels; also the errors of the format's reader.
 
     Examples
     --------
@@ -144,7 +127,6 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
     ------
     ConditionError
         If the format cannot hold the picture, or the extension is unknown.
-        If the format cannot hold the picture, or the extension is of none.
     OutputError
         If it cannot be written.
     """
@@ -158,12 +140,8 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
 
 
 def check_target(path: str) -> str:
-    """Check that a picture can be written to a path, and return the extension.
+    """Return the extension of a path; raise errors of `write_picture` that are known in advance.
 
-    It raises the errors of `write_picture`, as far as they are known before the work.
-
-    Examples
-    --------
     >>> check_target("map.png")
     Traceback (most recent call last):
     radcalc.errors.ConditionError: map.png: pictures are not written as .png
@@ -175,15 +153,7 @@ def check_target(path: str) -> str:
 
 
 def check_size(width: int, height: int, name: str) -> None:
-    """Raise an error for a picture with no or too many pixels, before memory is allocated.
-
-    Examples
-    --------
-    >>> check_size(65536, 65536, "sky.hdr")
-    Traceback (most recent call last):
-    radcalc.errors.ConditionError: sky.hdr has 65536 x 65536 pixels, more than 268435456
-    try: a smaller picture
-    """
+    """Raise an error for a picture with no or too many pixels, before memory is allocated."""
     if width < 1 or height < 1:
         raise ConditionError(f"{name} has {width} x {height} pixels", "a picture that has some")
     if width * height > PIXELS:
@@ -192,30 +162,12 @@ def check_size(width: int, height: int, name: str) -> None:
 
 
 def as_floats(values: Any, unit: str) -> Any:
-    """Return the values of a new picture as 32-bit floats.
-
-    Parameters
-    ----------
-    values : ndarray of float
-        0 or more.
-    unit : str
-        Unit, for messages.
-
-    Returns
-    -------
-    ndarray of float32
+    """Return the values of a new picture, 0 or more, as 32-bit floats.
 
     Raises
     ------
     ConditionError
         If a value is too large for 32 bits, or all values are too small.
-
-    Examples
-    --------
-    >>> as_floats(np.array([1e40]), "cd/m2")
-    Traceback (most recent call last):
-    radcalc.errors.ConditionError: a picture cannot hold values above 3e+38 cd/m2
-    try: less extreme values
     """
     highest = values.max()
     if not highest < BRIGHTEST:
@@ -228,7 +180,6 @@ def as_floats(values: Any, unit: str) -> Any:
 
 
 def _without_noise(picture: Picture) -> Picture:
-    """Replace negative values by 0 if they are negligible."""
     pixels = picture.pixels
     with np.errstate(invalid="ignore"):  # NaN and infinite values are not noise
         if not pixels.min() < 0:
@@ -242,19 +193,9 @@ def _without_noise(picture: Picture) -> Picture:
 
 
 def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float, ...]:
-    """Return the luminance weights of R, G, B from the chromaticities in a file.
+    """Return the luminance weights of R, G, B from x and y of red, green, blue and white.
 
-    Parameters
-    ----------
-    chromaticities : sequence of eight floats
-        x and y of red, green, blue and white, which is R = G = B.
-    name : str
-        Name of the file in messages.
-
-    Returns
-    -------
-    tuple of float
-        Weights of R, G and B; their sum is 1.
+    White is R = G = B; the sum of the weights is 1.
 
     Raises
     ------
@@ -280,7 +221,6 @@ def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float
 
 
 def _is_no_picture(head: bytes, name: str) -> ConditionError:
-    """Return the error for a file with an unknown beginning."""
     if not head:
         return ConditionError(f"{name} is empty", KNOWN)
     if head.startswith(POINTER):

@@ -33,7 +33,7 @@ INSIDE = 1 - 1e-12
 
 
 class RadianceMap:
-    """Radiances given by an image in a projection.
+    """Radiances given by an image in a projection; all pixels are read once when it is made.
 
     Parameters
     ----------
@@ -46,8 +46,7 @@ class RadianceMap:
         World direction of the image centre; +x by default.  The top of the image is as close to
         world up as possible; see `facing`.
     weights : sequence of floats, one a channel, optional
-        Weights of the channels in the scalar radiance, such as the luminance of R, G and B;
-        1 by default, for one channel only.
+        Weights of the channels in the scalar radiance, such as the luminance of R, G and B.
     factor : float, optional
         Factor that converts the values to coherent SI (cd/m2, W/m2/sr, photon/s/m2/sr).
     kind : {"v", "e", "p", ""}, optional
@@ -72,14 +71,10 @@ class RadianceMap:
 
     Notes
     -----
-    A pixel has the same radiance in all its directions: `radiance` looks up the pixel, and
-    `irradiance` is the sum over pixels of their radiance times the integral of cos(theta) over
-    their solid angle (see `light_sums`).  The reported error of an irradiance is the light of
-    pixels cut by the receiver's horizon that may come from the other side of it, as its
-    distribution within the pixel is unknown.  It does not include the loss of detail when the
-    image was made.
-
-    All pixels are read once when a map is made.
+    A pixel has the same radiance in all its directions.  The irradiance is the sum over pixels of
+    their radiance times the integral of cos(theta) over their solid angle (see `light_sums`).  Its
+    reported error is the light of pixels cut by the receiver's horizon that may come from the
+    other side of it.  It does not include the loss of detail when the image was made.
 
     Examples
     --------
@@ -137,14 +132,11 @@ class RadianceMap:
         self.coverage = 1.0 if is_whole else self.solid_angle / (4 * math.pi)
 
     def channels(self, first: int, last: int) -> Any:
-        """Return radiances of the channels, in coherent SI, for a range of rows of one strip.
-
-        Pixels outside the circle are 0.
-        """
+        """Return radiances of the channels, in coherent SI, for a range of rows of one strip."""
         return numpy.multiply(self._inside(first, last), self.factor, dtype=float)
 
     def luminances(self, first: int, last: int) -> Any:
-        """Return weighted sums of the channels as a single channel; otherwise like `channels`."""
+        """Return weighted sums of the channels as a single channel."""
         channels = numpy.moveaxis(self._inside(first, last), -1, 0)
         with numpy.errstate(invalid="ignore"):  # NaN and infinity are refused later
             # faster than a matrix product for a few channels
@@ -165,7 +157,6 @@ class RadianceMap:
         return numpy.where(is_shown(self.projection, u, v)[..., None], pixels, 0)
 
     def _rows(self, strip: int) -> Any:
-        """Return a strip of rows; the last one is cached."""
         if strip != self._read[0]:
             rows = self.pixels[strip * self._strip : (strip + 1) * self._strip]
             if hasattr(rows, "compute"):  # a Dask array, which would lose its mask otherwise
@@ -209,23 +200,12 @@ class RadianceMap:
             self._peak = (highest, left + int(column), top + first + int(row))
 
     def radiance(self, polar: Number, azimuth: Number) -> Number:
-        """Return the radiance of the pixels that show directions, or 0; see `Radiances`."""
         polar, azimuth = numpy.broadcast_arrays(polar, azimuth)
         direction = self.in_map_axes(cartesian(polar.ravel(), azimuth.ravel()))
         return (self.toward(direction) @ self._weights).reshape(polar.shape)[()]
 
     def toward(self, direction: Vector) -> Any:
-        """Return the channels' values of the pixels that show directions in the map's own axes.
-
-        Parameters
-        ----------
-        direction : tuple of 3 ndarrays of shape (n,)
-
-        Returns
-        -------
-        ndarray of shape (n, channels)
-            0 if no pixel shows the direction; not multiplied by the factor.
-        """
+        """Return the values, without the factor, in directions in the map's own axes, by channel."""
         column, row = self._pixel_of(direction)
         values = numpy.zeros((len(column), self.pixels.shape[2]))
         is_there = column >= 0
@@ -243,20 +223,16 @@ class RadianceMap:
     def irradiances(
         self, normals: Any, is_each: bool = False, progress: Progress | None = None
     ) -> Any:
-        """Return the irradiances of many receivers.
+        """Return the irradiances of many receivers [lx, W/m2, photon/s/m2 or sr].
 
         Parameters
         ----------
         normals : array_like of shape (..., 3)
             Normals of the receivers, of any length but 0.
         is_each : bool, optional
-            Whether to return an irradiance for each channel instead of their weighted sum.
+            Whether to return each channel, in a last axis, instead of the weighted sum.
         progress : callable, optional
             Called with the work done so far and the total.
-
-        Returns
-        -------
-        ndarray of shape (...) or (..., channels) [lx, W/m2, photon/s/m2 or sr]
 
         Examples
         --------
@@ -284,11 +260,9 @@ class RadianceMap:
         return Peak(value, float(polar), float(azimuth))
 
     def in_map_axes(self, direction: Vector) -> Vector:
-        """Return a world direction in the map's own axes."""
         return components(self.axes, direction)
 
     def world(self, direction: Vector) -> Vector:
-        """Return a direction in the map's own axes in world axes."""
         return from_components(self.axes, direction)
 
     def _pixel_of(self, direction: Vector) -> tuple[Any, Any]:
@@ -303,22 +277,7 @@ class RadianceMap:
 
 
 def check_shape(projection: str, width: int, height: int) -> None:
-    """Raise an error if the size of an image does not fit a projection.
-
-    Parameters
-    ----------
-    projection : {"latlong", "mirror-ball", "angular"}
-    width, height : int
-        Size [pixels].
-
-    Raises
-    ------
-    ConditionError
-
-    Examples
-    --------
-    >>> check_shape("latlong", 1024, 512)
-    """
+    """Raise a ConditionError if the size [pixels] of an image does not fit a projection."""
     if projection not in PROJECTIONS:
         raise ConditionError(f"unknown projection '{projection}'", ", ".join(PROJECTIONS))
     size = f"{width} x {height} pixels"
@@ -339,8 +298,8 @@ def _unit(normal: Vector) -> Vector:
 def _rows_of_a_strip(pixels: Any, side: int) -> int:
     """Return the number of rows to read at a time: a multiple of the rows of a block.
 
-    NumPy arrays are read as a whole, as slices are not copies; Dask arrays at least a chunk at a
-    time, since a whole chunk is computed each time.
+    NumPy arrays are read as a whole, as slices are not copies; of Dask arrays, each access
+    computes whole chunks.
     """
     rows, columns, channels = map(int, pixels.shape)
     if isinstance(pixels, numpy.ndarray):

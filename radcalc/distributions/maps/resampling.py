@@ -39,11 +39,10 @@ def reproject(
     Parameters
     ----------
     around : RadianceMap
-        The original map; it is dark where it has no pixels.
+        It is dark where it has no pixels.
     projection : {"latlong", "mirror-ball", "angular"}
-        New projection.
     width, height : int
-        Size of the new image [pixels], in its shape.
+        Size of the new image [pixels].
     aim : tuple of 3 floats, optional
         World direction of the centre of the new image.
     progress : callable, optional
@@ -187,7 +186,6 @@ def _bands(around: RadianceMap) -> Iterator[tuple[Any, Any, Any]]:
 
 
 def _deposit(around: RadianceMap, target: _Target, edges: Any, sizes: Any, values: Any) -> None:
-    """Divide pixels into parts, and distribute these over the new image."""
     u, v = edges
     corners = target.places(around, *numpy.broadcast_arrays(u, v[:, None]))
     # extent of a pixel in the new image along u, and along v: (2, rows, columns)

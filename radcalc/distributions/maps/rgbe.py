@@ -69,10 +69,9 @@ class _Damaged(ConditionError):
 
 
 class _Header(NamedTuple):
-    """The lines before the scanlines, which begin at byte `start`.
+    """The lines before the scanlines, which begin at byte `start`; `picture` has no pixels yet.
 
-    `picture` has no pixels yet.  `order` has sign and letter of the axis from scanline to scanline,
-    and of the axis along each scanline.
+    `order` has sign and letter of the axis from scanline to scanline, and along each scanline.
     """
 
     picture: Picture
@@ -87,13 +86,6 @@ class _Header(NamedTuple):
 def read(data: bytes, name: str) -> Picture:
     """Read a Radiance picture.
 
-    Parameters
-    ----------
-    data : bytes
-        The whole file.
-    name : str
-        Name of the file in messages.
-
     Returns
     -------
     Picture
@@ -107,7 +99,7 @@ def read(data: bytes, name: str) -> Picture:
 
     Examples
     --------
-    >>> head = b"#?RADIANCE\nEXPOSURE=2\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n"
+    >>> head = b"#?RADIANCE\\nEXPOSURE=2\\nFORMAT=32-bit_rle_rgbe\\n\\n-Y 1 +X 1\\n"
     >>> read(head + bytes([128, 64, 0, 129]), "sky.hdr").pixels.tolist()
     [[[0.5, 0.25, 0.0]]]
     """
@@ -182,7 +174,6 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
 
 
 def _header(data: bytes, name: str) -> _Header:
-    """Read the lines before the scanlines."""
     lines, start = _header_lines(data, name)
     variables = dict(line.split("=", 1) for line in lines if "=" in line)
     form = variables.get("FORMAT", RGBE).strip()
@@ -237,7 +228,6 @@ def _header(data: bytes, name: str) -> _Header:
 
 
 def _header_lines(data: bytes, name: str) -> tuple[list[str], int]:
-    """Return the lines before the empty one, and the byte after it."""
     start = 0
     lines: list[str] = []
     while (end := data.find(b"\n", start, HEADER)) >= 0:
@@ -354,7 +344,6 @@ def _scanlines(data: bytes, header: _Header, name: str) -> Iterator[tuple[Any, i
 
 
 def _is_new(data: bytes, at: int) -> bool:
-    """Return True for a scanline in the new run-length encoding."""
     return data[at : at + 2] == bytes([MARK, MARK]) and data[at + 2 : at + 3] < b"\x80"
 
 
@@ -441,7 +430,6 @@ def _old(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
 
 
 def _rgbe(pixels: Any) -> Any:
-    """Return the bytes of rows of pixels, rounded to the nearest."""
     largest = pixels.max(2)
     # from 255.5 on, a mantissa is rounded to 256, which is 128 with the next exponent
     exponents = np.frexp(largest * (256 / 255.5))[1]
@@ -454,7 +442,6 @@ def _rgbe(pixels: Any) -> Any:
 
 
 def _encoded(values: Any) -> bytes:
-    """Encode the bytes of a scanline in the new run-length encoding."""
     starts = np.flatnonzero(values[1:] != values[:-1]) + 1
     starts = np.concatenate([[0], starts, [len(values)]])
     runs = np.flatnonzero(np.diff(starts) >= LEAST_RUN)
@@ -469,7 +456,6 @@ def _encoded(values: Any) -> bytes:
 
 
 def _literals(data: bytes) -> Iterator[bytes]:
-    """Yield bytes that are not in runs, with their codes."""
     for start in range(0, len(data), LITERAL):
         part = data[start : start + LITERAL]
         yield bytes([len(part)]) + part

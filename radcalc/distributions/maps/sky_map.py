@@ -25,21 +25,9 @@ CLOSE = 1e-9  # [1] of the sun's irradiance
 
 
 class Sun(NamedTuple):
-    """The sun's disc.
+    """The sun's disc: the direction of its centre and its angular radius [rad], and its irradiance.
 
-    Attributes
-    ----------
-    polar, azimuth : float [rad]
-        Direction of the centre.
-    radius : float [rad]
-        Angular radius.
-    irradiance : float [lx, W/m2 or photon/s/m2]
-        Irradiance of a receiver that faces the sun.
-
-    Examples
-    --------
-    >>> Sun(0.5, 0.0, 0.00465, 1e5).irradiance
-    100000.0
+    The irradiance [lx, W/m2 or photon/s/m2] is that of a receiver that faces the sun.
     """
 
     polar: float
