@@ -1,6 +1,6 @@
-"""Make the pictures of the README from real runs: python docs/pictures.py [FOLDER].
+"""Make the pictures of the README: python docs/pictures.py [FOLDER].
 
-It runs the `radcalc` that is on the PATH, on a terminal, from the project's folder.
+The pictures show real runs of the `radcalc` on the PATH, in a terminal, in the project's folder.
 """
 
 import fcntl
@@ -30,7 +30,7 @@ DOWNLIGHT = "radcalc point-source --distribution examples/downlight.ies --plot {
 
 
 def run(command: str) -> str:
-    """What a command shows on a terminal of its own."""
+    """Return the output of a command in a terminal."""
     ours, theirs = pty.openpty()
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", HEIGHT, WIDTH, 0, 0))
     left_out = ("NO_COLOR", "FORCE_COLOR", "COLUMNS")
@@ -45,14 +45,14 @@ def run(command: str) -> str:
         try:
             while data := os.read(ours, 1 << 16):
                 written += data
-        except OSError:  # as Linux tells the end of a terminal
+        except OSError:  # the end of a terminal is an error on Linux
             pass
     os.close(ours)
     return written.decode().replace("\r\n", "\n")
 
 
 def session(path: Path) -> None:
-    """Draw a terminal with the commands of SESSION and what they print."""
+    """Draw a terminal with the commands of SESSION and their output."""
     console = Console(record=True, width=WIDTH, file=io.StringIO(), force_terminal=True)
     for command in SESSION:
         console.print(Text.assemble(("$ ", "green"), command))

@@ -1,6 +1,6 @@
-"""Trace an answer: its calls of radcalc's own functions, its files, its moves between them.
+"""Count the calls of radcalc's functions during an answer, by file, and the moves between files.
 
-Counted, not timed: the second run in one process, so that imports do not count.
+The second run in one process is counted, so that imports do not count.
 """
 
 import io
@@ -18,7 +18,7 @@ from radcalc.__main__ import run
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = os.path.dirname(radcalc.__file__) + os.sep
-INLINED = ("<listcomp>", "<dictcomp>", "<setcomp>")  # functions before Python 3.12, none after
+INLINED = ("<listcomp>", "<dictcomp>", "<setcomp>")  # functions only before Python 3.12
 DISC = "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm"
 LAMP = str(ROOT / "examples" / "downlight.ies")
 CASES = [
@@ -36,7 +36,7 @@ TRACES = [
 
 
 class Trace:
-    """The calls of an answer by file, its functions, and how often a call leaves its file."""
+    """The calls during an answer by file, its functions, and the calls that leave a file."""
 
     def __init__(self) -> None:
         self.calls: Counter[str] = Counter()
@@ -57,18 +57,18 @@ class Trace:
         self.moves += bool(caller and caller.f_code.co_filename != code.co_filename)
 
     def __str__(self) -> str:
-        """Show the counts as the table of README.md names them."""
+        """Format the counts as in the table of README.md."""
         counts = len(self.calls), len(self.functions), sum(self.calls.values()), self.moves
         return "{} files, {} functions, {} calls, {} moves".format(*counts)
 
 
 def calls(words: str) -> Counter[str]:
-    """Count the calls of radcalc's functions in a run into a pipe, by the file they are in."""
+    """Count the calls of radcalc's functions during a command, by file."""
     return trace(words).calls
 
 
 def trace(words: str) -> Trace:
-    """Trace the second run of a command into a pipe."""
+    """Trace the second run of a command."""
     found = Trace()
 
     before = sys.getprofile()
@@ -88,9 +88,9 @@ def _nowhere() -> io.TextIOWrapper:
 
 
 def main() -> int:
-    """Print the calls and the files of every case; the exit status says whether all aims are met.
+    """Print the calls and the files of all cases; exit with status 1 if an aim is missed.
 
-    With -v also how many calls there are in each file.
+    With -v, print the calls in each file, too.
     """
     met = True
     for words, aim in CASES:

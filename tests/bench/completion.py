@@ -1,4 +1,4 @@
-"""What a Tab takes, the whole process, as ratios in one run; see README.md."""
+"""Compare the time of a Tab, including the start of the process; see README.md."""
 
 import os
 import subprocess
@@ -23,13 +23,13 @@ CASES = [
 
 
 def tab(line: str) -> Callable[[], object]:
-    """A Tab of bash behind a line."""
+    """Return a function that runs what bash runs for a Tab after a line."""
     asked = {**os.environ, "_RADCALC_COMPLETE": "bash_complete", "COMP_LINE": line}
     return lambda: subprocess.run([RADCALC], capture_output=True, check=True, env=asked)
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     met = True
     for line, other, aim in CASES:
         name = f"{line!r} / {' '.join(other[1:])}"

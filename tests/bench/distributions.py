@@ -1,4 +1,4 @@
-"""Photometric files and the light under them, as ratios in one run; see README.md."""
+"""Compare photometric files and their light with other tools; see README.md."""
 
 import os
 import subprocess
@@ -13,12 +13,12 @@ from radcalc.distributions.grid import Grid
 from radcalc.distributions.pose import Pose
 
 NUMPY = "import click, numpy"
-LAMPS, SIDE = 100, 317  # rows of a scene, and points along each side of its grid: 1e5 in all
+LAMPS, SIDE = 100, 317  # rows of a scene, and points along each side of its grid: 1e5 points
 MEGABYTES = 60
 
 
 def write_lamp(path: Path, planes: int, angles: int) -> None:
-    """An IES file of intensities in every half degree or so."""
+    """Write an IES file with intensities at steps of about half a degree."""
     polar, azimuth = np.linspace(0, 180, angles), np.linspace(0, 360, planes)
     values = np.random.default_rng(1).uniform(10, 1000, (planes, angles))
     values[:, 0], values[-1] = 500, values[0]
@@ -28,7 +28,7 @@ def write_lamp(path: Path, planes: int, angles: int) -> None:
 
 
 def many_points() -> bool:
-    """A lamp's illuminances on a grid, against the look-up of its table alone."""
+    """Compare a lamp's illuminances on a grid with the interpolation in its table alone."""
     polar, azimuth = np.radians(np.arange(0, 91)), np.radians(np.arange(0, 361, 5))
     values = np.random.default_rng(1).random((len(azimuth), len(polar)))
     side = np.linspace(-5, 5, 1000)
@@ -52,7 +52,7 @@ def many_points() -> bool:
 
 
 def memory(folder: Path) -> bool:
-    """Light a grid of points with many lamps, and print the most that was resident."""
+    """Compute the light of many lamps on a grid of points, and print the peak memory."""
     write_lamp(folder / "lamp.ies", 73, 91)
     rows = [f"{k % 10},{k // 10},3,lamp.ies" for k in range(LAMPS)]
     (folder / "scene.csv").write_text("\n".join(["x,y,z,distribution", *rows]) + "\n")
@@ -69,10 +69,10 @@ def memory(folder: Path) -> bool:
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        met = memory(folder)  # first: a child begins with what its parent has
+        met = memory(folder)  # first, because a child process inherits the memory of its parent
         path = folder / "large.ies"
         write_lamp(path, 361, 361)
         print(f"{path.stat().st_size / 1e6:.2f} MB")

@@ -1,4 +1,4 @@
-"""Samples in time added up, as ratios in one run, and the memory of many; see README.md."""
+"""Compare sums over samples in time with mawk, and measure their memory; see README.md."""
 
 import os
 import random
@@ -25,7 +25,7 @@ OF_ISO = (
 
 
 def write(folder: Path) -> None:
-    """Logs of a sample every few seconds, in both ways of writing times."""
+    """Write logs with equal steps, with Unix time and with ISO 8601."""
     random.seed(1)
     first = round(START.timestamp())
     with (folder / "unix").open("w") as unix, (folder / "iso").open("w") as iso:
@@ -39,7 +39,7 @@ def write(folder: Path) -> None:
 
 
 def memory() -> bool:
-    """Add up a long stream that no file holds, and print the most that was resident."""
+    """Sum up a long generated stream, and print the peak memory."""
     script = f'BEGIN {{for (k = 0; k < {LONG}; k++) print k ",100"}}'
     feeder = subprocess.Popen(["mawk", script], stdout=subprocess.PIPE)
     words = [RADCALC, "dose", "-", "--unit", "lx", "--time-unit", "s", "-q", "-g", "exposure:lx.s"]
@@ -54,11 +54,11 @@ def memory() -> bool:
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     if shutil.which("mawk") is None:
         print("mawk is not installed")
         return 1
-    met = memory()  # first: a child begins with what its parent has
+    met = memory()  # first, because a child process inherits the memory of its parent
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         write(folder)

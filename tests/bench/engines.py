@@ -1,4 +1,4 @@
-"""A factor in an engine of queries against the bare multiplication; see README.md."""
+"""Compare a factor in a query engine with the bare multiplication; see README.md."""
 
 import sys
 import tempfile
@@ -15,7 +15,7 @@ RUNS = 5
 
 
 def main() -> bool:
-    """Stream a Parquet file through Polars, with radcalc's factor and with a number."""
+    """Stream a Parquet file through Polars, with radcalc's factor and with a constant."""
     with tempfile.TemporaryDirectory() as folder:
         log, found = Path(folder, "log.parquet"), Path(folder, "ppfd.parquet")
         lux = numpy.random.default_rng(1).uniform(0, 1e5, ROWS)

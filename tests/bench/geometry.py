@@ -1,4 +1,4 @@
-"""Geometry as ratios in one run; see README.md."""
+"""Compare shapes and integrals with other commands; see README.md."""
 
 import sys
 
@@ -16,13 +16,13 @@ SCALARS = [
 
 
 def bare(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> list[np.ndarray]:
-    """What a triangle's solid angle cannot do without: a triple product and three others."""
+    """Compute the least that the solid angle of a triangle needs: its triple and dot products."""
     normal = np.cross(b, c)
     return [np.einsum("ij,ij->i", *pair) for pair in ((a, normal), (a, b), (a, c), (b, c))]
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     met = True
     for name, words in SCALARS:
         ours = command(RADCALC, "solid-angle", *words.split())

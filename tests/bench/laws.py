@@ -1,4 +1,4 @@
-"""Calculators as ratios in one run; see README.md."""
+"""Compare calculators with a NumPy script; see README.md."""
 
 import sys
 
@@ -14,7 +14,7 @@ RANGE = "--flux 800lm --distance 1m:1000000m:1m -g illuminance:lx"
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     met = report(
         "1e6 distances / a NumPy script that prints the same rows",
         command(RADCALC, "point-source", *RANGE.split()),

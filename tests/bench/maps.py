@@ -1,4 +1,4 @@
-"""Maps of radiances: irradiances against reading the pixels, and what many cost; see README.md."""
+"""Compare irradiances of radiance maps with plain sums, and measure large maps; see README.md."""
 
 import math
 import sys
@@ -21,7 +21,7 @@ NORMAL = (1.0, 2.0, 3.0)
 
 
 def picture() -> Picture:
-    """A sky with clouds of all sizes, and a sun."""
+    """Make a sky with clouds of all sizes and a sun."""
     v, u = (np.linspace(0, size, count) for size, count in ((3, HEIGHT), (6, WIDTH)))
     clouds = sum(np.sin(2**k * u + k) * np.cos(2**k * v[:, None] - k) / 1.5**k for k in range(10))
     pixels = np.exp(clouds)[..., None] * [1.0, 1.1, 1.4]
@@ -30,7 +30,7 @@ def picture() -> Picture:
 
 
 def one(path: str) -> bool:
-    """One irradiance of a file, against reading it and one weighted sum."""
+    """Compare one irradiance of a file with reading it and one weighted sum."""
     weights = np.array(REC_709, np.float32)
     sines = np.sin((np.arange(HEIGHT) + 0.5) * math.pi / HEIGHT)
 
@@ -46,7 +46,7 @@ def one(path: str) -> bool:
 
 
 def cost(name: str, action: Callable[[], object]) -> None:
-    """Print how long it takes, and the most memory that it has at a time."""
+    """Print time and peak memory of a call."""
     start = time.perf_counter()
     action()
     took = time.perf_counter() - start
@@ -54,11 +54,11 @@ def cost(name: str, action: Callable[[], object]) -> None:
     action()
     _, most = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    print(f"{name}: {took:.1f} s, {most / 2**20:.0f} MB at most beside the pixels")
+    print(f"{name}: {took:.1f} s, {most / 2**20:.0f} MB peak, without the pixels")
 
 
 def main() -> int:
-    """Print every figure; the exit status says whether all aims are met."""
+    """Print all figures; exit with status 1 if an aim is missed."""
     pixels = picture()
     around = RadianceMap(pixels.pixels, "latlong", weights=REC_709)
     cost("irradiance map 64x32", lambda: irradiance_map(around, 64, 32))

@@ -1,4 +1,4 @@
-"""Commands and functions that take turns; the median of each is compared."""
+"""Measure commands and functions in turn, and compare their medians."""
 
 import statistics
 import subprocess
@@ -11,12 +11,12 @@ RADCALC = str(Path(sys.executable).with_name("radcalc"))
 
 
 def command(*words: str) -> Callable[[], object]:
-    """A command run into a pipe."""
+    """Return a function that runs a command with its output captured."""
     return lambda: subprocess.run(words, capture_output=True, check=False)
 
 
 def seconds(action: Callable[[], object]) -> float:
-    """One run."""
+    """Measure one run [s]."""
     start = time.perf_counter()
     action()
     return time.perf_counter() - start
@@ -25,7 +25,7 @@ def seconds(action: Callable[[], object]) -> float:
 def report(
     name: str, ours: Callable[[], object], theirs: Callable[[], object], aim: float, runs: int
 ) -> bool:
-    """Print the ratio of the medians after a warm-up; say whether it meets the aim."""
+    """Print the ratio of the medians after a warm-up; return whether it meets the aim."""
     seconds(ours), seconds(theirs)
     pairs = [(seconds(ours), seconds(theirs)) for _ in range(runs)]
     mine, other = (statistics.median(side) for side in zip(*pairs, strict=True))

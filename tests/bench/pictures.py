@@ -1,4 +1,4 @@
-"""Reading pictures, as ratios in one run; see README.md."""
+"""Compare readers of pictures; see README.md."""
 
 import sys
 import tempfile
@@ -14,7 +14,7 @@ HEIGHT, WIDTH = 2048, 4096
 
 
 def scene() -> np.ndarray:
-    """A bright sun, a smooth sky with noise in it, and even ground."""
+    """Make a picture with a bright sun, a smooth noisy sky and uniform ground."""
     random = np.random.default_rng(1)
     y, x = np.mgrid[-1 : 1 : HEIGHT * 1j, -1 : 1 : WIDTH * 1j]
     sky = np.exp(2 - 3 * y**2) + 1e4 * np.exp(-2000 * ((x - 0.3) ** 2 + (y + 0.5) ** 2))
@@ -31,7 +31,7 @@ def theirs(path: str) -> np.ndarray:
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     met = True
     with tempfile.TemporaryDirectory() as name:
         for extension, aim in (("hdr", 2.0), ("pfm", 1.5)):

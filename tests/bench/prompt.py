@@ -1,4 +1,4 @@
-"""From Enter to the answer at the prompt, in one process; see README.md."""
+"""Measure the time from Enter to the answer at the prompt, in one process; see README.md."""
 
 import io
 import os
@@ -15,11 +15,11 @@ from radcalc.cli.session import Session
 RUNS = 200
 PASS = (sys.executable, "-c", "pass")
 LINES = ("100 lx fc", "ans klx", "800 lm lx --isotropic --distance 2m", "800 lm cd")
-AIM = 0.1  # of a start of Python, which is some 12 ms
+AIM = 0.1  # of a start of Python, which takes about 12 ms
 
 
 def main() -> int:
-    """Print the median and the first of every line; the exit status says whether aims are met."""
+    """Print the median and the first time of all lines; exit with status 1 if an aim is missed."""
     start = statistics.median(seconds(command(*PASS)) for _ in range(20))
     for _ in load_what_answers_need():
         pass

@@ -1,4 +1,4 @@
-"""Spectra as ratios in one run; see README.md."""
+"""Compare calculations with spectra; see README.md."""
 
 import sys
 import tempfile
@@ -17,7 +17,7 @@ print(numpy.trapezoid(data[:, 1], data[:, 0]))
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     convert = (RADCALC, "convert")
     met = report(
         "--spectrum D65 / --wavelength",

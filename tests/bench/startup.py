@@ -1,4 +1,4 @@
-"""Start-up of the installed command, as ratios in one run; see README.md."""
+"""Compare the start-up of the installed command with other commands; see README.md."""
 
 import shutil
 import sys
@@ -54,7 +54,7 @@ CASES = [
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
+    """Print all ratios; exit with status 1 if an aim is missed."""
     met = True
     for name, words, other, aim in CASES:
         if shutil.which(other[0]) is None:

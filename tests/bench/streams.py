@@ -1,4 +1,4 @@
-"""Streams as ratios in one run, and the memory of a long one; see README.md."""
+"""Compare streams with mawk and units, and measure the memory of a long one; see README.md."""
 
 import os
 import random
@@ -63,7 +63,7 @@ UNITS = {"lx": "lx", "fc": "footcandle", "klx": "klx", "ph": "phot", "mlx": "mlx
 
 
 def fed(path: Path, *words: str) -> Callable[[], object]:
-    """A command with a file as its standard input, run into a pipe that is read to its end."""
+    """Return a function that runs a command with a file as its standard input."""
 
     def action() -> None:
         with path.open("rb") as data, open(os.devnull, "wb") as null:
@@ -76,7 +76,7 @@ def fed(path: Path, *words: str) -> Callable[[], object]:
 
 
 def write(folder: Path) -> None:
-    """The inputs: numbers with two decimals, below 100 000."""
+    """Write the inputs: numbers below 100 000 with two decimals."""
     random.seed(1)
     numbers = [f"{random.uniform(0, 1e5):.2f}" for _ in range(LINES)]
     (folder / "numbers").write_text("\n".join(numbers) + "\n")
@@ -91,7 +91,7 @@ def write(folder: Path) -> None:
 
 
 def memory() -> bool:
-    """Convert a long stream that no file holds, and print the most that was resident."""
+    """Convert a long generated stream, and print the peak memory."""
     feeder = subprocess.Popen(
         ["sh", "-c", f"yes 100 | head -n {LONG}"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
     )
@@ -107,8 +107,8 @@ def memory() -> bool:
 
 
 def main() -> int:
-    """Print every ratio; the exit status says whether all aims are met."""
-    met = memory()  # first: a child begins with what its parent has
+    """Print all ratios; exit with status 1 if an aim is missed."""
+    met = memory()  # first, because a child process inherits the memory of its parent
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         write(folder)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 
 def main(sweep: Callable[[int, int], str], count: int) -> None:
-    """Run a sweep, and print what it saw and how long that took."""
+    """Run a sweep, and print its summary and time."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--count", type=int, default=count)
     parser.add_argument("--seed", type=int, default=1)

@@ -1,8 +1,8 @@
-"""Every sweep at its LONG number of cases, some two million inputs, with a seed of the day.
+"""Run all sweeps with their LONG number of cases, some two million, with the date as the seed.
 
-PYTHONPATH=tests python -m fuzz.night [--share 0.01] [--seed S] [--jobs N]
+    PYTHONPATH=tests python -m fuzz.night [--share 0.01] [--seed S] [--jobs N]
 
-What a sweep finds is told and does not hold up the others; the exit status is then 1.
+A failure is printed, and the other sweeps continue; the exit status is then 1.
 """
 
 import argparse
@@ -19,16 +19,16 @@ from fuzz.sweeps import SWEEPS
 
 
 class Ended(NamedTuple):
-    """How a sweep ended."""
+    """The end of a sweep."""
 
     name: str
     status: int
-    told: str
+    output: str
     seconds: float
 
 
 def run(name: str, share: float, seed: int) -> Ended:
-    """Run a sweep in a process of its own, which may also end in other ways than by an error."""
+    """Run a sweep in a new process, which may crash."""
     count = max(1, round(importlib.import_module(f"fuzz.{name}").LONG * share))
     begin = time.monotonic()
     done = subprocess.run(
@@ -43,7 +43,7 @@ def run(name: str, share: float, seed: int) -> Ended:
 
 
 def main() -> int:
-    """Run all; the exit status."""
+    """Run all sweeps; return the exit status."""
     today = int(datetime.date.today().strftime("%Y%m%d"))
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--share", type=float, default=1, help="of each LONG number")
@@ -57,7 +57,7 @@ def main() -> int:
             ended = one.result()
             failed += ended.status != 0
             verdict = "failed" if ended.status else "passed"
-            print(f"{verdict} {ended.name} ({ended.seconds:.0f} s): {ended.told}", flush=True)
+            print(f"{verdict} {ended.name} ({ended.seconds:.0f} s): {ended.output}", flush=True)
     return 1 if failed else 0
 
 

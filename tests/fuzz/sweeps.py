@@ -1,4 +1,4 @@
-"""The names of the sweeps: the modules here that have one."""
+"""Names of the sweeps: the modules in this folder that have a sweep."""
 
 from pathlib import Path
 

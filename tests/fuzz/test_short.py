@@ -1,4 +1,4 @@
-"""A short run of every sweep; `PYTHONPATH=tests python -m fuzz.NAME` runs the whole of one."""
+"""Short runs of all sweeps; `PYTHONPATH=tests python -m fuzz.NAME` runs one in full."""
 
 import importlib
 
