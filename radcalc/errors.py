@@ -46,9 +46,9 @@ def listed(names: "Sequence[str]") -> str:
     return f"{listing} and {more} more" if more > 0 else listing
 
 
-def ambiguous(text: str, readings: str) -> str:
-    """Return the message for a text with several readings."""
-    return f"'{quote(text)}' is ambiguous: {readings}"
+def ambiguous(text: str, readings: str = "") -> str:
+    """Return the message for a text with several readings, unless the hint names them."""
+    return f"'{quote(text)}' is ambiguous{f': {readings}' if readings else ''}"
 
 
 def nearest(word: str, known: "Iterable[str]", count: int = 2, cutoff: float = 0.6) -> list[str]:
@@ -274,8 +274,8 @@ class Impossible(ConditionError):
     """A value outside the range of its symbol: `limit` is that range, `because` the reason."""
 
     def __init__(self, symbol: str, text: str, limit: str, because: str = "") -> None:
-        reason = because or f"it must be {limit}"
-        super().__init__(f"{option(symbol, quote(text))} is out of range: {reason}", limit)
+        reason = f": {because}" if because else ""
+        super().__init__(f"{option(symbol, quote(text))} is out of range{reason}", limit)
         self.symbol, self.text, self.limit, self.because = symbol, text, limit, because
 
 

@@ -118,7 +118,7 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     check_zone(*polar, azimuth[1] - azimuth[0])
     if not FINEST <= accuracy <= COARSEST:
         limit = f"from {FINEST:g} to {COARSEST:g}"
-        message = f"an accuracy of {accuracy:g} is out of range: it must be {limit}"
+        message = f"an accuracy of {accuracy:g} is out of range"
         raise ConditionError(message, limit)
     expression = Expression(text)
     if expression.uses:

@@ -406,7 +406,7 @@ def _parted(head: str, last: str) -> list[str]:
     number = NUMBER_AT_END.search(head)
     other = f"{head[: number.start()]}({number[0]} {last})" if number else f"({phrase})"
     readings = f"{quote(head)} in {quote(last)}, or {quote(other)}"
-    raise UsageError(ambiguous(phrase, readings), readings)
+    raise UsageError(ambiguous(phrase), readings)
 
 
 def _read(text: str) -> Amount | None:

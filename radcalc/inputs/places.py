@@ -189,7 +189,7 @@ def pair_input(symbol: Symbol, value: Any) -> Input:
 
 DIGITS = 18  # of a whole number
 IN_METRES = "coordinates without a unit are in metres"
-TOO_FAR = "a coordinate is out of range: it must be at most 1e100 m", "up to 1e100"
+TOO_FAR = "a coordinate is out of range", "up to 1e100 m"
 
 
 def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:

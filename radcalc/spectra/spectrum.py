@@ -227,7 +227,7 @@ class BlackBody(Spectrum):
         """Keep the temperature."""
         if not 1 <= temperature <= 1e9:
             raise ConditionError(
-                f"a black body of {temperature:g} K is out of range: it must be from 1 K to 1e9 K",
+                f"a black body of {temperature:g} K is out of range",
                 "from 1K to 1e9K",
             )
         super().__init__(f"a black body of {temperature:.6g} K", WHOLE)

@@ -196,7 +196,7 @@ class Calculator(Scanner):
 
     def two_ways(self, first: str, second: str) -> ExpressionError:
         ways = " or ".join(quote(" ".join(reading.split())) for reading in (first, second))
-        return self.wrong(f"is ambiguous: {ways}", ways)
+        return self.wrong("is ambiguous", ways)
 
     def slice(self, start: int, end: int) -> str:
         return self.text[start:end].strip()

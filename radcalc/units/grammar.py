@@ -148,7 +148,7 @@ class Scanner:
         if ")" in under and "(" not in under:  # inside brackets
             under, rest = under.partition(")")[0], rest.partition(")")[0]
         readings = f"{over}/({quote(under)}) or ({quote(first)}) {quote(rest)}"
-        return self.error(f"is ambiguous: {readings}", readings)
+        return self.error("is ambiguous", readings)
 
     def factor(self, depth: int) -> list[Atom]:
         """Read a name, a 1 or a bracket, with its exponent."""

@@ -69,7 +69,7 @@ def read_number(text: str) -> tuple[float, int]:
         over, _, under = text[:at].rpartition("/")
         ways = f"({over}/{under}){text[at:]}", f"{over}/({under}{text[at]}){text[at + 1 :]}"
         readings = " or ".join(map(quote, ways))
-        raise NumberError(ambiguous(text, readings), readings)
+        raise NumberError(ambiguous(text), readings)
     refuse_lookalikes(text, at)
     return (-value if text[0] in MINUSES else value), at
 
@@ -191,7 +191,7 @@ def _refuse_pi_below(text: str, bare: int) -> None:
         above = f"{over}{'*pi' if over[-1] in 'iπ' else 'pi'}/{under}"
         rest = text[end:].rstrip()
         readings = f"{quote(above + rest)} or {quote(f'{over}/{under}/pi{rest}')}"
-        raise NumberError(ambiguous(text, readings), readings)
+        raise NumberError(ambiguous(text), readings)
 
 
 def _too_large(number: str) -> OutOfRange:

@@ -137,7 +137,7 @@ def _with_sign(text: str) -> Reading | None:
     if after == PERCENT:
         as_percents = f"({value_text}±{uncertainty_text[:-1].strip()})%"
         ways = f"{as_percents}, or {value_text}±{abs(value) * uncertainty / 100:.6g}"
-        raise NumberError(ambiguous(text, quote(ways)), quote(ways))
+        raise NumberError(ambiguous(text), quote(ways))
     if after.startswith(PERCENT):
         unit = resolve_any(after[1:].strip())
         return Reading(value, unit, _part_of(text, value, uncertainty, unit))
@@ -154,7 +154,7 @@ def _of_quantity(
     if unit_of_uncertainty == PERCENT and unit.text == PERCENT:
         as_percents = f"({value:.15g}±{number:.15g})%"
         ways = f"{as_percents}, or ({value:.15g}±{abs(value) * number / 100:.6g})%"
-        raise NumberError(ambiguous(text, ways), ways)
+        raise NumberError(ambiguous(text), ways)
     if unit_of_uncertainty == PERCENT:
         return Reading(value, unit, _part_of(text, value, number, unit))
     other_unit = resolve_any(unit_of_uncertainty)

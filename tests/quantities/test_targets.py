@@ -138,7 +138,7 @@ def test_a_quantity_that_no_unit_tells_from_another_is_no_target(text):
     ],
 )
 def test_ppfd_is_of_no_photons_beyond_400_and_700_nm(name, conditions):
-    with pytest.raises(radcalc.errors.RadcalcError, match="400 nm to 700 nm alone"):
+    with pytest.raises(radcalc.errors.RadcalcError, match="400 nm to 700 nm only"):
         radcalc.convert("1 W/m2", name, **conditions)
     assert radcalc.convert("1 W/m2", "photon irradiance", **conditions).magnitude > 0
 
