@@ -1,4 +1,4 @@
-"""Answers to `--check`: right ones in few digits, numbers by chance, and edits of a law by hand.
+"""`--check` with right answers in few digits, random numbers, and one edit of a law.
 
 The oracle is the arithmetic of each question as a learner writes it, with one edit.
 """
@@ -25,7 +25,7 @@ def c(angle: float) -> float:
 
 
 class Case(NamedTuple):
-    """A question with {letters}, their ranges, the result, and what it is right and wrongly."""
+    """A question with {letters}, their ranges, the result, and its right and wrong formulas."""
 
     words: str
     ranges: dict[str, tuple[float, float]]
@@ -151,11 +151,11 @@ def sweep(count: int, seed: int) -> str:
             missed += mistake not in [one.mistake for one in found.diagnoses]
     assert accused <= 0.03 * count + 3, f"{accused} of {count} numbers by chance are accused"
     assert missed <= 0.02 * edits, f"{missed} of {edits} edits are not named"
-    return f"{accused} of {count} numbers by chance accused, {missed} of {edits} edits not named"
+    return f"{accused} of {count} random numbers diagnosed, {missed} of {edits} edits missed"
 
 
 def _whole(case: Case, right: float, digits: int) -> str:
-    """The right value rounded to so many digits, written with zeros and no point if it is large."""
+    """Format the right value with so many digits; a large one with zeros and without a point."""
     rounded = float(typed(right, digits))
     number = f"{rounded:.0f}" if rounded >= 10 ** (digits - 1) else f"{rounded:.{digits}g}"
     return f"{case.name}={number}{case.unit}" if case.name else f"{number}{case.unit}"

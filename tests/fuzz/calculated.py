@@ -1,7 +1,7 @@
-"""Streams of calculators as arrays against the same lines one by one.
+"""Streams of calculators, computed as arrays, against the same lines one by one.
 
-A case is a call of a transcript with one of its quantities from standard input, and every result
-of it.  Most lines are near the number of the transcript; some are far, and some are bad.
+A case is a call of a transcript with one of its quantities from standard input, and all its
+results.  Most lines are near the number of the transcript; some are far from it or bad.
 """
 
 import json
@@ -26,7 +26,7 @@ PAGES = (
     "calorimeter", "direction", "etendue", "ev", "lambertian", "laser", "mesopic", "photon",
     "point-source", "room", "screen", "sensor", "sky", "solid-angle",
 )  # fmt: skip
-OF_OUTPUT = {  # with the number of words that belong to each
+OF_OUTPUT = {  # options with the number of their words
     "-g": 2, "--get": 2, "--format": 2, "--precision": 2, "--json": 1, "--steps": 1, "-n": 1,
     "-q": 1, "--auto": 1,
 }  # fmt: skip
@@ -35,7 +35,7 @@ BAD = ("x", "", "0", "-1", "1e99", "1e-99", "1/3", "# a comment")
 
 
 class Stream(NamedTuple):
-    """A call in which `-` takes the place of a number, and that number with its unit."""
+    """A call with `-` for a number, and that number with its unit."""
 
     words: tuple[str, ...]
     option: str
@@ -44,7 +44,7 @@ class Stream(NamedTuple):
 
 
 def in_calls(path: Path) -> list[list[str]]:
-    """Return the words of every call of a calculator in a transcript, without those of output."""
+    """Return the words of every call of a calculator in a transcript, without output options."""
     found = []
     for line in re.findall(r"^\$ radcalc ([^|<>\n]+)$", path.read_text(encoding="utf-8"), re.M):
         if line.split()[0] not in PAGES or "--check" in line or "--plot" in line:
@@ -75,7 +75,7 @@ def streams() -> list[Stream]:
 
 @cache
 def results(stream: Stream) -> tuple[str, ...]:
-    """Return the names of the results; none where the call is refused or has several answers."""
+    """Return the names of the results; none if the call is refused or has several answers."""
     amount = f"{stream.number!r}{stream.unit}"
     words = [amount if word == f"- {stream.unit}".strip() else word for word in stream.words]
     done = run(*words, "--json", cwd=ROOT)
@@ -84,7 +84,7 @@ def results(stream: Stream) -> tuple[str, ...]:
 
 
 def draw_lines(number: float) -> list[str]:
-    """Return lines near a number, some of them far from it or bad."""
+    """Return lines near a number; some are far from it or bad."""
     is_clean = random.random() < 0.5
     lines = []
     for _ in range(random.choice([20, 60, 200])):
@@ -100,7 +100,7 @@ def draw_lines(number: float) -> list[str]:
 
 
 def answered(words: list[str], lines: str, first: int) -> tuple[int, str, list[str], set[str]]:
-    """Return the status, the answers, the refusals and the remarks, these without numbers."""
+    """Return the status, the answers, the errors and the remarks (these without numbers)."""
     with patch.object(calculated, "FIRST", first):
         done = run(*words, input=lines, cwd=ROOT)
     said = done.stderr.splitlines()
@@ -115,7 +115,7 @@ def answered(words: list[str], lines: str, first: int) -> tuple[int, str, list[s
 
 
 def hold() -> str:
-    """Answer to drawn lines of a stream in both ways, and compare; return the calculator."""
+    """Answer random lines of a stream in both ways, and compare; return the calculator."""
     stream = random.choice(streams())
     while not (names := results(stream)):
         stream = random.choice(streams())
@@ -130,7 +130,7 @@ def hold() -> str:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Hold many streams; return how many there were of each calculator."""
+    """Check many streams; return the number of streams per calculator."""
     random.seed(seed)
     counts = Counter(hold() for _ in range(count))
     return ", ".join(f"{count} of {name}" for name, count in sorted(counts.items()))

@@ -1,7 +1,7 @@
-"""Colour temperatures against a search that knows nothing of the first, and colour-science.
+"""Colour temperatures against an independent search and colour-science.
 
-The search evaluates Planck's law and the observer with NumPy and narrows the minimum of the
-distance by golden sections in log T; colour-science's is Ohno's of 2013, in his range.
+The search evaluates Planck's law and the observer with NumPy and minimises the distance by golden
+sections in log T; colour-science uses Ohno's method of 2013, within its range.
 """
 
 import math
@@ -26,26 +26,26 @@ GOLDEN = (math.sqrt(5) - 1) / 2
 
 
 def chromaticity(spectra: Any) -> Any:
-    """CIE 1960 (u, v), by the trapezoid."""
+    """Compute CIE 1960 (u, v) by the trapezoidal rule."""
     x, y, z = np.trapezoid(FUNCTIONS * spectra, dx=1.0, axis=1)
     return np.array([4 * x, 6 * y]) / (x + 15 * y + 3 * z)
 
 
 def planckian(temperature: float) -> Any:
-    """The locus, from CODATA's second radiation constant."""
+    """Compute the Planckian locus, with CODATA's second radiation constant."""
     x = 1.438776877e7 / (GRID * temperature)
     return chromaticity(GRID**-5 / np.expm1(x))
 
 
 def normal(temperature: float) -> Any:
-    """A vector of length 1 across the locus, upwards."""
+    """Return the unit vector across the locus, upwards."""
     along = planckian(temperature * 1.0001) - planckian(temperature / 1.0001)
     across = np.array([-along[1], along[0]]) / np.hypot(*along)
     return across if across[1] > 0 else -across
 
 
 def nearest(colour: Any) -> float:
-    """The temperature of the nearest black body."""
+    """Find the temperature of the nearest black body."""
 
     def distance(log_t: float) -> float:
         return float(np.hypot(*(planckian(math.exp(log_t)) - colour)))
@@ -60,7 +60,7 @@ def nearest(colour: Any) -> float:
 
 
 def of_colour(colour: Any) -> Table:
-    """A spectrum of a chromaticity: three narrow bands in the right proportion."""
+    """Make a spectrum of a chromaticity: three narrow bands in the right proportion."""
     bands = [np.where(abs(GRID - place) < 8, 1.0, 0.0) for place in (450, 540, 620)]
     u, v = colour
     y = 1.0
@@ -71,7 +71,7 @@ def of_colour(colour: Any) -> Table:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Black bodies, daylights and colours beside the locus."""
+    """Check black bodies, daylights and colours near the locus."""
     draw = random.Random(seed)
     colour = load_colour()
     worst = worst_ohno = 0.0
@@ -92,7 +92,7 @@ def sweep(count: int, seed: int) -> str:
         assert abs(duv - offset) < 1e-9, case
         other = nearest(place)
         worst = max(worst, abs(found / other - 1))
-        assert abs(found / other - 1) < 1e-4, (case, other)  # a minimum is flat
+        assert abs(found / other - 1) < 1e-4, (case, other)  # the distance is flat near its minimum
 
         if 2000 <= temperature <= 20000 and abs(offset) < 0.03:
             with warnings.catch_warnings():

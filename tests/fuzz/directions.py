@@ -1,8 +1,8 @@
-"""Sources that are functions of direction: where they are, how they are aimed, what scales them.
+"""Sources with a distribution: where they are, how they are aimed, and how they are scaled.
 
-A lobe that is typed as an expression has the answers of the closed laws.  One that is no solid of
-revolution, aimed and rotated at random, is held against vectors: a turn about the line across
-straight down and the aim.  Places and strengths are found again from the light that they give.
+A lobe as an expression has the results of the closed laws.  An oval distribution, aimed and rotated
+at random, is compared with vectors, turned about the line across straight down and the aim.
+Positions and intensities are recovered from the light that they give.
 """
 
 import math
@@ -25,12 +25,12 @@ CLOSED = (
 
 
 def one_of(found, unit: str) -> np.ndarray:
-    """All the answers of a result, in a unit."""
+    """Return all values of a result, in a unit."""
     return np.atleast_1d(found.to(unit).magnitude)
 
 
 def lobe(dice: random.Random) -> str:
-    """The same lobe both ways; the case, where the answers differ."""
+    """Compare a lobe in both forms; return the case if the results differ."""
     exponent = math.exp(dice.uniform(-2, 4))
     place = dice.choice(
         [
@@ -58,7 +58,7 @@ def lobe(dice: random.Random) -> str:
 
 
 def turned(down: np.ndarray, aim: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """A vector, turned as straight down is to the aim, about the line across both (Rodrigues)."""
+    """Rotate a vector by the rotation from straight down to the aim (Rodrigues)."""
     about = np.cross(down, aim)
     sine, cosine = np.linalg.norm(about), down @ aim
     about = about / sine if sine > 1e-12 else np.array([1.0, 0.0, 0.0])
@@ -67,7 +67,7 @@ def turned(down: np.ndarray, aim: np.ndarray, vector: np.ndarray) -> np.ndarray:
 
 
 def aimed(dice: random.Random) -> str:
-    """An oval distribution that is aimed, against vectors; the case, where it differs."""
+    """Compare an oval distribution that is aimed with vectors; return the case if they differ."""
     down = np.array([0.0, 0.0, -1.0])
     aim = np.array([dice.uniform(-1, 1) for _ in range(3)])
     turn, height = dice.uniform(-400, 400), dice.uniform(0.1, 10)
@@ -108,12 +108,12 @@ def aimed(dice: random.Random) -> str:
     )
     got = float(one_of(scaled["flux"], "lm")[0])
     if not math.isclose(got, 2400 * math.pi, rel_tol=1e-6):
-        return f"{given}, height {height}: three times the light is of {got} lm"
+        return f"{given}, height {height}: three times the irradiance gives {got} lm"
     return ""
 
 
 def sweep(count: int, seed: int) -> str:
-    """Draw cases and hold each against its oracle."""
+    """Compare random cases with their oracles."""
     dice = random.Random(seed)
     for k in range(count):
         wrong = (aimed if k % 2 else lobe)(dice)

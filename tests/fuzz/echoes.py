@@ -1,7 +1,8 @@
-"""Nothing that a user typed, or a file has, steers the terminal or forges a line of an answer.
+"""Input cannot control the terminal or forge a line of an answer.
 
-Each case puts characters that are not printable (control and bidirectional ones, separators of
-lines, lone surrogates, blanks of all kinds) into a word of a call, a file's name or its text.
+A case puts characters that are not printable (control and bidirectional characters, line
+separators, lone surrogates, all kinds of blanks) into a word of a call, the name of a file or its
+text.
 """
 
 import io
@@ -18,7 +19,7 @@ from unittest.mock import patch
 from radcalc.__main__ import run
 
 SHORT, LONG = 200, 200_000
-LONGEST = 700  # characters of a line that is said
+LONGEST = 700  # characters of a line on standard error
 NASTY = [
     *map(chr, range(1, 32)),
     *"\x7f\x85\x9b\xa0\xad\u061c\u180e\u200b\u200e\u200f\u2028\u2029\u202a\u202e\u2066\u2069\u3000",
@@ -100,7 +101,7 @@ TEXTS = [
 
 
 class Seen(NamedTuple):
-    """What a call wrote, and how it ended."""
+    """The output of a call and its exit status."""
 
     status: int
     out: str
@@ -117,7 +118,7 @@ def call(words: list[str], text: bytes) -> Seen:
 
 
 def stained(text: str) -> str:
-    """A text with some of the characters in it."""
+    """Insert some of the characters into a text."""
     for _ in range(random.choice([1, 1, 2])):
         place = random.choice([0, len(text), random.randint(0, len(text))])
         text = text[:place] + random.choice(NASTY) + text[place:]
@@ -125,7 +126,7 @@ def stained(text: str) -> str:
 
 
 def draw(folder: Path) -> tuple[list[str], bytes]:
-    """A call of which a word, the file's name or the input is stained."""
+    """Make a call in which a word, the name of the file or the input has such characters."""
     words = random.choice(CALLS).split()
     text = random.choice(TEXTS)
     name = "lamp.csv"
@@ -150,9 +151,9 @@ def draw(folder: Path) -> tuple[list[str], bytes]:
 
 
 def hold(words: list[str], seen: Seen) -> None:
-    """Every character is printable, and every remark is one line."""
+    """Check that every character is printable and every remark is one line."""
     assert seen.status in (0, 1, 2), (words, seen)
-    if "-" not in words:  # a stream passes on what is not its own
+    if "-" not in words:  # a stream copies the text of other fields unchanged
         wild = [c for c in seen.out if not (c.isprintable() or c in "\n\t")]
         assert not wild, (words, wild, seen)
         assert "\nnote: forged" not in seen.out, (words, seen)
@@ -163,7 +164,7 @@ def hold(words: list[str], seen: Seen) -> None:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Hold every call to it; return how often each exit status came."""
+    """Check every call; return the counts of exit statuses."""
     random.seed(seed)
     statuses: Counter[int] = Counter()
     with tempfile.TemporaryDirectory() as folder, patch.dict(os.environ, {"COLUMNS": "80"}):

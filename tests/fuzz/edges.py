@@ -1,7 +1,7 @@
-"""Every public function of the geometry at the edges of its arguments.
+"""Public functions of the geometry at the limits of their arguments.
 
-0, the least and the largest of floats, infinity, negative numbers, NaN, a right angle and its
-neighbours: each call ends, with a number (NaN for a NaN alone) or with a `RadcalcError`.
+0, the smallest and the largest floats, infinity, negative numbers, NaN, a right angle and its
+neighbours: each call ends with a number (NaN only for NaN or infinity) or with a `RadcalcError`.
 """
 
 import importlib
@@ -34,15 +34,15 @@ MODULES = (
     "receivers",
     "solid",
 )
-# What takes no numbers alone, and is swept below or by its own tests.
+# Functions with other arguments than numbers, swept below or by their own tests.
 OTHERS = {"refuse", "bounded", "percent", "size", "reach", "is_near", "polygon"}
 OTHERS |= {"facing", "reflected", "mirror_normal"}
-CPU_SECONDS = 20  # a busy machine does not make it end sooner
+CPU_SECONDS = 20  # long enough for a busy machine
 
 
 @contextmanager
 def ending(case):
-    """Fail where a call does not end."""
+    """Fail if a call does not end."""
 
     def stop(*_):
         raise AssertionError(f"does not end: {case}")
@@ -57,7 +57,7 @@ def ending(case):
 
 
 def held(function, *given, clean: bool) -> int:
-    """Whether a call gives a number, which is NaN for what is not clean alone."""
+    """Return 1 for a call that gives numbers, 0 for an error; `clean` arguments never give NaN."""
     case = f"{function.__module__}.{function.__name__}{given}"
     with ending(case):
         try:

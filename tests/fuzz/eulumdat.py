@@ -1,7 +1,7 @@
-"""EULUMDAT files: what is read has the flux of a plain sum, and no damage brings more.
+"""EULUMDAT files: valid files have the flux of a plain sum; damaged files are refused or read.
 
-Drawn are a symmetry, even or uneven planes and angles, factors and lamp sets, and then changes of
-whole lines, after which a file is refused with a line or has the figures of those that are left.
+The sweep draws a symmetry, equal or unequal planes and angles, factors and lamp sets.  Then it
+changes whole lines: the file is refused with a line number, or has the figures of its numbers.
 """
 
 import math
@@ -18,11 +18,11 @@ TEXTS = ["", "0", "1", "2", "3", "4", "15", "-1", "1.5", "1,5", "1,000", "nan", 
 
 
 def drawn() -> list[str]:
-    """The lines of a file in order."""
+    """Make the lines of a valid file."""
     symmetry = random.randrange(5)
     quarter = sorted({0.0, 90.0, *(round(random.uniform(1, 89), 1) for _ in range(3))})
     planes = [*quarter, *(180 - c for c in quarter[-2::-1])]
-    planes += [180 + c for c in planes[1:-1]]  # the same in each quarter
+    planes += [180 + c for c in planes[1:-1]]  # the same in each quadrant
     steps = (0, 0)
     if random.random() < 0.5:
         step = random.choice([7.5, 15, 22.5, 45, 90])
@@ -46,7 +46,7 @@ def drawn() -> list[str]:
 
 
 def damaged(lines: list[str]) -> list[str]:
-    """The same with lines dropped, doubled, exchanged or replaced."""
+    """Drop, double, exchange or replace lines."""
     lines = list(lines)
     for _ in range(random.choice([1, 1, 2, 4])):
         place = random.randrange(len(lines))
@@ -66,7 +66,7 @@ def damaged(lines: list[str]) -> list[str]:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Read a file in order and a damaged one in each case."""
+    """Read a valid and a damaged file in each case."""
     random.seed(seed)
     refused = 0
     for _ in range(count):
@@ -78,17 +78,20 @@ def sweep(count: int, seed: int) -> str:
             line = re.match(r"lamp\.ldt, line (\d+): ", refusal)
             assert line, (refusal, lines)
             assert 1 <= int(line[1]) <= max(len(lines), 1), (refusal, lines)
-    return f"{count} files, and as many damaged ones, of which {refused} were refused"
+    return f"{count} files and as many damaged ones; {refused} were refused"
 
 
 def check(lines: list[str]) -> str:
-    """Hold a file that is read against plain sums of its numbers; say how it is refused."""
+    """Compare a file with plain sums of its numbers; return the error if it is refused."""
     try:
         found = eulumdat.read(lines, "lamp.ldt")
     except ConditionError as error:
         return error.message
     value, first, lumens = plain_figures(lines)
-    flux, rounding = found.distribution.flux().value, 1e-13 * lumens  # that of narrow cells there
+    flux, rounding = (
+        found.distribution.flux().value,
+        1e-13 * lumens,
+    )  # narrow cells
     assert math.isclose(flux, value, rel_tol=1e-9, abs_tol=rounding), lines
     own = found.distribution.intensity(*first[:2])
     assert math.isclose(own, first[2], rel_tol=1e-9), lines

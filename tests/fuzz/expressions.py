@@ -1,7 +1,7 @@
-"""Arithmetic with units, drawn as trees: Pint works each out in fractions, and the text is read.
+"""Arithmetic with units, drawn as trees: Pint computes each in fractions, radcalc reads the text.
 
-Pint has radcalc's definitions in its registry of exact fractions, and the answer must be its own,
-rounded once.  Texts of random pieces are read or refused, and nothing else.
+Pint has radcalc's definitions in a registry of exact fractions, and the answer must be Pint's,
+rounded once.  Texts of random pieces must be read or refused, without any other error.
 """
 
 import math
@@ -36,7 +36,7 @@ NAMES = {symbol: name for group in GROUPS for symbol, name in group.items()}
 
 
 class Drawn:
-    """A text, what Pint makes of it, and how tightly the text holds together."""
+    """A text, its value by Pint, and the precedence of its last operator."""
 
     def __init__(self, text, value, level, ends_in_number=False):
         self.text, self.value, self.level = text, value, level
@@ -59,7 +59,7 @@ def quantity(number, **units):
 
 
 def number(draw: random.Random) -> tuple[str, Fraction]:
-    """A number as people type it, and its value."""
+    """Make a number as people type it, and its value."""
     kind = draw.random()
     if kind < 0.4:
         text = str(draw.randint(1, 99))
@@ -82,7 +82,7 @@ def number(draw: random.Random) -> tuple[str, Fraction]:
 
 
 def leaf(draw: random.Random, group: dict[str, str] | None = None) -> Drawn:
-    """A number with its unit, or bare."""
+    """Make a number with a unit or without."""
     text, value = number(draw)
     if group is None and draw.random() < 0.3:
         return Drawn(text, registry().Quantity(value), BARE)
@@ -98,7 +98,7 @@ def bracketed(drawn: Drawn, below: int) -> str:
 
 
 def tree(draw: random.Random, depth: int) -> Drawn:
-    """An expression of some depth."""
+    """Make an expression of some depth."""
     kind = draw.random()
     if not depth or kind < 0.1:
         return leaf(draw)
@@ -132,7 +132,7 @@ def tree(draw: random.Random, depth: int) -> Drawn:
 
 
 def against_pint(draw: random.Random) -> bool:
-    """Whether a drawn expression was read; it then is what Pint says, rounded once."""
+    """Return whether a random expression was read; if so, its value is Pint's, rounded once."""
     drawn = tree(draw, draw.randint(1, 4))
     try:
         amount = read_amount(drawn.text)
@@ -165,7 +165,7 @@ PIECES = [
 
 
 def hostile(draw: random.Random) -> None:
-    """Random pieces: a number, or a refusal with a hint."""
+    """Read random pieces: the result is a number, or an error with a hint."""
     text = "".join(draw.choices(PIECES, k=draw.randint(1, 14)))
     try:
         amount = read_amount(text)
@@ -176,14 +176,14 @@ def hostile(draw: random.Random) -> None:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Draw expressions, and as many texts of pieces."""
+    """Check random expressions and as many texts of pieces."""
     draw = random.Random(seed)
     read = 0
     for _ in range(count):
         read += against_pint(draw)
         hostile(draw)
     assert read > 0.9 * count
-    return f"{read} of {count} expressions as Pint has them, the others too large; {count} texts"
+    return f"{read} of {count} expressions equal to Pint, the others too large; {count} texts"
 
 
 if __name__ == "__main__":

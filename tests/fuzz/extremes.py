@@ -1,7 +1,7 @@
-"""Calculators with values of any size: what a number cannot hold is refused, and is no 0.
+"""Calculators with extreme inputs: results that a float cannot hold are refused, not 0.
 
-The oracle is that a product of positive numbers is positive: no result of inputs above 0 is 0,
-infinite, or below the least number that a float holds in full.
+The oracle is that a product of positive numbers is positive: no result of positive inputs is 0,
+infinite or subnormal.
 """
 
 import contextlib
@@ -54,12 +54,12 @@ CALLS = (
     "convert {} lm lx --isotropic --distance {}m",
     "convert {} umol/s W --wavelength {}nm",
 )
-# Of what is not seen, or stands upright; a picture from afar; a beam that is safe at its exit.
+# Light below the horizon, a vertical picture, a distant picture, a beam that is safe at its exit.
 MAY_BE_0 = ("luminous-effic", "ev", "incidence", "magnification", "hazard-distance")
 
 
 def call(words: list[str]) -> tuple[int, str]:
-    """Run a command in this process: its status, and what it writes."""
+    """Run a command in this process; return its status and output."""
     out = io.StringIO()
     with (
         mock.patch.object(terminal, "write", out.write),
@@ -85,7 +85,7 @@ def sweep(count: int, seed: int) -> str:
             if name and any(part in name[0] for part in MAY_BE_0):
                 continue
             assert sys.float_info.min <= abs(float(value)) < math.inf, (words, row)
-    return f"{answered} of {count} calls answered, each with numbers above 0"
+    return f"{answered} of {count} calls answered, with positive numbers"
 
 
 if __name__ == "__main__":

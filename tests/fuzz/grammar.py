@@ -1,7 +1,7 @@
 """Numbers and units of random letters: read as exact arithmetic reads them, or refused.
 
-The oracle for numbers is a regular expression and `fractions`, with 60 digits of pi (OEIS
-A000796); that for units is the product of factors of the SI Brochure.
+The oracle for numbers is a regular expression with `fractions` and 60 digits of pi (OEIS
+A000796); the oracle for units is the product of factors of the SI Brochure.
 """
 
 import math
@@ -33,17 +33,17 @@ TAIL = re.compile(rf"([*/]){TERM}")
 
 
 class Refused(Exception):
-    """What the grammar has no one value for."""
+    """A text without a unique value."""
 
 
 def told_of(error: RadcalcError, text: object, part: str = "") -> None:
-    """A refusal says what is wrong, that among it, and what to do."""
+    """Check that an error names what is wrong and has a hint."""
     assert error.hint, text
     assert part in error.message, text
 
 
 def exactly(text: str) -> tuple[Fraction, int]:
-    """The value of a number and how many times it was rounded; Refused where it has none."""
+    """Return the value of a number and its count of roundings; raise Refused without a value."""
     text = text.strip()
     if not NUMBER.fullmatch(text) or "pipi" in text.replace("π", "pi"):
         raise Refused
@@ -68,14 +68,14 @@ def exactly(text: str) -> tuple[Fraction, int]:
 
 
 def held(value: Fraction) -> Fraction:
-    """A value that a float can hold in full."""
+    """Return whether a value is a normal float."""
     if value and not SMALLEST <= abs(value) <= LARGEST:
         raise Refused
     return value
 
 
 def number(draw: random.Random) -> None:
-    """A text of the letters of numbers: read right, or refused."""
+    """Check that a text of the letters of numbers is read correctly or refused."""
     text = "".join(draw.choices(PIECES, k=draw.randint(1, 9)))
     try:
         read = parse_number(text)
@@ -113,7 +113,7 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def product(draw: random.Random, sign: int, found: dict[str, int]) -> tuple[str, Fraction]:
-    """A product of units as a text, and its factor; its dimension is added to `found`."""
+    """Make a product of units as a text, and its factor; add its dimension to `found`."""
     text, factor = "", Fraction(1)
     for _ in range(draw.randint(1, 3)):
         name = draw.choice(list(ATOMS))
@@ -129,7 +129,7 @@ def product(draw: random.Random, sign: int, found: dict[str, int]) -> tuple[str,
 
 
 def unit(draw: random.Random) -> None:
-    """A unit in some style of writing: its factor is the product of those of its parts."""
+    """Check that the factor of a unit is the product of the factors of its parts."""
     own: dict[str, int] = {}
     text, factor = product(draw, 1, own)
     if draw.random() < 0.5:
@@ -157,7 +157,7 @@ WORDS = [
 
 
 def words(draw: random.Random) -> None:
-    """Words of letters of both: what is no conversion is refused."""
+    """Check that random words of both are refused if they are not a conversion."""
     typed = ["".join(draw.choices(WORDS, k=draw.randint(1, 6))) for _ in range(draw.randint(1, 4))]
     if draw.random() < 0.5:
         typed[0] = f"{draw.choice(('1', '2/3', '1e-300*1e-9', '0e309', '1e2pi'))}{typed[0]}"
@@ -169,13 +169,13 @@ def words(draw: random.Random) -> None:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Draw texts of each sort in turn."""
+    """Check texts of all sorts in turn."""
     draw = random.Random(seed)
     for _ in range(count // 3):
         number(draw)
         unit(draw)
         words(draw)
-    return f"{count // 3} numbers, units and conversions: read right, or refused"
+    return f"{count // 3} numbers, units and conversions read correctly or refused"
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
-"""Conversions and calculators that are refused: the hint, followed, is answered.
+"""Hints of refused conversions and calculators lead to answers.
 
-Units, conditions and inputs are drawn, with the examples of the vocabulary; what is refused is
-typed again as its hint says, each alternative by itself.
+Units, conditions and inputs are drawn from the examples of the vocabulary; a refused call is
+repeated as its hint suggests, with each alternative.
 """
 
 import random
@@ -12,7 +12,7 @@ import click
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
-from following import call, liars  # the folder of the tests is on the path where they are run
+from following import call, liars  # the folder of the tests is on the path when sweeps run
 from fuzz.steps import CONDITIONS, UNITS
 
 from radcalc.calculators.solid_angle import SHAPES
@@ -27,7 +27,7 @@ LEFT_OUT = ("--range", "--photon-range", "--corner", "--perpendicular", "--polar
 
 
 def conversion(draw: random.Random) -> list[str]:
-    """A conversion between two units under up to two conditions."""
+    """Make a conversion between two units under up to two conditions."""
     words = ["convert", "2", *draw.sample(UNITS, 2)]
     for name in draw.sample(list(CONDITIONS), draw.randint(0, 2)):
         value = CONDITIONS[name]
@@ -36,7 +36,7 @@ def conversion(draw: random.Random) -> list[str]:
 
 
 def calculation(draw: random.Random) -> list[str]:
-    """A calculator with up to three of its options."""
+    """Make a call of a calculator with up to three of its options."""
     name = draw.choice(CALCULATORS)
     command = commands.get_command(click.Context(commands), name)
     assert command is not None
@@ -55,7 +55,7 @@ def calculation(draw: random.Random) -> list[str]:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Draw calls; follow the hints of those that are refused."""
+    """Draw calls, and follow the hints of refused ones."""
     draw = random.Random(seed)
     refused = 0
     for k in range(count):

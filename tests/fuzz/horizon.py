@@ -1,7 +1,7 @@
-"""Patches seen from afar, tilted and turned, up to the horizon: against sums over their points.
+"""Distant patches, tilted and rotated, up to the horizon: against sums over their points.
 
-The printed bound of the far field ("within 1.2 %") is held against discs and rectangles of every
-shape; the disc that the horizon cuts is the sum over what is left of it.
+The printed bound of the far field ("within 1.2 %") is checked for discs and rectangles of all
+shapes; the light of a disc cut by the horizon is compared with the sum over its visible part.
 """
 
 import math
@@ -22,7 +22,7 @@ SIDE = 20  # points
 
 
 def points(shape: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Points of a disc (a radius) or of a rectangle (two sides) about 0, and their areas."""
+    """Return points of a disc (a radius) or of a rectangle (two sides) about 0, and their areas."""
     nodes, weights = np.polynomial.legendre.leggauss(SIDE)
     if len(shape) == 1:
         rho, turn = (nodes + 1) / 2 * shape[0], np.arange(2 * SIDE) * (PI / SIDE)
@@ -35,7 +35,7 @@ def points(shape: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray, np.ndarray
 
 
 def patch(shape, spin: float, tilt: float, azimuth: float):
-    """Points of a patch that is spun in its plane and tilted from +z; its normal, its areas."""
+    """Return points, normal and areas of a patch rotated in its plane and tilted from +z."""
     x, y, area = points(shape)
     x, y = x * math.cos(spin) - y * math.sin(spin), x * math.sin(spin) + y * math.cos(spin)
     along = np.array([math.cos(azimuth), math.sin(azimuth), 0.0])
@@ -46,7 +46,7 @@ def patch(shape, spin: float, tilt: float, azimuth: float):
 
 
 def exact(source, receiver, distance: float, power: float = 2, other: bool = True) -> float:
-    """The sum of dA1 cos1 dA2 cos2 / r^2; the receiver is above the source, turned to it."""
+    """Sum up dA1 cos1 dA2 cos2 / r^2; the receiver is above the source and turned to it."""
     at, normal, area = source
     total = 0.0
     for spot, share in zip(receiver[0], receiver[2], strict=True):
@@ -59,7 +59,7 @@ def exact(source, receiver, distance: float, power: float = 2, other: bool = Tru
 
 
 def drawn(dice: random.Random) -> tuple[tuple[float, ...], dict[str, str], float]:
-    """A shape, how it is given, and its size."""
+    """Draw a shape, its inputs and its size."""
     kind = dice.choice(["radius", "area", "sides"])
     if kind == "sides":
         sides = (1.0, math.exp(dice.uniform(-4, 0)))
@@ -82,7 +82,7 @@ def value_of(answer, name: str) -> float:
 
 
 class Bounds:
-    """How the bounds that are printed hold: the largest part of one, and what was refused."""
+    """Statistics of the printed bounds: the largest error relative to its bound, and refusals."""
 
     def __init__(self) -> None:
         self.most, self.cut, self.refused = 0.0, 0, 0
@@ -131,8 +131,8 @@ def sweep(count: int, seed: int) -> str:
         texts["incidence"] = f"{incidence!r}rad"
         expected = exact(source, (spot, below, [1.0]), distance)
         answer = held.ask(lambertian, "patch", radiance="1W/m2/sr", **texts)
-        if answer and any("horizon leaves" in text for text in answer.assumptions):
-            held.cut += 1  # the points of the sum are too few along the cut
+        if answer and any("partly cut by the horizon" in text for text in answer.assumptions):
+            held.cut += 1  # the sum has too few points along the cut
             found = value_of(answer, "irradiance")
             close = math.isclose(found, expected, rel_tol=0.1, abs_tol=1e-3 * size**2 / distance**2)
             assert close, (case, found, expected)
@@ -150,7 +150,7 @@ def sweep(count: int, seed: int) -> str:
             texts["receiver_area"] = f"{PI * other**2!r}m2"
             if answer := held.ask(etendue, **texts):
                 held.hold(f"{case} {other=}", answer, value_of(answer, "etendue"), expected)
-    said = f"the far field within {held.most:.2f} of its bound"
+    said = f"error of the far field at most {held.most:.2f} of its bound"
     return f"{said}, {held.cut} discs cut, {held.refused} patches refused"
 
 

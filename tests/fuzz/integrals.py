@@ -1,10 +1,10 @@
-"""Integrals over directions of kinks, steps, roots, ridges and peaks, against closed forms.
+"""Integrals over directions of functions with kinks, steps, roots, ridges and peaks.
 
-Over the whole sphere a function f of the cosine u to any axis has 2 pi times the integral of f(u)
-from -1 to 1 (Archimedes: zones of one height have one area); an even one has half of it over any
-hemisphere.  Over zones f is of z, and may be times a function of the azimuth.  The antiderivatives
-below are those of any table.  Comparisons of theta or phi end the intervals before.  The error that
-is told must cover the truth.
+The integral over the sphere of a function f of the cosine u to any axis is 2 pi times the integral
+of f(u) from -1 to 1 (Archimedes: zones of equal height have equal area); for an even function any
+hemisphere has half of it.  Over zones f is a function of z, maybe times a function of the azimuth.
+The antiderivatives are those of any table.  Comparisons of theta or phi cut the intervals.  The
+printed error must cover the true error.
 """
 
 import math
@@ -20,17 +20,17 @@ PI, TURN = math.pi, 2 * math.pi
 
 
 def above(c, p):
-    """The antiderivative of (u - c)^p where u is above c, and 0 below."""
+    """Return the antiderivative of (u - c)^p for u above c, and 0 below."""
     return lambda u: max(u - c, 0.0) ** (p + 1) / (p + 1)
 
 
 def both(c, p):
-    """That of |u - c|^p."""
+    """Return the antiderivative of |u - c|^p."""
     return lambda u: math.copysign(abs(u - c) ** (p + 1) / (p + 1), u - c)
 
 
 def shape(rng):
-    """A function of U, as a text, and its antiderivative."""
+    """Draw a function of U, as a text, and its antiderivative."""
     c = rng.choice([rng.uniform(-0.99, 0.99), rng.uniform(-0.05, 0.05), 0.0])
     p, w, k = rng.choice([1.5, 2, 3]), 10 ** rng.uniform(-2, 0), 10 ** rng.uniform(-1, 3.3)
     degree, root_pi = rng.randint(0, 6), math.sqrt(PI)
@@ -50,7 +50,7 @@ def shape(rng):
 
 
 def cosine(rng):
-    """The cosine to an axis, as a text: any axis, or z or x, or near one of these."""
+    """Draw the cosine to an axis, as a text: any axis, z, x, or an axis near one of these."""
     tilt = rng.choice([1.0, 10 ** rng.uniform(-6, -1), 0.0])
     x, y, z = rng.gauss(0, 1), rng.gauss(0, 1) * tilt, rng.gauss(0, 1) * tilt
     if rng.random() < 0.5:
@@ -60,13 +60,13 @@ def cosine(rng):
 
 
 def between(f, low, high):
-    """An antiderivative's difference, and the rounding of that."""
+    """Return the difference of an antiderivative, and its rounding error."""
     ends = f(low), f(high)
     return ends[1] - ends[0], 1e-15 * (abs(ends[0]) + abs(ends[1]))
 
 
 def case(rng):
-    """A text, intervals of polar angle and azimuth, the integral, and its rounding here."""
+    """Draw a text, intervals of polar angle and azimuth, the integral, and its rounding error."""
     where = rng.choice(["sphere", "sphere", "hemisphere", "zone", "wedge"])
     polar, azimuth, times, turn, turn_off = (0.0, PI), (0.0, TURN), "1", TURN, 0.0
     low, high = -1.0, 1.0
@@ -113,7 +113,7 @@ def sweep(count, seed):
             steps = expression.steps(polar, azimuth) if dice.random() < 0.8 else ((), ())
             got = over_directions(expression, polar, azimuth, accuracy, 1, is_axial, steps=steps)
         except ConditionError as error:
-            # (what is 0 in all of the zone is refused as that)
+            # an integrand that is 0 in the whole zone is refused
             if abs(value) > rounding and "does not converge" not in error.message:
                 raise AssertionError(shown) from error
             refused[math.floor(math.log10(accuracy))] += 1
@@ -124,7 +124,9 @@ def sweep(count, seed):
             least = min(least, got.error / off)
     assert sum(refused.values()) < count / 5, refused
     by = ", ".join(f"1e{power}: {n}" for power, n in sorted(refused.items()))
-    return f"the error told is at least {least:.3g} times the true one; refused, by accuracy: {by}"
+    return (
+        f"the printed error is at least {least:.3g} times the true one; refusals by accuracy: {by}"
+    )
 
 
 if __name__ == "__main__":

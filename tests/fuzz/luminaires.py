@@ -1,8 +1,7 @@
-"""Files of IES LM-63: what is read has the flux of a plain sum, and no damage brings more.
+"""IES LM-63 files: valid files have the flux of a plain sum; damaged files are refused or read.
 
-Drawn are a type, ranges and steps of angles, intensities, factors, how records are broken, and
-then changes of single characters, after which a file is refused with a line or has the flux of
-the numbers that are left.
+The sweep draws a type, ranges and steps of angles, intensities, factors, and line breaks.  Then it
+changes single characters: the file is refused with a line number, or has the flux of its numbers.
 """
 
 import math
@@ -27,7 +26,7 @@ CHARACTERS = "0123456789 .,-+eE\n\t[]=TILTNONEnaninf_;\u0663"
 
 
 def angles(first: float, last: float) -> list[float]:
-    """Rising angles from one to another, at most 40 degrees apart where they go round."""
+    """Draw increasing angles between two limits, at most 40 degrees apart if they are azimuths."""
     if first == last:
         return [first]
     inner = {round(random.uniform(first, last), 1) for _ in range(random.choice([0, 3, 12]))}
@@ -35,7 +34,7 @@ def angles(first: float, last: float) -> list[float]:
 
 
 def drawn() -> list[str]:
-    """The lines of a file in order."""
+    """Make the lines of a valid file."""
     system = random.choice("CCAB")
     vertical, horizontal = (
         angles(*random.choice(ranges[system])) for ranges in (VERTICAL, HORIZONTAL)
@@ -53,13 +52,13 @@ def drawn() -> list[str]:
     words = " ".join(lines[start:]).split()
     if random.random() < 0.5:
         return lines
-    between = random.choice(BETWEEN)  # mixed with commas, it would be a decimal comma's
+    between = random.choice(BETWEEN)  # mixed with commas, it would be a decimal comma
     text = "".join(word + random.choice([between, between, "\n", "\r\n\r\n"]) for word in words)
     return [*lines[:start], *text.rstrip(" ,").splitlines()]
 
 
 def damaged(lines: list[str]) -> list[str]:
-    """The same with characters dropped, doubled, added or replaced."""
+    """Drop, double, insert or replace characters."""
     text = list("\n".join(lines))
     for _ in range(random.choice([1, 1, 2, 5])):
         place = random.randrange(len(text) + 1)
@@ -69,7 +68,7 @@ def damaged(lines: list[str]) -> list[str]:
 
 
 def read_or_refusal(lines: list[str]) -> float | str:
-    """The flux of a file, or why it is refused."""
+    """Return the flux of a file, or the error."""
     try:
         return ies.read(lines, "lamp.ies").distribution.flux().value
     except ConditionError as error:
@@ -77,7 +76,7 @@ def read_or_refusal(lines: list[str]) -> float | str:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Read a file in order and a damaged one in each case."""
+    """Read a valid and a damaged file in each case."""
     random.seed(seed)
     refused = 0
     for _ in range(count):
@@ -93,7 +92,7 @@ def sweep(count: int, seed: int) -> str:
             assert 1 <= int(line[1]) <= max(len(lines), 1), (answer, lines)
         elif lines[:3] == label:
             assert math.isclose(answer, plain_flux(lines), rel_tol=1e-3), lines
-    return f"{count} files, and as many damaged ones, of which {refused} were refused"
+    return f"{count} files and as many damaged ones; {refused} were refused"
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
-"""Picture files: pixels are read as they were drawn, and damage brings no more than a refusal.
+"""Picture files: valid files have the pixels that were written; damaged files are refused or read.
 
-The sweep draws a Radiance picture (size, orientation, encoding of each scanline, multipliers), a
+The sweep writes a Radiance picture (size, orientation, encoding of each scanline, multipliers), a
 portable float map, or an OpenEXR picture (compression, scan lines or tiles).  Then it changes,
-drops and adds bytes, after which a file is refused or has pixels that are numbers.
+drops and adds bytes: the file is refused, or its pixels are numbers.
 """
 
 import io
@@ -19,17 +19,17 @@ from radcalc.errors import ConditionError
 SHORT, LONG = 75, 50_000
 ORDERS = ["-Y +X", "-Y -X", "+Y -X", "+Y +X", "+X +Y", "-X +Y", "-X -Y", "+X -Y"]
 LINES = [(), ("EXPOSURE=2",), ("EXPOSURE=0.5", "COLORCORR=1 2 4", "EXPOSURE=0.25")]
-COMPRESSIONS = ["NO", "RLE", "ZIPS", "ZIP", "PIZ", "ZSTD"]  # without loss of 32-bit floats
+COMPRESSIONS = ["NO", "RLE", "ZIPS", "ZIP", "PIZ", "ZSTD"]  # lossless for 32-bit floats
 FACTORS = [(1, 1, 1), (2, 2, 2), (0.125, 0.25, 0.5)]
 
 
 def radiance(height: int, width: int) -> tuple[bytes, np.ndarray]:
-    """A Radiance picture, and its pixels with row 0 at the top."""
+    """Make a Radiance picture, and its pixels with row 0 at the top."""
     rows = hdr.noise(height, width, random.randrange(10**6), random.choice([4, 40]))
     kind = random.randrange(3)
     order = random.choice(ORDERS)
     turned = rows if order[1] == "Y" else rows.transpose(1, 0, 2)
-    # where the axis of the file goes the other way than rows and columns do
+    # the axis of the file is opposite to rows or columns
     for axis, word in enumerate(order.split()):
         if word in ("+Y", "-X"):
             turned = np.flip(turned, axis)
@@ -42,7 +42,7 @@ def radiance(height: int, width: int) -> tuple[bytes, np.ndarray]:
 
 
 def float_map(height: int, width: int) -> tuple[bytes, np.ndarray]:
-    """A portable float map, and its pixels with row 0 at the top."""
+    """Make a portable float map, and its pixels with row 0 at the top."""
     channels = random.choice([1, 3])
     pixels = np.random.default_rng(random.randrange(10**6)).lognormal(
         0, 9, (height, width, channels)
@@ -54,7 +54,7 @@ def float_map(height: int, width: int) -> tuple[bytes, np.ndarray]:
 
 
 def open_exr(height: int, width: int) -> tuple[bytes, np.ndarray]:
-    """An OpenEXR picture, and its pixels."""
+    """Make an OpenEXR picture, and its pixels."""
     pixels = np.random.default_rng(random.randrange(10**6)).lognormal(0, 9, (height, width, 3))
     pixels = pixels.astype(np.float32)
     compression = getattr(OpenEXR, f"{random.choice(COMPRESSIONS)}_COMPRESSION")
@@ -70,7 +70,7 @@ def open_exr(height: int, width: int) -> tuple[bytes, np.ndarray]:
 
 
 def damaged(data: bytes) -> bytes:
-    """The same with bytes changed, dropped, added or doubled."""
+    """Change, drop, insert or double bytes."""
     found = bytearray(data)
     for _ in range(random.choice([1, 1, 2, 5])):
         place = random.randrange(len(found) + 1)
@@ -85,7 +85,7 @@ FORMATS = [(radiance, rgbe), (radiance, rgbe), (float_map, pfm), (open_exr, exr)
 
 
 def pixels_or_refusal(module: Any, data: bytes) -> np.ndarray | str:
-    """What a file has, or why it is refused."""
+    """Return the pixels of a file, or the error."""
     try:
         return module.read(data, "sky").pixels
     except ConditionError as error:
@@ -93,7 +93,7 @@ def pixels_or_refusal(module: Any, data: bytes) -> np.ndarray | str:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Read a file in order and a damaged one in each case."""
+    """Read a valid and a damaged file in each case."""
     random.seed(seed)
     refused = 0
     for _ in range(count):
@@ -108,7 +108,7 @@ def sweep(count: int, seed: int) -> str:
             refused += 1
         else:
             assert module is not rgbe or np.isfinite(found).all(), other
-    return f"{count} pictures as drawn; {refused} damaged ones were refused"
+    return f"{count} pictures read correctly; {refused} damaged ones were refused"
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
-"""Calls at random: an answer is whole, a refusal is status 2 with a hint, and nothing is a bug.
+"""Random calls: an answer is complete, an error has status 2 and a hint, and there are no crashes.
 
-Each case changes a call of the transcripts (`tests/cases/`): letters, words, numbers, bytes that
-are no text, the input.  It is answered twice: into a file, and into one that takes a part of what
-it is given at a time and may run full.
+A case changes a call of the transcripts (`tests/cases/`): letters, words, numbers, bytes that are
+not text, the input.  It runs twice: with a normal output, and with an output that takes only a part
+of the data at a time and may run full.
 """
 
 import errno
@@ -40,7 +40,7 @@ INPUTS = [
 
 
 class Parts(io.RawIOBase):
-    """A file that takes a few bytes at a time, and at some place no more."""
+    """A file that takes a few bytes at a time, and fails after a random number of bytes."""
 
     def __init__(self, room: int) -> None:
         super().__init__()
@@ -60,7 +60,7 @@ class Parts(io.RawIOBase):
 
 
 class Seen(NamedTuple):
-    """What a call wrote, and how it ended."""
+    """The output of a call and its exit status."""
 
     status: int
     out: bytes
@@ -78,14 +78,14 @@ def call(words: list[str], text: bytes, parts: Parts | None = None) -> Seen:
 
 
 def corpus() -> list[list[str]]:
-    """The words of the calls that the transcripts have, without those of a pipeline."""
+    """Return the words of the calls in transcripts, without pipelines."""
     lines = [line for path in sorted(CASES.glob("*.md")) for line in path.read_text().splitlines()]
     calls = [line.removeprefix("$ radcalc ") for line in lines if line.startswith("$ radcalc ")]
     return [shlex.split(line) for line in calls if not set(line) & set("|<>$;&\\`")]
 
 
 def changed(word: str) -> str:
-    """A word with other digits, or a few letters dropped, doubled, inserted or replaced."""
+    """Change the digits of a word, or drop, double, insert or replace a few letters."""
     if random.random() < 0.6:
         return "".join(random.choice("0123456789") if c.isdigit() else c for c in word)
     for _ in range(random.randint(1, 3)):
@@ -99,7 +99,7 @@ def changed(word: str) -> str:
 
 
 def draw(calls: Sequence[list[str]]) -> tuple[list[str], bytes]:
-    """A call that is changed in one to three places, and its input."""
+    """Make a call with one to three changes, and its input."""
     words = list(random.choice(calls))
     others = [call for call in calls if call[:1] == words[:1]]
     for _ in range(random.choice([1, 1, 1, 2, 3])):
@@ -130,7 +130,7 @@ def draw(calls: Sequence[list[str]]) -> tuple[list[str], bytes]:
 
 
 def hold(words: list[str], text: bytes) -> int:
-    """Hold one call to what it must be; return its exit status."""
+    """Check one call; return its exit status."""
     seen = call(words, text)
     told = (words, text, seen)
     assert seen.status in (0, 1, 2), told
@@ -150,7 +150,7 @@ def hold(words: list[str], text: bytes) -> int:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Hold every call to it; return how often each exit status came."""
+    """Check every call; return the counts of exit statuses."""
     random.seed(seed)
     calls = corpus()
     statuses = Counter(hold(*draw(calls)) for _ in range(count))

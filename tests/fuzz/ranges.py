@@ -1,7 +1,8 @@
-"""Ranges that are claimed: what is counted ends where the data end, and is said so.
+"""Ranges of spectra: sums end with the data, and the answer says so.
 
-Each case is a random table, and random ranges of watts and photons.  The amounts are held
-against NumPy's trapezoid over what is claimed, which must lie within the table and the range.
+A case has a random table and random ranges of watts and photons.  The amounts are compared with
+NumPy's trapezoidal rule over the range in the answer, which must be within the table and the
+range.
 """
 
 import random
@@ -25,13 +26,13 @@ COUNTED = re.compile(
 
 
 def integral(grid, values, low, high):
-    """Between two limits, by NumPy, on the table's points and the limits."""
+    """Integrate between two limits with NumPy, on the points of the table and the limits."""
     places = np.unique([low, *grid[(grid > low) & (grid < high)], high])
     return float(np.trapezoid(np.interp(places, grid, values), places))
 
 
 def sweep(count: int, seed: int) -> str:
-    """Random tables, ranges inside, across and outside of them."""
+    """Check random tables, with ranges inside, across and outside of them."""
     draw = random.Random(seed)
     clipped = refused = absent = 0
     for number in range(count):
@@ -69,7 +70,7 @@ def sweep(count: int, seed: int) -> str:
         for name, what in (("range", "watts"), ("photon-range", "photons")):
             low, high = max(asked[name][0], start), min(asked[name][1], end)
             if low >= high:
-                continue  # no photons there, which is an absent result
+                continue  # no photons there: the result is absent
             claim = [float(text) for text in claims[name]]
             assert np.allclose(claim, (low, high), rtol=1e-5), (case, claim)
             is_clipped = (low, high) != asked[name]
@@ -87,11 +88,11 @@ def sweep(count: int, seed: int) -> str:
             value = by_name[name]
             absent += value.is_absent
             assert value.is_absent or value.amount <= most * (1 + 1e-9), (case, name, value.amount)
-    return f"{clipped} ranges end with the data, {refused} beyond it, {absent} ratios of none"
+    return f"{clipped} ranges cut at the data, {refused} outside of them, {absent} absent ratios"
 
 
 def photons_per_joule(nanometres: float) -> float:
-    """Photons per joule at a wavelength, from the SI's h and c."""
+    """Return the photons per joule at a wavelength, from the SI's h and c."""
     return nanometres * 1e-9 / (6.62607015e-34 * 299792458)
 
 

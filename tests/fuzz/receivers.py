@@ -1,4 +1,4 @@
-"""The flux of a point source on a round receiver, by another integral and by its limits."""
+"""The flux of a point source on a round receiver, against another integral and limits."""
 
 import itertools
 import math
@@ -18,7 +18,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)
 
 
 def round_the_rim(within: Callable, radius: float, height: float, offset: float) -> float:
-    """Green's theorem: the light within each direction's circle about the axis, round the rim."""
+    """Integrate by Green's theorem: the light within the circle of a direction, along the rim."""
     x, y = offset + radius * np.cos(RIM), radius * np.sin(RIM)
     square = x * x + y * y
     turn = radius * (radius + offset * np.cos(RIM)) / square  # of the azimuth, per step
@@ -27,7 +27,7 @@ def round_the_rim(within: Callable, radius: float, height: float, offset: float)
 
 
 def over_the_disc(n: float, radius: float, distance: float, off: float, turn: float) -> float:
-    """A lobe over a disc that is turned about a line across the plane of its axis, by points."""
+    """Sum up the light of a lobe over points of a disc rotated about a line across its axis."""
     rho, psi = (NODES + 1) / 2 * radius, RIM[::100]
     u, v = rho[:, None] * np.cos(psi), rho[:, None] * np.sin(psi)
     to_disc = np.array([math.sin(off), 0.0, math.cos(off)])
@@ -63,10 +63,10 @@ def sweep(count: int, seed: int) -> str:
             "cone": (receivers.cone(half, radius, distance, off), in_cone),
             "lobe": (receivers.lobe(n, radius, distance, off), in_lobe),
         }
-        if abs(radius - offset) > 1e-3 * (radius + offset):  # a rim through the axis needs more
+        if abs(radius - offset) > 1e-3 * (radius + offset):  # else: more points
             for name, (value, within) in found.items():
                 expected = round_the_rim(within, radius, height, offset)
-                # the sum has the digits of the light round the whole rim, and a kink in the cone
+                # relative to the light along the whole rim; the cone has a kink at its edge
                 most = float(within(math.atan2(offset + radius, height)))
                 limit = (1e-3 if name == "cone" else 1e-7) * most
                 assert abs(value - expected) <= limit, (name, case, value, expected)
@@ -100,7 +100,7 @@ def sweep(count: int, seed: int) -> str:
         for own in ({"half_angle": f"{half!r}rad"}, {"exponent": n}, {}):
             answer = radcalc.point_source(flux=f"{flux!r}lm", **given, **own)
             assert answer["received_flux"].to("lm").magnitude <= flux * (1 + 1e-12), (case, own)
-    return f"{turned} receivers that are turned"
+    return f"{turned} tilted receivers"
 
 
 if __name__ == "__main__":

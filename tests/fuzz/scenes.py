@@ -1,8 +1,8 @@
-"""Files of scenes: what is read gives the plain sum of its sources, and no damage brings more.
+"""Scene files: valid files give the plain sum of their sources; damaged files are refused or read.
 
-Drawn are sources, a delimiter, decimal points or commas, and where the units stand; then changes of
-single characters, after which a file is refused with a line or gives the sum of the sources that
-are left.  The sum is worked out here from textbook formulas, of a file that is read once more.
+The sweep draws sources, a delimiter, decimal points or commas, and the places of units.  Then it
+changes single characters: the file is refused with a line number, or gives the sum of its sources.
+The sum uses textbook formulas and an independent reader.
 """
 
 import math
@@ -23,15 +23,15 @@ UNITS |= {"cd/m2": 1, "": 1}
 PLACES = ("x", "y", "z", "aim_x", "aim_y", "aim_z")
 TITLES = (*PLACES, "distribution", "flux", "intensity", "exponent", "half_angle")
 TITLES += ("width", "length", "luminance")
-# A number and its unit, which may be 1 times another.
+# A number and its unit, which may be 1 times another unit.
 NUMBER = re.compile(r"\s*([-+]?(?:\d+[.,]?\d*|[.,]\d+)) *(?:1 +)?(\D?[^\s,;|]*)\s*")
-# What damage makes of a cell and radcalc reckons: a difference, or a unit over a number.
+# Cells that radcalc evaluates after a change: a difference, or a unit divided by a number.
 RECKONED = re.compile(r"[\w.,] *- *[\d.,]|/\d")
 CHARACTERS = "0123456789.,;- \n"
 
 
 def drawn_row() -> dict[str, tuple[float, str] | str]:
-    """The cells of a source above the points, which lights all of them."""
+    """Make the cells of a source above the points, which lights all of them."""
     row: dict[str, tuple[float, str] | str] = {
         "x": (random.uniform(-1, 1), "m"),
         "y": (random.uniform(-1, 1), "m"),
@@ -60,7 +60,7 @@ def drawn_row() -> dict[str, tuple[float, str] | str]:
 
 
 def drawn() -> list[str]:
-    """The lines of a file in order."""
+    """Make the lines of a valid file."""
     delimiter = random.choice(",;\t|")
     comma = delimiter != "," and random.random() < 0.5
     in_title = {name for name in PLACES if random.random() < 0.3}
@@ -83,7 +83,7 @@ def drawn() -> list[str]:
 
 
 def damaged(lines: list[str]) -> list[str]:
-    """The same with characters of the rows dropped, doubled, added or replaced."""
+    """Drop, double, insert or replace characters of the rows."""
     text = list("\n".join(lines[1:]))
     for _ in range(random.choice([1, 1, 2, 5])):
         place = random.randrange(len(text) + 1)
@@ -95,7 +95,10 @@ def damaged(lines: list[str]) -> list[str]:
 
 
 def read(lines: list[str]) -> list[dict[str, float | str]]:
-    """The cells of the rows in SI, or nothing where one is reckoned; a ValueError for no number."""
+    """Return the cells of the rows in SI, or nothing if one is an expression.
+
+    Raise ValueError if a cell is not a number.
+    """
     delimiter = next(mark for mark in "\t;|," if mark in lines[0])
     titles = [title.partition(" (") for title in lines[0].split(delimiter)]
     rows: list[dict[str, float | str]] = []
@@ -125,7 +128,7 @@ def read(lines: list[str]) -> list[dict[str, float | str]]:
 
 
 def light_of(row: dict[str, float | str], point: numpy.ndarray, normal: numpy.ndarray) -> float:
-    """Illuminance that a source gives at a point, all of it above the point's horizon."""
+    """Return the illuminance of a source at a point, above the point's horizon."""
     at = {name: value for name, value in row.items() if not isinstance(value, str)}
     place = numpy.array([at["x"], at["y"], at["z"]])
     shape = row.get("distribution", "")
@@ -157,7 +160,7 @@ def light_of(row: dict[str, float | str], point: numpy.ndarray, normal: numpy.nd
 
 
 def is_far_out(row: dict[str, float | str]) -> bool:
-    """Whether the horizon may cut a panel."""
+    """Return whether the horizon may cut a panel."""
     if "aim_x" in row and "luminance" in row:
         return True
     sizes = (row.get(name, 0.0) for name in ("x", "y", "width", "length"))
@@ -165,7 +168,7 @@ def is_far_out(row: dict[str, float | str]) -> bool:
 
 
 def answer_or_refusal(path: Path, point: numpy.ndarray, normal: numpy.ndarray) -> float | str:
-    """The illuminance at a point, or why the file is refused."""
+    """Return the illuminance at a point, or the error."""
     try:
         answer = radcalc.scene(str(path), point, normal=tuple(normal.tolist()))
     except RadcalcError as error:
@@ -174,7 +177,7 @@ def answer_or_refusal(path: Path, point: numpy.ndarray, normal: numpy.ndarray) -
 
 
 def sweep(count: int, seed: int) -> str:
-    """Read a file in order and a damaged one in each case."""
+    """Read a valid and a damaged file in each case."""
     random.seed(seed)
     refused = unclear = 0
     with tempfile.TemporaryDirectory() as folder:
@@ -202,7 +205,9 @@ def sweep(count: int, seed: int) -> str:
                 expected = sum(light_of(row, point, up) for row in rows)
                 is_sum = math.isclose(answer, expected, rel_tol=1e-9, abs_tol=1e-12)
                 assert is_sum, (answer, expected, where)
-    return f"{count} scenes, and as many damaged ones: {refused} refused, {unclear} unclear"
+    return (
+        f"{count} scenes and as many damaged ones; {refused} were refused, {unclear} not compared"
+    )
 
 
 if __name__ == "__main__":

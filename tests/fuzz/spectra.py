@@ -1,9 +1,9 @@
-"""Files of spectra: what is read has the rows that were written, and no damage brings others.
+"""Spectrum files: valid files give their rows; damaged files are refused, or give rows in the file.
 
-Drawn are a format, rows, a unit, a delimiter, an encoding, ends of lines and what stands before
-the table; then lines are dropped, doubled, exchanged and added, and characters changed. A damaged
-file is refused, or it is read with rows that were written, in the unit that was; where its unit is
-gone it is relative. Formats that say how many rows they have do not lose one unnoticed.
+The sweep draws a format, rows, a unit, a delimiter, an encoding, line ends and text before the
+table; then it drops, doubles, exchanges and inserts lines, and changes characters.  A damaged file
+is refused, or read with rows that were written, in their unit; without a unit it is relative.
+Formats with a count of rows lose no row without an error.
 """
 
 import io
@@ -28,19 +28,19 @@ Rows = list[tuple[str, str]]
 
 
 def rows() -> Rows:
-    """Wavelengths and values, in text."""
+    """Draw wavelengths and values, as text."""
     step = random.choice([1, 5, 10])
     scale = 10 ** random.uniform(-3, 4)
     return [(str(x), f"{scale * random.uniform(0.1, 1):.6g}") for x in range(380, 781, step)]
 
 
 def joule(nm: float) -> float:
-    """The energy of a micromole of photons [J]: h c N_A / lambda of the SI."""
+    """Return the energy of a micromole of photons [J]: h c N_A / lambda of the SI."""
     return 0.119626565643 / (nm * 1e-9) * 1e-6
 
 
 def plain(table: Rows) -> tuple[str, str]:
-    """Columns with their unit in the title, in a row below it, before the table or in a comment."""
+    """Write columns; the unit is in the title, the row below, before the table or in a comment."""
     unit, delimiter = random.choice(list(UNITS)), random.choice([",", ";", "\t"])
     before = random.sample(BEFORE, random.choice([0, 0, 2, 4]))
     heads = [
@@ -57,7 +57,7 @@ def plain(table: Rows) -> tuple[str, str]:
 
 
 def oceanview(table: Rows) -> tuple[str, str]:
-    """A table between marks, with its count of rows."""
+    """Write a table between marks, with its count of rows."""
     count = f"Number of Pixels in Spectrum: {len(table)}"
     head = ["Data from lamp_1.txt Node", "", *random.sample(BEFORE, 2), "XAxis mode: Wavelengths",
             count, ">>>>>Begin Spectral Data<<<<<"]  # fmt: skip
@@ -65,7 +65,7 @@ def oceanview(table: Rows) -> tuple[str, str]:
 
 
 def tm27(table: Rows) -> tuple[str, str]:
-    """XML."""
+    """Write XML."""
     body = [f'<SpectralData wavelength="{x}">{y}</SpectralData>' for x, y in table]
     return "\n".join([
         '<?xml version="1.0"?>', '<IESTM2714 xmlns="iestm2714" version="1.0">',
@@ -75,7 +75,7 @@ def tm27(table: Rows) -> tuple[str, str]:
 
 
 def cgats(table: Rows) -> tuple[str, str]:
-    """A sample in a row."""
+    """Write a sample per row."""
     names, values = zip(*table, strict=True)
     return "\n".join([
         'CREATED\t"1/1/2014"', 'MEAS_TYPE\t"EMISSION"', f"NUMBER_OF_FIELDS\t{1 + len(names)}",
@@ -86,7 +86,7 @@ def cgats(table: Rows) -> tuple[str, str]:
 
 
 def meter(table: Rows) -> tuple[str, str]:
-    """A row a wavelength, which is in its name, in one table or in a coarse one and a fine one."""
+    """Write a row per wavelength, in one table or in a coarse and a fine one."""
     before = "\n".join(["Model Name\tX", "CCT\t5198.0", *random.sample(BEFORE, 2)])
     form = random.choice(["{}nm\t{}", "{}nm;{}", "{}nm,{},", "Spectral Data {}[nm],{}"])
     coarse = [table[::10]] if len(table) > 100 and random.random() < 0.5 else []
@@ -98,7 +98,7 @@ FORMATS = (plain, plain, plain, oceanview, tm27, cgats, meter)
 
 
 def read(data: bytes):
-    """The table of a file, or the refusal."""
+    """Return the table of a file, or the error."""
     try:
         return _Reader("lamp", io.BytesIO(data).read, "").table()
     except RadcalcError as error:
@@ -106,13 +106,13 @@ def read(data: bytes):
 
 
 def encoded(text: str) -> bytes:
-    """Bytes of a text in one of the encodings, with one of the ends of lines."""
+    """Encode a text in one of the encodings, with one of the line ends."""
     encoding = random.choice(["utf-8", "utf-8", "utf-8-sig", "utf-16"])
     return text.replace("\n", random.choice(["\n", "\r\n"])).encode(encoding)
 
 
 def damaged(text: str) -> str:
-    """Lines dropped, doubled, exchanged or added; what is left has only whole lines."""
+    """Drop, double, exchange or insert lines; the result has only complete lines."""
     lines = text.split("\n")
     for _ in range(random.choice([1, 1, 2, 3])):
         k, other = random.randrange(len(lines)), random.randrange(len(lines))
@@ -136,7 +136,7 @@ def damaged(text: str) -> str:
 
 
 def mutated(text: str) -> str:
-    """Characters dropped, doubled or replaced."""
+    """Drop, double or replace characters."""
     letters = list(text)
     for _ in range(random.choice([1, 2, 5, 40])):
         k = random.randrange(len(letters) + 1)
@@ -145,7 +145,7 @@ def mutated(text: str) -> str:
 
 
 def expected(table: Rows, unit: str) -> dict[float, float]:
-    """The watts that the rows stand for."""
+    """Return the watts in the rows."""
     found = {}
     for x, y in table:
         nm = float(x)
@@ -155,7 +155,7 @@ def expected(table: Rows, unit: str) -> dict[float, float]:
 
 
 def is_of(found, table: Rows, unit: str) -> bool:
-    """Whether every row of what was read is one that was written, in a unit."""
+    """Return whether all rows that were read are rows that were written, in a unit."""
     written = expected(table, unit)
     return all(
         x in written and math.isclose(y, written[x], rel_tol=1e-9)
@@ -164,7 +164,7 @@ def is_of(found, table: Rows, unit: str) -> bool:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Read a file in order, one with damaged lines and one with other characters in each case."""
+    """Read a valid file, one with damaged lines and one with damaged characters in each case."""
     random.seed(seed)
     refused = 0
     for _ in range(count):
@@ -186,13 +186,13 @@ def sweep(count: int, seed: int) -> str:
             continue
         if found.absolute:
             assert is_of(found, table, unit), text[:400]
-        else:  # its unit is gone, and it is said to be relative
+        else:  # without its unit it is read as relative
             assert "relative" in found.described, text[:400]
             assert is_of(found, table, "") or is_of(found, table, unit), text[:400]
         if f"Number of Pixels in Spectrum: {len(table)}\n" in text.partition(">>>>>")[0]:
             assert len(found.grid) == len(table), text[:400]
         read(encoded(mutated(text)))
-    return f"{count} files, and as many damaged ones, of which {refused} were refused"
+    return f"{count} files and as many damaged ones; {refused} were refused"
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
-"""What is given in part, and rounded: a consistent state is no contradiction, a wrong one is.
+"""Parts of states, rounded: consistent values do not contradict each other, wrong ones do.
 
-A state of a calculator is drawn, and worked out here by textbook formulas (`EQUATIONS`).  A part
-of it is given with 3 to 5 digits: it must not be called a contradiction, and what follows must be
-the state, as nearly as the digits leave open.  With one value changed by 5 % it must be refused,
-where the rest leaves no room for that.  What the equations determine (by the rank of their
-Jacobian) and radcalc does not answer is counted, and shown in the summary.
+A state of a calculator is drawn and computed from textbook formulas (`EQUATIONS`).  A part of it
+is given with 3 to 5 digits: this must not be a contradiction, and the results must agree with the
+state within the rounding.  With one value changed by 5 % the call must be refused, if the other
+values determine this value well enough.  Results that the equations determine (by the rank of their
+Jacobian) and radcalc does not answer are counted in the summary.
 """
 
 import math
@@ -32,10 +32,10 @@ from radcalc.inputs.reading import read
 
 SHORT, LONG = 150, 10_000
 CHANGE = 0.05
-ROOM = 4.0  # by how many times the digits' slack a change must exceed it, to have to be refused
+ROOM = 4.0  # a change must exceed the rounding by this factor, or a refusal is not required
 
 Values = dict[str, float]
-Equation = Callable[[Values], tuple[float, float]]  # two sides that are equal
+Equation = Callable[[Values], tuple[float, float]]  # two equal sides
 
 ANGLES = ("incidence", "tilt", "half-angle", "apex-angle", "beam-angle", "field-angle", "within",
           "horizontal", "vertical")  # fmt: skip
@@ -54,7 +54,7 @@ RADIANT = {"flux": "W", "energy": "J", "irradiance": "W/m2"}
 
 
 class State(NamedTuple):
-    """A state: its values [SI], what can be given and what always is, and its equations."""
+    """A state: its values [SI], possible and fixed inputs, and equations."""
 
     name: str
     ask: Callable[[Inputs], Answer]
@@ -66,7 +66,7 @@ class State(NamedTuple):
     units: Mapping[str, str] = MappingProxyType(UNITS)
     fix: Callable[[set[str], set[str]], set[str]] = lambda part, known: part
     change: float = CHANGE
-    marks: Mapping[str, float] = MappingProxyType({})  # of what is marked on a scale
+    marks: Mapping[str, float] = MappingProxyType({})  # of marks on a scale
 
 
 def span(rng: random.Random, low: float, high: float) -> float:
@@ -136,7 +136,7 @@ def point(rng: random.Random) -> State:
     v["exposure"], v["energy"] = v["irradiance"] * v["time"], v["flux"] * v["time"]
 
     def fix(part: set[str], known: set[str]) -> set[str]:
-        """A distance alone means light along the normal, a height alone a place on the axis."""
+        """Add defaults: normal incidence for a distance, a point on the axis for a height."""
         if placed == "floor" and not part & {"height", "offset"}:
             return part - {"distance"} | {"height", "offset"}
         if placed == "floor" and "offset" not in part and not {"offset"} <= known:
@@ -240,7 +240,7 @@ def surface(rng: random.Random) -> State:
     word = shape.split()[0]
 
     def fix(part: set[str], known: set[str]) -> set[str]:
-        """What goes without saying; a turned patch needs a distance."""
+        """Add defaults; a rotated patch needs a distance."""
         if shape == "patch" and not part & {"distance", "irradiance"}:
             return part | {"distance"}
         usual = {"disc aside": "offset", "hemisphere": "half-angle"}.get(shape)
@@ -270,7 +270,7 @@ def meter(rng: random.Random) -> State:
     inputs = ["ev", "ev100", "luminance", "illuminance", "f-number", "time", "iso"]
 
     def fix(part: set[str], known: set[str]) -> set[str]:
-        """Without an ISO speed it is taken as 100."""
+        """Add the default ISO speed of 100."""
         if "iso" in known and part & {"luminance", "illuminance", "ev100"}:
             return part
         return part | {"iso"}
@@ -297,7 +297,7 @@ def body(rng: random.Random) -> State:
     ]
 
     def fix(part: set[str], known: set[str]) -> set[str]:
-        """Without an absorptance all is absorbed."""
+        """Add the default absorptance of 1."""
         return part if "absorptance" in known else part | {"absorptance"}
 
     return State("calorimeter", calorimeter, v, [*v], equations, units=UNITS | RADIANT, fix=fix)
@@ -319,7 +319,7 @@ def picture(rng: random.Random) -> State:
     ]
 
     def fix(part: set[str], known: set[str]) -> set[str]:
-        """Without a gain it is 1."""
+        """Add the default gain of 1."""
         return part if {"radiance", "irradiance"} <= part else part | {"gain"}
 
     return State("screen", screen, v, [*v], equations, fix=fix)
@@ -403,11 +403,11 @@ def shape(rng: random.Random) -> State:
 STATES = (point, point, point, surface, surface, meter, body, picture, beam, shape)
 
 
-# What the equations say of a part of a state.
+# Results of the equations from a part of a state.
 
 
 class Ranks:
-    """The equations about a state, linear: in relative changes, of angles and EVs in absolute."""
+    """The equations linearised about a state: relative changes, but absolute for angles and EVs."""
 
     def __init__(self, state: State) -> None:
         self.names = [*state.values]
@@ -431,7 +431,7 @@ class Ranks:
         return self.jacobian[:, known], self.jacobian[:, unknown]
 
     def determined(self, part: set[str]) -> set[str]:
-        """What follows from a part."""
+        """Return the results that follow from a part."""
         _, unknown = self.split(part)
         names = [name for name in self.names if name not in part]
         if not names:
@@ -441,12 +441,12 @@ class Ranks:
         return {name for k, name in enumerate(names) if (abs(null[:, k]) < 1e-6).all()}
 
     def gains(self, part: set[str]) -> Any:
-        """How much each unknown moves with each known."""
+        """Return the sensitivity of each unknown to each known value."""
         known, unknown = self.split(part)
         return np.linalg.pinv(unknown, rcond=1e-6) @ known
 
     def checks(self, part: set[str]) -> Any:
-        """What the known values have to fulfil among themselves: rows times changes are 0."""
+        """Return the constraints among the known values: rows times changes are 0."""
         known, unknown = self.split(part)
         left, sizes, _ = np.linalg.svd(unknown)
         rank = int((sizes > 1e-6 * sizes[0]).sum()) if sizes.size else 0
@@ -454,7 +454,7 @@ class Ranks:
 
 
 class Part(NamedTuple):
-    """A part of a state as it is typed."""
+    """A part of a state: the texts to type, and their rounding."""
 
     texts: dict[str, str]
     off: Values  # relative
@@ -487,9 +487,9 @@ LIGHT = {
     "flux", "intensity", "irradiance", "exitance", "radiance", "incident-irradiance", "exposure",
     "energy", "luminance", "illuminance", "ev100", "etendue",
 }  # fmt: skip
-SAME = {"distance": ("height",), "half-angle": ("na", "f-number")}  # one is shown for others
-REFUSED = (MissingInput, Idle)  # too little, or a part of no use
-RULES = (Exclusive, Unused)  # names that do not go together by rule
+SAME = {"distance": ("height",), "half-angle": ("na", "f-number")}  # one symbol is shown for others
+REFUSED = (MissingInput, Idle)  # too few inputs, or an input that does not apply
+RULES = (Exclusive, Unused)  # options that exclude each other
 
 
 def draw(rng: random.Random) -> tuple[State, Ranks, set[str]]:
@@ -538,14 +538,14 @@ def sweep(count: int, seed: int) -> str:
 
 
 def is_needed(ranks: Ranks, part: set[str], name: str) -> bool:
-    """Whether something follows, or is checked, by a value that is given."""
+    """Return whether a value has a result, or is checked by other values."""
     rest = part - {name}
     follows = ranks.determined(part) - ranks.determined(rest) - {name}
     return bool(follows) or len(ranks.checks(part)) > len(ranks.checks(rest))
 
 
 def far(state: State, ranks: Ranks, part: set[str], typed: Part, found: Values) -> dict[str, str]:
-    """The values that are farther from the state than the digits leave open."""
+    """Return the values that differ from the state by more than the rounding."""
     gains = ranks.gains(part)
     off = [typed.off[name] for name in ranks.names if name in part]
     unknown = [name for name in ranks.names if name not in part]
@@ -562,10 +562,10 @@ def far(state: State, ranks: Ranks, part: set[str], typed: Part, found: Values) 
 
 
 def coarsest(ranks: Ranks, part: set[str], typed: Part, name: str) -> float:
-    """How far a value may be off that follows from no more of a part than is necessary.
+    """Return the largest error of a result that follows from a minimal set of inputs.
 
-    Of each value that is given the way by which it counts most, for ways may meet; and where they
-    do, as far as the values may contradict each other.
+    Each input counts with its strongest influence, because several ways may lead to a result; if
+    they do, the difference that still counts as consistent is added.
     """
     checks = ranks.checks(part)
     surplus = len(checks)
@@ -585,9 +585,9 @@ def coarsest(ranks: Ranks, part: set[str], typed: Part, name: str) -> float:
 def finds_wrong(
     state: State, ranks: Ranks, part: set[str], names: Sequence[str], rng: random.Random
 ) -> bool:
-    """Change one value by 5 %, and see that it is refused where the others leave no room."""
+    """Change one value by 5 %, and check the refusal if the other values determine it."""
     if {"luminance", "illuminance"} <= part:
-        return False  # which give the reflectance of the scene
+        return False  # these inputs give the reflectance of the scene
     checks = ranks.checks(part)
     known = [name for name in ranks.names if name in part]
     changed = rng.choice(known)
@@ -601,7 +601,7 @@ def finds_wrong(
     except RadcalcError:
         return True
     if any(is_a_state(state, typed, one) for one in map(sizes_of, found)):
-        return False  # another state than the one that was drawn
+        return False  # another state than the random one
     case = " ".join(f"--{name} {text}" for name, text in typed.texts.items())
     raise AssertionError(
         f"{state.name}: {case}\nis right to radcalc though {changed} is off: {sizes_of(found[0])}"
@@ -609,12 +609,12 @@ def finds_wrong(
 
 
 def is_a_state(state: State, typed: Part, found: Values) -> bool:
-    """Whether values fulfil the equations, as nearly as the digits typed let them."""
+    """Return whether values fulfil the equations, within the rounding of the digits typed."""
     every = sum(typed.off.values())
     for equation in state.equations:
         try:
             left, right = equation({"k": 12.5, "c": 250.0} | found)
-        except KeyError:  # of something that is not shown
+        except KeyError:  # of a quantity that is not shown
             continue
         if abs(left - right) > every * (abs(left) + abs(right)):
             return False

@@ -1,9 +1,9 @@
-"""A conversion in one step and in two, by any quantity between, under the same conditions.
+"""Conversions in one step and in two, by any unit between, under the same conditions.
 
-The oracle is radcalc's own other way: either both agree, or one of them is refused.  A cone is
-taken as plain where an intensity is uniform over it and as projected where a radiance is; only a
-call that begins or ends with a radiance may take it otherwise than the steps do.  An incidence is
-that of a distance or of a cone where there is one, and else turns the surface that is lit.
+The two ways must agree, or one of them is refused.  A cone counts as a plain solid angle for a
+uniform intensity and as a projected one for a uniform radiance; the two ways may differ in this
+only if the conversion begins or ends with a radiance.  An incidence belongs to a distance or a
+cone, if there is one, and otherwise turns the lit surface.
 """
 
 import math
@@ -28,7 +28,7 @@ UNITS = (
     "umol/s", "umol/m2/s", "umol/m2", "umol/sr/s", "umol/m2/sr/s", "umol/m2/s/nm", "photon",
     "photon/s/m2/sr/Hz", "nm", "GHz", "kayser",
 )  # fmt: skip
-# Small beside the distance, and so is the band: in nanometres as in hertz it is the same.
+# Small compared with the distance; the band is narrow, so that nanometres and hertz are equivalent.
 CONDITIONS = {
     "wavelength": "555nm", "efficacy": "93lm/W", "spectrum": "D65", "time": "2h", "area": "3m2",
     "radius": "10cm", "solid-angle": "0.02sr", "half-angle": "30deg", "apex-angle": "40deg",
@@ -42,7 +42,7 @@ Names = frozenset[str]
 
 @cache
 def planned(source: str, target: str, names: Names) -> Plan | None:
-    """The plan, or None where it is refused."""
+    """Return the plan, or None if it is refused."""
     try:
         return plan(resolve(source), resolve(target), [GIVEN[name] for name in sorted(names)])
     except RadcalcError:
@@ -50,25 +50,25 @@ def planned(source: str, target: str, names: Names) -> Plan | None:
 
 
 def cones(*plans: Plan) -> set[str]:
-    """How cones are taken: as plain solid angles, or projected."""
+    """Return the cones of a plan: plain or projected solid angles."""
     letters = {factor.letter for made in plans for factor, _ in made.links}
     return letters & {"Omega", "Omega_p"}
 
 
 def turns(*plans: Plan) -> int:
-    """How often a surface is turned that a given irradiance lights."""
+    """Count the rotations of a surface that a given irradiance lights."""
     return sum(factor.letter == "cos(theta)" for made in plans for factor, _ in made.links)
 
 
 def splits(names: Names) -> Iterator[tuple[Names, Names]]:
-    """Every way to give each condition to the first step, the second, or both."""
+    """Yield all ways to give each condition to the first step, the second, or both."""
     for parts in product((1, 2, 3), repeat=len(names)):
         given = list(zip(sorted(names), parts, strict=True))
         yield tuple(frozenset(n for n, part in given if part & step) for step in (1, 2))  # type: ignore[misc]
 
 
 def compare(source: str, target: str, names: Names) -> int:
-    """Go by every other unit, and hold each two steps against the one; how many there were."""
+    """Compare two steps by any other unit with one step; return the number of pairs."""
     direct = planned(source, target, names)
     if direct is None:
         return 0
@@ -82,7 +82,7 @@ def compare(source: str, target: str, names: Names) -> int:
         if at_radiance and cones(direct) != cones(first, second):
             continue
         if turns(direct) != turns(first, second):
-            continue  # the incidence of a distance or a cone is another one
+            continue  # the incidence of a distance or a cone is a different one
         compared += 1
         case = (source, between, target, sorted(names), sorted(one), sorted(two))
         together = first.factor * second.factor
@@ -100,7 +100,7 @@ def sweep(count: int, seed: int) -> str:
     for source, target in pairs[:count]:
         triples = [frozenset(draw.sample(list(CONDITIONS), 3)) for _ in range(20)]
         compared += sum(compare(source, target, names) for names in (*sets, *triples))
-    return f"{min(count, len(pairs))} pairs of units, {compared} times in two steps as in one"
+    return f"{min(count, len(pairs))} pairs of units; {compared} conversions agree in two steps"
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 """Tables through a stream against a slow reference: the csv module, decimals and its own titles.
 
-Each case is a table as bytes (delimiters, quotes, blanks, comments, lines with too many fields,
-decimal commas, ends of lines) and the options for it.  The reference reads it field by field and
-knows nothing of radcalc: the factor is that of a definition, and so is the spelling of a unit.
+A case has a table as bytes (delimiters, quotes, blanks, comments, lines with too many fields,
+decimal commas, line ends) and its options.  The reference reads it field by field, independently of
+radcalc: it has its own factors and names of units.
 """
 
 import csv
@@ -29,7 +29,7 @@ STATUS = {"abort": 2, "fail": 2, "warn": 0, "ignore": 0}
 
 
 class Table(NamedTuple):
-    """A table, and what is asked of it."""
+    """A table and the options for it."""
 
     data: bytes
     words: list[str]
@@ -39,7 +39,7 @@ class Table(NamedTuple):
 
 
 def quoted(cell: str, mark: str) -> str:
-    """A cell as the csv module writes it, in quotes now and then where it needs none."""
+    """Write a cell as the csv module does, sometimes in quotes without need."""
     out = io.StringIO()
     style = csv.QUOTE_ALL if random.random() < 0.1 else csv.QUOTE_MINIMAL
     csv.writer(out, delimiter=mark, lineterminator="", quoting=style).writerow([cell])
@@ -47,13 +47,13 @@ def quoted(cell: str, mark: str) -> str:
 
 
 def shown(value: Decimal, comma: bool) -> str:
-    """A number with 12 digits, as C prints it."""
+    """Format a number with 12 digits, as C prints it."""
     text = f"{float(value):.12g}"
     return text.replace(".", ",") if comma else text
 
 
 def draw() -> Table:
-    """A table with its options, and what has to come out of it."""
+    """Draw a table with its options and the expected output."""
     (source, target), factor = random.choice(list(FACTORS.items()))
     comma = random.random() < 0.3
     mark = random.choice(["\t", ";", "|", ""] if comma else [",", ",", "\t", ";", "|", ""])
@@ -79,7 +79,7 @@ def draw() -> Table:
         after[place] = style.format(word, target)
     words = ["lx" if source == "lx" else source, target]
     if has_unit and random.random() < 0.3:
-        words = [target]  # the unit of the numbers is that of their title
+        words = [target]  # the unit of the numbers is the unit in the title
     words += ["--field", str(place + 1), "--header"]
     if style != "{1}" and random.random() < 0.5:
         words[-3:] = ["--column", random.choice([titles[place], word, word.upper()])]
@@ -89,11 +89,11 @@ def draw() -> Table:
     words += ["--invalid", invalid]
     end = random.choice(["\n", "\n", "\r\n"])
     joint = mark or random.choice([" ", "  ", "\t"])
-    own = mark or ("\t" if joint == "\t" and width > 1 else " ")  # before a field that is added
+    own = mark or ("\t" if joint == "\t" and width > 1 else " ")  # before an added field
     cell = (lambda text: quoted(text, mark)) if mark else str
     start = random.choice(["", "", "\ufeff"])
     data = start + joint.join(map(cell, titles)) + end
-    # the header as it was, but for its cell
+    # the unchanged header, except its cell
     cells = data[len(start) : -len(end)].split(joint) if not mark else None
     head = next(csv.reader([data[len(start) : -len(end)]], delimiter=mark)) if mark else cells
     assert not mark or head == titles
@@ -154,19 +154,19 @@ def draw() -> Table:
 
 
 def own_joint(line: str) -> str:
-    """What stands before a field that is added to a line of fields between blanks."""
+    """Return the separator of a field that is added to a line of fields between blanks."""
     return "\t" if "\t" in line else " "
 
 
 def cell_of(title: str, mark: str, in_quotes: bool) -> str:
-    """A title in the line: in the quotes that were there, or in its own where it needs them."""
+    """Write a title into a line: in the old quotes, or in new quotes if it needs them."""
     if in_quotes or (mark and mark in title):
         return '"' + title.replace('"', '""') + '"'
     return title
 
 
 def hold(table: Table) -> int:
-    """Run it, and compare every byte; return the exit status."""
+    """Run a table, and compare every byte; return the exit status."""
     out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8") for _ in range(2))
     stdin = io.TextIOWrapper(io.BytesIO(table.data))
     with redirect_stdout(out), redirect_stderr(err), patch("sys.stdin", stdin):
@@ -180,7 +180,7 @@ def hold(table: Table) -> int:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Hold every table; return how often each exit status came."""
+    """Check every table; return the counts of exit statuses."""
     random.seed(seed)
     statuses = Counter(hold(draw()) for _ in range(count))
     return ", ".join(f"{count} with status {status}" for status, count in sorted(statuses.items()))

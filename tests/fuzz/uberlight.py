@@ -1,8 +1,7 @@
-"""The cinematographer's light against its formulas, written out once more.
+"""The cinematographer's light against an independent implementation of its formulas.
 
-`expected` is a plain version of the model as L. Gritz published it (uberlight.sl, 1998, after R.
-Barzel, Journal of Graphics Tools 2(1), 1997): powers where radcalc has logarithms, one point at a
-time.
+`expected` is a plain version of the model by L. Gritz (uberlight.sl, 1998, after R. Barzel, Journal
+of Graphics Tools 2(1), 1997): with powers instead of radcalc's logarithms, one point at a time.
 """
 
 import math
@@ -18,7 +17,7 @@ OMNI, SPOT = "omni", "spot"
 
 
 def step(low: float, high: float, x: float) -> float:
-    """`smoothstep` of the RenderMan Interface."""
+    """Return `smoothstep` of the RenderMan Interface."""
     if x < low:
         return 0.0
     if x >= high:
@@ -28,7 +27,7 @@ def step(low: float, high: float, x: float) -> float:
 
 
 def cut(x: float, y: float, sizes: tuple[float, ...], roundness: float) -> float:
-    """The part that the superellipses let through."""
+    """Return the part that the superellipses transmit."""
     a, b, outer_a, outer_b = sizes
     x, y = abs(x), abs(y)
     if x == y == 0:
@@ -44,7 +43,7 @@ def cut(x: float, y: float, sizes: tuple[float, ...], roundness: float) -> float
 
 
 def expected(kind: str, point: tuple[float, float, float], light: dict[str, Any]) -> float:
-    """The attenuation."""
+    """Return the attenuation."""
     x, y, z = point
     d = math.sqrt(x * x + y * y + z * z)
     depth = z if kind == SPOT else d
@@ -71,7 +70,7 @@ def expected(kind: str, point: tuple[float, float, float], light: dict[str, Any]
 
 
 def drawn(dice: random.Random, kind: str) -> dict[str, Any]:
-    """Settings of a light."""
+    """Draw the settings of a light."""
 
     def size(low: float, high: float) -> float:
         return math.exp(dice.uniform(math.log(low), math.log(high)))

@@ -1,6 +1,6 @@
-"""Tables of every width: each number and unit of the plain answer stands whole in a line.
+"""Tables of all widths: every number and unit of the plain answer is in a line, unbroken.
 
-Drawn are a command, a width of 1 to 120 columns, 1 to 17 digits and a language.
+The sweep draws a command, a width of 1 to 120 columns, 1 to 17 digits and a language.
 """
 
 import io
@@ -28,7 +28,7 @@ COMMANDS = [
 
 
 def shown(words: list[str]) -> str:
-    """What a command writes to standard output."""
+    """Return the standard output of a command."""
     out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8") for _ in range(2))
     with redirect_stdout(out), redirect_stderr(err):
         assert run(words) == 0, (words, err.buffer.getvalue())
@@ -36,7 +36,7 @@ def shown(words: list[str]) -> str:
 
 
 def sweep(count: int, seed: int) -> str:
-    """Draw a table in each case; return how many were tables, and how many lines."""
+    """Draw a table in each case; return the counts of tables and of lines."""
     random.seed(seed)
     drawn = 0
     for _ in range(count):
@@ -59,7 +59,7 @@ def sweep(count: int, seed: int) -> str:
                 unit,
             )
             assert unit in table or unit == "1", (environment, words, digits, unit)
-    return f"{drawn} tables and {count - drawn} lists of lines, every number and unit whole"
+    return f"{drawn} tables and {count - drawn} plain answers, with all numbers and units unbroken"
 
 
 if __name__ == "__main__":
