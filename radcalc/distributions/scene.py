@@ -128,7 +128,7 @@ class Panel:
         self.half = (width / 2, length_ / 2)
 
     def irradiance(self, points: Vector, normal: Vector) -> Any:
-        """Return the irradiance E = L Omega_p at points, with the parameters of `Emitter.irradiance`.
+        """Return the irradiance E = L Omega_p at points; see `Emitter.irradiance`.
 
         Omega_p is the projected solid angle of the part of the panel above their horizon, by
         Lambert's contour formula.  It is negative if all of the panel is below.

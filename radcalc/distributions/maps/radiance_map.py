@@ -205,7 +205,7 @@ class RadianceMap:
         return (self.toward(direction) @ self._weights).reshape(polar.shape)[()]
 
     def toward(self, direction: Vector) -> Any:
-        """Return the values, without the factor, in directions in the map's own axes, by channel."""
+        """Return the values of each channel, without the factor, in directions in map axes."""
         column, row = self._pixel_of(direction)
         values = numpy.zeros((len(column), self.pixels.shape[2]))
         is_there = column >= 0
