@@ -1,12 +1,7 @@
-"""The solid angle and the projected solid angle of a circular cone, solved both ways.
+"""The solid angle [sr] and the projected solid angle [sr] of a circular cone, solved both ways.
 
-- `CONE`: Omega = 4 pi sin^2(alpha/2) Omega0, for half angles alpha up to pi
-- `PROJECTED_CONE`: Omega_p = pi sin^2(alpha) Omega0, about the normal of the lit surface; pi Omega0
-  for alpha above pi/2; the alpha solved for is at most pi/2
-- `APEX`: 2 alpha, the full angle from edge to edge
-
-Solid angles [sr], angles [rad].  Source: ISO 80000-3 (solid angle), ISO 80000-7 (radiance and
-irradiance).
+Half angles [rad] are at most pi; the projected solid angle is about the normal of the lit surface,
+pi Omega0 for half angles above pi/2, and gives half angles of at most pi/2.
 """
 
 from radcalc.geometry import cones

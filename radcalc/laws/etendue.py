@@ -1,18 +1,9 @@
-"""The etendue of a beam, and the flux that a uniform radiance sends through it.
+"""The etendue of a beam, and the flux that a uniform radiance sends through it without losses.
 
-- `FLUX`: Phi = L G, without losses (ISO 80000-7, radiance)
-- `PER_AREA`: G = A Omega_p, with the mean projected solid angle
-- `CONE`: G = pi A sin^2(alpha) Omega0, the same cone at every point, alpha up to pi/2
-- `APERTURE`: G = pi A NA^2 Omega0, in air
-- `LENS`: G = pi A / (4 N^2) Omega0, corrected for coma and focused at infinity, N at least 0.5
-- `NUMERICAL_APERTURE`: NA = sin(alpha), in air; `F_NUMBER`: sin(alpha) = 1 / (2 N)
-- `PATCHES`: G = A cos(theta_s) A_r cos(theta) / d^2 Omega0, both small against their distance
-- `DISCS`: G = pi^2/2 (S - sqrt(S^2 - 4 R^2 R_r^2)) Omega0, S = R^2 + R_r^2 + d^2, for parallel
-  discs on one axis, exact at any distance (Howell, C-41)
-- `FAR_FIELD`: A A_r / d^2 Omega0, the limit for distant discs
-- `RECEIVER_CIRCLE`, `RECEIVER_DIAMETER`: A_r = pi R_r^2, D_r = 2 R_r
-
-Etendues [m2 sr], areas [m2], lengths [m], angles [rad].
+The projected solid angle is a mean over the area.  The half angle of a cone, the same at every
+point, is at most pi/2.  Numerical apertures are in air.  A lens is corrected for coma and focused
+at infinity, with an f-number of at least 0.5.  The law of two discs (parallel, on one axis) is
+exact at any distance; patches are small against their distance.
 """
 
 from radcalc.geometry import cones, etendue

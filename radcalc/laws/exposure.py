@@ -1,22 +1,11 @@
 """The light meter: exposure values, and the luminances and illuminances that they mean.
 
-- exposure of a lens: b = N^2 / t, with the f-number N and the time t [s]
-- exposure value: EV = log2(b / 1 Hz)
-- exposure value at ISO 100: EV100 = EV - log2(S / 100), with the ISO speed S
-- reflected light: L = K 2^EV100 / 100, [cd/m2], with the meter's constant K
-- incident light: E = C 2^EV100 / 100, [lx], with the meter's constant C
-- `REFLECTANCE` of the scene: L = rho E / (pi Omega0); rho = pi K / C for the meter's average scene
-- saturation: L_sat = 1.2 cd/m2 2^EV100, at which a sensor of saturation-based speed is full
-- neutral filter of the density D, n = D / lg 2 stops: it adds n to EV100, and multiplies the time
-  by 2^n
-- guide number of a flash at the distance d, GN = N d sqrt(100 / S), times 2^(n/2) with a filter
+The lens is focused at infinity.  K and C are the meter's constants: rho = pi K / C is the
+reflectance of its average scene.  A filter of the density D has D / lg 2 stops.  At the saturation
+luminance a sensor of saturation-based speed is full.
 
 Cameras are marked in whole stops with rounded numbers, which `mark` returns: 1/125 for 2^-7 s, and
-f/11 for the root of 2^7.
-
-The lens is focused at infinity.  Marked values are rounded, so two values of a symbol may differ by
-`STEPS`.  Source: ISO 2720 (meters), ISO 12232 (saturation-based speed), ISO 1230 (guide numbers),
-ISO 5-2 (density).
+f/11 for the root of 2^7.  So two values of a symbol may differ by `STEPS`.
 """
 
 import math
@@ -156,9 +145,7 @@ FILTERED: list[AnyLaw] = [
 ]
 
 
-def _flash(name: str, template: str, filtered: bool) -> AnyLaw:
-    """Return the law of a flash's guide number, with the stops of any filter."""
-
+def _guide_number(name: str, template: str, filtered: bool) -> AnyLaw:
     def lost(at: At) -> Any:
         return power(2.0, at("stops") / 2) if filtered else 1.0
 
@@ -184,10 +171,10 @@ def _flash(name: str, template: str, filtered: bool) -> AnyLaw:
 
 
 FLASH: list[AnyLaw] = [
-    _flash("guide number", "{guide-number} = {distance} {f-number} sqrt(100 / {iso})", False)
+    _guide_number("guide number", "{guide-number} = {distance} {f-number} sqrt(100 / {iso})", False)
 ]
 FILTERED_FLASH: list[AnyLaw] = [
-    _flash(
+    _guide_number(
         "guide number, behind a filter",
         "{guide-number} = {distance} {f-number} sqrt(100 / {iso}) 2^({stops}/2)",
         True,

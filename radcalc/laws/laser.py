@@ -1,15 +1,9 @@
-"""A laser beam with the full divergence phi [rad] and the diameter D [m] at the exit.
+"""A laser beam with its full divergence and its diameter at the exit.
 
-- spread of a Gaussian beam: D_s = sqrt(D^2 + (phi d)^2), with its waist at the exit, from w(z)^2 =
-  w_0^2 + (phi z / 2)^2; of a uniform beam: D_s = D + phi d
-- mean irradiance of a spot: E = 4 Phi / (pi D_s^2); exposure H = 4 Q / (pi D_s^2)
-- peak irradiance: E_0 = 8 Phi / (pi D_s^2) for a Gaussian beam with diameters at 1/e^2 of the peak;
-  for a uniform beam it is the mean irradiance, 1.27 Phi / D_s^2, which is also the peak of a
-  Gaussian beam with diameters at 1/e of the peak
-- limit: the peak irradiance at the hazard distance, beyond which it is less; for a uniform beam
-  d_h = (sqrt(4 Phi / (pi E_lim)) - D) / phi, the range equation of laser safety
-- flux through a round aperture on the axis: Phi_r = Phi (1 - exp(-2 D_r^2 / D_s^2)) for a Gaussian
-  beam, Phi_r = Phi D_r^2 / D_s^2 for a uniform beam, at most Phi
+A Gaussian beam has its waist at the exit, and diameters at 1/e^2 of the peak; it follows from
+w(z)^2 = w_0^2 + (phi z / 2)^2.  The peak of a uniform beam, 1.27 Phi / D_s^2, is also that of a
+Gaussian beam with diameters at 1/e of the peak.  The limit is the peak irradiance at the hazard
+distance, beyond which it is less.  A receiver is a round aperture on the axis.
 
 A divergence is small: phi d is within 0.6 % of 2 d tan(phi/2) up to 0.25 rad.
 """
@@ -31,8 +25,7 @@ HAZARD, DISTANCE = "hazard-distance", "distance"
 EXIT = law("spot at the laser's exit", "{spot-diameter} = {diameter}")
 
 
-def _without(whole: Any, part: Any) -> Any:
-    """Return the root of the difference of two squares."""
+def _leg(whole: Any, part: Any) -> Any:
     return sqrt((whole - part) * (whole + part))
 
 
@@ -50,13 +43,13 @@ def _widened(far: Any, near: Any) -> Any:
 
 
 SPREADS = {  # sum and difference of diameters, template of the formula, and its reference
-    GAUSSIAN: (hypot, _without, "sqrt({diameter}^2 + ({divergence} {%s})^2)", WAIST),
+    GAUSSIAN: (hypot, _leg, "sqrt({diameter}^2 + ({divergence} {%s})^2)", WAIST),
     UNIFORM: (_plus, _minus, "{diameter} + {divergence} {%s}", RANGE),
 }
 
 
 def _spread(profile: str, spot: str, distance: str) -> Relation:
-    """Return the law of the width of a beam; beams wider than their limit have it at the exit."""
+    """Return the law of a beam's diameter; beams wider than their limit have it at the exit."""
     add, take, template, reference = SPREADS[profile]
 
     def widening(at: At) -> Any:
@@ -89,26 +82,22 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
     )
 
 
-def _not_all(at: At) -> Any:
-    """Return the part of the flux that is received, which must be less than 1."""
+def _received_share(at: At) -> Any:
     part = at("received-flux") / at("flux")
     cones.refuse(part >= 1, "the received flux is not less than the beam's", "less of it")
     return part
 
 
-def _within(at: At) -> Any:
-    """Return the part of a Gaussian beam's flux that passes an aperture."""
+def _gaussian_share(at: At) -> Any:
     return -expm1(-2 * square(at("receiver-diameter") / at("spot-diameter")))
 
 
-def _covered(at: At) -> Any:
-    """Return the part of a uniform beam's flux that passes an aperture."""
+def _uniform_share(at: At) -> Any:
     return square(smaller(1.0, at("receiver-diameter") / at("spot-diameter")))
 
 
-def _widths(at: At) -> Any:
-    """Return an aperture's diameter over the spot's, from a Gaussian beam's flux through it."""
-    return sqrt(-log1p(-_not_all(at)) / 2)
+def _aperture_over_spot(at: At) -> Any:
+    return sqrt(-log1p(-_received_share(at)) / 2)
 
 
 RECEIVED = {
@@ -116,10 +105,10 @@ RECEIVED = {
         "flux of a gaussian beam through an aperture",
         "{received-flux} = {flux} (1 - exp(-2 {receiver-diameter}^2 / {spot-diameter}^2))",
         {
-            "received-flux": lambda at: at("flux") * _within(at),
-            "flux": lambda at: at("received-flux") / _within(at),
-            "receiver-diameter": lambda at: at("spot-diameter") * _widths(at),
-            "spot-diameter": lambda at: at("receiver-diameter") / _widths(at),
+            "received-flux": lambda at: at("flux") * _gaussian_share(at),
+            "flux": lambda at: at("received-flux") / _gaussian_share(at),
+            "receiver-diameter": lambda at: at("spot-diameter") * _aperture_over_spot(at),
+            "spot-diameter": lambda at: at("receiver-diameter") / _aperture_over_spot(at),
         },
         PROFILE,
     ),
@@ -127,10 +116,10 @@ RECEIVED = {
         "flux of a uniform beam through an aperture",
         "{received-flux} = {flux} min(1, {receiver-diameter}^2 / {spot-diameter}^2)",
         {
-            "received-flux": lambda at: at("flux") * _covered(at),
-            "flux": lambda at: at("received-flux") / _covered(at),
-            "receiver-diameter": lambda at: at("spot-diameter") * sqrt(_not_all(at)),
-            "spot-diameter": lambda at: at("receiver-diameter") / sqrt(_not_all(at)),
+            "received-flux": lambda at: at("flux") * _uniform_share(at),
+            "flux": lambda at: at("received-flux") / _uniform_share(at),
+            "receiver-diameter": lambda at: at("spot-diameter") * sqrt(_received_share(at)),
+            "spot-diameter": lambda at: at("receiver-diameter") / sqrt(_received_share(at)),
         },
     ),
 }

@@ -1,25 +1,10 @@
 """A small source of any distribution: its intensities are a scale times a function of direction.
 
-f(gamma, C) is a distribution's value at the angle gamma off the source's axis and the azimuth C
-about it.  The scale I_1 is the intensity for f = 1, such as 1 cd in a table of candelas.
+f is a distribution's value at the angle gamma off the source's axis and the azimuth C about it.
+The scale I_1 is the intensity for f = 1, such as 1 cd in a table of candelas.  Omega_f is the
+integral of f over all directions, and the received solid angle that over a disc.
 
-- intensity on the axis: I = I_1 f_0; `PEAK`: I_max = I_1 f_max; in a direction: I_gamma = I_1 f
-- flux of a distribution: Phi = I_1 Omega_f, with the integral Omega_f of f over all directions
-- upward flux: Phi_up = Phi k_up; downward flux: Phi_down = Phi (1 - k_up)
-- `part`: k, the share of the flux within an angle beta of the axis
-- `TOWARD`: E = I_gamma cos(theta) Omega0 / d^2; for an energy H = Q f cos(theta) Omega0 /
-  (Omega_f d^2)
-- `relative_intensity`: f from gamma and C; `direction`: gamma and C of a receiver at the height h
-  below the source and the sideways distance x from it
-- `FLAT`: theta = atan(x / h) of a receiver that lies flat; `floor`: the heights and the offsets
-  at which it has a given irradiance
-- flux on a receiver: Phi_r = I_1 Omega_r, with the integral Omega_r of f over the solid angle of a
-  disc, `lying_disc` or `facing_disc`; for a small tilted receiver, Omega_r = f A_r cos(theta)
-  Omega0 / d^2
-- `beam_diameter`: D_b = d (tan(b) - tan(a)), with the edges a and b of the beam in a plane
-
-Functions make the laws of one distribution.  Source: ISO 80000-7 (intensity, irradiance); the rest
-are integrals of the distribution.
+Functions make the laws of one distribution.
 """
 
 import math
@@ -76,8 +61,7 @@ SMALL = law(
 )
 
 
-def _plain(x: Any) -> Any:
-    """Return an array without dimensions as a float."""
+def _float_if_scalar(x: Any) -> Any:
     return x if is_array(x) and x.ndim else float(x)
 
 
@@ -140,7 +124,7 @@ def relative_intensity(distribution: "Distribution") -> Relation:
         "distribution in a direction",
         "{relative-intensity} = f at {off-axis} and {azimuth}",
         {
-            "relative-intensity": lambda at: _plain(
+            "relative-intensity": lambda at: _float_if_scalar(
                 distribution.intensity(at("off-axis"), at("azimuth"))
             )
         },
@@ -271,7 +255,7 @@ def lying_disc(distribution: "Distribution", pose: "Pose", bearing: Any) -> Rela
 
         x, y = at("lateral") * cos(bearing), at("lateral") * sin(bearing)
         radius = sqrt(at("receiver-area") / math.pi)
-        return _plain(on_plane(distribution, pose, radius, x, y, at("height")))
+        return _float_if_scalar(on_plane(distribution, pose, radius, x, y, at("height")))
 
     return relation(
         "a receiver in a distribution, flat",
@@ -307,7 +291,7 @@ def facing_disc(distribution: "Distribution") -> Relation:
 
         radius = sqrt(at("receiver-area") / math.pi)
         place = map(at, ("distance", "off-axis", "azimuth"))
-        return _plain(on_facing_disc(distribution, radius, *place))
+        return _float_if_scalar(on_facing_disc(distribution, radius, *place))
 
     return relation(
         "a receiver in a distribution, facing it",

@@ -1,13 +1,7 @@
 """Mesopic luminance, between night and day: the recommended system of CIE 191:2010 (MES2).
 
-- `MESOPIC`: L_mes = (m L + (1 - m) S/P L V0) / (m + (1 - m) V0), with V0 = 683/1699, the scotopic
-  efficiency at 555 nm
-- `ADAPTATION`: m = 0.7670 + 0.3334 log10(L_mes m2/cd), from 0 to 1: 0 up to 0.005 cd/m2 (scotopic
-  vision), 1 from 5 cd/m2 on (photopic vision)
-- `SCOTOPIC`: L' = S/P L, with the light's ratio S/P of scotopic to photopic luminance
-
-Luminances [cd/m2] are those of the adaptation field; the rest is [1].  `MESOPIC` is solved for
-L_mes by bisection, because m depends on L_mes; for L and S/P directly.
+Luminances [cd/m2] are those of the adaptation field.  The mesopic luminance is found by bisection,
+because the adaptation depends on it.
 """
 
 import math
@@ -141,16 +135,14 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
     return mixture(luminance, scotopic, m), m
 
 
-def _luminance(at: At) -> Any:
-    """Return the photopic luminance, from the mesopic luminance and the S/P ratio."""
+def _photopic_luminance(at: At) -> Any:
     mesopic = at("mesopic-luminance")
     m = adaptation(mesopic)
     night = (1 - m) * SCOTOPIC_AT_555
     return mesopic * (m + night) / (m + night * at("sp-ratio"))
 
 
-def _ratio(at: At) -> Any:
-    """Return the S/P ratio, from the mesopic and the photopic luminance."""
+def _sp_ratio(at: At) -> Any:
     mesopic, luminance = at("mesopic-luminance"), at("luminance")
     m = adaptation(mesopic)
     night = (1 - m) * SCOTOPIC_AT_555
@@ -179,8 +171,8 @@ MESOPIC = relation(
         "mesopic-luminance": lambda at: each(
             lambda luminance, ratio: solve(luminance, ratio)[0], at("luminance"), at("sp-ratio")
         ),
-        "luminance": _luminance,
-        "sp-ratio": _ratio,
+        "luminance": _photopic_luminance,
+        "sp-ratio": _sp_ratio,
     },
     SOURCE,
 )

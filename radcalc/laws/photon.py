@@ -1,11 +1,6 @@
-"""A photon in vacuum: frequency, wavenumber and energy from the wavelength lambda [m].
+"""A photon in vacuum: frequency, wavenumber and energy from the wavelength.
 
-- `FREQUENCY`: nu = c / lambda [cycle/s]
-- `WAVENUMBER`: sigma = 1 / lambda [cycle/m]
-- `ENERGY`: Q = h c / lambda [J/photon]
-
-The cycle and the photon are dimensions here, so a joule per photon is not a joule.  Source: SI
-Brochure, in which h and c are exact.
+The cycle and the photon are dimensions here, so a joule per photon is not a joule.
 """
 
 from radcalc.laws.law import AnyLaw, law

@@ -1,58 +1,16 @@
 """Small sources: the laws of each distribution, and those of all.
 
-The light is uniform in all directions, or uniform within a cone, or falls off from its axis as a
-power of the cosine (a lobe).  I is the intensity on the axis.
+The light is uniform in all directions, or within a cone, or falls off from its axis as a power of
+the cosine (a lobe), up to 90 degrees.  I is the intensity on the axis, f the relative one at the
+angle gamma off the axis.  The distance d is at least five times the size of the source; a round
+receiver may have any size and distance, and its solid angle is weighted with f.
 
-Isotropic (`LAWS[ISOTROPIC]`):
+- `LAWS`: flux and share of each distribution; `WIDTHS`: those that contain only its angles
+- `ANY_LAWS`: those of all distributions
+- `FLOOR`, `AXIS`, `FLAT`, `SPOT`: a place on the floor, at the distance x from the foot of the
+  axis of a source at the height h; up to two heights, or exponents of a lobe, fit
 
-- isotropic source: Phi = 4 pi Omega0 I; exposure: H = Q cos(theta) / (4 pi d^2)
-- part of an isotropic source: k = sin^2(beta/2), within the half angle beta
-
-Cone (`LAWS[CONICAL]`), uniform within its half angle alpha and dark outside:
-
-- uniform cone: Phi = I Omega; `CONE` and `APEX` of `radcalc.laws.cones`
-- part of a cone: k = sin^2(beta/2) / sin^2(alpha/2), at most 1
-- `INSIDE`: f = 1 for gamma up to alpha, else 0
-
-Lobe (`LAWS[LOBED]`), of the exponent n >= 0, I cos^n(gamma) up to 90 degrees from the axis:
-
-- flux of a lobe: Phi = I Omega
-- `LOBE`: Omega = 2 pi Omega0 / (n + 1)
-- `BEAM_ANGLE`: n = ln(1/2) / ln cos(FWHM/2)
-- `FIELD_ANGLE`: n = ln(1/10) / ln cos(FWTM/2)
-- part of a lobe: k = 1 - cos(beta)^(n + 1); in its beam: k_b = 1 - cos(FWHM/2)^(n + 1)
-- flux in the beam: Phi_b = Phi k_b
-- `FALL`: f = cos(gamma)^n
-
-The width of the light across the axis is D_b = 2 d tan(alpha) (`beam_of_cone`) or D_b =
-2 d tan(FWHM/2) (`beam_of_lobe`), for half angles below 90 degrees.
-
-`WIDTHS` has the laws of each that contain only its angles.
-
-All (`ANY_LAWS`), for a source at a distance d of at least five times its size:
-
-- `INVERSE_SQUARE`: E = I cos(theta) Omega0 / d^2; `OFF_AXIS`: E = I f cos(theta) Omega0 / d^2,
-  with the intensity f relative to I at the angle gamma off the axis
-- `COSINE`: cosine of the incidence, 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
-- flux within: Phi_w = Phi k; `ENERGY` and `EXPOSURE`
-- the inverse square of an energy through a cone or a lobe: H = Q f cos(theta) Omega0 / (Omega d^2)
-
-A place on the floor under a source at the height h, at the distance x from the foot of its axis:
-
-- `AXIS`: gamma = atan(x / h); `FLAT`: theta = gamma
-- `FLOOR`: E = I h^(n + 1) Omega0 / (h^2 + x^2)^((n + 3)/2), with n = 0 except for a lobe, solved
-  for x and for up to two heights; for an energy, with H and Q / Omega instead of E and I
-- `SPOT`: E = Phi (n + 1) / (2 pi) cos(gamma)^n cos(theta) / d^2, solved for up to two exponents of
-  a lobe
-
-A round receiver of any size, even at a short distance or larger than the light's footprint:
-
-- flux on a receiver: Phi_r = I Omega_r, with the solid angle Omega_r weighted with the intensity
-  relative to I: `RECEIVER_ON_AXIS`, and off the axis `RECEIVER_FLAT` (across the axis) and
-  `RECEIVER_TURNED`, for each distribution
-
-Lengths [m], angles [rad]; light in coherent SI of one kind.  Source: ISO 80000-7 (intensity,
-irradiance) for the first laws, the rest are integrals of the distributions.
+Lengths [m], angles [rad]; light in coherent SI of one kind.
 """
 
 import math
@@ -143,7 +101,7 @@ def beam_of_cone(away: str) -> Relation:
     >>> round(width.solve("beam-diameter", {"height": 3.0, "half-angle": math.pi / 4}.get), 9)
     6.0
     """
-    return _beam("diameter of a cone's light", away, "half-angle", 1)
+    return _beam_diameter("diameter of a cone's light", away, "half-angle", 1)
 
 
 def beam_of_lobe(away: str) -> Relation:
@@ -165,11 +123,10 @@ def beam_of_lobe(away: str) -> Relation:
     >>> round(width.solve("beam-diameter", {"height": 3.0, "beam-angle": math.pi / 2}.get), 9)
     6.0
     """
-    return _beam("diameter of a lobe's beam", away, "beam-angle", 2)
+    return _beam_diameter("diameter of a lobe's beam", away, "beam-angle", 2)
 
 
-def _beam(name: str, away: str, angle: str, parts: int) -> Relation:
-    """Return the law of a diameter, with the angle from axis to edge as `angle` over `parts`."""
+def _beam_diameter(name: str, away: str, angle: str, parts: int) -> Relation:
     part = f"{{{angle}}}/{parts}" if parts > 1 else f"{{{angle}}}"
     return relation(
         name,
@@ -263,8 +220,8 @@ STRAIGHT = relation(
     "{distance}^2 = {height}^2 + {lateral}^2",
     {
         "distance": lambda at: hypot(at("height"), at("lateral")),
-        "height": lambda at: _side(at("distance"), at("lateral"), "offset"),
-        "lateral": lambda at: _side(at("distance"), at("height"), "height"),
+        "height": lambda at: _height_or_offset(at("distance"), at("lateral"), "offset"),
+        "lateral": lambda at: _height_or_offset(at("distance"), at("height"), "height"),
     },
 )
 WITHIN = law("flux within", "{flux-within} = {flux} {part}")
@@ -288,8 +245,7 @@ def _incidence_of(cosine: Any) -> Any:
     return acos(piecewise(cosine > 1, lambda c: 1.0 + 0 * c, lambda c: c, cosine))
 
 
-def _side(distance: Any, other: Any, name: str) -> Any:
-    """Return the height or the offset, by Pythagoras from the other of the two."""
+def _height_or_offset(distance: Any, other: Any, name: str) -> Any:
     cones.refuse(
         distance < other,
         f"the distance is less than the {name}",
@@ -341,7 +297,6 @@ def _floor(shape: str, of_energy: bool) -> Relation:
         left, right = "{exposure}", f"{{energy}} {height} Omega0 / ({whole} {distance})"
 
     def part(at: At) -> Any:
-        """Return the irradiance over the intensity, or the exposure over that of the energy."""
         if not of_energy:
             return at("irradiance") / at("intensity")
         whole = 4 * math.pi if shape == ISOTROPIC else at("solid-angle")
@@ -437,7 +392,6 @@ SPOT = relation(
 
 
 def _exponent_at(share: Any, off_axis: Any) -> Any:
-    """Return the exponent of a lobe from its share of the peak at an angle."""
     cones.refuse(
         (share > 1 + 1e-9) | (share <= 0),
         "no lobe has that irradiance there: it is 0, or more than the peak would give",

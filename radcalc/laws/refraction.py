@@ -1,18 +1,9 @@
 """A plane surface between two transparent media, and a plane slab: Snell's and Fresnel's laws.
 
-The index n is the refractive index after the surface over that before it; i and t are the angles
-between the light and the normal, before and after:
-
-- Snell: sin(i) = n sin(t)
-- Fresnel: rho_s = ((cos i - n cos t) / (cos i + n cos t))^2, for a field perpendicular to the plane
-  of incidence, and rho_p = ((n cos i - cos t) / (n cos i + cos t))^2, for one parallel to it
-- unpolarised light: rho = (rho_s + rho_p) / 2, tau = 1 - rho
-- slab with the first medium on both sides, with all reflections inside it, summed as powers:
-  tau = ((1 - rho_s) / (1 + rho_s) + (1 - rho_p) / (1 + rho_p)) / 2
-- Brewster: tan(B) = n, the incidence at which no light of parallel polarisation is reflected
-- critical angle: sin(c) = min(n, 1/n), in the medium of greater index
-
-Angles [rad]; all else is dimensionless.  The media are not magnetic and do not absorb.
+The index is the refractive index after the surface over that before it.  The s field is
+perpendicular to the plane of incidence, the p field parallel to it.  A slab has the first medium on
+both sides; all reflections inside it are summed as powers.  The media do not absorb and are not
+magnetic.
 """
 
 from typing import Any
@@ -24,8 +15,7 @@ from radcalc.maths import any_true, asin, atan, cos, sin, smaller, square, tan
 FRESNEL = "Fresnel equations, for media that do not absorb"
 
 
-def _refracted(at: At) -> Any:
-    """Return the angle of refraction; refuse total reflection."""
+def _refraction_angle(at: At) -> Any:
     sine = sin(at("incidence")) / at("index")
     if any_true(sine > 1):
         raise ConditionError(
@@ -34,8 +24,7 @@ def _refracted(at: At) -> Any:
     return asin(sine)
 
 
-def _incident(at: At) -> Any:
-    """Return the angle of incidence from the angle of refraction."""
+def _incidence(at: At) -> Any:
     sine = at("index") * sin(at("refraction-angle"))
     if any_true(sine > 1):
         raise ConditionError("no incidence gives that angle of refraction", "a smaller angle")
@@ -43,7 +32,6 @@ def _incident(at: At) -> Any:
 
 
 def _index(at: At) -> Any:
-    """Return the index from the angles of incidence and refraction."""
     if any_true(at("refraction-angle") == 0):
         problem = "light along the normal does not determine the index"
         raise ConditionError(problem, "a larger angle")
@@ -61,7 +49,7 @@ def _slab(reflectance: Any) -> Any:
 SNELL = relation(
     "Snell's law",
     "sin({incidence}) = {index} sin({refraction-angle})",
-    {"refraction-angle": _refracted, "incidence": _incident, "index": _index},
+    {"refraction-angle": _refraction_angle, "incidence": _incidence, "index": _index},
     FRESNEL,
 )
 BREWSTER = relation(

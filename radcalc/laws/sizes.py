@@ -1,11 +1,4 @@
-"""Lengths [m] and areas [m2] of flat sources and receivers, and offsets of receivers [m].
-
-- `RECTANGLE`: A = w l
-- `CIRCLE`: A = pi R^2
-- `DIAMETER`: D = 2 R
-- `OFFSET`: the offset x along one axis, if there is no other
-- `ASPECT`: c^2 = A (a + 1/a), with a rectangle's diagonal c and the ratio a >= 1 of its sides
-"""
+"""Lengths [m] and areas [m2] of flat sources and receivers, and offsets of receivers [m]."""
 
 from collections.abc import Container
 from typing import Any

@@ -1,15 +1,7 @@
 """Solid angles of spheres, discs, pyramids and small patches, solved both ways.
 
-- `SPHERE`: sin(alpha) = R / d, with the half angle alpha of a sphere seen from outside, d > R
-- `disc`: Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0, from a point on its axis
-- `PYRAMID`: Omega = 4 arcsin(sin(a/2) sin(b/2)) Omega0, with the full angles a and b from face to
-  face, through the axis
-- `ON_SPHERE`: Omega = A / R^2 Omega0, for a part of a sphere, from its centre
-- `PATCH`: Omega = A cos(theta_s) / d^2 Omega0, for a flat surface at a distance of at least five
-  times its size
-
-Lengths [m], angles [rad], solid angles [sr].  Source: elementary geometry; for the
-disc F. Paxton, Rev. Sci. Instrum. 30 (1959) 254.
+A sphere is seen from outside.  The angles of a pyramid are full ones from face to face, through the
+axis.  The distance of a small flat patch is at least five times its size.
 """
 
 from radcalc.geometry import cones, solid, spheres

@@ -1,9 +1,5 @@
 """The solver: it derives missing values by laws, and checks values against laws.
 
-- `solve`: derive every value that follows, law by law; `solve_all`: all sets of such values
-- `reached`: find the symbols that would follow, whatever the values
-- `Derivation`: the steps of an answer
-
 Values are in coherent SI units, floats or arrays.
 """
 

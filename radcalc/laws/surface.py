@@ -1,36 +1,8 @@
 """A surface with the same radiance in all directions: its light, and the light on a receiver.
 
-Light of the surface (`LAWS`):
-
-- Lambertian exitance: M = pi Omega0 L (ISO 80000-7, radiance and exitance)
-- Lambertian reflector: M = rho E_i, with the reflectance rho up to 1 (ISO 80000-7, reflectance)
-- flux of a surface: Phi = M A; intensity of a surface: I = L A_p, with the apparent area
-- `FLAT_FLUX`: Phi = pi Omega0 I; for a sphere `SPHERE_INTENSITY`: Phi = 4 pi Omega0 I
-- `FLAT`: A_p = A; for a sphere `SPHERE_AREA`: A = 4 pi R^2 and `SPHERE_FRONT`: A_p = pi R^2
-
-Light on a receiver, exact at any distance:
-
-- irradiance of a uniform radiance: E = L Omega_p (ISO 80000-7, radiance and irradiance)
-- `CONFIGURATION_FACTOR`: F = Omega_p / (pi Omega0)
-- `disc_on_axis`: Omega_p = pi Omega0 R^2 / (R^2 + h^2) (Howell)
-- `rectangle_on_axis`: Omega_p from the sides and the height (Howell)
-- `DISC_ASIDE`: that of a disc at the distance x from its axis; up to two heights h fit (Howell)
-- `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, with the distance d of its centre (Howell)
-- `SPHERE_FLUX`: Phi = 4 pi d^2 E, and `SPHERE_ENERGY`: Q = 4 pi d^2 H
-- `disc_flux`: Phi = pi (R^2 + h^2) E
-- `SURFACE_ENERGY`: H = Q Omega_p / (pi Omega0 A)
-- `EXPOSURE` and `ENERGY` of `radcalc.laws.energy`
-
-Light on a receiver at a distance of at least five times the size:
-
-- `SMALL_SOURCE`: Omega_p = A cos(theta_s) cos(theta) Omega0 / d^2; if the receiver's horizon cuts
-  a disc that faces it, `CUT_DISC` has the integral over the part above
-- `SMALL_SOURCE_INTENSITY`: E = I cos(theta_s) cos(theta) Omega0 / d^2; `SMALL_SOURCE_ENERGY`:
-  H = Q cos(theta_s) cos(theta) / (pi d^2)
-- inverse square law, as an estimate: E_ff = I cos(theta_s) cos(theta) Omega0 / d^2
-
-Lengths [m], areas [m2], solid angles [sr]; light in coherent SI of one kind.  Howell is J. R.
-Howell, A Catalog of Radiation Heat Transfer Configuration Factors.
+The laws of a receiver are exact at any distance, except those of a small source, whose distance is
+at least five times its size, and the inverse square law, which is an estimate.  Lengths [m], areas
+[m2], solid angles [sr]; light in coherent SI of one kind.
 """
 
 import math
@@ -115,7 +87,6 @@ TOO_MUCH = (
 
 
 def _hemisphere_over(at: At) -> Any:
-    """Return pi over the projected solid angle, which must be less than pi."""
     part = at("projected-solid-angle")
     cones.refuse(part >= math.pi, *TOO_MUCH)
     return math.pi / part

@@ -1,8 +1,6 @@
 """Integrals of functions of direction over a part of the sphere [sr], with their error.
 
-`over_directions` integrates a function of polar angle and azimuth over solid angle, such as an
-intensity distribution [cd] to a flux [lm]; the unit of the result is that of the function times
-sr.  The module needs NumPy.
+The module needs NumPy.
 """
 
 import math
@@ -139,7 +137,6 @@ class _Grid:
         return numpy.array(sorted(chosen))
 
     def _integrate(self, place: Any) -> tuple[Any, Any, Any]:
-        """Return each cell's integral, that of the absolute value, and the rules' difference."""
         parts = []
         for start in range(0, len(place), BATCH):
             cut = place[start : start + BATCH]
@@ -150,13 +147,11 @@ class _Grid:
         return value, size, differ
 
     def _sides(self, first: Any) -> tuple[Any, Any]:
-        """Return the lower and the upper polar angle and azimuth of first cells."""
         sides = [edges[i] for edges, i in zip(self.edges, first.T, strict=True)]
         ends = [edges[i + 1] for edges, i in zip(self.edges, first.T, strict=True)]
         return numpy.stack(sides, 1), numpy.stack(ends, 1)
 
     def _rule(self, place: Any, nodes: Any, weights: Any) -> tuple[Any, Any]:
-        """Return for each cell the integral by a product rule, and that of the absolute value."""
         count = self.cuts ** place[:, :1]
         first, part = numpy.divmod(place[:, 1:], count)
         start, end = self._sides(first)
@@ -349,7 +344,6 @@ class Dark(ConditionError):
 
 
 def _not_found(value: float, error: float, size: float, cells: int) -> ConditionError:
-    """Return the error for an integral that does not converge, with the accuracy reached."""
     if not size:
         return Dark(cells)
     hint = "a function that is finite everywhere, and its parts one by one"

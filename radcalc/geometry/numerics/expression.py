@@ -161,7 +161,6 @@ class Expression:
         return self.uses <= {"theta", "z"}
 
     def _read(self, node: ast.expr, depth: int) -> Function:
-        """Return the function of one node; refuse any node that is not listed here."""
         if not depth:
             raise ConditionError("the expression is nested too deeply", f"at most {DEEPEST} levels")
         match node:
@@ -265,7 +264,6 @@ class Expression:
         return angles
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
-        """Return the call of one of `FUNCTIONS`, after a check of the number of its arguments."""
         if name not in FUNCTIONS:
             raise _unknown(name)
         count, function = FUNCTIONS[name]
@@ -328,7 +326,7 @@ def _prepared(text: str) -> str:
 
 
 def _finite(value: float) -> float:
-    """Return a number as a float; Python's parser reads integers of any size."""
+    """Convert a number; Python's parser reads integers of any size."""
     try:
         number = float(value)
     except OverflowError:
@@ -339,7 +337,6 @@ def _finite(value: float) -> float:
 
 
 def _unknown(name: str) -> RadcalcError:
-    """Return the error for an unknown name, with the most similar names."""
     near = nearest(name, (*NAMES, *CONSTANTS, *FUNCTIONS), cutoff=0.7)
     message = f"unknown name '{quote(name)}' in the expression"
     names = f"{', '.join(NAMES)} (see {manual('integrate')})"

@@ -1,9 +1,4 @@
-"""Numerical integrals of functions of one variable: fixed rules, and an adaptive one.
-
-`gauss` and `lobatto` return nodes and weights, `integral` applies `gauss` to a smooth function,
-`adaptive` halves the interval where a function is not smooth enough.  Functions take and return
-floats; the unit of an integral is that of the function times that of its variable.
-"""
+"""Numerical integrals of functions of one variable: fixed rules, and an adaptive one."""
 
 import math
 from collections.abc import Callable

@@ -1,8 +1,7 @@
 """Special functions of the closed forms of this package, to full precision for every argument.
 
-`cel` is the complete elliptic integral in the solid angle of a disc off its axis.
-`less_arctangent` and `arc_excess` are differences of nearly equal numbers for small arguments,
-summed as series there.  All arguments and results are dimensionless floats or NumPy arrays.
+Differences of nearly equal numbers are summed as series for small arguments.  All arguments and
+results are dimensionless floats or NumPy arrays.
 """
 
 import math

@@ -1,8 +1,7 @@
 """Solid angles of splinters: triangles whose closed forms lose their digits.
 
-`over_triangle` integrates the solid angle or the projected solid angle [sr] of one triangle
-numerically.  `radcalc.geometry.polygons` uses it if Van Oosterom and Strackee's formula or
-Lambert's contour formula is a small difference of large terms.
+`radcalc.geometry.polygons` uses it if Van Oosterom and Strackee's formula or Lambert's contour
+formula is a small difference of large terms.
 
 The triangle is cut into strips perpendicular to its longest side.  Lengths along that side and
 along the strips are hyperbolic sines of parameters, which gives every decade of length the same

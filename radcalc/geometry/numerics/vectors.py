@@ -1,7 +1,6 @@
 """Vector algebra on triples of coordinates, each a float or an array.
 
-A vector is a plain tuple (x, y, z), so floats do not need NumPy; with arrays as coordinates, every
-function works element by element.  Units are those of the arguments.
+A vector is a plain tuple (x, y, z), so floats do not need NumPy.
 """
 
 from collections.abc import Sequence
