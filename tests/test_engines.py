@@ -76,9 +76,7 @@ def test_dask_works_over_many_files_and_keeps_the_checks(tmp_path):
     (tmp_path / "logs" / "c.csv").write_text("distance\n-1\n")
     refused = call(DASK, tmp_path)
     assert refused.returncode == 1
-    assert (
-        'Impossible: distance="-1 m" is out of range\ntry' in refused.stderr
-    )
+    assert 'Impossible: distance="-1 m" is out of range\ntry' in refused.stderr
 
 
 def test_a_shell_puts_the_factor_into_sql(tmp_path):

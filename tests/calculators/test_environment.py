@@ -421,7 +421,11 @@ def test_masked_pixels_are_refused_and_a_mask_that_hides_nothing_is_not():
         (7, {"unit": "1"}, "are not a map"),
         (numpy.ones((16, 16)), {"unit": "1"}, "pixels fit several"),
         (radcalc.Quantity(numpy.ones((16, 32)), "lx"), {}, "a map has radiances"),
-        (radcalc.Quantity(numpy.ones((16, 32)), "cd/m2"), {"unit": "cd/m2"}, "has its own"),
+        (
+            radcalc.Quantity(numpy.ones((16, 32)), "cd/m2"),
+            {"unit": "cd/m2"},
+            "with a map that has a unit",
+        ),
         (numpy.full((16, 32), -1.0), {"unit": "1"}, "column 0 of row 0"),
         ("sky:5", {"zenith_luminance": radcalc.Quantity([1.0, 2.0], "cd/m2")}, "is an array"),
     ],
@@ -619,7 +623,7 @@ def test_the_map_that_is_read_is_not_written_over(tmp_path, name, words):
     before = path.read_bytes()
     done = run("environment", "own.pfm", "--unit", "1", *words.format(name).split(), cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"radcalc: {name} is the map that is read\ntry: another name\n"
+    assert done.stderr == f"radcalc: {name} is also the map to read\ntry: another name\n"
     assert path.read_bytes() == before
 
 

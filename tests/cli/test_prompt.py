@@ -58,7 +58,7 @@ def test_lines_that_are_no_text_are_refused():
 def test_no_line_reads_the_lines_behind_it():
     done = lines("convert - lx fc\n100\n")
     assert done.returncode == 2
-    assert "line 1: - reads standard input, where the lines of the prompt are" in done.stderr
+    assert "line 1: - cannot be used at the prompt, which reads standard input" in done.stderr
 
 
 def test_a_line_without_an_end_is_not_kept_whole():
@@ -132,7 +132,7 @@ def test_radcalc_alone_on_a_terminal_asks_and_answers(terminal, tmp_path):
     screen, process = terminal
     screen.answer("100 lx fc", "9.2903 fc   (illuminance)")
     screen.answer("ans klx", "0.1 klx   (illuminance)")
-    screen.answer("100 lm 'cd", "there is a ' with no second one")
+    screen.answer("100 lm 'cd", "the ' has no second one")
     screen.type("exit\r")
     assert process.wait(60) == 0
     history = tmp_path / "radcalc" / "history"
