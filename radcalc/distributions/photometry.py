@@ -55,5 +55,5 @@ class Photometry(NamedTuple):
 
 
 def _rounded(*figures: float) -> Iterator[str]:
-    """Four significant digits."""
+    """Yield numbers with four significant digits."""
     return (f"{float(f'{figure:.4g}'):g}" for figure in figures)

@@ -25,7 +25,7 @@ def of_shape(shape: str, width: float | None = None) -> Distribution:
 
 
 class _Axial:
-    """Greatest on the axis."""
+    """A distribution that is greatest on the axis."""
 
     kind = ""
     is_axial = True

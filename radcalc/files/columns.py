@@ -51,7 +51,7 @@ def comment_text(line: str) -> str:
 def titles_in_comments(
     comments: Sequence[str], width: int, delimiter: str | None = None
 ) -> list[str]:
-    """Return the titles in the last comment with that many columns, or an empty list."""
+    """Return the titles in the last comment with that many columns, if any."""
     for comment in reversed(comments):
         titles = cells(comment, delimiter or dialect(comment)[0])
         if len(titles) == width and not is_number(titles[0], False):
@@ -65,7 +65,7 @@ def has_odd_digits(text: str) -> bool:
 
 
 def finite_numbers(texts: Sequence[str]) -> list[float]:
-    """Convert many texts to numbers; raise ValueError if any is not a number, NaN or infinite."""
+    """Convert texts to finite numbers; raise ValueError for any other text."""
     values = list(map(float, texts))
     total = sum(values)
     if total - total:
@@ -85,7 +85,7 @@ def is_number(cell: str, comma: bool) -> bool:
 
 
 def finite(cell: str, comma: bool) -> float | None:
-    """Return the number in a cell; None for anything else, including NaN and infinity."""
+    """Return the finite number in a cell, or None."""
     if not is_number(cell, comma):
         return None
     value = float(cell.replace(",", ".") if comma else cell)
@@ -126,7 +126,7 @@ class Decimals:
         return f"a decimal {mark}, but line {min(self.point, comma)} has a decimal {other_mark}"
 
     def doubt(self) -> tuple[int, str] | tuple[()]:
-        """Return the line of an ambiguous number, and the problem; () if there is none."""
+        """Return the line of an ambiguous number, and the problem, if any."""
         if self.comma or not self.doubtful:
             return ()
         line, text = self.doubtful

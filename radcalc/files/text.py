@@ -18,12 +18,12 @@ Lines = list[str]
 
 
 def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
-    """Return the error of a file; with the line, unless it is 0."""
+    """Return the error of a file, with the line unless it is 0."""
     return ConditionError(f"{where(name, number)}: {problem}", hint)
 
 
 def where(name: str, number: int) -> str:
-    """Return the text for a place in a file; without a line if it is 0."""
+    """Return a place in a file, without a line if it is 0."""
     return f"{name}, line {number}" if number else name
 
 
@@ -41,7 +41,7 @@ def _lines(text: str) -> Lines:
 def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], bytes]]]:
     """Yield the name of a file, a pipe or standard input (-), and a function that reads bytes.
 
-    It raises a ConditionError if it cannot be read; `expected` is the expected content.
+    Raise a ConditionError if it cannot be read.
     """
     if path == "-":
         yield "stdin", terminal.read
@@ -52,10 +52,7 @@ def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], byt
 
 @contextmanager
 def readable(path: str, expected: str) -> Iterator[str]:
-    """Yield the name of a file in messages, while it is opened and read.
-
-    It raises a ConditionError for an error meanwhile; `expected` is the expected content.
-    """
+    """Yield the name of a file in messages; raise a ConditionError for an OSError meanwhile."""
     name = quote_path(path)
     if "\0" in path:
         raise ConditionError(f"cannot read {name}: not a file name", expected)
@@ -66,15 +63,15 @@ def readable(path: str, expected: str) -> Iterator[str]:
 
 
 class Text:
-    """The text of a file: UTF-8, UTF-16 with a byte order mark, or otherwise Latin-1."""
+    """The text of a file: UTF-8, UTF-16 with a byte order mark, or otherwise Latin-1.
+
+    `read` returns up to so many bytes, and b"" at the end; `row` is the expected content of a row,
+    for messages; `largest` is the greatest size of the file [bytes].
+    """
 
     def __init__(
         self, name: str, read: Callable[[int], bytes], row: str, largest: float = MOST_BYTES
     ) -> None:
-        """Keep the function that reads up to so many bytes, and b"" at the end.
-
-        `row` is the expected content of a row; `largest` is the greatest size of the file [bytes].
-        """
         self.name = name
         self.read = read
         self.row = row
@@ -83,7 +80,7 @@ class Text:
         self.note = ""
 
     def blocks(self) -> Iterator[tuple[int, Lines]]:
-        """Yield the lines in blocks, with the number of the first line of each block."""
+        """Yield the lines in blocks, with the number of the first line of each."""
         number, size, rest = 1, 0, b""
         read = filter(None, self._in_utf8())
         while True:
@@ -109,7 +106,6 @@ class Text:
                 return
 
     def _in_utf8(self) -> Iterator[bytes]:
-        """Yield the bytes of the file in UTF-8, converted from UTF-16 if necessary."""
         data = self.read(BLOCK)
         if data[:2] not in MARKS:
             while data:

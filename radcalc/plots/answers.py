@@ -14,30 +14,12 @@ from radcalc.spectra.spectrum import WHOLE
 def picture(
     command: str, solved: Sequence[Solved], wanted: Sequence[str] = (), operand: Any = None
 ) -> Picture:
-    """Return the picture of the answers of a command.
+    """Return the curves over a varied input, or else the picture of a single answer.
 
-    Parameters
-    ----------
-    command : str
-        Its name: "point-source".
-    solved : sequence of Solved
-        Inputs and results of each answer.
-    wanted : sequence of str
-        Results to draw as curves, NAME[:UNIT].
-    operand : object, optional
-        What the command works on in addition to its inputs: the name of a sky; the
-        `radcalc.calculators.environment.Source` of an environment; an expression and the text of
-        its unit; the `radcalc.plots.places.Surveyed` of a scene.
-
-    Returns
-    -------
-    Picture
-        Curves over the varied input, or else the picture of a single answer.
-
-    Raises
-    ------
-    UsageError
-        If there is no such picture.
+    `wanted` are the results to draw as curves, NAME[:UNIT].  `operand` is what the command works on
+    in addition to its inputs: the name of a sky; the `radcalc.calculators.environment.Source` of an
+    environment; an expression and the text of its unit; the `radcalc.plots.places.Surveyed` of a
+    scene.  Raise a UsageError if there is no such picture.
     """
     along = varied(solved)
     if along and command not in LISTS:
@@ -49,7 +31,7 @@ def picture(
 
 
 def depends(command: str, solved: Solved, name: str) -> bool:
-    """Return whether the picture of an answer depends on a requested result, NAME[:UNIT]."""
+    """Return whether the picture depends on a requested result, NAME[:UNIT]."""
     if varied([solved]) and command not in LISTS:
         return True
     from radcalc.plots.directions import is_intensity

@@ -138,7 +138,7 @@ def _degrees(low: float, high: float) -> list[float]:
 
 
 def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> None:
-    """Write next to a point of a circle about the origin, outside the circle."""
+    """Write next to a point of a circle about the origin, outside it."""
     size = math.hypot(x, y)
     column, row = sheet.place(x + 4 * dot * x / size, y + 4 * dot * y / size)
     if abs(x) < size / 100:
@@ -149,7 +149,6 @@ def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> No
 
 
 def _tall(style: Style) -> int:
-    """Return the rows of a circle that fits on most terminals."""
     return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
 
 
@@ -157,7 +156,6 @@ def _tall(style: Style) -> int:
 
 
 def _field(field: Field, style: Style) -> list[str]:
-    """Draw contours over x and y, with the same scale on both axes."""
     x_ends, y_ends = (field.xs[0], field.xs[-1]), (field.ys[0], field.ys[-1])
     wide, high = x_ends[1] - x_ends[0], y_ends[1] - y_ends[0]
     y_ticks = ticks(*y_ends, 6)
@@ -180,7 +178,6 @@ def _field(field: Field, style: Style) -> list[str]:
 
 
 def _disc(disc: Disc, style: Style) -> list[str]:
-    """Draw a disc with contours, or with dots if it is an image."""
     radius = min(style.width - 2 * RIM, 2 * (_tall(style) - 2))  # in dots
     columns, rows = radius + 2 * RIM, radius // 2 + 2
     wide, high = columns / (radius - 1), 2 * rows / (radius - 1)
@@ -209,7 +206,6 @@ def _disc(disc: Disc, style: Style) -> list[str]:
 
 
 def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
-    """Draw small crosses with their names."""
     for mark in marks:
         column, row = sheet.place(mark.x, mark.y)
         sheet.write(column, row, "+")
@@ -226,7 +222,7 @@ def _contours(
     marks: Sequence[Mark],
     taken: Iterable[tuple[int, int]] = (),
 ) -> str:
-    """Draw contours with their numbers, away from occupied cells; return a caption."""
+    """Draw contours with numbers away from occupied cells; return a caption."""
     values = [z for row in drawn[2] for z in row if z == z]
     contour_levels = levels(values)
     full = [*taken, *(sheet.place(mark.x, mark.y) for mark in marks)]
@@ -243,14 +239,12 @@ def _contours(
 
 
 def _on_ramp(k: int, count: int) -> str:
-    """Return the colour of the k-th of several ordered curves."""
     return RAMP[k * (len(RAMP) - 1) // max(count - 1, 1)]
 
 
 def _name_contour(
     sheet: Sheet, places: list[Point], name: str, color: str, taken: list[tuple[int, int]]
 ) -> None:
-    """Write a contour's number, far from the numbers of other contours and from the edges."""
     half = len(name) // 2
 
     def is_free(cell: tuple[int, int]) -> bool:
@@ -291,7 +285,6 @@ def _segments(xs: Values, ys: Values, rows: Sequence[Values], level: float) -> I
 def _between(
     start: tuple[float, float, float], end: tuple[float, float, float], level: float
 ) -> Point:
-    """Return the point of a level on the line between two points."""
     share = (level - start[2]) / (end[2] - start[2])
     return start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
 
@@ -349,7 +342,7 @@ def _chart(chart: Chart, style: Style) -> list[str]:
 def _draw_series(
     chart: Chart, sheet: Sheet, x_of: Scale, y_of: Scale, style: Style
 ) -> list[tuple[str, str, str]]:
-    """Draw the series, each in its colour and mark, and return their entries in the legend."""
+    """Return the entries in the legend."""
     entries, drawn = [], []
     count = len(chart.curves)
     colors = _hues(chart, sheet) if count == 1 else PLAIN
@@ -378,7 +371,7 @@ def _draw_series(
 
 
 def _upright(sheet: Sheet, x: float, label: str) -> None:
-    """Draw a vertical line over the full height, with its name next to it."""
+    """Draw a vertical line over the full height, with its name."""
     canvas = sheet.layer(DIM, "|")
     canvas.line(x, sheet.y[0], x, sheet.y[1])
     column = sheet.column(x)
@@ -387,7 +380,7 @@ def _upright(sheet: Sheet, x: float, label: str) -> None:
 
 
 def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
-    """Draw a line through points, dots, or vertical lines below them, within the sheet."""
+    """Draw a line through points, dots, or vertical lines below them."""
     if style == LINES:
         for x, y in points:
             canvas.line(x, sheet.y[0], x, y)
@@ -418,7 +411,7 @@ def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> Point:
 
 
 def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
-    """Return the colours of columns, in the palette of 256; none is white or black."""
+    """Return the colours of columns; none is white or black."""
     colors = {}
     for hue in chart.hues:
         if sheet.x[0] <= hue.place <= sheet.x[1]:
@@ -454,7 +447,6 @@ def _scale(is_log: bool) -> Scale:
 def _ends(
     axis: Axis, values: list[float], most: int, is_round: bool = True
 ) -> tuple[Point, list[float]]:
-    """Return the ends of an axis, and the round numbers on it."""
     if axis.is_log:
         low, high = axis.limits or (min(values), max(values))
         return (low, high), log_ticks(low, high, most)

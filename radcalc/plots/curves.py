@@ -29,12 +29,11 @@ class Solved(NamedTuple):
 
     @property
     def answers(self) -> list[Answer]:
-        """All the answers that fit the inputs."""
         return [self.answer, *self.answer.more]
 
 
 def varied(solved: Sequence[Solved]) -> list[str]:
-    """Return the names of the inputs that differ between answers, in the order given."""
+    """Return the names of the inputs that differ between answers."""
     first = solved[0].given
     return [
         name
@@ -57,18 +56,9 @@ def ranged(given: Inputs) -> str:
 def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     """Return results as curves; of several varied inputs, the last numeric one is the x axis.
 
-    Parameters
-    ----------
-    solved : sequence of Solved
-        At least one input must differ between them, or be an array.
-    wanted : sequence of str
-        Results to draw, NAME[:UNIT]; by default the main result.
-
-    Raises
-    ------
-    UsageError
-        If no result varies, or the results have different units.
-        If there is nothing to draw, or results in different units.
+    At least one input must differ between answers, or be an array.  `wanted` are results,
+    NAME[:UNIT]; by default the main one.  Raise a UsageError if there is nothing to draw, or
+    results have different units.
     """
     _check_arrays(solved[0].given)
     lists = varied(solved)
@@ -81,7 +71,7 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
         raise UsageError(f"{several}: an axis has one unit", "one of them")
     _refuse_many(lines)
     is_log = all(_is_wide([line[k] for line in lines.values()]) for k in (0, 1))
-    x_axis = Axis(*_name(solved[0].given[along]), is_log=is_log)
+    x_axis = Axis(*_axis_name(solved[0].given[along]), is_log=is_log)
     names = list(dict.fromkeys(f"{row.quantity} {row.symbol}".strip() for row in rows))
     y_axis = Axis(names[0] if len(names) == 1 else "", rows[0].unit, is_log=is_log)
     fixed = [item for name, item in solved[0].given.items() if name not in (*other_lists, along)]
@@ -94,7 +84,6 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
 
 
 def _check_arrays(given: Inputs) -> None:
-    """Raise an error for arrays of several dimensions, and for empty ones."""
     for item in given.values():
         if is_array(item.value) and (item.value.ndim != 1 or not item.value.size):
             problem = f"{option(item.name)} is an array of the shape {item.value.shape}"
@@ -104,7 +93,7 @@ def _check_arrays(given: Inputs) -> None:
 def _lines(
     solved: Sequence[Solved], wanted: Sequence[str], along: str, other_lists: Sequence[str]
 ) -> tuple[Lines, list[Row]]:
-    """Collect the points of each line by its label, and the rows they come from."""
+    """Return the points of each line by its label, and the rows they come from."""
     first = solved[0].given[along]
     lines: Lines = {}
     rows: list[Row] = []
@@ -124,7 +113,7 @@ def _lines(
 
 
 def _usual(solved: Sequence[Solved], along: str) -> str:
-    """Return the result to draw by default: the main one among those that vary."""
+    """Return the main result among those that vary."""
     values = [
         value
         for value in solved[0].answer.values
@@ -144,7 +133,7 @@ def _has(solved: Solved, name: str) -> bool:
 
 
 def _places(given: Input, first: Input) -> list[float]:
-    """Return the positions of answers along the axis, in the unit of the first answer."""
+    """Return positions along the axis, in the unit of the first answer."""
     if given.symbol.form == DIRECTION:
         return [math.degrees(given.value[0])]
     if not _is_number(given):
@@ -161,7 +150,6 @@ def _places(given: Input, first: Input) -> list[float]:
 
 
 def _in_order(x: list[float], y: list[float]) -> tuple[list[float], list[float]]:
-    """Sort points from left to right."""
     places = sorted(range(len(x)), key=x.__getitem__)
     return [x[k] for k in places], [y[k] for k in places]
 
@@ -172,8 +160,7 @@ def _is_number(given: Input) -> bool:
     )
 
 
-def _name(given: Input) -> tuple[str, str]:
-    """Return the label and the unit of the x axis."""
+def _axis_name(given: Input) -> tuple[str, str]:
     if given.symbol.form == DIRECTION:
         return "polar angle \u03b8", "deg"
     letter = given.symbol.letter
@@ -192,6 +179,5 @@ def _refuse_many(lines: Lines) -> None:
 
 
 def _is_wide(numbers: Sequence[Sequence[float]]) -> bool:
-    """Return whether numbers are positive and differ by a large factor."""
     values = [x for row in numbers for x in row]
     return min(values) > 0 and max(values) > WIDE * min(values)

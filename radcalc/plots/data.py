@@ -1,4 +1,4 @@
-"""Pictures as plain data: charts, polar diagrams, fields over a plane, and discs."""
+"""Pictures as plain data."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -10,7 +10,7 @@ Values = Sequence[float]
 
 
 class Axis(NamedTuple):
-    """Label and unit of an axis, and its limits unless they are those of the data."""
+    """Label and unit of an axis; its limits, if any, replace those of the data."""
 
     label: str
     unit: str = ""
@@ -19,7 +19,6 @@ class Axis(NamedTuple):
 
     @property
     def title(self) -> str:
-        """Label and unit, such as `distance [m]`; a number has no unit."""
         unit = f"[{self.unit}]" if self.unit not in ("", "1") else ""
         return f"{self.label} {unit}".strip()
 
@@ -27,8 +26,8 @@ class Axis(NamedTuple):
 class Series(NamedTuple):
     """Points of a curve, and its name.
 
-    A `REFERENCE` is drawn for comparison, `LINES` are vertical from 0 to each point, and `POINTS`
-    are too few to connect with a line.
+    A `REFERENCE` is drawn for comparison; `LINES` are vertical from 0; `POINTS` are too few to
+    connect.
     """
 
     label: str
@@ -47,10 +46,7 @@ class Hue(NamedTuple):
 
 
 class Chart(NamedTuple):
-    """Curves over an axis; `marks` are names and positions of marks on it.
-
-    `hues` are evenly spaced colours along the axis.
-    """
+    """Curves over an axis, with named marks and evenly spaced `hues` along it."""
 
     title: str
     x: Axis
@@ -61,7 +57,6 @@ class Chart(NamedTuple):
 
     @property
     def curves(self) -> list[Series]:
-        """The series that are not references."""
         return [series for series in self.series if series.style != REFERENCE]
 
     @property
@@ -72,17 +67,13 @@ class Chart(NamedTuple):
 
     @property
     def named(self) -> list[int]:
-        """The indices of the series to name."""
         labelled = [k for k, series in enumerate(self.series) if series.label]
         curves = [k for k in labelled if self.series[k].style != REFERENCE]
         return [k for k in labelled if k not in curves[1:-1]] if self.crowd else labelled
 
 
 class Plane(NamedTuple):
-    """A plane of a polar diagram: values at angles from the axis [deg].
-
-    Angles in the opposite half plane are negative.
-    """
+    """A plane of a polar diagram: values at angles from the axis [deg], negative on one side."""
 
     label: str
     angles: Values
@@ -98,7 +89,6 @@ class Polar(NamedTuple):
 
     @property
     def is_half(self) -> bool:
-        """Whether all values in the upper half are 0."""
         return not any(
             value
             for plane in self.planes
@@ -108,7 +98,6 @@ class Polar(NamedTuple):
 
     @property
     def most(self) -> float:
-        """The greatest value."""
         return max(value for plane in self.planes for value in plane.values)
 
 
@@ -136,10 +125,10 @@ class Field(NamedTuple):
 class Disc(NamedTuple):
     """Values over a hemisphere of directions: the centre is in the middle, the rim at 90 deg.
 
-    `rows` are over x (to the right) and y (up) from -1 to 1, evenly spaced, where the distance from
-    the middle is proportional to the angle; values outside the disc are ignored.  `rim` has names
-    of angles [deg], clockwise from the top.  An image (`is_image`) has edges, for which contours
-    would not be readable.
+    `rows` are over x (to the right) and y (up) from -1 to 1, evenly spaced; the distance from the
+    middle is proportional to the angle.  Values outside the disc are ignored.  `rim` has names of
+    angles [deg], clockwise from the top.  An image (`is_image`) has edges, for which contours would
+    not be readable.
     """
 
     title: str

@@ -38,15 +38,7 @@ RELATIVE = Axis("relative intensity")
 def polar(distribution: Distribution, factor: float, radius: Axis, title: str = "") -> Polar:
     """Return the polar diagram of a distribution: the planes C0-C180 and C90-C270.
 
-    Parameters
-    ----------
-    distribution : Distribution
-        Intensities.
-    factor : float
-        Factor that converts the intensities to the unit of the axis.
-    radius : Axis
-        Label and unit of the radius.
-    title : str, optional
+    `factor` converts the intensities to the unit of the radius.
     """
     angles = numpy.linspace(-180.0, 180.0, HALVES)
     theta = numpy.radians(numpy.abs(angles))
@@ -114,7 +106,7 @@ def of_environment(source: Source, solved: Solved) -> Disc:
 
 
 def is_intensity(wanted: str) -> bool:
-    """Return whether a result, NAME[:UNIT], is the intensity on the axis, for any kind of light."""
+    """Return whether a result, NAME[:UNIT], is the axial intensity of any kind of light."""
     name = name_of(wanted)
     return name in SYMBOLS and SYMBOLS[name].generic == "intensity"
 
@@ -131,22 +123,8 @@ def fisheye(
     """Return an equidistant view of the surroundings along a normal, with 90 deg at the rim.
 
     In a vertical view the azimuth 0 is at the top; seen from below, azimuths increase clockwise.
-
-    Parameters
-    ----------
-    radiances : Radiances
-        Radiances by direction.
-    factor : float
-        Factor that converts the radiances to the unit of `value`.
-    value : Axis
-        Label and unit of the values.
-    normal : tuple of 3 floats, optional
-        Direction of view; up by default.
-    title : str, optional
-    sun : tuple of 2 floats [rad], optional
-        Polar angle and azimuth of the sun, to be marked.
-    is_image : bool, optional
-        Whether it is an image with edges, not a smooth sky.
+    `factor` converts the radiances to the unit of `value`; `sun` is marked at its polar angle and
+    azimuth [rad].
     """
     forward, _, up = facing(normal)
     is_level = not (forward[0] or forward[1])
@@ -186,14 +164,7 @@ def integrand(
 ) -> Chart:
     """Return an expression over the polar angle at some azimuths, and its part in the integral.
 
-    Parameters
-    ----------
-    text : str
-        The expression.
-    unit : str
-        Its unit; "" for a number.
-    polar_angles, azimuths : tuple of 2 floats [rad]
-        Limits of the integral.
+    `polar_angles` and `azimuths` [rad] are the limits of the integral.
     """
     expression = Expression(text)
     theta = numpy.linspace(*polar_angles, POLARS)

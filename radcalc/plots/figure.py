@@ -65,13 +65,7 @@ SETTINGS = {
 
 
 def figure(picture: Picture) -> Any:
-    """Return a picture as a Matplotlib figure, which a notebook shows.
-
-    Raises
-    ------
-    ConditionError
-        If Matplotlib is not installed.
-    """
+    """Return a Matplotlib figure; raise a ConditionError without Matplotlib."""
     matplotlib = _matplotlib()
     from matplotlib.figure import Figure
 
@@ -88,13 +82,7 @@ def figure(picture: Picture) -> Any:
 
 
 def data(picture: Picture, extension: str) -> bytes:
-    """Return a picture as the bytes of an SVG or PNG file, which are reproducible.
-
-    Parameters
-    ----------
-    picture : Picture
-    extension : {".svg", ".png"}
-    """
+    """Return a picture as the bytes of an SVG or PNG file, which are reproducible."""
     matplotlib = _matplotlib()
     out = io.BytesIO()
     metadata = {"Date": None} if extension == ".svg" else {"Software": None}
@@ -106,22 +94,12 @@ def data(picture: Picture, extension: str) -> bytes:
 
 
 def check_place(path: str) -> str:
-    """Check that a figure can be written, before the work whose result would be lost.
-
-    Parameters
-    ----------
-    path : str
-        File to be written.
-
-    Returns
-    -------
-    str
-        Its extension, one of `FORMATS`.
+    """Return the extension of a file, after a check that a figure can be written to it.
 
     Raises
     ------
     ConditionError
-        If the extension is another one, or Matplotlib is not installed.
+        If the extension is not one of `FORMATS`, or Matplotlib is not installed.
     OutputError
         If the file cannot be written, as far as that is known in advance.
     """
@@ -133,14 +111,7 @@ def check_place(path: str) -> str:
 
 
 def write(path: str, picture: Picture) -> None:
-    """Write a picture into a file, completely or not at all.
-
-    Parameters
-    ----------
-    path : str
-        A path accepted by `check_place`.
-    picture : Picture
-    """
+    """Write a picture into a file accepted by `check_place`, completely or not at all."""
     from radcalc.distributions.contents import written
 
     drawn = data(picture, check_place(path))
@@ -196,7 +167,7 @@ def _chart(chart: Chart, drawing: Any) -> None:
 
 
 def _colors(chart: Chart) -> Sequence[Any]:
-    """Return a colour for each curve; if there are many, ordered colours of the colour map."""
+    """Return a colour for each curve; many have ordered colours."""
     count = len(chart.curves)
     if not chart.crowd:
         return COLORS * count
@@ -206,7 +177,7 @@ def _colors(chart: Chart) -> Sequence[Any]:
 
 
 def _hues(chart: Chart, axes: Any) -> None:
-    """Draw colours along the axis: below a single curve, else in a strip above the axis."""
+    """Draw colours below a single curve, else in a strip above the axis."""
     import numpy
 
     curves = chart.curves
@@ -319,7 +290,7 @@ def _disc(disc: Disc, drawing: Any) -> None:
 def _filled(
     drawing: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis, inside: Any = None
 ) -> None:
-    """Draw contours with numbers inside the given region, and colours between them."""
+    """Draw contours with numbers inside a region, and colours between them."""
     import matplotlib
     import numpy
 
@@ -350,12 +321,11 @@ def _filled(
 
 
 def _safe(text: str) -> str:
-    """Return a user's text, escaped so that Matplotlib does not read it as a formula."""
+    """Escape a user's text, which Matplotlib would read as a formula."""
     return printable(text).replace("$", r"\$")
 
 
 def _text(axis: Axis) -> str:
-    """Return the title of an axis, with typeset indices and powers."""
     unit = POWER.sub(lambda match: match[0].translate(SUPERSCRIPTS), axis.unit)
     return INDEX.sub(r"$\1_{\\mathrm{\2}}$", axis._replace(unit=unit).title)
 

@@ -28,15 +28,7 @@ class Surveyed(NamedTuple):
 def over_grid(survey: Surveyed) -> Picture:
     """Return results at the points of a grid: contours over a plane, or a curve along a line.
 
-    Parameters
-    ----------
-    survey : Surveyed
-        Its `wanted` is the result to draw, NAME[:UNIT].
-
-    Raises
-    ------
-    UsageError
-        If the grid is a point, or has three dimensions.
+    Raise a UsageError if the grid is a point, or has three dimensions.
     """
     long = [k for k, axis in enumerate(survey.axes) if axis.size > 1]
     if not 1 <= len(long) <= 2:

@@ -1,8 +1,7 @@
 """A sheet of characters to draw a picture on, with axes and texts around it.
 
 Its dots are those of Braille characters, or whole characters in ASCII.  Each colour has its own
-canvas, on which plotille sets the dots; a sheet combines the canvases, with texts on top.  Only
-this module imports plotille.
+canvas of plotille, which only this module imports.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -35,10 +34,7 @@ class Style(NamedTuple):
 
 
 class Layer(NamedTuple):
-    """Dots of one colour, and their character in ASCII.
-
-    `colors` has the colours of columns that differ from it.
-    """
+    """Dots of one colour, and their character in ASCII; `colors` has those of other columns."""
 
     canvas: Any
     color: str
@@ -68,7 +64,7 @@ class Sheet:
         return canvas
 
     def write(self, column: int, row: int, text: str, color: str = "") -> None:
-        """Write a text from a column on, rows from the top; text outside is omitted."""
+        """Write a text; what is outside is omitted."""
         for k, letter in enumerate(printable(text)):
             if 0 <= column + k < self.columns and 0 <= row < self.rows:
                 self.texts[column + k, row] = letter, color
@@ -83,15 +79,12 @@ class Sheet:
         )
 
     def row(self, y: float) -> int:
-        """Return the row of a height, from the top."""
         return self.place(self.x[0], y)[1]
 
     def column(self, x: float) -> int:
-        """Return the column of a position on the x axis."""
         return self.place(x, self.y[0])[0]
 
     def lines(self, style: Style) -> list[str]:
-        """Return the rows as texts."""
         drawn = [layer.canvas.plot("\n").split("\n") for layer in self.layers]
         lines = []
         for row in range(self.rows):
@@ -105,7 +98,7 @@ class Sheet:
         return lines
 
     def _dots(self, letters: Sequence[str], column: int, style: Style) -> tuple[str, str]:
-        """Combine the dots of all layers in a cell, in the colour of the topmost layer."""
+        """Combine the dots of all layers, in the colour of the topmost."""
         dots, top = 0, None
         for letter, layer in zip(letters, self.layers, strict=True):
             if ord(letter) > EMPTY:
@@ -118,7 +111,6 @@ class Sheet:
 
 
 def _joined(cells: Iterable[tuple[str, str]], style: Style) -> str:
-    """Join letters, with escape sequences where their colour changes."""
     line, now = "", ""
     for letter, color in cells:
         if style.color and color != now and letter != " ":
@@ -154,7 +146,7 @@ def dotted(canvas: Any, pieces: Iterable[Piece], apart: int = APART) -> None:
 
 
 def blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
-    """Draw a cross of dots, 3 by 3, around a point, as far as it is inside."""
+    """Draw a cross of 3 by 3 dots around a point, as far as it is inside."""
     across = (sheet.x[1] - sheet.x[0]) / (2 * sheet.columns)
     up = (sheet.y[1] - sheet.y[0]) / (4 * sheet.rows)
     for i in (-1, 0, 1):
@@ -174,7 +166,7 @@ def heading(title: str, style: Style) -> list[str]:
 def beside(
     axis: Axis, sheet: Sheet, numbers: Mapping[float, str], margin: int, style: Style
 ) -> list[str]:
-    """Return the rows of a sheet with the y axis on the left, and the axis title above them."""
+    """Return the rows of a sheet with the y axis on the left, and its title above."""
     numbered = {sheet.row(place): text for place, text in numbers.items()}
     lines = [" " * (margin - 1) + part for part in fold(axis.title, style.width - margin)]
     for row, line in enumerate(sheet.lines(style)):

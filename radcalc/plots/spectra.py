@@ -27,7 +27,7 @@ EACH = "each relative to its own peak"
 def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -> Chart:
     """Return spectra in watts per nanometre, with an observer's luminous efficiency.
 
-    Relative spectra, or spectra of different quantities, are relative to their own peaks.  The
+    Relative spectra, and spectra of different quantities, are relative to their own peaks.  The
     efficiency has its maximum at the greatest value of the spectra.
     """
     quantities = {source.absolute for source in sources}
@@ -73,7 +73,7 @@ def efficiency(eye: Observer, most: float = 1.0) -> Series:
 def hues() -> list[Hue]:
     """Return the colours of wavelengths, as close as a screen can show them, at full brightness.
 
-    No single wavelength is within sRGB (IEC 61966-2-1): negative components are omitted.
+    No single wavelength is within sRGB: negative components are omitted.
     """
     visible = []
     for k in range(0, len(X), APART):
@@ -86,7 +86,6 @@ def hues() -> list[Hue]:
 
 
 def _encoded(part: float) -> float:
-    """Encode a linear component of a colour in sRGB."""
     return 12.92 * part if part <= 0.0031308 else 1.055 * part ** (1 / 2.4) - 0.055
 
 
@@ -111,7 +110,6 @@ def _ends(places: Sequence[Sequence[float]], limits: Range) -> Range:
 
 
 def _thermal(bodies: Sequence[BlackBody], limits: Range) -> Range:
-    """Return the common range of wavelengths for black bodies."""
     peaks = [body.peak()[0] for body in bodies]
     low, high = min(VISIBLE[0], *peaks, 1e99) / 10, max(VISIBLE[1], *(WIDEST * x for x in peaks), 0)
     return max(low, limits[0]), min(high, limits[1])

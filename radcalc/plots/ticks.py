@@ -17,21 +17,6 @@ ROUNDING = 1e-9  # of a step: tolerance of a tick
 def ticks(low: float, high: float, most: int) -> list[float]:
     """Return evenly spaced round numbers between two ends, including round ends.
 
-    Parameters
-    ----------
-    low, high : float
-        The ends, low < high.
-    most : int
-        Greatest number of ticks.
-
-    Returns
-    -------
-    list of float
-
-    Examples
-    --------
-    >>> ticks(0.0, 1.0, 6)
-    [0.0, 0.2, 0.4, 0.6, 0.8, 1.0]
     >>> ticks(380.0, 780.0, 5)
     [400.0, 500.0, 600.0, 700.0]
     """
@@ -45,27 +30,13 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def round_step(least: float) -> float:
-    """Return the smallest of 1, 2, 2.5, 5 times a power of ten that is not below a number.
-
-    Examples
-    --------
-    >>> round_step(0.13), round_step(70.0)
-    (0.2, 100.0)
-    """
+    """Return the smallest of 1, 2, 2.5, 5 times a power of ten that is not below a number."""
     power = 10.0 ** math.floor(math.log10(least))
     return next(s for s in STEPS if s * power >= least * (1 - ROUNDING)) * power
 
 
 def log_ticks(low: float, high: float, most: int) -> list[float]:
-    """Return powers of ten between two ends, with 2 and 5 times them if there is room.
-
-    Examples
-    --------
-    >>> log_ticks(1.0, 100.0, 9)
-    [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0]
-    >>> log_ticks(1e-6, 1e6, 5)
-    [1e-06, 0.001, 1.0, 1000.0, 1000000.0]
-    """
+    """Return powers of ten between two ends, with 2 and 5 times them if there is room."""
     ends = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     for factors in ((1, 2, 5), (1,)):
         places = [float(f"{f}e{power}") for power in ends for f in factors]
@@ -81,12 +52,8 @@ def log_ticks(low: float, high: float, most: int) -> list[float]:
 def limits(values: list[float], most: int) -> tuple[float, float]:
     """Return round ends of an axis for values, including 0 if it is near.
 
-    Examples
-    --------
-    >>> limits([3.0, 97.0], 6)
-    (0.0, 100.0)
-    >>> limits([996.0, 1004.0], 6)
-    (996.0, 1004.0)
+    >>> limits([3.0, 97.0], 6), limits([996.0, 1004.0], 6)
+    ((0.0, 100.0), (996.0, 1004.0))
     """
     low, high = min(values), max(values)
     if 0 < low < high / 2:
@@ -100,13 +67,7 @@ def limits(values: list[float], most: int) -> tuple[float, float]:
 
 
 def rings(most: float) -> list[float]:
-    """Return the radii of the circles of a polar diagram for values up to `most`.
-
-    Examples
-    --------
-    >>> rings(420.0)
-    [100.0, 200.0, 300.0, 400.0, 500.0]
-    """
+    """Return the radii of the circles of a polar diagram for values up to `most`."""
     return ticks(0.0, limits([0.0, most], RINGS)[1], RINGS)[1:]
 
 
@@ -116,14 +77,8 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
     If the ends are far apart, they are 1, 2 and 5 times powers of ten.  A least value that is a
     rounding error of 0, as at the horizon of a cosine, counts as 0.
 
-    Examples
-    --------
-    >>> levels([220.0, 510.0])
-    [250.0, 300.0, 350.0, 400.0, 450.0, 500.0]
     >>> levels([0.4, 210.0])
     [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0]
-    >>> levels([6e-17, 210.0])
-    [25.0, 50.0, 75.0, 100.0, 125.0, 150.0, 175.0, 200.0]
     """
     ordered = sorted(values)
     low, high = ordered[0], ordered[-1]
@@ -135,13 +90,7 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
 
 
 def ends(values: Iterable[float]) -> tuple[float, float]:
-    """Return the least and the greatest of many values, with 0 for a rounding error of 0.
-
-    Examples
-    --------
-    >>> ends([6e-17, 210.0])
-    (0.0, 210.0)
-    """
+    """Return the least and the greatest of many values, with 0 for a rounding error of 0."""
     numbers = [*values]
     low, high = min(numbers), max(numbers)
     least = ROUNDED * max(abs(low), abs(high))
@@ -151,8 +100,6 @@ def ends(values: Iterable[float]) -> tuple[float, float]:
 def shades(values: list[float]) -> tuple[float, float]:
     """Return the ends of a logarithmic brightness scale; values beyond them are clipped.
 
-    Examples
-    --------
     >>> shades([0.0, 2.0, 400.0])
     (0.4, 400.0)
     """
@@ -164,8 +111,6 @@ def shades(values: list[float]) -> tuple[float, float]:
 def texts(values: list[float]) -> list[str]:
     """Return different numbers as axis labels, with enough digits to distinguish them.
 
-    Examples
-    --------
     >>> texts([0.0, 0.5, 1.0]), texts([0.0, 2e-7])
     (['0', '0.5', '1'], ['0', '2e-07'])
     """

@@ -10,14 +10,14 @@ LINES = 1000  # lines to format at a time
 
 
 def lines(columns: Sequence[Any], precision: int | None, count: int = 1) -> str:
-    """Return tab-separated columns on `count` lines, or on a line for each element of arrays."""
+    """Return tab-separated columns on `count` lines, or a line for each element of arrays."""
     if not any(map(is_array, columns)):
         return ("\t".join(number(column, precision) for column in columns) + "\n") * count
     return formatted(columns, f"%.{precision or DIGITS}g", "\t")
 
 
 def formatted(columns: Sequence[Any], form: str, delimiter: str) -> str:
-    """Return a line for each element of arrays; `form` formats numbers, texts stay unchanged."""
+    """Return a line for each element of arrays; `form` formats numbers, not texts."""
     lists = [column.tolist() for column in columns if is_array(column)]
     flat = lists[0] if len(lists) == 1 else [x for line in zip(*lists, strict=True) for x in line]
     cells = [form if is_array(column) else _text(column, form) for column in columns]
@@ -28,5 +28,4 @@ def formatted(columns: Sequence[Any], form: str, delimiter: str) -> str:
 
 
 def _text(column: Any, form: str) -> str:
-    """Return a number or a text that is the same in all lines."""
     return (column if isinstance(column, str) else form % column).replace("%", "%%")

@@ -19,8 +19,8 @@ REMARKS_ARE_APART = True
 def results(results: Sequence[Result], style: Style) -> str:
     """Return the varied inputs and the results, a line for each answer, under one header.
 
-    A result that an answer does not have is an empty cell.  Text inputs are omitted if the given
-    numbers identify the answers.
+    A missing result is an empty cell.  Text inputs are omitted if the given numbers identify the
+    answers.
     """
     units = units_of_varied([result.inputs for result in results])
     given = [[row for row in result.rows if row.given] for result in results]
@@ -75,7 +75,7 @@ def units_of_varied(inputs: Sequence[Sequence[ShownInput]]) -> dict[str, str]:
 
 
 def records(records: Records, style: Style) -> str:
-    """Return the rows under their names."""
+    """Return rows under a header."""
     return _write([list(records.rows[0]), *fields(records)])
 
 
@@ -86,7 +86,7 @@ def verdict(judgement: Judgement, style: Style) -> str:
 
 
 def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
-    """Return the named inputs by their column titles, as numbers in their units or as texts."""
+    """Return the named inputs by their column titles."""
     return {
         f"{item.name}:{unit}" if unit else item.name: _in(item, unit)
         if unit
@@ -103,7 +103,7 @@ def _is_column(name: str, given: Sequence[Sequence[Row]]) -> bool:
 
 
 def _unit(cells: Sequence[ShownInput | None]) -> str:
-    """Return the unit of the first quantity; '' unless all have its dimension."""
+    """Return the unit of the first quantity, or '' unless all have its dimension."""
     units = {cell.unit if cell else "" for cell in cells}
     if "" in units or len({resolve_given(unit).dimension for unit in units}) > 1:
         return ""
@@ -111,7 +111,6 @@ def _unit(cells: Sequence[ShownInput | None]) -> str:
 
 
 def _in(item: ShownInput, unit: str) -> Any:
-    """Return the number of an input in another unit of its quantity."""
     if item.unit == unit:
         return item.value
     return plan(resolve_given(item.unit), resolve_given(unit)).apply(item.value)

@@ -1,8 +1,6 @@
-"""Output formats: a module for each, with three functions that return a text.
+"""Output formats: a module for each, with the functions of `Renderer`.
 
-`results(results, style)` is for answers, `records(records, style)` for lists, and
-`verdict(judgement, style)` for a checked answer.  `REMARKS_ARE_APART` means that assumptions and
-notes go to standard error instead.
+`REMARKS_ARE_APART` means that assumptions and notes go to standard error instead.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,9 +18,7 @@ FORMATS = (TABLE, PLAIN, JSON, CSV)
 class Style(NamedTuple):
     """Style of a text: digits, bare numbers, width, colour, language, remarks.
 
-    `command` is the command that answers.
-    `brief` allows a single line for a single value, as at the prompt.
-    `auto` selects SI prefixes of the units.
+    `brief` allows a single line for a single value, as at the prompt; `auto` selects SI prefixes.
     """
 
     precision: int | None = None
@@ -37,10 +33,9 @@ class Style(NamedTuple):
 
 
 class Records(NamedTuple):
-    """Rows of named fields; `table` has the rows for a table, whose notes are below it.
+    """Rows of named fields; a `table` shows other rows, with its notes below.
 
-    A field may be a list of texts, which JSON keeps; other formats join them with commas.
-    `inputs` are the search terms.
+    A field may be a list of texts.  `inputs` are the search terms.
     """
 
     rows: Sequence[Mapping[str, Any]]
@@ -64,7 +59,7 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     class Renderer(Protocol):
-        """The contents of a format's module."""
+        """The functions of a format's module, for answers, lists and checked answers."""
 
         REMARKS_ARE_APART: bool
 

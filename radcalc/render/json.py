@@ -1,8 +1,6 @@
 """Strict JSON at full precision, with one schema for every command.
 
-An answer is an object: the command, its inputs and results by name, assumptions, notes, the
-derivation, and the verdict on a claim.  Several answers are an array of objects; the answers for
-the days of a log are always an array.
+Several answers are an array of objects, as always the answers for the days of a log.
 """
 
 import json
@@ -17,7 +15,7 @@ REMARKS_ARE_APART = False
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """Return one object, or for several answers an array with an object on each line."""
+    """Return an object, or an array with an object on each line."""
     objects = [_text(_of_result(result, style)) for result in results]
     together = ",\n".join(objects)
     is_list = len(objects) != 1 or any(item.tells for result in results for item in result.inputs)
@@ -30,13 +28,13 @@ def line(result: Result, style: Style, place: Mapping[str, object]) -> str:
 
 
 def records(records: Records, style: Style) -> str:
-    """Return one object; its `records` are the rows."""
+    """Return an object whose `records` are the rows."""
     answer = _object(style, records.inputs, notes=records.notes)
     return f"{_text({**answer, 'records': list(records.rows)})}\n"
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
-    """Return one object; its `check` is the judgement, and its result the right value."""
+    """Return an object whose `check` is the judgement, and its result the right value."""
     verdict, right = judgement.verdict, judgement.right
     check = {
         "right": verdict.right,
@@ -71,7 +69,6 @@ def _object(
     steps: Iterable[Step] = (),
     check: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """Return the object that every answer has."""
     return {
         "command": style.command,
         "inputs": {item.name: _input(item) for item in inputs},
@@ -84,7 +81,7 @@ def _object(
 
 
 def _input(item: ShownInput) -> dict[str, Any]:
-    """Return a quantity as number and unit, with its text if it has one; else a text or true."""
+    """Return a quantity as number and unit, with any text; else a text or true."""
     if item.is_quantity:
         amount = _amount(item.value, item.uncertainty, item.unit)
         return {**amount, "text": item.text} if item.text else amount
@@ -92,7 +89,7 @@ def _input(item: ShownInput) -> dict[str, Any]:
 
 
 def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
-    """Return the results by name; values of a result in further units are in `also`."""
+    """Return the results by name; values in further units are in `also`."""
     results: dict[str, Any] = {}
     for row in rows:
         off = row.uncertainty and _rounded(row.uncertainty, style)
@@ -107,13 +104,11 @@ def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
 
 
 def _amount(value: Any, uncertainty: float, unit: str) -> dict[str, Any]:
-    """Return a number in a unit, with its standard uncertainty if it has one."""
     off = {"uncertainty": uncertainty} if uncertainty else {}
     return {"value": value, **off, "unit": unit}
 
 
 def _text(data: Any) -> str:
-    """Return an object on one line, with unprintable characters escaped."""
     text = json.dumps(data, ensure_ascii=False, allow_nan=False)
     if text.isprintable():
         return text

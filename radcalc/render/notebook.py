@@ -65,7 +65,6 @@ def _row(row: Row) -> str:
 
 
 def _cells(tag: str, texts: Sequence[str]) -> str:
-    """Return a row of cells, with right-aligned numbers."""
     *first_cells, unit = texts
     name, symbol, value, unit = map(escape, (*first_cells, unit_behind(unit).strip()))
     return (
@@ -85,7 +84,7 @@ def _value(row: Row) -> str:
 
 
 def _number(values: Any) -> str:
-    """Return an array's elements or those at its ends; only its shape if it is not computed."""
+    """Return an array's elements or those at its ends; its shape if it is not computed."""
     if not hasattr(values, "tolist"):
         return f"an array of the shape {values.shape}, not computed yet"
     if values.ndim > 1:

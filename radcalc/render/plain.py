@@ -16,12 +16,12 @@ REMARKS_ARE_APART = True
 
 
 def number(value: float, precision: int | None = None) -> str:
-    """Format a number with 12 significant digits, or as requested."""
+    """Format a number with 12 significant digits by default."""
     return f"{value:.{precision or DIGITS}g}"
 
 
 def uncertain(value: float, off: float, precision: int | None = None, digits: int = DIGITS) -> str:
-    """Format a number with its standard uncertainty, 9.29 ± 0.28, if it has one.
+    """Format a number with any standard uncertainty: 9.29 ± 0.28.
 
     The uncertainty has two significant digits and the number has as many decimal places; with a
     precision, both have that many digits.
@@ -48,7 +48,7 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
 def line(
     value: float, unit: str, precision: int | None = None, bare: bool = False, off: float = 0.0
 ) -> str:
-    """Return a converted value: VALUE, a tab and UNIT, or the bare number."""
+    """Return VALUE, a tab and UNIT, or the bare number."""
     text = uncertain(value, off, precision) if off and not bare else number(value, precision)
     return f"{text}\n" if bare else f"{text}\t{unit}\n"
 

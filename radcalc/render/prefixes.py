@@ -42,7 +42,7 @@ def with_prefixes(results: Sequence[Result], form: str, precision: int | None) -
 
 
 def _suited(rows: Sequence[Row], precision: int | None, digits: int) -> str:
-    """Return the unit of rows with the best prefix for the rounded numbers; unchanged for zeros.
+    """Return the unit with the best prefix for the rounded numbers; unchanged for zeros.
 
     As few numbers as possible have an exponent, and the smallest is between 1 and 1000.
     """
@@ -79,7 +79,6 @@ def _rounded(value: float, off: float, precision: int | None, digits: int) -> fl
 
 
 def _in_unit(row: Row, unit: str) -> Row:
-    """Return a row in another unit of its quantity."""
     if unit == row.unit:
         return row
     source, target = resolve(row.unit), resolve(unit)

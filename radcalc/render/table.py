@@ -1,7 +1,7 @@
 """Tables for people, drawn by Rich; only this module imports it.
 
-Users' text is never read as markup, and nothing is cut off: texts are folded between words.  If a
-number, a unit or a word does not fit, each row is a line instead of a row of a table.
+Users' text is never read as markup, and nothing is cut off.  If a number, a unit or a word does not
+fit, each row is a line instead of a row of a table.
 """
 
 import io
@@ -33,10 +33,7 @@ REMARKS_ARE_APART = False
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """Draw the rows that all results share, a table of the others, the remarks and the steps.
-
-    Names of quantities are translated, if a translation exists.
-    """
+    """Draw the rows that all results share, a table of the others, the remarks and the steps."""
     below = _remarks_and_steps(results, style)
     shared = _alike(results)
     above = _alike_lines(shared, style.precision, style.language)
@@ -52,7 +49,6 @@ def results(results: Sequence[Result], style: Style) -> str:
 
 
 def _remarks_and_steps(results: Sequence[Result], style: Style) -> list[str]:
-    """Return the lines below a table: assumptions and notes, each once, then the steps."""
     lines: list[str] = []
     if style.remarks:
         lines = remarks(
@@ -63,10 +59,7 @@ def _remarks_and_steps(results: Sequence[Result], style: Style) -> list[str]:
 
 
 def _line_per_result(results: Sequence[Result], style: Style) -> "Drawn | None":
-    """Return a table with a column for each quantity; None if the results or the width do not fit.
-
-    The symbols in its column titles are explained below it.
-    """
+    """Return a table with a column for each quantity; None if results or width do not fit."""
     wide = _wide(results, style.precision, style.language)
     fitting = _widths(wide, wide[0], style.width) if wide else None
     if not wide or not fitting or fitting[1] != WIDE:
@@ -82,10 +75,7 @@ def _line_per_result(results: Sequence[Result], style: Style) -> "Drawn | None":
 
 
 def _line_per_row(results: Sequence[Result], rows: Sequence[Row], style: Style) -> "Drawn":
-    """Return a table with a line for each of the results' `rows`.
-
-    A quantity that is the same in all of them is above the table.
-    """
+    """Return a table with a line for each row; a quantity shared by all is above it."""
     names, cases = _cases(results)
     header = [*names, "quantity", "symbol", "value", "unit"]
     lines = [
@@ -109,7 +99,7 @@ def _line_per_row(results: Sequence[Result], rows: Sequence[Row], style: Style) 
 
 
 def records(records: Records, style: Style) -> str:
-    """Return a table of a list's own columns, with its notes below.
+    """Return a table with its notes below.
 
     A column with the same text in all rows is shown above the table instead, except the first
     column, numbers and units.
@@ -128,13 +118,12 @@ def records(records: Records, style: Style) -> str:
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
-    """Return the words of plain text, with the digits of a table, folded."""
+    """Return the text of plain output, with the digits of a table, folded."""
     lines = plain.verdict(judgement, style, TABLE_DIGITS).splitlines()
     return _folded(lines, style)
 
 
 def _line(row: Row, style: Style) -> str:
-    """Return a single value in one line, with the name of its quantity."""
     name = _quantity(row, style.language)
     number = _number(row, style.precision)
     if style.color:
@@ -145,12 +134,11 @@ def _line(row: Row, style: Style) -> str:
 
 
 def _quantity(row: Row, language: str) -> str:
-    """Return the name of a row's quantity, with "(given)" if it was given."""
     return translate(row.quantity, language) + (" (given)" if row.given else "")
 
 
 def _letter(row: Row) -> str:
-    """Return the symbol of a row, in characters of the encoding of standard output."""
+    """Return the symbol of a row, in characters that standard output can encode."""
     if can_show(row.symbol):
         return row.symbol
     from radcalc.derivation import in_ascii
@@ -174,7 +162,7 @@ def _others(rows: Sequence[Row], alike: Sequence[Row]) -> tuple[Row, ...]:
 
 
 def _alike_lines(rows: Sequence[Row], precision: int | None, language: str) -> list[str]:
-    """Return a line of the rows that were given, and a line of the others."""
+    """Return a line of the given rows, and a line of the others."""
     mark = f"{KEPT}· " if can_show("·") else ", "
     lines = []
     for word, is_given in (("given", True), ("in each", False)):
@@ -192,13 +180,12 @@ def _alike_lines(rows: Sequence[Row], precision: int | None, language: str) -> l
 def _without(
     header: Sequence[str], lines: Sequence[Sequence[str]], names: Container[str]
 ) -> tuple[list[str], list[list[str]]]:
-    """Return a table without some of its columns."""
     kept = [place for place, name in enumerate(header) if name not in names]
     return [header[k] for k in kept], [[line[k] for k in kept] for line in lines]
 
 
 def _cases(results: Sequence[Result]) -> tuple[list[str], list[list[str]]]:
-    """Return the columns of the varied inputs, or of the cases of the answers, and their texts."""
+    """Return the columns that identify the answers, and their texts."""
     labels = [next((row.case for row in result.rows), "") for result in results]
     names = varying([result.inputs for result in results])
     texts = [_texts(result, names) for result in results]
@@ -208,7 +195,6 @@ def _cases(results: Sequence[Result]) -> tuple[list[str], list[list[str]]]:
 
 
 def _texts(result: Result, names: Sequence[str]) -> list[str]:
-    """Return some of the inputs of an answer, as typed."""
     typed = {item.name: item.text or f"{item.value:.12g} {item.unit}" for item in result.inputs}
     return [typed.get(name, "") for name in names]
 
@@ -267,7 +253,7 @@ class Drawn(NamedTuple):
 
 
 def draw(drawn: Drawn, style: Style) -> str:
-    """Draw a table and the lines above and below it, in the width of a style."""
+    """Draw a table and its lines, in the width of a style."""
     header, rows, width = drawn.header, drawn.lines, style.width
     out = io.StringIO()
     out.write(_folded(drawn.above, style))
@@ -317,14 +303,14 @@ def draw(drawn: Drawn, style: Style) -> str:
 
 
 def _box() -> box.Box:
-    """Return the rule below the column titles, in characters of the output encoding."""
+    """Return the rule below the titles, in characters that standard output can encode."""
     if can_show(str(box.SIMPLE_HEAD)):
         return box.SIMPLE_HEAD
     return box.Box(str(box.SIMPLE_HEAD).replace("─", "-"), ascii=True)
 
 
 def _folded(lines: Iterable[str], style: Style) -> str:
-    """Fold lines to a width; colour the label of a remark or a verdict, and references."""
+    """Fold lines; colour the label of a remark or a verdict, and references."""
     text = ""
     for line in lines:
         folded = message(line, style.width, style.color)
@@ -381,7 +367,6 @@ def _lines(
 
 
 def _words(text: str, is_parted: bool = False) -> list[str]:
-    """Return the words of a text, or its parts between blanks and after slashes."""
     return (text.replace("/", "/ ") if is_parted else text).split() or [""]
 
 
