@@ -1,4 +1,4 @@
-"""Long ranges and arrays give what single values give."""
+"""Long ranges and arrays give the same results as single values."""
 
 import itertools
 import math
@@ -28,7 +28,7 @@ PI = math.pi
          "J/kg/K"),
     ],
 )  # fmt: skip
-def test_a_long_range_prints_what_single_values_print(command, option, start, step, unit):
+def test_a_long_range_prints_the_same_as_single_values(command, option, start, step, unit):
     count = 1203
     stop = start + step * (count - 1)
     done = run(*command.split(), option, f"{start}{unit}:{stop:.12g}{unit}:{step}{unit}")
@@ -87,7 +87,7 @@ def test_a_long_range_prints_what_single_values_print(command, option, start, st
          Q([100.0, 385], "J/kg/K")),
     ],
 )  # fmt: skip
-def test_arrays_give_what_floats_give(call, words, base, name, values):
+def test_arrays_give_the_same_as_floats(call, words, base, name, values):
     given_values = {n.replace("-", "_"): text for n, text in base.items()}
     own = name.replace("-", "_")
     columns = call(*words, **given_values, **{own: values})

@@ -1,4 +1,4 @@
-"""Calorimeters in closed form."""
+"""Calorimeters against closed forms."""
 
 import pytest
 from helpers import number
@@ -16,5 +16,5 @@ from radcalc import calorimeter
          "temperature_rise", "K", 0.95 * 120 / 3.85),
     ],
 )  # fmt: skip
-def test_each_answer_about_a_calorimeter_is_its_formula(call, name, unit, expected):
+def test_calorimeters_match_their_formulas(call, name, unit, expected):
     assert number(call(), name, unit) == pytest.approx(expected, rel=1e-12)

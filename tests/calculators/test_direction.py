@@ -1,4 +1,4 @@
-"""Directions and mirrors, from a command to its bare numbers."""
+"""Directions and mirrors: commands and their numbers."""
 
 import math
 
@@ -18,7 +18,7 @@ BALL = "-g mirror-ball-u -g mirror-ball-v -g mirror-ball-w"
     (f"--mirror-ball 0,0 {NAMES}", [0, 0, 1]),
     (f"--mirror-ball 0,-0.8 {NAMES}", [0, -0.96, -0.28]),
     (f"--mirror-ball 0,-1 {NAMES} {BALL}", [0, 0, -1, 0, -1, 0]),
-    # and back, whatever the direction is given by
+    # the reverse, for any form of the direction
     (f"0.96 0 0.28 {BALL}", [0.6, 0, 0.8]),
     (f"0 -9.6m -2.8m {BALL}", [0, -0.8, 0.6]),
     (f"--polar 90deg --azimuth 90deg {BALL}", [0, H, H]),
@@ -48,7 +48,7 @@ def test_a_list_of_directions_is_reflected_one_by_one():
     assert run(*words.split()).stdout.split() == ["180"] * 3
 
 
-def test_the_place_on_a_ball_is_shown_when_it_is_asked_for():
+def test_the_position_on_a_ball_is_shown_on_request():
     assert "mirror-ball" not in run("direction", "1", "1", "1").stdout
     done = run("direction", "1", "1", "1", "--check", "mirror-ball-u=0.325")
     assert done.returncode == 0
@@ -62,7 +62,7 @@ def test_the_place_on_a_ball_is_shown_when_it_is_asked_for():
         ("--mirror-ball 0,0", "at a pole the azimuth is arbitrary"),
     ],
 )
-def test_what_is_odd_is_noted(words, note):
+def test_unusual_inputs_are_noted(words, note):
     assert note in run("direction", *words.split()).stderr
 
 
@@ -87,13 +87,13 @@ def test_what_is_odd_is_noted(words, note):
          "--reflect-at -1,0,-1 for its other side"),
     ],
 )  # fmt: skip
-def test_what_is_no_reflection_is_refused(words, message, hint):
+def test_impossible_reflections_are_refused(words, message, hint):
     done = run("direction", *words.split())
     assert (done.returncode, done.stdout) == (2, "")
     assert message in done.stderr.splitlines()[0]
     assert hint in done.stderr.splitlines()[1]
 
 
-def test_the_other_side_of_a_mirror_is_as_its_hint_says():
+def test_the_hint_for_the_other_side_of_a_mirror_is_right():
     done = run("direction", "0", "0", "-1", "--reflect-at", "-1,0,-1", "-g", "x", "-q")
     assert (done.returncode, done.stdout) == (0, "-1\n")

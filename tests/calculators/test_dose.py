@@ -1,4 +1,4 @@
-"""Samples added up: against exact fractions, in parts, over gaps, in constant memory."""
+"""Sums of samples: against exact fractions, in parts, over gaps, in constant memory."""
 
 import tracemalloc
 from fractions import Fraction
@@ -23,7 +23,7 @@ def days(time):
 
 
 def summed(times, values, size=1 << 20, **told):
-    """A dose of samples that come in parts."""
+    """Return the dose of samples in parts."""
     dose = Dose(**told)
     for k in range(0, len(times), size):
         dose.add(times[k : k + size], values[k : k + size])
@@ -35,7 +35,7 @@ def total(dose):
 
 
 def exact(times, values, longest=None):
-    """The trapezoids, in fractions."""
+    """Return the sum of the trapezoids, in fractions."""
     pairs = list(pairwise(zip(times, map(Fraction, values), strict=True)))
     return sum((v + w) / 2 * (b - a) for (a, v), (b, w) in pairs if not longest or b - a <= longest)
 
@@ -54,7 +54,7 @@ def log_of(steps):
 
 
 @given(LOGS, st.integers(1, 7), st.sampled_from([None, 1, 50, 200]))
-def test_the_sum_is_that_of_fractions_in_parts_and_with_gaps(steps, size, longest):
+def test_sums_in_parts_and_with_gaps_equal_those_of_fractions(steps, size, longest):
     times, values = log_of(steps)
     dose = summed(times, values, size, **({"longest": longest} if longest else {}))
     expected = exact(times, values, longest)
@@ -83,7 +83,7 @@ def test_days_add_up_to_the_whole(steps, size, longest):
 
 @given(LOGS, st.integers(1, 7), st.sampled_from([1, 20, 200]))
 @example([(50, 0.0), (50, 0.0), (250, 0.0), (1, 0.0)], 1, 50)  # a gap begins at midnight
-def test_a_day_is_told_though_nothing_of_it_is_covered(steps, size, longest):
+def test_a_day_without_covered_time_is_listed(steps, size, longest):
     times, values = log_of(steps)
     joined = [b - a <= longest for a, b in pairwise(times)]
     if not any(joined):
@@ -95,7 +95,7 @@ def test_a_day_is_told_though_nothing_of_it_is_covered(steps, size, longest):
     assert sorted(found) == sorted(told)
 
 
-def test_a_trapezoid_over_days_is_cut_on_its_line():
+def test_a_trapezoid_over_several_days_is_split_at_midnight():
     """From 0 at 50 to 300 at 350: 50 at 100, 150 at 200, 250 at 300."""
     dose = summed([50, 350], [0.0, 300.0], spans=days)
     sums = [50 * 25, 100 * 100, 100 * 200, 50 * 275]
@@ -104,15 +104,15 @@ def test_a_trapezoid_over_days_is_cut_on_its_line():
     assert [period.count for period in dose.periods] == [1, 0, 0, 1]
 
 
-def test_small_terms_are_not_lost_beside_large_ones():
-    """1e17 alone, then 10 000 times 1 in blocks of their own, each less than a half ulp (8)."""
+def test_small_terms_are_not_lost_next_to_large_ones():
+    """1e17, then 10 000 blocks with a 1, each less than half an ulp (8)."""
     times = [0, 1, 2, *range(3, 10004)]
     values = [1e17, 1e17, 0.0, *[1.0] * 10001]
     dose = summed(times, values, 1)
     assert total(dose) == exact(times, values)
 
 
-def test_a_sample_left_out_is_a_gap_unless_the_longest_step_is_told():
+def test_an_omitted_sample_is_a_gap_unless_the_longest_step_is_given():
     for told, gaps in (({}, 1), ({"longest": 20, "bridges": True}, 0)):
         dose = Dose(**told)
         dose.add([0], [1.0])
@@ -121,7 +121,7 @@ def test_a_sample_left_out_is_a_gap_unless_the_longest_step_is_told():
         assert (dose.gaps, float(total(dose))) == (gaps, 10 if gaps else 30)
 
 
-def test_a_step_that_rounding_made_longer_is_no_gap():
+def test_a_step_that_rounding_made_longer_is_not_a_gap():
     """Every 10 min in days of 6 decimals: 0.006944 and 0.006945 d are 599.96 and 600.05 s."""
     times = [round(k / 144, 6) * 86400 for k in range(11)]
     assert max(b - a for a, b in pairwise(times)) > 600.04
@@ -129,7 +129,7 @@ def test_a_step_that_rounding_made_longer_is_no_gap():
     assert summed([0, 600, 1201], [1.0] * 3, longest=600).gaps == 1
 
 
-def test_what_is_below_0_is_kept_and_told():
+def test_negative_samples_are_kept_and_noted():
     """From -1 to 3 in 4: below 0 for 1, a triangle of 1/2."""
     dose = summed([0, 4, 8, 10], [-1.0, 3.0, 99.0, 99.0])
     assert total(dose) == 4 + 4 * 51 + 2 * 99
@@ -148,7 +148,7 @@ def test_what_is_below_0_is_kept_and_told():
         ("m", "length"),
     ],
 )
-def test_what_adds_up_to_no_dose_is_refused(unit, said):
+def test_samples_without_a_dose_are_refused(unit, said):
     with pytest.raises(RadcalcError) as refused:
         check_unit(resolve(unit))
     assert said in refused.value.message
@@ -161,12 +161,12 @@ def answer(dose, unit="lx", **inputs):
     return {value.name: value for value in log.of_all(given).values}
 
 
-def test_no_light_has_no_mean_trouble():
+def test_a_log_without_light_has_a_mean_of_0():
     found = answer(summed([0, 10], [0.0, 0.0]))
     assert found["exposure"].amount == found["mean-irradiance"].amount == 0
 
 
-def test_flux_gives_energy_and_over_a_receiver_its_exposure():
+def test_flux_gives_energy_and_with_a_receiver_area_exposure():
     dose = summed([0, 10], [1.0, 3.0])
     found = answer(dose, "mW", **{"receiver-area": "4cm2"})
     assert (found["energy"].amount, found["exposure"].amount) == (0.02, pytest.approx(50))
@@ -182,20 +182,20 @@ def test_flux_gives_energy_and_over_a_receiver_its_exposure():
         ([0, 1, 2], [1e308, 1e308, 1e308], "is too large"),
     ],
 )
-def test_what_is_no_dose_is_refused(times, values, said):
+def test_inputs_without_a_dose_are_refused(times, values, said):
     with pytest.raises(RadcalcError) as refused:
         answer(summed(times, values))
     assert said in refused.value.message
 
 
-def test_a_time_far_from_the_others_makes_no_endless_list(monkeypatch):
+def test_a_distant_time_does_not_make_an_endless_list(monkeypatch):
     monkeypatch.setattr(module, "MOST", 50)
     assert len(summed([0, 49 * DAY], [1.0, 1.0], spans=days).periods) == 50
     with pytest.raises(RadcalcError, match="more than 50 days or hours"):
         summed([0, 50 * DAY], [1.0, 1.0], spans=days)
 
 
-def test_all_gaps_are_refused():
+def test_a_log_of_gaps_only_is_refused():
     with pytest.raises(RadcalcError, match="every step is a gap"):
         answer(summed([0, 10, 20], [1.0, 1.0, 1.0], longest=5))
 

@@ -1,4 +1,4 @@
-"""What a receiver gets of its surroundings: expressions, skies and maps."""
+"""Light from all around on a receiver: expressions, skies and maps."""
 
 import csv
 import io
@@ -18,14 +18,14 @@ LIT = 9424.77796076938  # lx: pi times 3000 cd/m2
 
 
 def asked(*words: str) -> list[float]:
-    """The numbers that a call prints."""
+    """Return the numbers that a call prints."""
     done = run("environment", *words, "-q", "--precision", "15")
     assert not done.stderr, done.stderr
     return [float(number) for number in done.stdout.split()]
 
 
 def written(path, pixels, weights=REC_709, unit=""):
-    """The path of a map's file, of one channel or of R, G and B."""
+    """Write a map, of one channel or of R, G and B, and return its path."""
     pixels = numpy.asarray(pixels, numpy.float32)
     channels = ("Y",) if pixels.ndim == 2 else ("R", "G", "B")
     pixels = pixels.reshape(*pixels.shape[:2], -1)
@@ -35,11 +35,11 @@ def written(path, pixels, weights=REC_709, unit=""):
 
 
 def overcast(projection, width, height):
-    """An overcast sky of 9000 cd/m2 in its zenith, as an image; below the horizon it is dark."""
+    """Return an image of an overcast sky with 9000 cd/m2 in the zenith and a dark ground."""
     rows, columns = numpy.mgrid[:height, :width]
     places = middle_of_pixel(width, height, columns, rows)
     up = direction_at(projection, *places)[2]
-    return numpy.where(up > 0, 3000 * (1 + 2 * up), 0.0)  # NaN, outside of a circle, is not above
+    return numpy.where(up > 0, 3000 * (1 + 2 * up), 0.0)  # outside of a circle up is NaN
 
 
 # -- expressions ----------------------------------------------------------------------------------
@@ -66,7 +66,7 @@ def test_an_expression_has_its_closed_form(source, normal, expected):
     assert found == pytest.approx(expected, rel=1e-6, abs=1e-9)
 
 
-def test_the_mean_is_by_solid_angle_and_the_peak_has_a_direction():
+def test_the_mean_is_weighted_by_solid_angle_and_the_peak_has_a_direction():
     source = "(x + 1)*100 cd/m2"
     found = asked(
         source,
@@ -79,12 +79,12 @@ def test_the_mean_is_by_solid_angle_and_the_peak_has_a_direction():
     )
     found = results(run("environment", source, "--json").stdout)
     letters = {name: row["symbol"] for name, row in found.items()}
-    # as of all directions, and not gamma and C of a luminaire
+    # polar angle and azimuth, not gamma and C of a luminaire
     assert (letters["peak-polar"], letters["peak-azimuth"]) == ("θ_max", "φ_max")
 
 
 @pytest.mark.parametrize("source", ["3 cd/m2", "sky:uniform", "{}"])
-def test_what_is_the_same_in_all_directions_has_no_direction_of_a_peak(tmp_path, source):
+def test_a_uniform_environment_has_no_direction_of_its_peak(tmp_path, source):
     path = written(tmp_path / "ones.exr", numpy.ones((32, 64)), unit="cd/m2")
     done = run("environment", source.format(path))
     assert "note: the radiance is the same in all covered directions" in done.stderr
@@ -95,7 +95,7 @@ def test_what_is_the_same_in_all_directions_has_no_direction_of_a_peak(tmp_path,
     assert "the same in all directions" in asked_for.stderr
 
 
-def test_how_a_map_is_turned_whose_middle_is_straight_up_is_said(tmp_path):
+def test_the_rotation_of_a_map_centred_on_the_zenith_is_stated(tmp_path):
     """A bright pixel left of the middle is then towards +y."""
     pixels = numpy.zeros((32, 64))
     pixels[15:17, 15:17] = 1.0
@@ -114,7 +114,7 @@ def test_answers_to_a_list_of_directions_have_the_direction():
     assert found == [pytest.approx([60, 0]), pytest.approx([90, 0])]
 
 
-def test_a_kind_that_is_linked_is_shown_beside():
+def test_a_linked_kind_is_shown_as_well():
     words = ["1 W/m2/sr", "--wavelength", "555nm"]
     found = asked(*words, "-g", "illuminance:lx", "-g", "mean-luminance:cd/m2")
     assert found == pytest.approx([683 * math.pi, 683], rel=1e-5)  # V(555 nm) is 1 within 1e-5
@@ -123,7 +123,7 @@ def test_a_kind_that_is_linked_is_shown_beside():
     )
 
 
-def test_what_is_relative_has_no_unit_of_light_and_says_so():
+def test_a_relative_environment_has_no_unit_of_light():
     done = run("environment", "1")
     assert "irradiance\t3.14159265359\tsr" in done.stdout
     assert "mean-radiance\t1\t1" in done.stdout
@@ -152,7 +152,7 @@ def test_a_number_is_checked():
     ],
 )
 @pytest.mark.parametrize("normal", ["0,0,1", "3,-1,-2"])
-def test_a_constant_map_gives_pi_of_it_in_every_projection(
+def test_a_constant_map_has_an_irradiance_of_pi_times_its_radiance(
     tmp_path, name, shape, projection, normal
 ):
     path = written(tmp_path / name, numpy.full(shape, 3000.0))
@@ -166,7 +166,7 @@ def test_a_constant_map_gives_pi_of_it_in_every_projection(
     [("latlong", (64, 128)), ("mirror-ball", (128, 128)), ("angular", (80, 80))],
 )
 def test_an_overcast_sky_is_the_same_in_every_projection(tmp_path, projection, shape):
-    """7 pi Lz/9 on the ground, 0.39618 of it on a wall, half of that mean: by its closed forms."""
+    """Closed forms: 7 pi Lz/9 on the ground, 0.39618 of it on a wall, half of that as the mean."""
     height, width = shape
     path = written(tmp_path / "sky.pfm", overcast(projection, width, height))
     words = [path, "--projection", projection, "--unit", "cd/m2", "--toward", "0deg"]
@@ -176,7 +176,7 @@ def test_an_overcast_sky_is_the_same_in_every_projection(tmp_path, projection, s
     assert wall == pytest.approx(0.39618 * up[0], rel=2e-3)
 
 
-def test_the_middle_of_a_map_is_where_it_is_aimed(tmp_path):
+def test_the_centre_of_a_map_is_its_aim(tmp_path):
     """A bright pixel left of the middle is towards +y, or left of the aim; in a ball right."""
     pixels = numpy.zeros((32, 64))
     pixels[15:17, 15:17] = 1.0
@@ -194,8 +194,8 @@ def test_the_middle_of_a_map_is_where_it_is_aimed(tmp_path):
     assert asked(*words, "--aim", "-1,0,0", *names) == pytest.approx([90, 270], **near)
 
 
-def test_the_luminance_of_colours_is_by_their_primaries(tmp_path):
-    """Of Rec. 709 in cd/m2; of Radiance's in W/m2/sr, which counts 179 lm in a watt."""
+def test_the_luminance_of_colours_depends_on_their_primaries(tmp_path):
+    """Rec. 709 in cd/m2; Radiance's primaries in W/m2/sr, with 179 lm/W."""
     colours = numpy.full((16, 32, 3), [1.0, 2.0, 3.0])
     path = written(tmp_path / "colours.pfm", colours)
     luminance = 0.2126 + 2 * 0.7152 + 3 * 0.0722
@@ -219,7 +219,7 @@ def test_the_luminance_of_colours_is_by_their_primaries(tmp_path):
     assert asked(own, "--unit", "W/m2/sr", "-g", "mean-luminance") == pytest.approx([1.75 * 179])
 
 
-def test_the_unit_of_a_map_is_its_own_or_given(tmp_path):
+def test_the_unit_of_a_map_is_in_the_file_or_given(tmp_path):
     ones = numpy.ones((16, 32))
     said = written(tmp_path / "said.exr", ones, unit="cd/m2")
     assert asked(said, "-g", "irradiance:lx") == pytest.approx([math.pi])
@@ -232,7 +232,7 @@ def test_the_unit_of_a_map_is_its_own_or_given(tmp_path):
 
 
 def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path):
-    """As it is written: one channel of a name of its own, here 7 everywhere."""
+    """A channel with any name and the value 7 everywhere."""
     path = written(tmp_path / "colours.exr", numpy.full((16, 32, 3), [1.0, 2.0, 7.0]))
     made = str(tmp_path / "blue.exr")
     words = ["--unit", "1", "--channel", "b"]
@@ -246,7 +246,7 @@ def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path):
 
 
 @pytest.mark.parametrize("extension", [".hdr", ".exr"])
-def test_a_map_that_says_what_it_is_is_believed_aloud_or_overruled_aloud(tmp_path, extension):
+def test_the_metadata_of_a_map_are_used_or_overridden_with_a_note(tmp_path, extension):
     path = str(tmp_path / f"own{extension}")
     pixels = numpy.ones((8, 8, 1), numpy.float32)
     pixels[4, 4] = 2
@@ -276,7 +276,7 @@ def test_a_map_is_read_once_for_a_list_of_directions(tmp_path):
     assert found == pytest.approx([9000, 0, 0], rel=0.01)
 
 
-def test_the_derivation_tells_how_channels_are_weighted(tmp_path):
+def test_the_derivation_has_the_weights_of_channels(tmp_path):
     path = written(tmp_path / "grey.pfm", numpy.ones((16, 32, 3)))
     done = run("environment", path, "--unit", "W/m2/sr", "--steps", "-q")
     assert "L = 0.265 R + 0.67 G + 0.065 B" in done.stderr
@@ -322,7 +322,7 @@ def test_the_derivation_tells_how_channels_are_weighted(tmp_path):
         ((1, 1), "--unit 1 --projection angular", "too few", "4 rows or more"),
     ],
 )
-def test_what_a_map_lacks_is_asked_for(tmp_path, shape, words, message, hint):
+def test_a_missing_property_of_a_map_is_required(tmp_path, shape, words, message, hint):
     path = written(tmp_path / "ones.pfm", numpy.ones(shape))
     done = run("environment", path, *words.split())
     assert (done.returncode, done.stdout) == (2, "")
@@ -347,7 +347,7 @@ def test_what_a_map_lacks_is_asked_for(tmp_path, shape, words, message, hint):
         (b"Pf\n8 4\n-1\n" + b"\0\0\xc0\x7f" * 32, "nan"),
     ],
 )
-def test_a_file_that_is_no_map_is_refused_in_two_lines(tmp_path, data, message):
+def test_other_files_than_maps_are_refused_in_two_lines(tmp_path, data, message):
     path = tmp_path / "environment.hdr"
     path.write_bytes(data)
     done = run("environment", str(path), "--unit", "1")
@@ -365,7 +365,7 @@ def test_a_file_that_is_no_map_is_refused_in_two_lines(tmp_path, data, message):
         ("--reproject made.pfm --to angular", "L' = integral of L domega / integral of domega"),
     ],
 )
-def test_the_derivation_of_a_map_that_is_written(tmp_path, words, formula):
+def test_the_derivation_of_a_written_map(tmp_path, words, formula):
     written(tmp_path / "colours.pfm", numpy.ones((16, 32, 3)))
     words = ["colours.pfm", "--unit", "cd/m2", *words.split()]
     done = run("environment", *words, "--steps", "-q", cwd=tmp_path)
@@ -377,7 +377,7 @@ def test_the_derivation_of_a_map_that_is_written(tmp_path, words, formula):
 # -- arrays ---------------------------------------------------------------------------------------
 
 
-def test_arrays_are_maps_of_numpy_and_of_dask():
+def test_arrays_of_numpy_and_of_dask_are_maps():
     import dask.array
 
     pixels = numpy.random.default_rng(1).uniform(0, 5, (64, 128, 3))
@@ -393,7 +393,7 @@ def test_arrays_are_maps_of_numpy_and_of_dask():
     assert grey["irradiance"].units == radcalc.Quantity(1, "sr").units
 
 
-def test_masked_pixels_are_refused_and_a_mask_that_hides_nothing_is_not():
+def test_masked_pixels_are_refused_but_not_an_empty_mask():
     import dask.array
 
     pixels = numpy.ma.array(numpy.full((16, 32), 3.0), mask=False)
@@ -430,7 +430,7 @@ def test_masked_pixels_are_refused_and_a_mask_that_hides_nothing_is_not():
         ("sky:5", {"zenith_luminance": radcalc.Quantity([1.0, 2.0], "cd/m2")}, "is an array"),
     ],
 )
-def test_what_is_no_map_is_refused(source, given, message):
+def test_other_values_than_maps_are_refused(source, given, message):
     with pytest.raises(radcalc.errors.RadcalcError, match=message):
         radcalc.environment(source, **given)
 
@@ -439,7 +439,7 @@ def test_what_is_no_map_is_refused(source, given, message):
 
 
 def test_a_sky_is_scaled_or_relative_to_its_zenith():
-    """Of (1 + 2 cos Z)/3: 7 pi/9 on the ground, and 0.39618 of it on a wall (CIE S 003)."""
+    """For (1 + 2 cos Z)/3: 7 pi/9 on the ground, and 0.39618 of it on a wall (CIE S 003)."""
     scaled = asked("sky:overcast", "--zenith-luminance", "9000cd/m2", "-g", "irradiance:lx")
     assert scaled == pytest.approx([7000 * math.pi])
     assert asked("sky:overcast", "-g", "irradiance:sr") == pytest.approx([7 * math.pi / 9])
@@ -451,7 +451,7 @@ def test_a_sky_is_scaled_or_relative_to_its_zenith():
     )
 
 
-def test_a_sky_is_at_the_suns_azimuth():
+def test_a_sky_is_rotated_to_the_suns_azimuth():
     words = ["sky:clear", "--sun-elevation", "40deg", "--sun-azimuth", "70deg"]
     assert asked(*words, "-g", "peak-polar", "-g", "peak-azimuth") == pytest.approx([50, 70])
 
@@ -459,7 +459,7 @@ def test_a_sky_is_at_the_suns_azimuth():
 # -- maps that are written ------------------------------------------------------------------------
 
 
-def test_an_irradiance_map_of_a_constant_is_pi_of_it_everywhere(tmp_path):
+def test_an_irradiance_map_of_a_constant_is_pi_times_it(tmp_path):
     path = written(tmp_path / "around.pfm", numpy.full((16, 32, 3), [1000.0, 2000.0, 3000.0]))
     made = str(tmp_path / "lux.exr")
     done = run("environment", path, "--unit", "cd/m2", "--irradiance-map", made, "--json")
@@ -494,8 +494,8 @@ def test_the_pixels_of_an_irradiance_map_are_the_irradiances_of_their_normals(tm
         assert pixels[row, column] == pytest.approx(expected, rel=1e-6)
 
 
-def test_harmonics_of_order_2_say_how_far_off_they_are(tmp_path):
-    """An overcast sky above a dark ground is no nine harmonics: they are off by percents."""
+def test_the_error_of_harmonics_of_order_2_is_stated(tmp_path):
+    """Nine harmonics differ from an overcast sky over a dark ground by some percent."""
     made = str(tmp_path / "lux.exr")
     words = ["sky:overcast", "--zenith-luminance", "9kcd/m2", "--irradiance-map", made]
     done = run("environment", *words, "--size", "32x16", "--order", "2")
@@ -503,13 +503,13 @@ def test_harmonics_of_order_2_say_how_far_off_they_are(tmp_path):
     exact = radcalc.irradiance_map("sky:overcast", (32, 16), zenith_luminance="9 kcd/m2")
     off = abs(read_picture(made).pixels - exact.m).max() / exact.m.max()
     (told,) = re.findall(r"the error is up to ([\d.]+) %", done.stderr)
-    # in other directions, and told in two digits
+    # in other directions, and printed with two digits
     assert 100 * off == pytest.approx(float(told), rel=0.1)
     assert 0.001 < off < 0.05
 
 
-def test_harmonics_below_0_count_as_0_in_a_format_that_holds_no_less(tmp_path):
-    """Nine harmonics of a small sun are below 0 where a receiver is turned away from it."""
+def test_negative_harmonics_are_0_in_formats_without_negative_values(tmp_path):
+    """Nine harmonics of a small sun are negative for receivers turned away from it."""
     pixels = numpy.zeros((32, 64))
     pixels[6, 20] = 1e5
     path = written(tmp_path / "sun.pfm", pixels)
@@ -521,7 +521,7 @@ def test_harmonics_below_0_count_as_0_in_a_format_that_holds_no_less(tmp_path):
 
 
 @pytest.mark.parametrize("to", ["mirror-ball", "angular", "latlong"])
-def test_a_map_in_another_projection_lights_as_before(tmp_path, to):
+def test_a_reprojected_map_has_the_same_irradiances(tmp_path, to):
     path = written(tmp_path / "sky.pfm", overcast("latlong", 64, 32)[..., None] * [1, 2, 3])
     made = str(tmp_path / "other.exr")
     done = run("environment", path, "--unit", "cd/m2", "--reproject", made, "--to", to)
@@ -532,11 +532,11 @@ def test_a_map_in_another_projection_lights_as_before(tmp_path, to):
     for normal in ("0,0,1", "1,0,0", "-1,2,1"):
         names = ("--normal", normal, "-g", "irradiance:lx", "-g", "mean-radiance")
         before = asked(path, "--unit", "cd/m2", *names)
-        # of an .exr the unit is in the file
+        # an .exr file contains its unit
         assert asked(made, "--projection", to, *names) == pytest.approx(before, rel=5e-3)
 
 
-def test_the_corners_of_a_round_map_are_no_least_radiance(tmp_path):
+def test_the_corners_of_a_round_map_do_not_count_as_minimum(tmp_path):
     made = str(tmp_path / "ball.exr")
     words = ["7 cd/m2", "--reproject", made, "--to", "mirror-ball", "--size", "32x32"]
     assert asked(*words, "-g", "minimum-radiance", "-g", "peak-radiance") == pytest.approx([7, 7])
@@ -554,7 +554,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
         "environment", "1 + z", "--reproject", made, "--to", "latlong", "--size", "32x16"
     )
     assert relative.returncode == 0
-    assert asked(made, "-g", "mean-radiance") == pytest.approx([1])  # relative, as the file says
+    assert asked(made, "-g", "mean-radiance") == pytest.approx([1])  # relative
 
 
 @pytest.mark.parametrize(
@@ -603,7 +603,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
         ("--reproject {}.hdr --to angular --size 8x4", "--size 8x4 is not square", "--size 4x4"),
     ],
 )
-def test_what_cannot_be_written_is_refused_and_leaves_no_file(tmp_path, words, message, hint):
+def test_a_refused_map_leaves_no_file(tmp_path, words, message, hint):
     done = run("environment", "sky:5", *words.format("made").split(), cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     said, told = done.stderr.splitlines()
@@ -615,7 +615,7 @@ def test_what_cannot_be_written_is_refused_and_leaves_no_file(tmp_path, words, m
 
 @pytest.mark.parametrize("name", ["own.pfm", "./own.pfm", "link.pfm", "hard.pfm"])
 @pytest.mark.parametrize("words", ["--irradiance-map {}", "--to angular --reproject {}"])
-def test_the_map_that_is_read_is_not_written_over(tmp_path, name, words):
+def test_the_input_map_is_not_overwritten(tmp_path, name, words):
     path = tmp_path / "own.pfm"
     written(path, numpy.ones((16, 32)))
     (tmp_path / "link.pfm").symlink_to("own.pfm")

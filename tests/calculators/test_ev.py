@@ -1,4 +1,4 @@
-"""Exposure values in closed form."""
+"""Exposure values against closed forms."""
 
 import math
 
@@ -19,7 +19,7 @@ from radcalc import ev
         (lambda: ev(illuminance="500lx", f_number=4, iso=400), "time", "s", 16 / 800),
     ],
 )  # fmt: skip
-def test_each_answer_about_an_exposure_is_its_formula(call, name, unit, expected):
+def test_exposures_match_their_formulas(call, name, unit, expected):
     assert number(call(), name, unit) == pytest.approx(expected, rel=1e-12)
 
 
@@ -31,7 +31,7 @@ def test_each_answer_about_an_exposure_is_its_formula(call, name, unit, expected
         ("--illuminance 100lx --c 340lx.s -g illuminance:EV", math.log2(100 / 3.4)),
     ],
 )
-def test_a_reading_in_ev_is_that_of_the_meter_with_its_constant(words, reading):
+def test_a_reading_in_ev_depends_on_the_constant_of_the_meter(words, reading):
     done = run("ev", *words.split())
     assert float(done.stdout) == pytest.approx(reading, rel=1e-9)
     assert ("K = 12.5" in done.stderr.splitlines()[-1]) == (
@@ -53,7 +53,7 @@ def test_a_reading_in_ev_is_that_of_the_meter_with_its_constant(words, reading):
         ("--time 8s --unfiltered-time 1s -g stops", (3,)),
     ],
 )
-def test_filters_are_those_of_a_table_that_makers_print(words, expected):
+def test_filters_match_a_table_of_a_manufacturer(words, expected):
     found = run("ev", *words.split()).stdout.split()
     assert list(map(float, found)) == pytest.approx(expected, rel=4e-3)
 
@@ -72,12 +72,12 @@ def test_filters_are_those_of_a_table_that_makers_print(words, expected):
         ("--guide-number 40m --f-number 4 --stops 2 -g distance", 5, 1e-12),
     ],
 )
-def test_a_flash_reaches_as_far_as_its_manual_says(words, expected, digits):
+def test_the_range_of_a_flash_matches_its_manual(words, expected, digits):
     assert float(run("ev", *words.split()).stdout) == pytest.approx(expected, rel=digits)
 
 
 @pytest.mark.parametrize("marked", ["8", "ND103", "ND", "ND0", "-1"])
-def test_a_mark_of_a_filter_with_two_readings_or_none_is_refused(marked):
+def test_an_ambiguous_or_unknown_mark_of_a_filter_is_refused(marked):
     done = run("ev", "--f-number", "8", "--time", "1s", "--nd", marked)
     assert done.returncode == 2
     assert done.stderr.count("\n") == 2
@@ -87,14 +87,14 @@ def values_of(words):
     return run("ev", *words.split()).stdout
 
 
-def test_behind_a_filter_the_light_is_so_many_stops_more():
+def test_a_filter_adds_its_stops_to_the_light():
     asked = "--f-number 8 --time 1/60s -g ev100 -g luminance"
     ev100, luminance = map(float, values_of(asked).split())
     more = list(map(float, values_of(f"{asked} --stops 3").split()))
     assert more == pytest.approx([ev100 + 3, 8 * luminance], rel=1e-11)
 
 
-def test_a_short_exposure_time_is_a_fraction_in_a_table_only():
+def test_a_short_exposure_time_is_a_fraction_only_in_tables():
     asked = "--f-number 8 --ev100 12 --nd ND4"  # 64 / 2^12 s, times 4
     assert "1/16 " in values_of(f"{asked} --format table")
     assert "time\t0.0625\ts" in values_of(asked)

@@ -1,4 +1,4 @@
-"""The calculators of the geometry, from a command to its bare numbers."""
+"""Calculators of geometry: commands and their numbers."""
 
 import math
 
@@ -58,6 +58,6 @@ def test_commands_give_bare_numbers(words, values):
         (f"--area {4 * math.pi}m2 --radius 1m", 4 * math.pi),
     ],
 )
-def test_a_part_of_a_sphere_is_its_area_over_the_radius_squared(words, expected):
+def test_the_solid_angle_of_a_part_of_a_sphere_is_its_area_over_the_radius_squared(words, expected):
     done = run("solid-angle", "patch", *words.split(), "-g", "solid-angle", "-q")
     assert float(done.stdout) == pytest.approx(expected, rel=1e-11)

@@ -1,4 +1,4 @@
-"""Watts, lumens and photons side by side, and the names of each kind."""
+"""Watts, lumens and photons in one answer, and the names of each kind."""
 
 import itertools
 import math
@@ -33,7 +33,7 @@ GENERIC = [name for name, symbol in SYMBOLS.items() if symbol.generic == name]
             "radiance": "9W/m2/sr", "area": "1cm2", "distance": "3m"}),
     ],
 )  # fmt: skip
-def test_all_kinds_are_what_convert_makes_of_them(law, typed, link):
+def test_all_kinds_agree_with_convert(law, typed, link):
     if "photon-irradiance" in typed and "efficacy" in link:
         link = {"efficacy": "2.1umol/J"}
     answer = law({name: read(name, text) for name, text in {**typed, **link}.items()})
@@ -53,14 +53,14 @@ def test_all_kinds_are_what_convert_makes_of_them(law, typed, link):
 
 
 @pytest.mark.parametrize("quantity", ["flux", "irradiance", "intensity"])
-def test_the_api_has_every_kind_too(quantity):
+def test_the_api_has_all_kinds(quantity):
     found = point_source(flux="800lm", distance="2m", wavelength="555nm")
     for kind in "evp":
         unit = Q(1, LIGHT[quantity].format(*KINDS[kind]))
         assert any(one.check(unit.dimensionality) for one in found.values()), kind
 
 
-def test_another_kind_may_be_given_for_what_is_solved():
+def test_a_quantity_may_be_given_in_another_kind():
     # at 555 nm of 540 THz 683 lm/W: 1 W isotropic gives 683.002 / (4 pi) lx at 1 m
     watts = point_source(flux="1W", illuminance=Q(683.002 / 4 / PI, "lx"), wavelength="555nm")
     assert number(watts, "distance", "m") == pytest.approx(1, rel=1e-6)
@@ -90,7 +90,7 @@ def test_generic_and_specific_names_are_the_same(generic, own, value):
 @pytest.mark.parametrize("quantity", ["flux", "intensity", "irradiance", "exposure", "energy"])
 @pytest.mark.parametrize(("kinds", "ratio"), [("ve", 250.0), ("pe", 3e18), ("vp", 7e-17)])
 def test_a_quantity_in_two_kinds_links_all_the_others(quantity, kinds, ratio):
-    """The ratio of their numbers, whichever comes first."""
+    """By the ratio of their numbers, in either order."""
     texts = {
         k: f"{n}{LIGHT[quantity].format(*KINDS[k])}"
         for k, n in zip(kinds, (4 * ratio, 4), strict=True)
@@ -105,8 +105,8 @@ def test_a_quantity_in_two_kinds_links_all_the_others(quantity, kinds, ratio):
             assert one / other == pytest.approx(ratio, rel=1e-12), name
 
 
-def test_two_kinds_leave_as_much_room_as_their_digits():
-    """800 lm over 3 W are 267 lm/W to the digits typed, and 0.239 W/sr are 63.7 cd with it."""
+def test_two_kinds_are_compared_to_their_digits():
+    """800 lm / 3 W is 267 lm/W to the digits typed; with it 0.239 W/sr are 63.7 cd."""
     typed = {"luminous_flux": "800lm", "radiant_flux": "3.00W"}
     assert point_source(**typed, radiant_intensity="0.239W/sr")
     assert point_source(radiant_intensity="0.239W/sr", **typed)

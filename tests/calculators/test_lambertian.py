@@ -1,4 +1,4 @@
-"""Lambertian sources against integrals over what the receiver sees, and in closed form."""
+"""Lambertian sources against integrals over their visible parts, and closed forms."""
 
 import itertools
 import math
@@ -28,7 +28,7 @@ def interval(low: Any, high: Any) -> tuple[Any, Any]:
 
 
 def seen(x: Any, y: Any, h: float, normal: tuple[float, ...]) -> Any:
-    """cos cos / r^2 of an element at x, y of a ceiling, from a receiver h below the origin."""
+    """Return cos cos / r^2 of an element at x, y of a ceiling, h above a receiver."""
     square = x * x + y * y + h * h
     toward = normal[0] * x + normal[1] * y + normal[2] * h
     assert (toward > -1e-9).all()  # the limits of integration end at the horizon
@@ -36,7 +36,7 @@ def seen(x: Any, y: Any, h: float, normal: tuple[float, ...]) -> Any:
 
 
 def disc_integral(r: float, h: float, x: float, normal: tuple[float, ...]) -> float:
-    """Over the strips across the offset, of a disc whose centre is at -x from the receiver."""
+    """Integrate over strips across the offset; the disc's centre is at -x from the receiver."""
     low, high = -r - x, r - x
     if normal[0] > 0:
         low = max(low, -h * normal[2] / normal[0])
@@ -56,7 +56,7 @@ def disc_integral(r: float, h: float, x: float, normal: tuple[float, ...]) -> fl
 @pytest.mark.parametrize("incidence", [None, -20, 0, 10, 35, 70, 100])
 @pytest.mark.parametrize(("r", "h", "x"), [(0.25, 0.75, 0.1), (1, 1, 2), (2, 1, 0.5), (1, 1, -2)])
 def test_the_light_of_a_disc_is_the_integral_over_it(r, h, x, incidence):
-    """The incidence turns the receiver from the line to the centre, away from the axis."""
+    """The incidence tilts the receiver from the line to the centre, away from the axis."""
     off = math.atan2(abs(x), h)
     tilt = 0.0 if incidence is None else off - math.radians(incidence)
     normal = (-math.copysign(1, x) * math.sin(tilt), 0.0, math.cos(tilt))
@@ -73,7 +73,7 @@ def test_the_light_of_a_disc_is_the_integral_over_it(r, h, x, incidence):
 
 @pytest.mark.parametrize(("r", "d"), [(0.06, 3), (1, 1.5), (1, 1.02)])
 @pytest.mark.parametrize("incidence", [0, 20, 50, 80, 90, 110])
-def test_the_light_of_a_sphere_is_the_integral_over_what_is_above_the_horizon(r, d, incidence):
+def test_the_light_of_a_sphere_is_the_integral_over_its_visible_part(r, d, incidence):
     """Rings about the receiver's normal: cos(a) = cos(t) cos(p) + sin(t) sin(p) cos(phi)."""
     found = lambertian(
         "sphere", radius=f"{r}m", distance=f"{d}m", incidence=f"{incidence}deg",
@@ -99,7 +99,7 @@ def test_the_light_of_a_sphere_is_the_integral_over_what_is_above_the_horizon(r,
 
 
 def rectangle_integral(w, l, h, x, y, normal) -> float:  # noqa: E741
-    """The rectangle's centre is at (-x, -y) from the receiver; cut where the normal is level."""
+    """Integrate; the rectangle's centre is at (-x, -y) from the receiver, whose horizon cuts it."""
     box = [[-w / 2 - x, w / 2 - x], [-l / 2 - y, l / 2 - y]]
     for axis in (0, 1):
         if normal[axis] and not normal[1 - axis]:
@@ -157,7 +157,7 @@ def test_the_light_on_a_receiver_turned_under_a_rectangle(x, y, incidence):
 
 @pytest.mark.parametrize("incidence", [-60, -15, 30, 60, 85])
 @pytest.mark.parametrize("place", ["height", "distance"])
-def test_on_a_rectangles_axis_the_receiver_is_turned_along_the_width(place, incidence):
+def test_on_the_axis_of_a_rectangle_the_receiver_is_tilted_along_the_width(place, incidence):
     angle = math.radians(incidence)
     found = lambertian(
         "rectangle", luminance="3000cd/m2", width="1m", length="2m", incidence=f"{incidence}deg",
@@ -167,7 +167,7 @@ def test_on_a_rectangles_axis_the_receiver_is_turned_along_the_width(place, inci
     assert number(found, "irradiance", "lx") == pytest.approx(expected, rel=1e-10)
 
 
-def test_a_corner_is_half_the_width_and_the_length_aside():
+def test_a_corner_is_off_the_axis_by_half_of_width_and_length():
     sizes = {"luminance": "3000cd/m2", "width": "1m", "length": "2m", "height": "1.5m"}
     for flags in ((), ("perpendicular",)):
         normal = (0, -1, 0) if flags else (0, 0, 1)
@@ -206,7 +206,7 @@ def test_the_sphere_seen_from_a_distance():
 
 
 @pytest.mark.parametrize("half", [10, 45, 80])
-def test_a_disc_and_a_part_of_a_hemisphere_light_the_axis_alike(half):
+def test_a_disc_and_a_part_of_a_hemisphere_have_the_same_light_on_the_axis(half):
     tangent = math.tan(math.radians(half))
     disc = lambertian("disc", luminance="1e4cd/m2", radius=f"{tangent!r}m", distance="1m")
     sky = lambertian("hemisphere", luminance="1e4cd/m2", half_angle=f"{half}deg")
@@ -237,13 +237,13 @@ def test_the_irradiance_of_the_sun():
          "exitance", "lm/m2", 700),
     ],
 )  # fmt: skip
-def test_each_answer_about_a_lambertian_source_is_its_formula(call, name, unit, expected):
+def test_lambertian_sources_match_their_formulas(call, name, unit, expected):
     assert number(call(), name, unit) == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("incidence", [84.5, 87, 89, 90, 91, -93, 95])
-def test_a_disc_that_the_horizon_cuts_is_the_integral_over_what_is_left(incidence):
-    """By the far field it would be 5 % off at 87 degrees, 43 % at 89, and all at 90."""
+def test_a_disc_cut_by_the_horizon_is_the_integral_over_its_visible_part(incidence):
+    """The far field would be off by 5 % at 87 degrees, by 43 % at 89, and be 0 at 90."""
     angle = math.radians(abs(incidence))
     expected = 1000 * disc_integral(1, 10, 0, (math.sin(angle), 0.0, math.cos(angle)))
     placed = {"diameter": "2m", "distance": "10m", "incidence": f"{incidence}deg"}
@@ -254,8 +254,8 @@ def test_a_disc_that_the_horizon_cuts_is_the_integral_over_what_is_left(incidenc
 
 
 @pytest.mark.parametrize("incidence", [-100, -99])
-def test_a_receiver_that_is_turned_past_the_disc_sees_it_over_its_back(incidence):
-    """Turned by 184 degrees from facing the plane, it sees the far edge of a wide disc."""
+def test_a_receiver_turned_past_the_disc_still_sees_its_far_edge(incidence):
+    """At 184 degrees from facing the plane it sees the far edge of a wide disc."""
     off = math.atan2(10, 1)
     tilt = off - math.radians(incidence)
     expected = 1e4 * disc_integral(40, 1, 10, (-math.sin(tilt), 0.0, math.cos(tilt)))
@@ -270,7 +270,7 @@ def test_a_receiver_that_is_turned_past_the_disc_sees_it_over_its_back(incidence
 @pytest.mark.parametrize("incidence", [None, 0, 25, -50])
 @pytest.mark.parametrize(("h", "x", "y"), [(2, 0, 0), (2, 1, 0), (1, 3, -4), (0.5, 0, 5)])
 def test_a_small_patch_above_a_receiver_is_its_disc(h, x, y, incidence):
-    """The integral over a disc of that area, within what the answer says."""
+    """The integral over a disc of that area, within the error in the answer."""
     radius, lateral = 0.02, math.hypot(x, y)
     off = math.atan2(lateral, h)
     tilt = 0.0 if incidence is None else off - math.radians(incidence)
@@ -301,7 +301,7 @@ def test_a_small_patch_above_a_receiver_is_its_disc(h, x, y, incidence):
          lambda: rectangle_integral(1, 2, 1.5, 0, 1, (0, 0, 1))),
     ],
 )  # fmt: skip
-def test_what_is_too_near_is_refused_with_the_call_that_is_exact(texts, expected):
+def test_a_source_that_is_too_near_is_refused_with_the_exact_call(texts, expected):
     given = {name: read(name, text) for name, text in {"luminance": "1e4cd/m2", **texts}.items()}
     with pytest.raises(TooNear) as caught:
         work_out("patch", given)
@@ -312,7 +312,7 @@ def test_what_is_too_near_is_refused_with_the_call_that_is_exact(texts, expected
 
 
 @pytest.mark.parametrize(("r", "h", "x"), [(0.25, 0.75, 0.1), (1, 2, 3), (2, 0.5, 1.5), (1, 1, 1)])
-def test_the_place_and_the_size_of_a_disc_off_its_axis_follow_from_its_light(r, h, x):
+def test_position_and_size_of_a_disc_follow_from_its_light_off_the_axis(r, h, x):
     lux = 1e4 * disc_integral(r, h, x, (0, 0, 1))
     lit = {"luminance": "1e4cd/m2", "illuminance": Q(lux, "lx")}
     sizes = {"radius": f"{r}m", "height": f"{h}m", "offset": f"{x}m"}
@@ -325,7 +325,7 @@ def test_the_place_and_the_size_of_a_disc_off_its_axis_follow_from_its_light(r, 
             assert 1e4 * disc_integral(*place.values(), (0, 0, 1)) == pytest.approx(lux, rel=1e-7)
 
 
-def test_beside_a_disc_two_heights_have_the_same_light():
+def test_next_to_a_disc_two_heights_have_the_same_light():
     found = lambertian(
         "disc", luminance="1e4cd/m2", radius="25cm", offset="50cm", illuminance="1klx"
     )
@@ -335,7 +335,7 @@ def test_beside_a_disc_two_heights_have_the_same_light():
 
 
 @pytest.mark.parametrize("half", [1, 30, 46.7, 89])
-def test_how_much_of_a_hemisphere_shines_follows_from_its_light(half):
+def test_the_half_angle_of_a_cap_follows_from_its_light(half):
     part = PI * math.sin(math.radians(half)) ** 2
     found = lambertian("hemisphere", luminance="3000cd/m2", illuminance=Q(3000 * part, "lx"))
     assert number(found, "half_angle", "deg") == pytest.approx(half, rel=1e-9)
@@ -357,8 +357,8 @@ def test_the_sides_and_the_height_of_a_rectangle_follow_from_its_light(w, l, h):
         lambertian("rectangle", luminance="3000cd/m2", illuminance="9klx", width="1m", height="1m")
 
 
-def test_a_thin_rectangle_is_as_near_as_a_strip():
-    """Of an endless strip of the width w the projected solid angle is pi w / sqrt(w^2 + 4 h^2)."""
+def test_a_thin_rectangle_is_a_strip():
+    """An endless strip of width w has a projected solid angle of pi w / sqrt(w^2 + 4 h^2)."""
     found = lambertian(
         "rectangle", radiance="1W/m2/sr", width="1e-12m", length="1e12m", irradiance="1e-9W/m2"
     )

@@ -69,7 +69,7 @@ def test_a_beam_follows_from_any_sufficient_set(words, asked, expected, rel):
 
 
 def disc(function, radius, rings=20_000):
-    """The sum of a function of the distance from the axis over a disc, ring by ring."""
+    """Sum up a function of the distance from the axis over a disc, ring by ring."""
     step = radius / rings
     return sum(
         function((k + 0.5) * step) * 2 * math.pi * (k + 0.5) * step * step for k in range(rings)
@@ -77,8 +77,8 @@ def disc(function, radius, rings=20_000):
 
 
 @pytest.mark.parametrize("receiver", [0.5e-3, 2e-3, 7e-3, 20e-3])
-def test_a_gaussian_beam_is_what_its_sum_over_rings_is(receiver):
-    """Which has the flux, the mean, the peak and what gets through an aperture."""
+def test_a_gaussian_beam_equals_its_sum_over_rings(receiver):
+    """Flux, mean, peak, and flux through an aperture."""
     found = radcalc.laser(
         flux="1 mW",
         diameter="2 mm",
@@ -101,7 +101,7 @@ def test_a_gaussian_beam_is_what_its_sum_over_rings_is(receiver):
     )
 
 
-def test_a_beam_spreads_as_one_of_the_wave_equation():
+def test_a_beam_spreads_like_a_solution_of_the_wave_equation():
     """w(z) = w0 sqrt(1 + (z lambda / (pi w0^2))^2), whose full angle is 4 lambda / (pi D)."""
     wave, waist = 632.8e-9, 0.4e-3
     angle = 4 * wave / (math.pi * 2 * waist)
@@ -119,7 +119,7 @@ def test_a_limit_that_the_beam_never_reaches_has_no_hazard_distance():
     assert "below the limit at the laser's exit" in done.stderr
 
 
-def test_the_definitions_are_said():
+def test_the_definitions_are_stated():
     done = run("laser", *POINTER.split(), "--distance", "10m", "--limit", "25W/m2")
     for said in ("1/e^2", "86.5 %", "full angle", "as given, applies to the peak"):
         assert said in done.stderr
@@ -127,7 +127,7 @@ def test_the_definitions_are_said():
     assert "at the laser's exit (no --distance)" in done.stderr
 
 
-def test_less_spread_than_diffraction_is_noted():
+def test_less_divergence_than_diffraction_is_noted():
     """4 lambda / (pi D) is 0.677 mrad at 532 nm and 1 mm."""
     words = "laser --flux 5mW --diameter 1mm --limit 25W/m2 --wavelength 532nm --divergence {}mrad"
     assert "0.677 mrad" in run(*words.format(0.6).split()).stderr
@@ -154,7 +154,7 @@ def test_less_spread_than_diffraction_is_noted():
         (f"{POINTER} --limit 25lx", "a link between them"),
     ],
 )
-def test_what_no_beam_has_is_refused(words, message):
+def test_impossible_beams_are_refused(words, message):
     done = run("laser", *words.split())
     assert done.returncode == 2
     assert message in done.stderr

@@ -37,7 +37,7 @@ LONG = [
 
 
 @pytest.mark.parametrize(("words", "name"), LONG)
-def test_a_long_range_gives_what_its_values_give_one_by_one(words, name, capfd):
+def test_a_long_range_gives_the_same_as_single_values(words, name, capfd):
     def answers(text: str) -> list[float]:
         assert run([*text.split(), "-q", "-g", name]) == 0
         return [float(line) for line in capfd.readouterr().out.splitlines()]
@@ -59,7 +59,7 @@ def test_a_long_range_gives_what_its_values_give_one_by_one(words, name, capfd):
         "point-source --intensity 9cd --illuminance 1lx:30lx:0.01lx --distance 2m --flux 9lm",
     ],
 )
-def test_what_a_long_range_does_not_give_is_refused_in_words(words, capfd):
+def test_a_refused_long_range_has_a_message(words, capfd):
     assert run(words.split()) == 2
     said = capfd.readouterr().err
     assert "array" not in said

@@ -33,14 +33,14 @@ def table(tmp_path):
 
 
 def floats(answer):
-    """Every result in coherent SI."""
+    """Return all results in coherent SI."""
     return {
         name: float(numpy.atleast_1d(value.to_base_units().magnitude)[0])
         for name, value in answer.items()
     }
 
 
-def test_a_laboratorys_table_in_one_command(table):
+def test_a_table_of_a_laboratory_in_one_command(table):
     """2 pi times the sum of [-I cos + s sin] over its parts, s the slope per radian."""
     angles, candelas = numpy.radians(range(0, 91, 15)), [300, 290, 260, 200, 110, 30, 0]
     slopes = numpy.diff(candelas) / numpy.diff(angles)
@@ -76,7 +76,7 @@ def test_a_laboratorys_table_in_one_command(table):
     ],
     ids=lambda place: " ".join(place) or "nowhere",
 )
-def test_an_expression_of_a_lobe_is_that_lobe(exponent, place):
+def test_an_expression_of_a_lobe_equals_the_lobe(exponent, place):
     closed = floats(point_source(flux="800lm", exponent=exponent, **place))
     for extra in ({"flux": "800lm"}, {"intensity": Q(closed["intensity"], "cd")}):
         text = LOBE.format(n=exponent)
@@ -94,7 +94,7 @@ def test_an_expression_of_a_lobe_is_that_lobe(exponent, place):
         ("(theta <= 30*deg)", {"half_angle": "30deg"}),
     ],
 )
-def test_an_expression_of_another_shape_is_that_shape(text, closed):
+def test_an_expression_of_another_shape_equals_the_shape(text, closed):
     place = {"height": "3m", "offset": "1m", "offset_y": "0.5m", "flux": "1klm", "within": "20deg"}
     one, other = (
         floats(point_source(**kind, **place)) for kind in ({"distribution": text}, closed)
@@ -104,7 +104,7 @@ def test_an_expression_of_another_shape_is_that_shape(text, closed):
 
 
 def test_sources_that_are_aimed_and_rotated_by_vectors():
-    """A lobe with an oval about its axis, by the turn of straight down to its aim (Rodrigues)."""
+    """An oval lobe, by the rotation from straight down to its aim (Rodrigues)."""
     draw = random.Random(13)
     for _ in range(3):
         aim = [draw.uniform(-1, 1) for _ in range(3)]
@@ -145,8 +145,8 @@ def test_sources_that_are_aimed_and_rotated_by_vectors():
     ("aim", "upward"),
     [("0,0,-1", 0.0), ("0,0,2", 1.0), ("1,0,0", 0.5), ("0,-3,0", 0.5), ("1,0,1", 0.5 + 2**-1.5)],
 )
-def test_what_a_lambertian_source_sends_upwards(aim, upward):
-    """Its projected solid angle over the horizon is (1 + sin(elevation)) / 2 of pi."""
+def test_the_upward_flux_of_a_lambertian_source(aim, upward):
+    """Its projected solid angle above the horizon is (1 + sin(elevation)) / 2 of pi."""
     found = point_source(exponent=1, flux="100lm", aim=aim)
     assert number(found, "upward_flux", "lm") == pytest.approx(100 * upward, abs=1e-3)
 
@@ -172,7 +172,7 @@ def test_the_distance_the_height_and_the_offset_follow_from_an_irradiance(table)
     assert number(asked, "offset", "m") == pytest.approx(1.5)
 
 
-def test_an_irradiance_below_a_source_as_it_is_asks_for_the_offset(table):
+def test_an_irradiance_below_a_source_requires_the_offset(table):
     there = point_source(distribution=table, height="2m", offset="1.5m")
     asked = point_source(distribution=table, height="2m", illuminance=there["irradiance"])
     assert number(asked, "offset", "m") == pytest.approx(1.5)
@@ -181,14 +181,14 @@ def test_an_irradiance_below_a_source_as_it_is_asks_for_the_offset(table):
         point_source(distribution=table, height="2m", illuminance="90lx")
 
 
-def test_a_flux_that_no_cubature_finds_is_left_out():
+def test_a_flux_without_convergence_is_absent():
     found = point_source(distribution="(sin(50*phi)>0)*(sin(50*theta)>0) cd", toward="2deg,2deg")
     assert "flux" not in found
     assert number(found, "intensity_toward", "cd") == 1
 
 
-def test_a_receiver_that_is_nearer_than_five_times_the_size():
-    """Of 40 cm: 2 m is as near as it may be."""
+def test_a_receiver_within_five_times_the_size_of_the_source():
+    """For 40 cm the least distance is 2 m."""
     lamp = Photometry(Lobe(1.0), "test", size=0.4)
     for away, is_near in (("1.9m", True), ("2m", False)):
         given = {"distribution": lamp, "distance": away, "intensity": "1cd"}
@@ -196,8 +196,8 @@ def test_a_receiver_that_is_nearer_than_five_times_the_size():
         assert any("five times" in note for note in notes) is is_near
 
 
-def test_no_mistake_is_what_a_distribution_is(table):
-    """The scale of a table in candelas is 1 cd: to leave it out is no mistake that one makes."""
+def test_the_scale_of_a_distribution_is_not_part_of_a_mistake(table):
+    """The scale of a table in candelas is 1 cd: nobody forgets it."""
     given = {"distribution": read("distribution", table)}
     verdict = check(of_task(Task("point-source", work_out), given), "flux=79.13485lm")
     assert not verdict.right
@@ -240,12 +240,12 @@ def test_arrays_of_any_shape_that_fits(table):
             assert got == pytest.approx(number(one, "irradiance", "lx"))
 
 
-def test_a_shape_that_is_told_by_its_flux_and_its_peak():
+def test_a_shape_follows_from_flux_and_peak():
     found = point_source(distribution="cone", flux="500lm", peak_intensity="900cd", aim="1,0,0")
     assert number(found, "half_angle", "deg") == pytest.approx(24.2753, abs=1e-4)
 
 
-def test_a_beam_that_is_no_single_angle_is_called_ambiguous():
+def test_a_beam_without_a_unique_angle_is_ambiguous():
     """100, 300 and 0 cd at 0, 60 and 90 degrees: half at 75 degrees, half of the axis at 85."""
     wing = Grid(numpy.radians([0, 60, 90]), [0.0], [[100.0, 300.0, 0.0]])
     answer = work_out({"distribution": read("distribution", wing)})
@@ -276,7 +276,7 @@ def test_the_diameter_of_a_cone_and_of_a_lobes_beam(given):
 
 
 @pytest.mark.parametrize("wide", [{"half_angle": "90deg"}, {"exponent": 0}, {}])
-def test_what_has_no_edge_ahead_has_no_diameter(wide):
+def test_a_light_of_90_degrees_or_more_has_no_diameter(wide):
     assert "beam_diameter" not in point_source(**wide, flux="9lm", distance="2m")
 
 
@@ -299,7 +299,7 @@ def ies(intensities, lumens=1000, watts=10):
     )  # fmt: skip
 
 
-def test_what_a_file_declares_of_its_lamps(tmp_path):
+def test_the_lamps_that_a_file_declares(tmp_path):
     path = tmp_path / "lamp.ies"
     path.write_text(ies([100, 100], lumens=1000, watts=20))
     found = point_source(distribution=path)
@@ -332,7 +332,7 @@ def test_a_declared_output_ratio_is_compared(declared, is_noted):
     ("lumens", "is_noted"), [(600, True), (620, False), (900, False), (-1, False)]
 )
 def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_noted):
-    """100 cd below are 200 pi lm, whichever way it is turned and however it is scaled."""
+    """100 cd in the lower hemisphere are 200 pi lm, for any aim and scale."""
     path = tmp_path / "lamp.ies"
     path.write_text(ies([100, 100], lumens=lumens, watts=20))
     said = "the file declares lamps of 600 lm, but its intensities give 628.3 lm, which is more"
@@ -381,14 +381,14 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ),
     ],
 )  # fmt: skip
-def test_what_does_not_go_together_is_refused(given, said):
+def test_options_that_exclude_each_other_are_refused(given, said):
     with pytest.raises(RadcalcError) as refused:
         point_source(**given)
     assert said in refused.value.message
     assert refused.value.hint
 
 
-def test_a_radiance_is_none_of_a_point_source():
+def test_a_point_source_has_no_radiance():
     given = {"distribution": "1 cd", "radiance": "3cd/m2"}
     with pytest.raises(RadcalcError, match="a point source has no") as refused:
         work_out({name: read(name, one) for name, one in given.items()})
@@ -396,14 +396,14 @@ def test_a_radiance_is_none_of_a_point_source():
 
 
 @pytest.mark.parametrize("place", [{"distance": "1m"}, {"height": "1m"}])
-def test_a_receiver_about_the_axis_of_a_narrow_light_gets_all_of_it(place):
+def test_a_receiver_around_the_axis_of_a_narrow_beam_gets_all_of_it(place):
     """A cone of 1 degree has 2 pi (1 - cos 1 deg) sr; a disc of 1 m2 at 1 m is wider."""
     found = point_source(distribution="(theta < 1*deg)*100 W/sr", receiver_area="1m2", **place)
     true = 200 * math.pi * (1 - math.cos(math.radians(1)))
     assert number(found, "received_flux", "W") == pytest.approx(true, rel=1e-6)
 
 
-def test_a_light_that_falls_between_the_points_of_a_receiver_is_refused():
+def test_a_beam_between_the_sample_points_of_a_receiver_is_refused():
     with pytest.raises(RadcalcError, match=r"too narrow|too sharp"):
         point_source(
             distribution="(theta < 1*deg)*100 W/sr", receiver_area="1m2", height="1m", offset="0.1m"

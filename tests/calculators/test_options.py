@@ -1,4 +1,4 @@
-"""Every option of a calculator, beside every base: it is refused, or it has a use."""
+"""Every option of a calculator, added to every base: it is refused, or changes the answer."""
 
 from typing import Any
 
@@ -94,8 +94,8 @@ def example_of(name: str) -> Any:
 
 
 @for_each(BASES)
-def test_an_option_is_refused_or_changes_something_else(call, words, options, base):
-    before = answer_of(call, words, base) or {}  # alone it may say what it lacks
+def test_an_option_is_refused_or_changes_a_result(call, words, options, base):
+    before = answer_of(call, words, base) or {}  # alone it may name a missing input
     given_names = {name.replace("-", "_") for name in base}
     accepted = []
     for name in options:

@@ -1,4 +1,4 @@
-"""The pages of calculators: one for each command that calculates, which says all of it."""
+"""The pages of calculators: one for each command that calculates."""
 
 import re
 from importlib import import_module
@@ -31,7 +31,7 @@ def test_texts_and_units_are_those_of_symbols_that_the_page_takes(name):
     assert all(SYMBOLS[name].form == QUANTITY for name in page.intervals)
 
 
-def test_a_text_of_a_page_replaces_that_of_the_vocabulary():
+def test_a_text_of_a_page_replaces_the_text_of_the_vocabulary():
     page = Page(texts={"radius": "Of a hole.", "time": ("1/100s", "Of an exposure.")})
     assert page.symbol("radius")[3:5] == (SYMBOLS["radius"].example, "Of a hole.")
     assert page.symbol("time")[3:5] == ("1/100s", "Of an exposure.")
@@ -49,7 +49,7 @@ def test_an_interval_has_a_colon_in_its_example():
     assert page_of("spectrum").intervals == ()
 
 
-def test_homework_asks_for_the_mistakes_that_pages_list_and_for_no_others():
+def test_homework_uses_exactly_the_mistakes_that_pages_list():
     listed = {mistake for name in SUMMARIES for mistake in page_of(name).mistakes}
     folder = Path(homework.__file__).parent
     sources = [path.read_text(encoding="utf-8") for path in folder.glob("*.py")]

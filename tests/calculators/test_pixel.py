@@ -1,4 +1,4 @@
-"""Pixels of maps of the sphere, from a command to its bare numbers."""
+"""Pixels of maps of the sphere: commands and their numbers."""
 
 import math
 
@@ -48,7 +48,7 @@ def test_pixels_in_closed_form(words, values):
         ("--size 64x64 --pixel 0,0 --projection angular", "note: the pixel shows nothing"),
     ],
 )
-def test_what_is_assumed_and_odd_is_said(words, text):
+def test_assumptions_and_unusual_inputs_are_stated(words, text):
     assert text in run("solid-angle", "pixel", *words.split()).stderr
 
 
@@ -78,7 +78,7 @@ def test_a_pixel_within_the_circle_is_not_noted():
          "a pixel further inside"),
     ],
 )  # fmt: skip
-def test_what_is_no_pixel_is_refused(words, message, hint):
+def test_impossible_pixels_are_refused(words, message, hint):
     done = run("solid-angle", "pixel", *words.split())
     assert (done.returncode, done.stdout) == (2, "")
     assert message in done.stderr.splitlines()[0]

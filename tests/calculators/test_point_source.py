@@ -1,4 +1,4 @@
-"""Point sources against integrals over their light, and in closed form."""
+"""Point sources against integrals over their light, and closed forms."""
 
 import math
 
@@ -74,8 +74,8 @@ def test_the_part_of_an_isotropic_source_within_an_angle(within):
 
 @pytest.mark.parametrize("n", [0.5, 1, 4, 40])
 @pytest.mark.parametrize(("height", "x", "y"), [(2, 1, 0), (2, 0, 0.3), (1, 3, -4), (5, -1, 2)])
-def test_the_light_of_a_lobe_aside_of_its_axis(n, height, x, y):
-    """E = I0 (h/d)^n (h/d) / d^2 on the floor, and turned to the lamp without the last cosine."""
+def test_the_light_of_a_lobe_off_its_axis(n, height, x, y):
+    """E = I0 (h/d)^n (h/d) / d^2 on the floor; without the last cosine if turned to the lamp."""
     place = {"height": f"{height}m", "offset": f"{x}m", "offset_y": f"{y}m"}
     d = math.sqrt(height**2 + x**2 + y**2)
     expected = 900 * (height / d) ** n / d**2
@@ -87,7 +87,7 @@ def test_the_light_of_a_lobe_aside_of_its_axis(n, height, x, y):
     assert number(back, "intensity", "cd") == pytest.approx(900, rel=1e-12)
 
 
-def test_the_height_of_the_most_light_that_any_height_gives():
+def test_the_height_of_the_maximum_irradiance():
     # I h^2 / (h^2 + x^2)^2 of a lobe of exponent 1 is largest at h = x: 9 cd / (4 (1.5 m)^2)
     found = point_source(intensity="9cd", irradiance="1lx", exponent=1, offset="1.5m")
     assert number(found, "height", "m") == pytest.approx(1.5, rel=1e-6)
@@ -100,7 +100,7 @@ def test_the_height_of_an_irradiance_straight_below():
     assert number(found, "height", "m") == pytest.approx(2, rel=1e-12)
 
 
-def test_what_is_given_exactly_twice_may_differ_by_the_arithmetic():
+def test_redundant_exact_inputs_may_differ_by_rounding():
     found = point_source(flux="4pi/3 lm", intensity="1/3 cd")
     assert number(found, "intensity", "cd") == pytest.approx(1 / 3, rel=1e-15)
 
@@ -150,7 +150,7 @@ def test_the_isotropic_source():
          "rad", math.acos(1 - 500 / 900 / 2 / PI)),
     ],
 )  # fmt: skip
-def test_each_answer_about_a_point_source_is_its_formula(call, name, unit, expected):
+def test_point_sources_match_their_formulas(call, name, unit, expected):
     assert number(call(), name, unit) == pytest.approx(expected, rel=1e-12)
 
 
@@ -161,7 +161,7 @@ def test_no_receiver_gets_more_than_all_the_light(by):
     assert number(found, "received_flux", "lm") == pytest.approx(100, rel=1e-9)
 
 
-def test_a_receiver_at_the_edge_of_a_cone_gets_what_is_on_it():
+def test_a_receiver_at_the_edge_of_a_cone_gets_the_light_on_it():
     """Half of a small disc whose centre is on the edge of the light, which is nearly straight."""
     found = point_source(
         flux="100lm", half_angle="45deg", height="1m", offset="1m", receiver_area="1e-6m2"
@@ -178,7 +178,7 @@ def test_a_receiver_at_the_edge_of_a_cone_gets_what_is_on_it():
 
 
 def test_an_array_of_receivers_and_of_distances():
-    """Small ones get E A, of an illuminance of 100 lm / (4 pi sin^2(0.25 deg)) / 25 m2."""
+    """Small ones get E A, with E = 100 lm / (4 pi sin^2(0.25 deg)) / 25 m2."""
     areas = Q([1e-4, 0.5, 100.0], "m2")
     found = point_source(flux="100lm", half_angle="0.5deg", distance="5m", receiver_area=areas)
     assert found["received_flux"].to("lm").magnitude == pytest.approx([1.67193, 100, 100], rel=2e-6)
@@ -190,7 +190,7 @@ def test_an_array_of_receivers_and_of_distances():
     )
 
 
-def test_a_beam_angle_says_what_a_uniform_cone_would_give():
+def test_the_flux_of_a_uniform_cone_is_noted_for_a_beam_angle():
     """1000 cd at 30 degrees: 299 lm as a lobe, 2 pi (1 - cos 15 deg) 1000 lm = 214 lm as a cone."""
     for given, said in (({"intensity": "1000cd"}, "214.094 lm"), ({"flux": "214lm"}, "999.559 cd")):
         inputs = {name: read(name, text) for name, text in given.items()}
@@ -200,7 +200,7 @@ def test_a_beam_angle_says_what_a_uniform_cone_would_give():
 
 @pytest.mark.parametrize(("flag", "angle"), [("isotropic", 4 * math.pi), ("hemisphere", math.tau)])
 @pytest.mark.parametrize("place", [{"distance": "2m"}, {"height": "2m", "offset": "1m"}])
-def test_what_fills_space_or_half_of_it_is_told_as_in_a_conversion(flag, angle, place):
+def test_isotropic_and_hemisphere_are_the_same_as_in_a_conversion(flag, angle, place):
     """By the definition of the solid angle: I = Phi / 4 pi sr, or / 2 pi sr."""
     answer = point_source(flux="800lm", **{flag: True}, **place)
     assert answer["intensity"].m_as("cd") == pytest.approx(800 / angle, rel=1e-14)

@@ -22,7 +22,7 @@ def asked(words: str, *names: str) -> list[float]:
 
 
 @pytest.mark.parametrize(("index", "incidence", "angle", "s", "p"), FRESNEL)
-def test_angles_and_reflectances_are_those_of_colour_science(index, incidence, angle, s, p):
+def test_angles_and_reflectances_match_colour_science(index, incidence, angle, s, p):
     words = f"--index {index} --incidence {incidence}deg"
     found = asked(words, "refraction-angle:deg", "reflectance-s", "reflectance-p")
     assert found == pytest.approx([angle, s, p], rel=1e-6, abs=1e-8)
@@ -88,7 +88,7 @@ def test_light_past_the_critical_angle_is_totally_reflected():
         ),
     ],
 )
-def test_what_no_surface_does_is_refused(words, message):
+def test_impossible_refractions_are_refused(words, message):
     done = run("refraction", *words.split())
     assert done.returncode == 2
     assert message in done.stderr

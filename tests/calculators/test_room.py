@@ -54,13 +54,13 @@ def test_a_room_follows_from_any_sufficient_set(words, asked, expected):
 
 
 def test_a_whole_number_is_not_rounded_up_for_its_last_digit():
-    """0.1 + 0.2 is not 0.3 in floats: 3.0000000000000004 luminaires are three."""
+    """0.1 + 0.2 is 0.30000000000000004 in floats, but 3.0000000000000004 luminaires are three."""
     words = "--area 0.1m2,0.3m2,0.7m2 --illuminance 3lx --flux 0.1lm --utilance 1"
     done = run("room", *words.split(), "-q", "-g", "luminaires-to-install")
     assert done.stdout.split() == ["3", "9", "21"]
 
 
-def test_what_is_not_given_is_assumed_and_said():
+def test_assumptions_are_stated():
     done = run("room", *FACTORY.replace("--maintenance 0.75", "--luminaires 54").split())
     assert "maintenance factor of 1" in done.stderr
     done = run("room", "--width", "6m", "--length", "8m", "--height", "2m")
@@ -88,7 +88,7 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--area 54m2 --illuminance 500lx --flux 30W --utilance 0.6", "a link between them"),
     ],
 )  # fmt: skip
-def test_what_no_room_has_is_refused(words, message):
+def test_impossible_rooms_are_refused(words, message):
     done = run("room", *words.split())
     assert done.returncode == 2
     assert message in done.stderr

@@ -1,4 +1,4 @@
-"""`radcalc scene`: rows of sources, and what they give at points and over grids."""
+"""`radcalc scene`: sources in rows, and their light at points and over grids."""
 
 import csv
 import io
@@ -32,7 +32,7 @@ def lux(tmp_path, text, *words, asked="irradiance:lx"):
     return [float(line) for line in done.stdout.split()]
 
 
-def test_the_sum_is_that_of_point_source_for_each(tmp_path):
+def test_the_sum_equals_point_source_for_each_row(tmp_path):
     place = ("--height", "3m", "--offset", "2m", "-q", "-g", "irradiance:lx")
     west = float(run("point-source", "--intensity", "100cd", *place).stdout)
     east = float(run("point-source", "--intensity", "200cd", "--exponent", "1", *place).stdout)
@@ -89,11 +89,11 @@ def test_the_sum_is_that_of_point_source_for_each(tmp_path):
         ("x,y,z,distribution,area,intensity\n0,0,2,lambertian,1cm2,100cd\n", 25),
     ],
 )  # fmt: skip
-def test_a_row_is_read_as_it_is_written(tmp_path, text, expected):
+def test_rows_are_read_in_all_forms(tmp_path, text, expected):
     assert lux(tmp_path, text, "--at", "0,0,0") == pytest.approx([expected], rel=1e-6)
 
 
-def test_a_panel_is_that_of_lambertian_rectangle_at_any_distance(tmp_path):
+def test_a_panel_equals_lambertian_rectangle_at_any_distance(tmp_path):
     text = "x,y,z,distribution,width,length,luminance\n1,2,3,lambertian,60cm,1.2m,3000cd/m2\n"
     for height, offset in (("20cm", "10cm"), ("3m", "4m")):
         words = ("--luminance", "3000cd/m2", "--width", "60cm", "--length", "1.2m")
@@ -112,7 +112,7 @@ BAD = {
     "x,y,z,flux\n0,0,2,800m\n": ("line 2, column 'flux': flux takes a flux, not length", "lm"),
     "x,y,z,flux (m)\n0,0,2,8\n": ("line 1, column 'flux (m)': takes a flux, not length", "flux ("),
     "x,y,z,flux (foo)\n0,0,2,8\n": ("line 1, column 'flux (foo)': unknown unit 'foo'", ""),
-    # the numbers are not those of the unit
+    # the numbers are not in that unit
     "x,y,z,flux [lm] x1000\n0,0,2,8\n": ("scales its numbers", "numbers in lm"),
     "x,y,z,flux (lm) / 1000\n0,0,2,8\n": ("scales its numbers", "numbers in lm"),
     "x,y,z (cm) (in),flux\n0,0,2,8lm\n": ("has two units, in and cm", "one of them"),
@@ -164,7 +164,7 @@ BAD = {
 
 
 @pytest.mark.parametrize("text", BAD, ids=[text.replace("\n", "|")[:60] for text in BAD])
-def test_a_bad_row_is_told_with_its_place(tmp_path, text):
+def test_the_error_of_a_bad_row_has_its_place(tmp_path, text):
     done = scene(tmp_path, text, "--at", "0,0,0")
     message, _, hint = done.stderr.partition("\ntry: ")
     assert (done.returncode, done.stdout) == (2, "")
@@ -199,14 +199,14 @@ def test_a_bad_row_is_told_with_its_place(tmp_path, text):
         (("more", "--at", "0,0,0"), "unexpected argument", "FILE.csv"),
     ],
 )  # fmt: skip
-def test_a_call_that_asks_for_nothing_sensible_is_refused(tmp_path, words, message, hint):
+def test_senseless_calls_are_refused(tmp_path, words, message, hint):
     done = scene(tmp_path, LAMPS, *words)
     assert (done.returncode, done.stdout) == (2, "")
     assert message in done.stderr
     assert hint in done.stderr
 
 
-def test_a_file_that_is_none_is_refused(tmp_path):
+def test_other_files_are_refused(tmp_path):
     missing = run("scene", str(tmp_path / "none.csv"), "--at", "0,0,0")
     folder = run("scene", str(tmp_path), "--at", "0,0,0")
     nothing = run("scene", "--at", "0,0,0")
@@ -227,13 +227,13 @@ def test_a_file_that_is_none_is_refused(tmp_path):
         (("illuminance",), ["x:m", "y:m", "z:m", "illuminance:lx"]),
     ],
 )
-def test_csv_has_the_places_that_are_asked_for_or_all_of_them(tmp_path, points, names, heads):
+def test_csv_has_the_requested_columns_or_all_of_them(tmp_path, points, names, heads):
     words = [word for name in names for word in ("-g", name)]
     done = scene(tmp_path, LAMPS, *points, *words, "--format", "csv", "-q")
     assert done.stdout.splitlines()[0].split(",") == heads
 
 
-def test_a_grid_of_four_lamps_is_symmetric_and_its_figures_are_those_of_its_rows(tmp_path):
+def test_a_grid_of_four_lamps_is_symmetric_and_its_statistics_match_its_rows(tmp_path):
     text = "x,y,z,exponent,flux\n" + "".join(
         f"{x},{y},2.5,2,500lm\n" for x in (1, 3) for y in (1, 2)
     )
@@ -255,7 +255,7 @@ def test_a_grid_of_four_lamps_is_symmetric_and_its_figures_are_those_of_its_rows
     assert lux(tmp_path, text, *grid) == pytest.approx(list(values.values()))
 
 
-def test_several_points_have_a_row_each_and_their_figures(tmp_path):
+def test_several_points_have_a_row_each_and_statistics(tmp_path):
     done = scene(tmp_path, LAMPS, "--at", "0,0,0", "--at", "2m,0m,100cm", "-q", "--json")
     first, second, told = answers(done.stdout)
     value = {name: row["value"] for name, row in told["results"].items()}
@@ -282,7 +282,7 @@ def test_kinds_are_linked_and_shown(tmp_path):
     )
 
 
-def test_what_is_assumed_and_odd_is_said(tmp_path):
+def test_assumptions_and_unusual_inputs_are_stated(tmp_path):
     done = scene(tmp_path, "x,y,z,flux\n0,0,2,8lm\n0,0,-2,8lm\n", "--at", "0,0,0")
     assert "assumed: coordinates without a unit are in metres" in done.stderr
     assert "assumed: a source without a distribution is isotropic" in done.stderr
@@ -293,14 +293,14 @@ def test_what_is_assumed_and_odd_is_said(tmp_path):
     assert "uniformity" not in dark.stdout
 
 
-def test_a_row_that_is_passed_over_is_told(tmp_path):
+def test_a_skipped_row_is_noted(tmp_path):
     text = "# my rig\nname;x;y;z;flux\n#1;0;0;2;8lm\n;;;;\n;0;0;3;8lm\n"
     done = scene(tmp_path, text, "--at", "0,0,0", "-g", "irradiance:lx")
     assert float(done.stdout) == pytest.approx(8 / (4 * math.pi) / 9)
     assert "rig.csv: comments with as many cells as the rows, skipped: lines 3\n" in done.stderr
 
 
-def test_a_row_of_blank_first_cells_is_no_comment(tmp_path):
+def test_a_row_with_blank_first_cells_is_not_a_comment(tmp_path):
     text = "name;aim_x;aim_y;aim_z;x;y;z;flux\n;;;;0;0;2;8lm\nb;;;;0;0;3;8lm\n"
     expected = 8 / (4 * math.pi) * (1 / 4 + 1 / 9)
     assert lux(tmp_path, text, "--at", "0,0,0") == pytest.approx([expected])
@@ -318,7 +318,7 @@ def test_a_name_makes_one_column(tmp_path):
     ]
 
 
-def test_a_cell_of_any_length_is_refused_in_words(tmp_path):
+def test_a_long_bad_cell_has_a_message(tmp_path):
     done = scene(tmp_path, f'x,y,z,flux\n0,0,2,"{"a" * 200_000}"\n', "--at", "0,0,0")
     assert done.returncode == 2
     assert "line 2, column 'flux'" in done.stderr
@@ -338,16 +338,16 @@ def test_an_answer_is_checked(tmp_path):
     assert (right.returncode, wrong.returncode) == (0, 1)
 
 
-def test_a_file_of_a_distribution_is_looked_for_beside_the_scene(tmp_path):
+def test_files_of_distributions_are_searched_in_the_folder_of_the_scene(tmp_path):
     (tmp_path / "lamps").mkdir()
     (tmp_path / "lamps" / "flood.csv").write_text("angle (deg),intensity (cd)\n0,100\n90,0\n")
     text = "x,y,z,distribution,intensity\n0,0,2,lamps/flood.csv,\n9,9,-1,lamps/flood.csv,10cd\n"
     assert lux(tmp_path, text, "--at", "0,0,0") == pytest.approx([25])
-    # 45 deg from the axis half of it is left
+    # half of the intensity at 45 deg from the axis
     assert lux(tmp_path, text, "--at", "2,0,0") == pytest.approx([50 / 8 / math.sqrt(2)])
 
 
-def test_python_gets_arrays_and_figures(tmp_path):
+def test_python_gets_arrays_and_statistics(tmp_path):
     lamps = [
         {"name": "west", "x": -2, "y": 0, "z": 3, "intensity": "100cd"},
         {"name": "east", "x": "2m", "y": 0.0, "z": Quantity(300, "cm"), "distribution": "lobe",
@@ -405,7 +405,7 @@ def test_the_keys_of_a_dict_are_read_as_titles(source):
         radcalc.scene([source | {"Y": 1, "y": 1, "y (m)": 1}], "0,0,0")
 
 
-def test_a_scene_in_python_says_how_its_points_are_read():
+def test_the_assumptions_about_the_points_of_a_scene_in_python_are_stated():
     lamp = [{"x": "0 m", "y": "0 m", "z": "2 m", "intensity": "100 cd"}]
     told = {"coordinates without a unit are in metres", "the receivers face up"}
     assert told <= {*radcalc.scene(lamp, [0, 0, 0]).assumptions}

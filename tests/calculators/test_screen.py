@@ -1,4 +1,4 @@
-"""Pictures on projection screens."""
+"""Images on projection screens."""
 
 import math
 
@@ -35,7 +35,7 @@ def test_a_picture_follows_from_any_sufficient_set(words, asked, expected):
     assert float(done.stdout) == pytest.approx(expected, rel=1e-5)
 
 
-def test_what_is_not_given_is_assumed_and_said():
+def test_assumptions_are_stated():
     done = run("screen", "--flux", "10lm", "--area", "1m2")
     assert "gain of 1" in done.stderr
     assert "dark room" in done.stderr
@@ -53,13 +53,13 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--flux 1lm --width 2m --diagonal 1m", "diagonal"),
     ],
 )
-def test_what_no_picture_has_is_refused(words, message):
+def test_impossible_pictures_are_refused(words, message):
     done = run("screen", *words.split())
     assert done.returncode == 2
     assert message in done.stderr
 
 
-def test_a_flux_on_an_area_and_a_luminance_tell_the_gain():
+def test_the_gain_follows_from_flux_area_and_luminance():
     words = "screen --flux 3000lm --area 2m2 --luminance 600cd/m2 -g gain"
     done = run(*words.split())
     assert float(done.stdout) == pytest.approx(600 * math.pi / 1500, rel=1e-11)

@@ -1,4 +1,4 @@
-"""Sensors: the camera equation, and what photons become."""
+"""Sensors: the camera equation, photons and electrons."""
 
 import math
 
@@ -72,7 +72,7 @@ def test_a_sensor_follows_from_any_sufficient_set(words, asked, expected, rel):
     assert float(done.stdout) == pytest.approx(expected, rel=rel)
 
 
-def test_photons_of_a_spectrum_are_those_of_its_watts():
+def test_photons_of_a_spectrum_match_its_watts():
     """Of a flat band each nanometre gives lambda/(h c) photons per joule: that is its middle's."""
     words = "--irradiance 1W/m2 --spectrum band:450nm:650nm --pixel-area 1um2 --time 1s -g photons"
     done = run("sensor", *words.split(), "-q")
@@ -101,7 +101,7 @@ def test_a_pixel_is_a_sum_over_the_exit_pupil():
         assert number(found, "irradiance", "W/m2") == pytest.approx(total, rel=1e-6)
 
 
-def test_what_is_not_given_is_assumed_and_said():
+def test_assumptions_are_stated():
     done = run("sensor", *LENS.split())
     for said in ("corrected for coma", "focused far away", "without losses"):
         assert said in done.stderr
@@ -139,7 +139,7 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--pixel-pitch 3um --pixel-area 10um2 --irradiance 1W/m2", "contradicts the rest"),
     ],
 )
-def test_what_no_sensor_has_is_refused(words, message):
+def test_impossible_sensors_are_refused(words, message):
     done = run("sensor", *words.split())
     assert done.returncode == 2
     assert message in done.stderr
@@ -155,7 +155,7 @@ def test_arrays_of_times():
     assert found["electrons"].magnitude == pytest.approx(expected)
 
 
-def test_a_short_exposure_time_is_a_fraction_in_a_table_only():
+def test_a_short_exposure_time_is_a_fraction_only_in_tables():
     words = ("sensor", "--luminance", "1000cd/m2", "--f-number", "4", "--time", "0.008s")
     assert "1/125 " in run(*words, "--format", "table").stdout  # 1 / 0.008
     assert "time\t0.008\ts" in run(*words).stdout

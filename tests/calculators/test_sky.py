@@ -1,4 +1,4 @@
-"""The light of the sky and its sun: what follows, what is said, what is refused."""
+"""The light of the sky and the sun: results, assumptions and errors."""
 
 import math
 
@@ -48,7 +48,7 @@ def test_skies_without_a_sun(words, expected):
 
 
 def test_the_sun_is_added_by_its_cosine():
-    """Of a vertical wall it is cos(elevation) cos(difference of the azimuths)."""
+    """On a vertical wall it is cos(elevation) cos(difference of the azimuths)."""
     names = ("direct-illuminance", "diffuse-illuminance", "illuminance", "global-illuminance")
     gets = " ".join(f"-g {name}:lx" for name in names)
     direct, diffuse, both, on_ground = asked(f"{CLEAR} {WALL} {gets}")
@@ -81,7 +81,7 @@ def test_every_set_of_the_light_gives_the_rest(given, name):
     words = given
     for one, text in known.items():
         words = words.replace(f"{{{one}}}", text)
-    if not name:  # nobody tells that there is a sun
+    if not name:  # no sun is given
         done = run("sky", *f"{places} {words}".split())
         assert done.returncode == 2
         return
@@ -101,7 +101,7 @@ def test_the_disc_of_the_sun():
     assert half == pytest.approx(found / 4, rel=1e-5)
 
 
-def test_only_differences_of_azimuths_count():
+def test_only_differences_of_azimuths_matter():
     words = "12 --sun-elevation 25deg --horizontal-illuminance 10klx --tilt 60deg -g illuminance:lx"
     first, *others = [
         asked(f"{words} --sun-azimuth {sun}deg --azimuth {plane}deg")[0]
@@ -123,7 +123,7 @@ def test_only_differences_of_azimuths_count():
 
 
 def test_other_kinds_of_light():
-    """D65 has 1 W/m2 for 203.2 lx or so; what counts is that all kinds keep their ratio."""
+    """D65 has about 203.2 lx per W/m2; all results have the same ratio."""
     words = "clear --sun-elevation 40deg --horizontal-illuminance 12klx --spectrum D65"
     lux, watts, photons, zenith, zenith_watts = asked(
         f"{words} -g horizontal-illuminance:lx -g horizontal-irradiance:W/m2 "
@@ -136,13 +136,13 @@ def test_other_kinds_of_light():
     assert photons == pytest.approx(float(converted.stdout), rel=1e-12)
 
 
-def test_the_spectrum_of_sun_and_sky_is_said_to_be_the_same():
+def test_the_assumption_of_one_spectrum_for_sun_and_sky_is_stated():
     told = "the sun's light and the sky's have the same spectrum"
     assert told in run("sky", *f"{CLEAR} {WALL} --spectrum D65".split()).stderr
     assert told not in run("sky", *f"{CLEAR} {WALL}".split()).stderr
 
 
-def test_what_it_assumes_is_said():
+def test_assumptions_are_stated():
     said = run("sky", *f"{CLEAR} {WALL}".split()).stderr
     for text in (
         "CIE type 12: CIE standard clear sky",
@@ -196,14 +196,14 @@ def test_what_it_assumes_is_said():
         ("overcast --zenith-luminance 1cd/m2 -g illuminance", "no plane is given", "--tilt"),
     ],
 )
-def test_what_is_no_sky_is_refused(words, message, hint):
+def test_impossible_skies_are_refused(words, message, hint):
     done = run("sky", *words.split())
     assert (done.returncode, done.stdout) == (2, "")
     assert message in done.stderr.replace("\n", " ")
     assert hint in done.stderr
 
 
-def test_lists_say_what_each_is_of():
+def test_answers_to_lists_have_their_inputs():
     done = run("sky", *["12", "--sun-elevation", "10deg,20deg", "--zenith-luminance", "1kcd/m2"])
     assert "sun-elevation\t10\tdeg" in done.stdout
     words = "overcast --zenith-luminance 9cd/m2 --toward 0deg:90deg:30deg -g luminance-toward"

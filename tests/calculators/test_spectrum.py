@@ -1,4 +1,4 @@
-"""What a spectrum is described by, against published values."""
+"""Properties of spectra against published values."""
 
 import itertools
 import math
@@ -47,11 +47,11 @@ def test_a_spectrum_is_described():
 def test_a_range_has_its_share_and_its_efficacy():
     half = results("band:400nm:700nm", "300nm:550nm")
     assert half["range-fraction"] == pytest.approx(0.5)
-    assert half["range-start"] == pytest.approx(400e-9)  # there is nothing before
+    assert half["range-start"] == pytest.approx(400e-9)  # the table has no values below
     whole = results("gaussian:530nm,30nm")
     assert whole["fwhm"] == pytest.approx(30e-9, rel=1e-3)
     assert whole["centroid-wavelength"] == pytest.approx(530e-9, rel=1e-9)
-    assert "cct" not in whole  # green is no white
+    assert "cct" not in whole  # green is not white
 
 
 def test_no_power_in_the_range_is_refused():
@@ -70,7 +70,7 @@ def test_no_power_in_the_range_is_refused():
         ("point-source --flux 5W --spectrum D65 --range 600nm:610nm", "luminous-flux"),
     ],
 )
-def test_a_ratio_beyond_what_any_light_gives_is_refused_and_the_rest_is_answered(words, name):
+def test_an_impossible_ratio_is_absent_and_other_results_are_answered(words, name):
     everything = run(*words.split())
     assert everything.returncode == 0
     assert name not in everything.stdout
@@ -91,7 +91,7 @@ def test_a_band_of_an_absolute_spectrum_has_its_irradiance():
 
 
 RANGES = [
-    # asked, and claimed of a table from 380 nm to 780 nm
+    # requested, and cut to a table from 380 nm to 780 nm
     ("--range 280nm:2500nm", "range-start:nm", "380", "watts are counted over 380-780 nm, not"),
     ("--range 280nm:2500nm", "range-end:nm", "780", "not over 280-2500 nm"),
     ("--range 500nm:900nm", "range-start:nm", "500", "watts are counted over 500-780 nm"),
@@ -101,7 +101,7 @@ RANGES = [
 
 
 @pytest.mark.parametrize(("option", "name", "claimed", "note"), RANGES)
-def test_no_range_is_claimed_that_is_not_there(option, name, claimed, note):
+def test_the_range_of_an_answer_ends_with_the_data(option, name, claimed, note):
     done = run("spectrum", "HPS", *option.split(), "-g", name)
     assert done.stdout.strip() == claimed
     assert note in done.stderr
@@ -109,7 +109,7 @@ def test_no_range_is_claimed_that_is_not_there(option, name, claimed, note):
         assert "the data of" not in done.stderr
 
 
-def test_what_tables_that_end_early_leave_out_is_said():
+def test_the_part_outside_of_short_tables_is_noted():
     said = run("spectrum", "ISO 7589 Photoflood").stderr
     assert "watts are counted over 380-690 nm, not over 380-780 nm" in said
     assert "photons are counted over 400-690 nm, not over 400-700 nm" in said
@@ -117,7 +117,7 @@ def test_what_tables_that_end_early_leave_out_is_said():
     assert "the peak is at the end of the data" not in run("spectrum", "D65").stderr
 
 
-def test_the_lumens_that_a_range_leaves_out_are_said():
+def test_the_lumens_outside_of_a_range_are_noted():
     # of an equal-energy band, V summed over 450-650 nm against V over all: 1924, 1 nm steps
     inside = sum(OBSERVERS["photopic"].values[90:291]) - 0.5 * (0.038 + 0.107)
     share = inside / 106.86  # the integral of V, as CIE 018:2019's table sums up
@@ -144,7 +144,7 @@ def test_the_lumens_that_a_range_leaves_out_are_said():
         ("D65", "illuminance", "the spectrum is relative"),
     ],
 )
-def test_a_result_that_has_no_meaning_says_why(source, name, reason):
+def test_an_absent_result_has_a_reason(source, name, reason):
     done = run("spectrum", source, "-g", name)
     assert (done.returncode, done.stdout) == (2, "")
     assert reason in done.stderr
@@ -165,7 +165,7 @@ def test_a_deep_red_line_has_no_colour_rendering_index(nanometres):
     assert call(["spectrum", f"line:{nanometres}nm", "-q", "-g", "cct"]).status == 0
 
 
-def test_what_is_missing_in_one_of_several_is_said_with_its_name_each_time():
+def test_absent_results_of_several_spectra_are_noted_with_their_names():
     values = [absent("irradiance", "it is relative", "another")]
     for case in ("lamp.csv", "sun.csv"):
         with pytest.raises(RadcalcError) as caught:
@@ -175,6 +175,6 @@ def test_what_is_missing_in_one_of_several_is_said_with_its_name_each_time():
             pick(values, "lux", case)
 
 
-def test_a_range_of_one_wavelength_is_no_range():
+def test_a_range_of_one_wavelength_is_refused():
     error = call(["spectrum", "D65", "--range", "400nm:0.4um"]).error
     assert "is a single wavelength" in error.message

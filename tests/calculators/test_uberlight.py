@@ -1,4 +1,4 @@
-"""The cinematographer's light at points: what arrives, what is said, what is refused."""
+"""The cinematographer's light at points: results, assumptions and errors."""
 
 import math
 
@@ -18,8 +18,8 @@ def asked(words: str) -> list[float]:
 
 
 @pytest.mark.parametrize("far", ["1m", "3m", "40cm"])
-def test_by_itself_it_is_a_point_source(far):
-    """E = I / d^2, whatever the fall-off distance; as ISO 80000-7 has it."""
+def test_without_settings_it_is_a_point_source(far):
+    """E = I / d^2 (ISO 80000-7), for any fall-off distance."""
     words = f"1,2,2 --intensity 900cd --falloff-distance {far}"
     assert asked(f"{words} -g irradiance:lx -g intensity-toward:cd -g distance:m") == pytest.approx(
         [100, 900, 3]
@@ -81,7 +81,7 @@ def test_lengths_may_have_units():
     assert "metres" not in run("uberlight", "0m,0m,1m").stderr
 
 
-def test_what_is_not_given_is_assumed_and_said():
+def test_assumptions_are_stated():
     told = run("uberlight", *["0,0,1", "--superellipse", "1,1,1,1", "--intensity", "1cd"]).stderr
     for text in ("along +z", "fall-off of 2", "distance of 1 m", "roundness of 1", "I / L^2",
                  "faces the light"):  # fmt: skip
@@ -119,7 +119,7 @@ def test_every_kind_of_light():
     ("1.5,1.5,1 --superellipse 1,1,2,2 --roundness 0", "just above 0"),
     ("0,0,1 --intensity 1cd --normal 0,0,1", "does not reach the receiver"),
 ])  # fmt: skip
-def test_what_is_no_physics_and_what_is_dark_is_said(words, noted):
+def test_unphysical_settings_and_dark_points_are_noted(words, noted):
     notes = [line for line in run("uberlight", *words.split()).stderr.splitlines()
              if line.startswith("note")]  # fmt: skip
     if noted is None:
@@ -128,7 +128,7 @@ def test_what_is_no_physics_and_what_is_dark_is_said(words, noted):
         assert any(noted in note for note in notes), notes
 
 
-def test_at_the_fall_off_distance_nothing_is_created_or_lost():
+def test_a_fall_off_other_than_the_inverse_square_is_noted():
     told = run("uberlight", *["0,0,2", "--falloff", "1", "--falloff-distance", "2m"]).stderr
     assert "note: --falloff 1 is not an inverse square law\n" in told
 
@@ -197,7 +197,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1 -g irradiance", "the inputs do not give", "--intensity"),
     ],
 )
-def test_what_no_light_has_is_refused_with_what_to_do(words, message, hint):
+def test_impossible_settings_are_refused_with_a_hint(words, message, hint):
     done = run("uberlight", *words.split())
     assert done.returncode == 2
     told, tried = done.stderr.splitlines()
@@ -241,6 +241,6 @@ def test_arrays_of_points_from_python():
         ([[0, 0, 1], [0, 0, 2]], {"falloff": np.array([1.0, 2.0, 3.0])}, "do not fit together"),
     ],
 )
-def test_what_python_gets_wrong_is_told(point, more, message):
+def test_wrong_calls_from_python_have_messages(point, more, message):
     with pytest.raises(RadcalcError, match=message):
         radcalc.uberlight(point, **more)

@@ -1,4 +1,4 @@
-"""Uncertainties through Python: by hand, by draws, and by differences of plain calls."""
+"""Uncertainties in Python: against formulas, random draws, and differences of plain calls."""
 
 import math
 
@@ -138,7 +138,7 @@ TABLE = {
 
 @pytest.mark.parametrize("name", TABLE)
 def test_every_slope_is_the_difference_of_two_plain_calls(name):
-    """Moved by a part in 1e5 either way, the results differ as the uncertainties say."""
+    """Inputs changed by a part in 1e5 change the results as the uncertainties predict."""
     function, given = TABLE[name]
     call = getattr(radcalc, function)
     for key, text in given.items():
@@ -180,7 +180,7 @@ def test_every_slope_is_the_difference_of_two_plain_calls(name):
         ),
     ],
 )
-def test_draws_spread_as_much(function, given, result):
+def test_random_draws_have_the_same_spread(function, given, result):
     generator = numpy.random.default_rng(SEED)
     call = getattr(radcalc, function)
     drawn, stated = {}, {}
@@ -200,7 +200,7 @@ def test_draws_spread_as_much(function, given, result):
     assert numpy.mean(every.magnitude) == pytest.approx(number, abs=size * 0.02)
 
 
-def test_nominal_values_are_those_without_uncertainty():
+def test_nominal_values_equal_those_without_uncertainty():
     for function, given in TABLE.values():
         call = getattr(radcalc, function)
         plain = call(**given)
@@ -212,7 +212,7 @@ def test_nominal_values_are_those_without_uncertainty():
             assert getattr(magnitude, "nominal_value", magnitude) == quantity.magnitude
 
 
-def test_results_are_correlated_with_what_they_follow_from():
+def test_results_are_correlated_with_their_inputs():
     distance = ufloat(2, 0.01)
     one, two = (
         radcalc.point_source(flux=f"{flux} lm", distance=Q(distance, "m"))["irradiance"].magnitude
@@ -246,19 +246,19 @@ def test_texts_are_variables_with_the_names_of_their_keywords():
         (lambda: radcalc.convert("10±1 EV", "lx"), 2560, 2560 * math.log(2)),
     ],
 )
-def test_measurements_of_pint_and_readings_are_taken(call, value, uncertainty):
+def test_measurements_of_pint_and_readings_are_accepted(call, value, uncertainty):
     assert parts(call()) == pytest.approx((value, uncertainty), rel=1e-6)
 
 
-def test_inputs_that_look_alike_have_a_share_each():
+def test_equal_inputs_have_separate_shares():
     # u^2 = (100 * 3)^2 + (100 * 3)^2 = 424.264^2: half of it each
     steps = radcalc.explain("(100+-3) lx * (100+-3) m2", "lm").steps
     share = "300 by value 100±3 (50 %)"
     assert steps[-1].numbers == f"424.264 lm: {share}, {share}"
 
 
-def test_texts_are_explained_with_their_shares_and_bends():
-    """Of 200 lm 6 lm are of 3 lx and 10 lm of 0.1 m2; 1/1.5 and 1/2.5 of 0.09290304 fc."""
+def test_texts_are_explained_with_their_shares_and_nonlinearity():
+    """Of 200 lm, 6 lm are from 3 lx and 10 lm from 0.1 m2; 1/1.5 and 1/2.5 of 0.09290304 fc."""
     told = radcalc.explain("(100±3) lx * (2.0±0.1) m2", "lm").steps[-1].numbers
     assert told == "11.6619 lm: 10 by value 2.0±0.1 (73.5 %), 6 by value 100±3 (26.5 %)"
     (note,) = radcalc.explain("1/(2.0±0.5) * 1 lx", "fc").notes
@@ -269,7 +269,7 @@ def test_texts_are_explained_with_their_shares_and_bends():
     ("number", "problem"), [(math.nan, "is not a number"), (math.inf, "is out of range")]
 )
 @pytest.mark.parametrize("make", [float, lambda number: ufloat(number, 1)])
-def test_what_is_no_number_is_refused(number, problem, make):
+def test_other_values_than_numbers_are_refused(number, problem, make):
     with pytest.raises(RadcalcError, match=problem):
         radcalc.convert(Q(make(number), "lx"), "fc")
 
@@ -298,12 +298,12 @@ def test_what_is_no_number_is_refused(number, problem, make):
         ),
     ],
 )
-def test_what_cannot_be_carried_is_refused(call, said):
+def test_uncertainties_that_cannot_be_propagated_are_refused(call, said):
     with pytest.raises(RadcalcError, match=said):
         call()
 
 
-# Each command with an input that is uncertain: it answers with that carried, or refuses.
+# Each command with an uncertain input: it propagates the uncertainty or refuses it.
 EVERY = {
     "convert": "100+-3 lx fc",
     "solid-angle": "cone --half-angle 30+-1deg",
@@ -328,7 +328,7 @@ EVERY = {
 
 
 @pytest.mark.parametrize("command", EVERY)
-def test_every_command_carries_an_uncertainty(command):
+def test_every_command_propagates_an_uncertainty(command):
     done = call([command, *EVERY[command].split(), "--json"])
     assert done.status == 0
     (answer,) = answers(done.output)
@@ -351,7 +351,7 @@ def test_every_command_carries_an_uncertainty(command):
         "ev --ev100 15 --check 4096cd/m2 --tolerance 5+-1%",
     ],
 )
-def test_what_carries_none_refuses_them(words):
+def test_commands_without_propagation_refuse_uncertainties(words):
     done = call(words.split())
     assert (done.status, done.output) == (2, "")
 
@@ -364,7 +364,7 @@ def test_a_spectrum_has_the_slope_of_its_temperature():
         assert one["uncertainty"] / one["value"] == pytest.approx(power * 20 / 2856, rel=1e-4)
 
 
-def test_a_result_may_be_asked_for_on_a_scale():
+def test_a_result_may_be_requested_on_a_scale():
     """n = 10 lg(P / 1 mW): u(n) = 10 / ln(10) u(P)/P."""
     asked = "flux-uncertainty:dBm"
     done = call(["point-source", "--flux", "10.0+-0.1mW", "--distance", "2m", "-g", asked])
@@ -432,7 +432,7 @@ def test_a_result_may_be_asked_for_on_a_scale():
         ),
     ],
 )
-def test_what_bends_is_said(words, value, uncertainty, note):
+def test_nonlinearity_is_noted(words, value, uncertainty, note):
     done = call([*words.split(), "--json"])
     (answer,) = answers(done.output)
     (result,) = answer["results"].values()
@@ -467,7 +467,7 @@ def test_what_bends_is_said(words, value, uncertainty, note):
         ("10+-10OD 1", "1e-20 to 1"),
     ],
 )
-def test_a_range_has_what_lies_within(words, note):
+def test_a_range_contains_all_values_within(words, note):
     (answer,) = answers(call([*words.split(), "--json"]).output)
     told = [told for told in answer["notes"] if "far from linear" in told]
     assert any(one.partition(": ")[2].startswith(note) for one in told), answer["notes"]
@@ -490,7 +490,7 @@ def test_every_unit_of_a_value_has_the_note_once():
         "100 cd lx --distance 5e99±6e99m",
     ],
 )
-def test_what_no_float_holds_is_refused(words):
+def test_results_out_of_range_are_refused(words):
     number, rest = words.split(" ", 1)
     done = call(["convert", number, *rest.split()])
     assert (done.status, done.output) == (2, "")

@@ -1,4 +1,4 @@
-"""Worked examples of textbooks, lecture notes and manuals: their numbers, to the digits printed.
+"""Worked examples of textbooks, lecture notes and manuals, to the digits printed.
 
 Each names the page that was read, and what is given and printed there.  A printed number holds
 to half a unit of its last digit.
@@ -33,14 +33,14 @@ EV_TABLE = (
 
 
 def strip(f: Callable[[float], Any], low: float, high: float) -> float:
-    """The mean of radcalc's configuration factors over an interval, by Gauss and Legendre."""
+    """Return the mean of configuration factors over an interval, by Gauss-Legendre quadrature."""
     nodes, weights = np.polynomial.legendre.leggauss(12)
     at = (low + high) / 2 + (high - low) / 2 * nodes
     return float(sum(w * f(float(x)) for w, x in zip(weights, at, strict=True))) / 2
 
 
 def beside_rectangle(x: float) -> float:
-    """An element c = 0.5 m below the edge of a parallel rectangle of 3 m by 2 m."""
+    """Return the factor of an element 0.5 m below the edge of a parallel 3 m by 2 m rectangle."""
     found = lambertian(
         "rectangle", width="3m", length="2m", height="0.5m", offset="1.5m", offset_y=f"{x!r}m",
         luminance="1cd/m2",
@@ -49,7 +49,7 @@ def beside_rectangle(x: float) -> float:
 
 
 def across_rectangle(x: float) -> float:
-    """An element facing along a plane, c = 0.5 m from one of 1 m by 2 m, at its edge."""
+    """Return the factor of an element across a rectangle of 1 m by 2 m, 0.5 m from its edge."""
     found = lambertian(
         "rectangle", perpendicular=True, width="2m", length="1m", height="0.5m", offset_y="0.5m",
         offset=f"{x!r}m", luminance="1cd/m2",
@@ -58,7 +58,7 @@ def across_rectangle(x: float) -> float:
 
 
 def under_sphere(r: float) -> float:
-    """An element on a plane that touches a sphere of 1 m, at r; with the weight of its ring."""
+    """Return the weighted factor of an element at r on a plane that touches a sphere of 1 m."""
     found = lambertian(
         "sphere", radius="1m", distance=f"{math.hypot(1, r)!r}m",
         incidence=f"{math.degrees(math.atan(r))!r}deg", luminance="1cd/m2",
@@ -225,7 +225,7 @@ EXAMPLES: list[tuple[str, list[tuple[Callable[[], Any], str, str, str]]]] = [
 
 
 @for_each([(source, *case) for source, cases in EXAMPLES for case in cases])
-def test_a_printed_example_comes_out_to_its_digits(source, call, name, unit, printed):
+def test_printed_examples_agree_to_their_digits(source, call, name, unit, printed):
     half = Decimal((0, (5,), Decimal(printed).as_tuple().exponent - 1))
     value = Decimal(number(call(), name, unit))
     assert abs(value - Decimal(printed)) <= half, (source, value, printed)
