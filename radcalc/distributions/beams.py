@@ -1,11 +1,7 @@
 """Beam angles and field angles: the width of the light in a plane through the axis.
 
-Two definitions are in use.  They differ if the intensity is not greatest on the axis:
-
-- the outermost directions with a given share of the plane's greatest intensity
-- the first directions from the axis with a given share of the axial intensity
-
-The share is one half for the beam angle and one tenth for the field angle.
+Two definitions are in use, which differ if the intensity is not greatest on the axis; see `Beam`.
+The share of the intensity is one half for the beam angle and one tenth for the field angle.
 """
 
 import math
@@ -21,7 +17,7 @@ DIFFER = math.radians(2)  # a larger difference between the definitions is repor
 
 
 class Beam(NamedTuple):
-    """A full angle in one plane, by both definitions.
+    """A full angle in one plane, by both definitions (CIE e-ILV 17-27-077, beam angle).
 
     Attributes
     ----------
@@ -36,10 +32,6 @@ class Beam(NamedTuple):
     edges : tuple of 2 floats [rad] or None
         Outermost directions, as angles from the axis: positive towards the azimuth, negative
         towards the opposite one.
-
-    References
-    ----------
-    .. [1] CIE e-ILV 17-27-077, beam angle (to half of the maximum or of the axial intensity).
     """
 
     outermost: float | None

@@ -59,9 +59,9 @@ def whole(file: FileIO, largest: int, path: str) -> bytes:
 
 
 def check_place(path: str, extensions: Collection[str], things: str, instead: str) -> str:
-    """Check that a file can be written, before the work whose result would be lost.
+    """Return the extension of a file, after a check that the file can be written.
 
-    Return its extension in lower case.
+    The check is made before the work whose result would be lost.
 
     Raises
     ------

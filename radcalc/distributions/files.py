@@ -29,12 +29,7 @@ KNOWN = "an IES (LM-63) or EULUMDAT file, or a table with a column of angles"
 
 
 def read_file(path: str) -> Photometry:
-    """Read a photometric file, or a table of angles and intensities.
-
-    Parameters
-    ----------
-    path : str
-        A regular file of 64 MiB at most, or "-" for standard input.
+    """Read a photometric file or a table, of 64 MiB at most, or standard input (-).
 
     Raises
     ------
@@ -57,12 +52,7 @@ def read_file(path: str) -> Photometry:
 def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
     """Return the name of a text in messages, and its lines without line ends, in any encoding.
 
-    At least one line is not blank.
-
-    Raises
-    ------
-    ConditionError
-        If it cannot be read, or is not text.
+    At least one line is not blank.  Raise a ConditionError if it cannot be read, or is not text.
     """
     name, data = contents.read_bytes(path, MOST_BYTES, expected)
     return name, _lines(data, name, expected)
@@ -89,7 +79,7 @@ def _lines(data: bytes, name: str, expected: str) -> list[str]:
 
 
 def _by_content(lines: Sequence[str]) -> str:
-    """Return the module that can read the lines, or "" if no format matches."""
+    """Return the module that can read the lines, or ""."""
     if _has_eulumdat_head(lines):
         return "eulumdat"
     if any(map(IES.match, lines[:LABEL])):

@@ -33,10 +33,8 @@ class Formula:
         Factor that converts the values to coherent SI; 1 by default.
     kind : str, optional
         "v" for candelas, "e" or "p"; empty, the default, for relative values.
-    unit : str, optional
-        Unit of the values, for messages.
-    quantity : str, optional
-        Quantity of the values, for messages: an intensity or a radiance.
+    unit, quantity : str, optional
+        Those of the values, for messages.
 
     Attributes
     ----------
@@ -46,8 +44,7 @@ class Formula:
     Raises
     ------
     ConditionError
-        If the text is not an expression; on evaluation, if a value is negative or not a finite
-        number.
+        If the text is not an expression; on evaluation, if a value is negative or not finite.
 
     Examples
     --------
@@ -134,7 +131,6 @@ class Formula:
         return [*thetas, peak.polar - width, peak.polar + width], [*phis, *around]
 
     def peak(self) -> Peak:
-        """Return the greatest intensity, found on a grid that is refined around it."""
         return self._peak
 
     @cached_property

@@ -183,7 +183,7 @@ def _unit(label: _Label) -> tuple[str, float, list[str]]:
 
 
 def _tilt(tilt: str, numbers: Numbers) -> str:
-    """Skip the factors of a tilted lamp, and return an assumption that they are not applied."""
+    """Skip the factors of a tilted lamp; return an assumption that they are not applied."""
     if tilt != "INCLUDE":
         return f"the lamp is in its measured position: the factors in {quote(tilt)} are not applied"
     numbers.need(2, "the lamp's position and the number of its tilt angles")
@@ -248,7 +248,7 @@ def _ballast_lamp_factor(numbers: Numbers, edition: int, assumptions: list[str])
 
 
 def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
-    """Raise an error if there are not as many numbers as the counts of angles require.
+    """Check that there are as many numbers as the counts of angles require.
 
     A record ends at the end of a line; the first one that does not is reported.
     """
@@ -275,7 +275,6 @@ def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
 
 
 def _records(vertical: int, horizontal: int) -> Iterator[tuple[int, str]]:
-    """Yield the count and the description of each record."""
     yield vertical, f"the {vertical} vertical angles"
     yield horizontal, f"the {horizontal} horizontal angles"
     for plane in range(1, horizontal + 1):

@@ -59,7 +59,7 @@ def relative_irradiance(
 
 
 def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Integral:
-    """Return the flux of a source into the upper half of space, from its `whole` flux.
+    """Return the flux [lm, W, photon/s or sr] into the upper half of space, from the `whole` flux.
 
     Raises
     ------
@@ -132,7 +132,9 @@ class _Arcs:
 def heights(
     distribution: Distribution, pose: Pose, lateral: float, bearing: float, wanted: float
 ) -> tuple[float, ...]:
-    """Return the heights of a source at which a place to its side has a given irradiance.
+    """Return the heights [m] of a source at which a place to its side has a given irradiance.
+
+    These are all heights found between the horizon and straight below, the highest first.
 
     Parameters
     ----------
@@ -142,11 +144,6 @@ def heights(
         Azimuth of the place about that point, from +x towards +y.
     wanted : float
         Irradiance, above 0, in the unit of `relative_irradiance`.
-
-    Returns
-    -------
-    tuple of float [m]
-        All heights found between the horizon and straight below, the highest first.
 
     Raises
     ------
@@ -172,26 +169,10 @@ def heights(
 def laterals(
     distribution: Distribution, pose: Pose, height: float, bearing: float, wanted: float
 ) -> tuple[float, ...]:
-    """Return the distances from the point below a source at which a plane has a given irradiance.
+    """Return the distances [m] from the point below a source with a given irradiance.
 
-    Parameters
-    ----------
-    height : float [m]
-        Height of the source above the plane, above 0.
-    bearing : float [rad]
-        Azimuth of the search, about the point below the source, from +x towards +y.
-    wanted : float
-        Irradiance, above 0, in the unit of `relative_irradiance`.
-
-    Returns
-    -------
-    tuple of float [m]
-        All distances found between the horizon and straight below, the nearest first.
-
-    Raises
-    ------
-    ConditionError
-        If no place has this irradiance.
+    These are all distances found between the horizon and straight below, the nearest first.
+    `height` [m] is above 0; the other parameters and the error are those of `heights`.
 
     Examples
     --------
@@ -209,7 +190,6 @@ def laterals(
 
 
 def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[float]:
-    """Return the angles from straight down with a given irradiance, by repeated refinement."""
     off = numpy.linspace(0.0, math.pi / 2, ANGLES + 1)[:-1]
     off[0] = 1e-9  # straight down, but not 0, for which the height would be infinite
     above = light(off) >= wanted
@@ -236,17 +216,8 @@ def on_plane(
 ) -> Number:
     """Return the solid angle of a horizontal disc under a source, weighted with the intensity.
 
-    Parameters
-    ----------
-    radius : float or ndarray [m]
-        Radius of the disc, above 0.
-    x, y, height : float or ndarray [m]
-        Centre of the disc, as in `relative_irradiance`.
-
-    Returns
-    -------
-    float or ndarray [lm, W, photon/s or sr]
-        Flux on the disc, to 0.1 % or better.
+    It is the flux [lm, W, photon/s or sr] on the disc, to 0.1 % or better.  `x`, `y` and `height`
+    are those of the centre in `relative_irradiance`, `radius` [m] is above 0; all may be arrays.
 
     Raises
     ------
@@ -277,17 +248,8 @@ def on_facing_disc(
 ) -> Number:
     """Return the solid angle of a disc that faces a source, weighted with the intensity.
 
-    Parameters
-    ----------
-    radius, distance : float or ndarray [m]
-        Radius of the disc and distance of its centre, above 0.
-    theta, phi : float or ndarray [rad]
-        Direction of its centre, from the source.
-
-    Returns
-    -------
-    float or ndarray [lm, W, photon/s or sr]
-        As in `on_plane`.
+    `distance` [m], `theta` and `phi` [rad] are those of the centre from the source.  The unit, the
+    precision and the error are those of `on_plane`.
 
     Examples
     --------
@@ -312,7 +274,7 @@ def _about_axis(distribution: Distribution, radius: Number, away: Number) -> Num
 
 
 def _counts(distribution: Distribution, radius: Number, away: Number) -> list[int]:
-    """Return the numbers of radii to sample, so fine that no light falls between the samples."""
+    """Return the numbers of radii to sample, so that no light falls between the samples."""
     widest = float(numpy.arctan(numpy.max(radius / away, initial=0.0)))
     least = math.pi * widest / distribution.finest
     counts = [count for count in COUNTS if 2 * count >= least]
@@ -369,7 +331,7 @@ def _seen(across: Any, along: Any, distance: Any, theta: Any, phi: Any) -> tuple
 def _over_discs(
     light: Callable[..., Any], counts: list[int], radius: Number, *places: Number
 ) -> Number:
-    """Return the integral of the light over discs, with more points until the result is stable."""
+    """Integrate over discs, with more points until the result is stable."""
     shape = numpy.broadcast_shapes(*map(numpy.shape, (radius, *places)))
     size, *where = (numpy.broadcast_to(x, shape).ravel() for x in (radius, *places))
     if 2 * counts[1] ** 2 * len(size) > MOST:
@@ -392,7 +354,7 @@ def _over_discs(
 
 
 def _sums(light: Callable[..., Any], count: int, size: Any, where: list[Any]) -> Any:
-    """Return the integral over each disc: Gauss-Legendre radii, each at twice as many angles."""
+    """Sum over each disc: Gauss-Legendre radii, each at twice as many angles."""
     nodes, weights = numpy.polynomial.legendre.leggauss(count)
     radii = numpy.sqrt((nodes + 1) / 2)  # of rings of equal area
     angles = (numpy.arange(2 * count) + 0.5) * math.pi / count

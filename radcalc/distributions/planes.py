@@ -21,18 +21,8 @@ ROUNDED = 0.5  # [deg] rounding of the angles of evenly spaced planes
 def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
     """Complete a table of a half or a quarter of the circle by reflection at its last plane.
 
-    Parameters
-    ----------
-    planes : array_like of shape (n,) [deg]
-        Azimuths of the half planes, rising, from a plane of symmetry to the next, 90 or 180
-        degrees later.
-    values : array_like of shape (n, m)
-        A row for each half plane.
-
-    Returns
-    -------
-    tuple of two ndarrays
-        Azimuths [deg] over a whole turn, where the last plane repeats the first, and their rows.
+    `planes` are azimuths [deg], rising, from a plane of symmetry to the next; `values` has a row
+    for each.  Return those of a whole turn, where the last plane repeats the first.
 
     Raises
     ------
@@ -105,11 +95,6 @@ def without_noise(
     `refuse` raises the error of a bad value, from its index in the flat array, the problem and a
     hint.  Bad are values further below 0 than noise or too large for sums, and the last value if
     none is above 0.
-
-    Examples
-    --------
-    >>> without_noise(numpy.array([100.0, -0.01]), print)
-    (array([100.,   0.]), ('1 negative intensity (down to -0.01) counts as 0',))
     """
     peak, low = float(values.max()), float(values.min())
     if max(peak, -low) > GREATEST:

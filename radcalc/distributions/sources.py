@@ -93,14 +93,8 @@ def formula_with_unit(
 ) -> Any:
     """Read an expression, followed by a blank and a unit of `kinds`, or relative without a unit.
 
-    Parameters
-    ----------
-    quantity : str
-        Quantity of the expression, for messages: an intensity or a radiance.
-    kinds : dict
-        Accepted dimensions of the unit, with their kinds of light.
-    example : str
-        An accepted unit, for messages.
+    `kinds` are the accepted dimensions of the unit, with their kinds of light.  `quantity` and
+    `example` (an accepted unit) are for messages.
 
     Raises
     ------

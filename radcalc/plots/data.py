@@ -73,7 +73,7 @@ class Chart(NamedTuple):
 
 
 class Plane(NamedTuple):
-    """A plane of a polar diagram: values at angles from the axis [deg], negative on one side."""
+    """Values at angles from the axis [deg], which are negative in the opposite half plane."""
 
     label: str
     angles: Values

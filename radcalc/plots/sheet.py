@@ -34,7 +34,7 @@ class Style(NamedTuple):
 
 
 class Layer(NamedTuple):
-    """Dots of one colour, and their character in ASCII; `colors` has those of other columns."""
+    """Dots of one colour, and their character in ASCII; `colors` are exceptions, by column."""
 
     canvas: Any
     color: str

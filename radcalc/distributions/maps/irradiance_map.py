@@ -48,19 +48,13 @@ def irradiance_map(
 ) -> IrradianceMap:
     """Return the irradiances of receivers that face in all directions, as a latlong map.
 
-    Parameters
-    ----------
-    width, height : int
-        Size of the new map [pixels], 2:1.
-    order : int, optional
-        2 for spherical harmonics up to that order; the exact sum by default.
-    progress : callable, optional
-        Called with the work done so far and the total.
+    `order` is 2 for spherical harmonics up to that order; the exact sum is the default.
+    `progress` is called with the work done so far and the total.
 
     Raises
     ------
     ConditionError
-        If the size is not that of a latlong map, or the order is not 2.
+        If the size [pixels] is not that of a latlong map, or the order is not 2.
 
     Examples
     --------

@@ -30,12 +30,7 @@ BLOCK = 1 << 20  # floats to write at a time
 
 
 def read(data: bytes, name: str) -> Picture:
-    """Read a portable float map.
-
-    Returns
-    -------
-    Picture
-        R, G, B or Y; pixels that are negative, infinite or NaN are passed on.
+    """Read a portable float map; negative, infinite and NaN pixels are passed on.
 
     Raises
     ------
@@ -76,10 +71,7 @@ def read(data: bytes, name: str) -> Picture:
 def write(path: str, picture: Picture) -> tuple[str, ...]:
     """Write a portable float map, little-endian; return a note about lost information.
 
-    Raises
-    ------
-    ConditionError
-        If the channels are X, Y, Z, which a reader would interpret as R, G, B.
+    Raise a ConditionError for X, Y, Z, which a reader would interpret as R, G, B.
     """
     if picture.channels == XYZ:
         raise ConditionError("PFM has no X, Y, Z", "a Radiance (.hdr) or OpenEXR (.exr) picture")

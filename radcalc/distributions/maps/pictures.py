@@ -56,14 +56,10 @@ class Picture(NamedTuple):
         Luminance of the channels: by the file's primaries, else those of Rec. 709.
     format : str
         "Radiance RGBE", "OpenEXR" or "PFM".
-    unit : str
-        Unit declared by the file, or empty.
-    projection : str
-        Projection declared by the file, or empty.
+    unit, projection : str
+        Those declared by the file, or empty.
     frame : tuple of int, or None
         Left, top, full width and full height, if the pixels are a part of a larger picture.
-    assumptions, notes : tuple of str
-        Assumptions of the reader, and oddities.
     """
 
     pixels: Any

@@ -84,12 +84,7 @@ class _Header(NamedTuple):
 
 
 def read(data: bytes, name: str) -> Picture:
-    """Read a Radiance picture.
-
-    Returns
-    -------
-    Picture
-        R, G, B; X, Y, Z, where Y is luminance in cd/m2; or Y of a grey picture from `write`.
+    """Read a Radiance picture: R, G, B; X, Y, Z in cd/m2; or Y of a grey picture from `write`.
 
     Raises
     ------
@@ -134,11 +129,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     """Write a Radiance picture, with rows in the new run-length encoding if possible.
 
     A grey picture is written as R = G = B, with a mark in its header.  Return notes on losses.
-
-    Raises
-    ------
-    ConditionError
-        If a pixel is negative, not finite, or beyond the largest exponent.
+    Raise a ConditionError for pixels that are negative, not finite, or too large.
     """
     height, width = picture.pixels.shape[:2]
     pixels = np.broadcast_to(picture.pixels, (height, width, 3))
@@ -240,7 +231,6 @@ def _header_lines(data: bytes, name: str) -> tuple[list[str], int]:
 
 
 def _numbers(lines: list[str], name: str) -> dict[str, list[float]]:
-    """Return the values of numeric variables, multiplied if they are cumulative."""
     values: dict[str, list[float]] = {}
     for line in lines:
         key, _, text = line.partition("=")

@@ -39,25 +39,13 @@ class Sun(NamedTuple):
 def sky_map(sky: Sky, width: int, height: int, sun: Sun | None = None) -> Picture:
     """Return a latlong map of a sky: the azimuth 0 at the centre, +y on the left of it.
 
-    Parameters
-    ----------
-    sky : Sky
-        Its radiances must have a kind.
-    width, height : int
-        Size [pixels]; twice as wide as high, with an even height.
-    sun : Sun, optional
-        The sun's disc, if the map should include it.
+    Its channel has the mean radiances of the pixels, in cd/m2, W/m2/sr or umol/m2/s/sr, so the sky
+    must have a kind.  The height [pixels] is even, and half of the width.
 
-    Returns
-    -------
-    Picture
-        One channel, in cd/m2, W/m2/sr or umol/m2/s/sr: the mean radiances of the pixels.
-
-        The sun's light is distributed over the pixels by the share of the disc in each.  A
-        receiver whose horizon does not cut these pixels gets the sun's irradiance times the
-        cosine for the true position of the disc.  A disc with too few pixels for that is
-        enlarged, to a radius of three rows at most; a disc cut by the horizon may be exact only
-        for a receiver that faces it.
+    The sun's light is distributed over the pixels by the share of its disc in each.  A receiver
+    whose horizon does not cut these pixels gets the sun's irradiance times the cosine for the true
+    position of the disc.  A disc with too few pixels for that is enlarged, to a radius of three
+    rows at most; a disc cut by the horizon may be exact only for a receiver that faces it.
 
     Raises
     ------
