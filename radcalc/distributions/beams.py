@@ -41,15 +41,9 @@ class Beam(NamedTuple):
 
 
 def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
-    """Return the full angle in the plane of an azimuth and the opposite one.
+    """Return the full angle in the plane of an azimuth [rad] and the opposite one.
 
-    Parameters
-    ----------
-    distribution : Distribution
-    azimuth : float [rad]
-        0 for C0-C180, pi/2 for C90-C270.
-    share : float [1]
-        Share of the intensity: 1/2 for the beam angle, 1/10 for the field angle.
+    `share` is that of the intensity: 1/2 for the beam angle, 1/10 for the field angle.
 
     Examples
     --------

@@ -50,13 +50,8 @@ class Column(NamedTuple):
 def angles(title: str) -> Unit | None:
     """Return the unit of angle in the title of the first column, or None.
 
-    Raises
-    ------
-    ConditionError
-        If the title is not that of polar angles.
+    Raise a ConditionError if the title is not that of polar angles.
 
-    Examples
-    --------
     >>> angles("theta [rad]")
     Unit('rad')
     >>> angles("gamma")
@@ -76,15 +71,8 @@ def angles(title: str) -> Unit | None:
 
 
 def column(title: str) -> Column:
-    """Read the title of a column of intensities.
+    """Read the title of a column; raise a ConditionError if it is not that of intensities.
 
-    Raises
-    ------
-    ConditionError
-        If the title is that of another quantity.
-
-    Examples
-    --------
     >>> column("I (cd)")
     Column(plane=None, opposite=None, unit=Unit('cd'))
     """
@@ -117,10 +105,7 @@ def _number(text: str | None) -> float | None:
 def in_comments(comments: Sequence[str]) -> Unit | None:
     """Return the unit of intensity in a short comment such as `# I (cd)`, or None.
 
-    Raises
-    ------
-    ConditionError
-        If comments have different units.
+    Raise a ConditionError if comments have different units.
     """
     units: dict[tuple[object, float], Unit] = {}
     for comment in comments:

@@ -18,10 +18,7 @@ BLOCK = 1 << 20  # bytes to read at a time if the size is unknown
 def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
     """Return the name in messages, and all contents, of a regular file or of standard input (-).
 
-    Raises
-    ------
-    ConditionError
-        If it cannot be read, is not a regular file or has more than `largest` bytes.
+    Raise a ConditionError if it cannot be read, or has more than `largest` bytes.
     """
     if path == "-":
         return "stdin", _whole(terminal.read, BLOCK, largest, "stdin")
@@ -34,14 +31,6 @@ def opened(path: str, largest: int, expected: str, instead: str = "a file") -> I
     """Open a regular file for reading, without waiting for a pipe or a device.
 
     It raises the errors of `read_bytes`, also during reading; `instead` is the hint for a pipe.
-
-    Examples
-    --------
-    >>> with opened("/dev/zero", 1000, "a text"):
-    ...     pass
-    Traceback (most recent call last):
-    radcalc.errors.ConditionError: cannot read /dev/zero: a pipe or a device
-    try: a file
     """
     with readable(path, expected) as name, FileIO(path, opener=_without_waiting) as file:
         status = os.fstat(file.fileno())
@@ -61,21 +50,12 @@ def whole(file: FileIO, largest: int, path: str) -> bytes:
 def check_place(path: str, extensions: Collection[str], things: str, instead: str) -> str:
     """Return the extension of a file, after a check that the file can be written.
 
-    The check is made before the work whose result would be lost.
-
     Raises
     ------
     ConditionError
         If the extension is not accepted.
     OutputError
         If the file cannot be written, as far as that is known in advance.
-
-    Examples
-    --------
-    >>> check_place("led.pdf", (".svg", ".png"), "figures", ".svg or .png")
-    Traceback (most recent call last):
-    radcalc.errors.ConditionError: led.pdf: figures are not written as .pdf
-    try: .svg or .png
     """
     extension = os.path.splitext(path)[1].lower()
     if extension not in extensions:

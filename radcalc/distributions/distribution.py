@@ -51,17 +51,10 @@ class Distribution(Protocol):
     def finest(self) -> float: ...
 
     def intensity(self, theta: Number, phi: Number) -> Number:
-        """Return the intensity in directions.
+        """Return the intensity [cd, W/sr, photon/s/sr or 1] in directions, 0 or more.
 
-        Parameters
-        ----------
-        theta, phi : float or ndarray [rad]
-            Polar angle from the axis, from 0 to pi, and azimuth; broadcast together.
-
-        Returns
-        -------
-        float or ndarray [cd, W/sr, photon/s/sr or 1]
-            0 or more.
+        `theta`, the polar angle from the axis, from 0 to pi, and the azimuth `phi` [rad] are
+        broadcast together.
         """
         ...
 
@@ -84,24 +77,11 @@ def integrated(
     accuracy: float,
     steps: Steps = ((), ()),
 ) -> Integral:
-    """Return the flux between polar angles and azimuths, by cubature.
+    """Return the flux between polar angles and azimuths [rad], by cubature.
 
-    Parameters
-    ----------
-    distribution : Distribution
-        Only `intensity` and `is_axial` are used.
-    polar, azimuth : tuple of 2 floats [rad]
-        Limits of the integral.
-    accuracy : float [1]
-        Sufficient error, relative to the flux; a larger one, up to 1e-3, is accepted if edges
-        across the angles cause it.
-    steps : tuple of 2 sequences of float [rad], optional
-        Polar angles and azimuths within the limits at which the intensity has a step.
-
-    Returns
-    -------
-    Integral
-        0 if the part is dark at all points of a fine grid.
+    The accuracy is relative to the flux; a larger error, up to 1e-3, is accepted if edges across
+    the angles cause it.  `steps` are polar angles and azimuths within the limits at which the
+    intensity has a step.  The flux is 0 if the part is dark at all points of a fine grid.
 
     Raises
     ------

@@ -56,13 +56,8 @@ def is_map(source: str) -> bool:
 def expression(text: str) -> Environment:
     """Read an expression in theta (polar angle from +z) and phi (azimuth from +x), with its unit.
 
-    Raises
-    ------
-    ConditionError, UnitError
-        If it is not an expression, or its unit is not a unit of radiance.
+    Raise a ConditionError or a UnitError for other texts and units.
 
-    Examples
-    --------
     >>> round(expression("3000 cd/m2").radiances.mean(), 6)
     3000.0
     """
@@ -82,12 +77,8 @@ def of_picture(
 ) -> Environment:
     """Return the environment of a map, with the world direction of its centre (+x by default).
 
-    `unit`, `projection` and `channel` are choices of the user.
-
-    Raises
-    ------
-    ConditionError, MissingInput
-        If one of these is missing or impossible, or the pixels do not fit the projection.
+    `unit`, `projection` and `channel` are choices of the user.  Raise a ConditionError or a
+    MissingInput if one of them is impossible or missing, or the pixels do not fit the projection.
     """
     from radcalc.distributions.maps.pictures import BY_REC_709, Y
     from radcalc.distributions.maps.radiance_map import RadianceMap
@@ -216,14 +207,8 @@ def _in(unit: Unit) -> str:
 def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
     """Return the factor to coherent SI, and the kind of light, of a picture's values.
 
-    A unit given by the user overrules that of the picture.
-
-    Raises
-    ------
-    ConditionError
-        If the unit is not a unit of radiance.
-    MissingInput
-        If there is no unit.
+    A unit given by the user overrules that of the picture.  Raise a MissingInput if there is none,
+    and a ConditionError for a unit that is not a unit of radiance.
     """
     file_unit = resolve(picture.unit) if picture.unit else None
     if file_unit and file_unit.dimension not in (NUMBER, *RADIANCES):
@@ -275,10 +260,7 @@ class Weighted(NamedTuple):
 def weighted(picture: "Picture", kind: str) -> Weighted:
     """Return the weights with which the channels add up to a luminance or radiance.
 
-    Raises
-    ------
-    MissingInput
-        If the channels have no common sum in that kind of light.
+    Raise a MissingInput if they have no common sum in that kind of light.
     """
     from radcalc.distributions.maps.pictures import REC_709, RGB
 
@@ -314,10 +296,7 @@ def _sum(weights: Sequence[float], names: Sequence[str]) -> str:
 def projection_of(picture: "Picture", given: str) -> str:
     """Return the projection: given by the user, declared by the file, or latlong for a 2:1 picture.
 
-    Raises
-    ------
-    MissingInput
-        If it is neither given nor declared, and the picture is not 2:1.
+    Raise a MissingInput if there is none.
     """
     height, width = picture.pixels.shape[:2]
     if picture.frame:

@@ -50,15 +50,9 @@ def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
 def closed(planes: Any, values: Any) -> tuple[Any, Any]:
     """Close a table of the whole circle by a repetition of its first plane, unless it has one.
 
-    Parameters are those of `mirrored`, for planes anywhere on the circle.
+    Parameters are those of `mirrored`, for planes anywhere on the circle.  Raise a ConditionError
+    if the gap after the last plane is wider than any other, so that planes are missing.
 
-    Raises
-    ------
-    ConditionError
-        If the gap after the last plane is wider than any other, so that planes are missing.
-
-    Examples
-    --------
     >>> closed([0, 120, 240], [[1], [2], [3]])[0].tolist()
     [0.0, 120.0, 240.0, 360.0]
     """

@@ -50,24 +50,9 @@ class Pose:
         self.axes = tuple(_turned(source_axis, axis) for source_axis in (c0, c90, DOWN))
 
     def angles(self, to: Vector) -> tuple[Number, Number, Number]:
-        """Return the angles of a vector in the source's coordinates, and its length.
+        """Return polar angle and azimuth [rad] in the source's coordinates, and the distance.
 
-        Parameters
-        ----------
-        to : tuple of 3 floats or ndarrays [m]
-            World vector from the source to a point.
-
-        Returns
-        -------
-        theta, phi : float or ndarray [rad]
-            Polar angle from the source's axis, and azimuth about it from C0 towards C90.
-        distance : float or ndarray [m]
-            Length of the vector.
-
-        Raises
-        ------
-        ConditionError
-            If the vector is 0.
+        `to` is the world vector from the source to a point; raise a ConditionError if it is 0.
         """
         return spherical(*components(self.axes, to))
 

@@ -39,14 +39,10 @@ class Radiances(Protocol):
     def coverage(self) -> float: ...
 
     def radiance(self, polar: Number, azimuth: Number) -> Number:
-        """Return the radiance from directions.
+        """Return the radiance [cd/m2, W/m2/sr, photon/s/m2/sr or 1] from directions, 0 or more.
 
-        It is 0 or more.
-
-        Parameters
-        ----------
-        polar, azimuth : float or ndarray [rad]
-            Polar angle from +z, from 0 to pi, and azimuth from +x; broadcast together.
+        `polar`, the angle from +z, from 0 to pi, and the azimuth from +x [rad] are broadcast
+        together.
         """
         ...
 

@@ -300,13 +300,8 @@ def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
 def blocks(points: Any) -> Iterator[Vector]:
     """Yield points, array_like of shape (n, 3) [m], in blocks of up to `BLOCK`.
 
-    Raises
-    ------
-    ConditionError
-        If the array has another shape, or a coordinate is not finite.
+    Raise a ConditionError for another shape, or a coordinate that is not finite.
 
-    Examples
-    --------
     >>> [x.tolist() for x in next(blocks([[1, 2, 3]]))]
     [[1.0], [2.0], [3.0]]
     """

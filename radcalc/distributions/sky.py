@@ -29,8 +29,7 @@ class Sky:
     Raises
     ------
     ConditionError
-        If there is no such sky, if the sun is below the horizon, or if the sky does not depend
-        on the sun.
+        If there is no such sky, the sun is below the horizon, or the sky does not depend on it.
     MissingInput
         If the sky depends on the sun, and its position is missing.
 
@@ -41,8 +40,6 @@ class Sky:
     >>> sky = Sky("overcast", zenith=9000.0, kind="v")
     >>> [round(sky.irradiance(normal).value, 2) for normal in ((0, 0, 1), (1, 0, 0))]
     [21991.15, 8712.39]
-    >>> round(Sky("clear", (0.8, 0.0)).peak().value, 3)
-    7.504
     """
 
     coverage = 0.5

@@ -31,11 +31,8 @@ INTENSITIES = {light_dimension(kind, (0, 0, 1), ""): kind for kind in KINDS}
 def photometry(source: Any) -> Photometry:
     """Read a distribution as a user gives it.
 
-    Parameters
-    ----------
-    source : str, path, Distribution or Photometry
-        The path of a file; an expression in theta and phi, followed by a blank and a unit of
-        intensity, or relative without a unit; or a distribution.
+    `source` is the path of a file; an expression in theta and phi, followed by a blank and a unit
+    of intensity, or relative without a unit; or a distribution.
 
     Raises
     ------
@@ -82,7 +79,7 @@ def is_unknown_word(text: str) -> bool:
 
 
 def unseen(formula: Any) -> tuple[str, ...]:
-    """Return an assumption about peaks of an expression that may be missed."""
+    """Return an assumption about peaks of an expression that may be missed, if any."""
     if not formula.expression.uses:
         return ()
     return (f"peaks narrower than {math.degrees(formula.unseen):.2g} deg may be missed",)
@@ -93,18 +90,13 @@ def formula_with_unit(
 ) -> Any:
     """Read an expression, followed by a blank and a unit of `kinds`, or relative without a unit.
 
-    `kinds` are the accepted dimensions of the unit, with their kinds of light.  `quantity` and
-    `example` (an accepted unit) are for messages.
+    `kinds` are the accepted dimensions of the unit, with their kinds of light; `quantity` and
+    `example` are for messages.
 
     Raises
     ------
     ConditionError, UnitError
         If the text is not an expression, or its unit does not belong to the quantity.
-
-    Examples
-    --------
-    >>> formula_with_unit("2*cos(theta/2) kcd", "intensity", INTENSITIES, "cd").factor
-    1000.0
     """
     from radcalc.distributions.formula import Formula
 

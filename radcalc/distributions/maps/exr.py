@@ -1,7 +1,7 @@
 """OpenEXR pictures, through the package OpenEXR.
 
-The library reads the headers first, without the pixels.  Sizes are checked before it allocates
-memory for pixels; it detects damage itself.  It prints what it cannot decode; that is caught.
+The headers are read first, so that sizes are checked before the library allocates memory for
+pixels; it detects damage itself.  It prints what it cannot decode; that is caught.
 
 References
 ----------
@@ -55,10 +55,6 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     ConditionError
         If it is damaged, deep, a cube or too large, or has neither R, G and B nor Y; if the
         package OpenEXR is missing.
-
-    References
-    ----------
-    [1]_, [2]_, [3]_
     """
     file = io.BytesIO(data)
     parts = _parts(file, name)

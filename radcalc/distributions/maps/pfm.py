@@ -3,7 +3,7 @@
 Rows begin at the bottom, as in Debevec's HDR Shop and Netpbm's pfm(5); Photoshop begins at the top,
 which cannot be seen from the file.  The sign of the scale in the third line is the byte order
 (negative: little-endian).  Its absolute value multiplies all pixels here, as in OpenImageIO and
-pbrt; other programs ignore it, so there is a note if it is not 1.
+pbrt; other programs ignore it.
 """
 
 import re
@@ -32,13 +32,8 @@ BLOCK = 1 << 20  # floats to write at a time
 def read(data: bytes, name: str) -> Picture:
     """Read a portable float map; negative, infinite and NaN pixels are passed on.
 
-    Raises
-    ------
-    ConditionError
-        If the header is wrong, or the file has more or fewer bytes than its size requires.
+    Raise a ConditionError if the header is wrong, or the size does not fit it.
 
-    Examples
-    --------
     >>> read(b"Pf\\n1 2\\n-1\\n" + bytes([0, 0, 0, 64, 0, 0, 128, 63]), "sky.pfm").pixels.tolist()
     [[[1.0]], [[2.0]]]
     """

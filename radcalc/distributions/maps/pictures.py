@@ -84,13 +84,6 @@ def read_picture(path: str, channel: str = "") -> Picture:
     ConditionError
         If it cannot be read, has none of the three formats, or has more than 4 GiB or 2^28
         pixels; also the errors of the format's reader.
-
-    Examples
-    --------
-    >>> read_picture("-")
-    Traceback (most recent call last):
-    radcalc.errors.ConditionError: a picture cannot be read from standard input
-    try: its file
     """
     if path == "-":
         raise ConditionError("a picture cannot be read from standard input", "its file")
@@ -116,8 +109,8 @@ def read_picture(path: str, channel: str = "") -> Picture:
 def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
     """Write a picture in the format of the extension, completely or not at all.
 
-    Return notes on the information that the format cannot store.  An existing file is replaced
-    only when all is written, so a picture can replace its own source.
+    Return notes on the information that the format cannot store.  A picture can replace its own
+    source.
 
     Raises
     ------
@@ -160,10 +153,7 @@ def check_size(width: int, height: int, name: str) -> None:
 def as_floats(values: Any, unit: str) -> Any:
     """Return the values of a new picture, 0 or more, as 32-bit floats.
 
-    Raises
-    ------
-    ConditionError
-        If a value is too large for 32 bits, or all values are too small.
+    Raise a ConditionError if a value is too large, or all values are too small.
     """
     highest = values.max()
     if not highest < BRIGHTEST:
@@ -189,17 +179,11 @@ def _without_noise(picture: Picture) -> Picture:
 
 
 def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float, ...]:
-    """Return the luminance weights of R, G, B from x and y of red, green, blue and white.
+    """Return the luminance weights of R, G, B, whose sum is 1.
 
-    White is R = G = B; the sum of the weights is 1.
+    `chromaticities` are x and y of red, green, blue and white, which is R = G = B.  Raise a
+    ConditionError if y of white is not positive, or the primaries are on a line.
 
-    Raises
-    ------
-    ConditionError
-        If they are impossible: y of white is not positive, or the primaries are on a line.
-
-    Examples
-    --------
     >>> of_709 = (0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329)
     >>> [round(weight, 4) for weight in luminance_weights(of_709, "sky.hdr")]
     [0.2126, 0.7152, 0.0722]

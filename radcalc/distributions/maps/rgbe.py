@@ -5,8 +5,8 @@ any of the eight orientations, and be flat or in the old or the new run-length e
 
 A channel is mantissa * 2^(exponent - 136), as in OpenImageIO, stb_image and most programs.
 Radiance itself reads (mantissa + 0.5) * 2^(exponent - 136), as its writers truncate: its values are
-half a step brighter, 0.2 % to 0.4 % in the brightest channel.  `write` rounds to the nearest value,
-so that values read here are right on average.
+0.2 % to 0.4 % brighter in the brightest channel.  `write` rounds to the nearest value, so that
+values read here are right on average.
 """
 
 import math
