@@ -152,7 +152,7 @@ def answers(text: str) -> list[dict[str, Any]]:
 
 
 def results(text: str) -> dict[str, Any]:
-    """Read the results, by name, of the only answer in a JSON text."""
+    """Read the results of the only answer in a JSON text, keyed by name."""
     (answer,) = answers(text)
     return answer["results"]
 

@@ -182,7 +182,7 @@ def test_the_centre_of_a_map_is_its_aim(tmp_path):
     pixels[15:17, 15:17] = 1.0
     path = written(tmp_path / "left.pfm", pixels)
     names = ("-g", "peak-polar:deg", "-g", "peak-azimuth:deg")
-    near = {"abs": 4}  # of the middle of a pixel beside the place
+    near = {"abs": 4}  # at the centre of the nearest pixel
     assert asked(path, "--unit", "1", *names) == pytest.approx([90, 90], **near)
     aimed = asked(path, "--unit", "1", "--aim", "0,1,0", *names)
     assert aimed == pytest.approx([90, 180], **near)

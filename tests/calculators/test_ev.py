@@ -47,7 +47,7 @@ def test_a_reading_in_ev_depends_on_the_constant_of_the_meter(words, reading):
         ("--nd ND64 -g nd -g stops", (1.8, 6)),
         ("--nd ND400 -g nd -g stops", (2.6, 8 + 2 / 3)),
         ("--nd 3.0ND -g nd -g stops", (3.0, 10)),
-        # 1 s behind three stops is 8 s: practiceadvices.com, "calculate shutter speed"
+        # 1 s becomes 8 s with three stops: practiceadvices.com, "calculate shutter speed"
         ("--unfiltered-time 1s --stops 3 -g time", (8,)),
         ("--time 8s --stops 3 -g unfiltered-time", (1,)),
         ("--time 8s --unfiltered-time 1s -g stops", (3,)),

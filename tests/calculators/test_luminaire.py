@@ -1,4 +1,4 @@
-"""Point sources of any distribution: files, expressions, and what is aimed.
+"""Point sources with any distribution: files, expressions, aimed sources.
 
 Closed forms, independent sums and vectors; files are written here.
 """
@@ -220,7 +220,7 @@ def test_a_spectrum_links_the_kinds(table):
     found = point_source(distribution=table, spectrum="LED-B3", distance="2m")
     efficacy = number(found, "luminous_efficacy", "lm/W")
     assert number(found, "radiant_flux", "W") == pytest.approx(791.3485 / efficacy, rel=1e-6)
-    # and one that is given in watts is counted in the file's candelas
+    # watts are converted to the candelas of the file
     same = point_source(
         distribution=table, spectrum="LED-B3", irradiance=found["radiant_irradiance"]
     )

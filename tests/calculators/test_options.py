@@ -12,7 +12,7 @@ from radcalc.calculators import point_source as point_module
 from radcalc.errors import RadcalcError
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 
-# A distribution may be named beside an option that tells it already, or where it goes without.
+# A distribution may be given in addition to an option that implies it.
 NAMED = ("distribution", "isotropic")
 PLACED = [name for name in point_module.PAGE.takes if name not in NAMED]
 POINT = (*PLACED, *LINKS, *REFINEMENTS)

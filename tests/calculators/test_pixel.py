@@ -11,7 +11,7 @@ PI = math.pi
 @pytest.mark.parametrize(
     ("words", "values"),
     [
-        # a row of a latlong map is a zone, 2 pi (cos a - cos b) sr, of which each pixel has a part
+        # a row of a latlong map is a zone, 2 pi (cos a - cos b) sr, divided among its pixels
         ("--size 4x2 --pixel 3,1 -g solid-angle -g sphere-fraction", [PI / 2, 1 / 8]),
         ("--size 12x6 --pixel 0,0 -g solid-angle", [PI / 6 * (1 - math.sqrt(0.75))]),
         ("--size 12x6 --pixel 11,5 -g solid-angle:deg2",

@@ -33,12 +33,12 @@ CLASSROOM = "--width 6m --length 8m --height 2m --flux 3200lm --utilance 0.5 --m
         ("--area 54m2 --room-index 1.8 --height 2m", "width", 6),
         ("--area 54m2 --room-index 1.8 --height 2m", "length", 9),
         ("--area 36m2 --room-index 1.5 --height 2m", "length", 6),
-        # 500 lx on 54 m2 are 27 klm, of which 12 luminaires of 3750 lm send 60 %
+        # 500 lx on 54 m2 are 27 klm, 60 % of the flux of 12 luminaires of 3750 lm
         ("--area 54m2 --illuminance 500lx --luminaires 12 --utilance 60%", "flux:lm", 3750),
         ("--area 54m2 --illuminance 500lx --luminaires 12 --flux 3750lm", "utilance", 0.6),
         ("--area 54m2 --illuminance 400lx --luminaires 12 --flux 3750lm --utilance 0.6",
          "maintenance", 0.8),
-        # 30 W at 120 lm/W are 3600 lm, of which 15.625 at 0.6 and 0.8 make 500 lx on 54 m2
+        # 30 W at 120 lm/W are 3600 lm; 15.625 of them, times 0.6 and 0.8, are 500 lx on 54 m2
         ("--area 54m2 --illuminance 500lx --flux 30W --efficacy 120lm/W --utilance 0.6 "
          "--maintenance 0.8", "luminaires", 15.625),
         ("--width 6m --illuminance 500lx --luminaires 12 --utilance 0.6 --flux 3750lm",

@@ -171,7 +171,7 @@ def test_the_error_of_a_bad_row_has_its_place(tmp_path, text):
     assert BAD[text][0] in message
     assert BAD[text][1] in message + hint
     assert hint
-    assert "--flux" not in done.stderr  # a column is no option
+    assert "--flux" not in done.stderr  # a column is not an option
 
 
 @pytest.mark.parametrize(
@@ -274,7 +274,7 @@ def test_kinds_are_linked_and_shown(tmp_path):
     words = ("--at", "0,0,0", "--at", "0,0,1", "--wavelength", "555nm", "-q")
     done = scene(tmp_path, text, *words, "-g", "irradiance:lx", "-g", "irradiance:W/m2")
     rows = [[float(x) for x in line.split()] for line in done.stdout.splitlines()]
-    # behind the receiver the watts do not count; 683.002 lm/W at 555 nm (V is 1 there)
+    # watts below the horizon do not count; 683.002 lm/W at 555 nm, where V is 1
     assert rows[0] == pytest.approx([800 / 16 / math.pi, 800 / 16 / math.pi / 683.002], rel=1e-6)
     down = (*words, "--normal", "0,0,-1", "-g", "irradiance:W/m2")
     assert [float(x) for x in scene(tmp_path, text, *down).stdout.split()] == pytest.approx(

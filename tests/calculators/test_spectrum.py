@@ -80,7 +80,7 @@ def test_an_impossible_ratio_is_absent_and_other_results_are_answered(words, nam
 
 
 def test_a_band_of_an_absolute_spectrum_has_its_irradiance():
-    # ASTM G173-03, global tilt: the trapezoid of its own table from 600 nm to 700 nm
+    # ASTM G173-03, global tilt: trapezoidal rule on its table from 600 nm to 700 nm
     band = results("AM1.5G", "600nm:700nm")
     table = zip(suns.WAVELENGTHS, suns.AM1_5G, strict=True)
     inside = [(place, value) for place, value in table if 600 <= place <= 700]
@@ -158,7 +158,7 @@ def test_a_colour_far_from_its_reference_is_rendered_with_a_note():
 
 @pytest.mark.parametrize("nanometres", ["670", "670.5", "671"])
 def test_a_deep_red_line_has_no_colour_rendering_index(nanometres):
-    """Where c = (4 - u - 10 v) / v of CIE 13.3-1995 is 0, its adaptation divides by 0."""
+    """The adaptation of CIE 13.3-1995 divides by c = (4 - u - 10 v) / v, which is 0 here."""
     done = call(["spectrum", f"line:{nanometres}nm", "-q", "-g", "cri"])
     assert done.status == 2
     assert "adaptation of CIE 13.3" in done.error.message

@@ -102,7 +102,7 @@ TABLE = {
         "point_source",
         {"intensity": "100 cd", "beam_angle": "35 deg", "distance": "3 m", "incidence": "20 deg"},
     ),
-    "of another kind": (
+    "light of another kind": (
         "point_source",
         {"flux": "5 mW", "wavelength": "632.8 nm", "distance": "1m"},
     ),
@@ -242,7 +242,7 @@ def test_texts_are_variables_with_the_names_of_their_keywords():
             200 / math.pi,
             5 / math.pi,
         ),
-        # 2.5 lx * 2^10, and ln(2) of it a step: a scale with two readings, of which one fits
+        # 2.5 lx * 2^10, and ln(2) of it per step: only one of the two readings of the scale fits
         (lambda: radcalc.convert("10±1 EV", "lx"), 2560, 2560 * math.log(2)),
     ],
 )
@@ -371,8 +371,8 @@ def test_a_result_may_be_requested_on_a_scale():
     assert float(done.output) == pytest.approx(10 / math.log(10) * 0.01, rel=1e-6)
 
 
-# In what is not linear a note says so, whatever is uncertain: a number of an expression, a reading,
-# an input at its limit.  The ends are worked out by hand from the formula of each line.
+# A nonlinear result has a note, for any uncertain input: a number of an expression, a reading, an
+# input at its limit.  The ends of the interval are from the formula in each comment.
 @pytest.mark.parametrize(
     ("words", "value", "uncertainty", "note"),
     [
@@ -397,7 +397,7 @@ def test_a_result_may_be_requested_on_a_scale():
             math.degrees(math.sqrt(1e-10 / math.pi)),
             "179.9997 deg to 180 deg",
         ),
-        # beside the limit it has: 1 / sqrt(1 - 0.9999^2)
+        # near the limit it has one: 1 / sqrt(1 - 0.9999^2)
         (
             "etendue --area 1cm2 --na 0.9999+-0.01 -g half-angle",
             math.degrees(math.asin(0.9999)),
@@ -443,7 +443,7 @@ def test_nonlinearity_is_noted(words, value, uncertainty, note):
     assert note in "".join(bends)
 
 
-# What lies between the ends counts, and what has no bound has none.
+# The values between the ends count; an unbounded result has no bound.
 @pytest.mark.parametrize(
     ("words", "note"),
     [

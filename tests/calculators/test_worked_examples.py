@@ -1,7 +1,7 @@
 """Worked examples of textbooks, lecture notes and manuals, to the digits printed.
 
-Each names the page that was read, and what is given and printed there.  A printed number holds
-to half a unit of its last digit.
+Each example names its source, the inputs and the printed numbers, which are right to half a unit of
+the last digit.
 """
 
 import math
@@ -67,12 +67,12 @@ def under_sphere(r: float) -> float:
 
 
 def drop_of_water() -> dict[str, Any]:
-    """1e15 photons/s of 0.75 um, all absorbed, for 10 s in 0.2 mg of water."""
+    """Return the answer for 1e15 photons/s of 0.75 um, absorbed for 10 s by 0.2 mg of water."""
     power = radcalc.convert("1e15 photon/s", "W", wavelength="0.75um")
     return calorimeter(flux=power, time="10s", mass="0.2mg", specific_heat="4200J/kg/K")
 
 
-# source, (what is computed, name, unit, printed) ...
+# source, (call, name of the result, unit, printed number) ...
 EXAMPLES: list[tuple[str, list[tuple[Callable[[], Any], str, str, str]]]] = [
     ("BYJU'S, A point source emitting 628 lumen, https://byjus.com/question-answer/"
      "a-point-source-emitting-628-lumen-of-luminous-flux-uniformly-in-all-directions-is-placed",

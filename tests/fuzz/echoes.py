@@ -126,7 +126,7 @@ def stained(text: str) -> str:
 
 
 def draw(folder: Path) -> tuple[list[str], bytes]:
-    """Make a call in which a word, the name of the file or the input has such characters."""
+    """Make a call with such characters in a word, in the name of the file or in the input."""
     words = random.choice(CALLS).split()
     text = random.choice(TEXTS)
     name = "lamp.csv"

@@ -1,4 +1,4 @@
-"""Ranges of spectra: sums end with the data, and the answer says so.
+"""Ranges of spectra: sums end with the data, and the answer states the range.
 
 A case has a random table and random ranges of watts and photons.  The amounts are compared with
 NumPy's trapezoidal rule over the range in the answer, which must be within the table and the
