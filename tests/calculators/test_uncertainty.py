@@ -383,14 +383,14 @@ def test_a_result_may_be_requested_on_a_scale():
             0.0,
             "12.5654 sr to 12.5664 sr",
         ),
-        # asin(0.99) is 81.89 deg; the slope has no limit at 1, and the change stands for it
+        # asin(0.99) is 81.89 deg; the slope is infinite at 1, so the change replaces it
         (
             "etendue --area 1cm2 --na 1.0+-0.01 -g half-angle",
             90.0,
             90 - math.degrees(math.asin(0.99)),
             "81.8904 deg to 90 deg",
         ),
-        # 4 pi less 1e-10 sr are a sphere but for a cone of sqrt(1e-10 / pi) rad
+        # 4 pi - 1e-10 sr are a sphere without a cone of sqrt(1e-10 / pi) rad
         (
             "solid-angle cone --solid-angle 12.566370614359172(100000)sr -g half-angle",
             180.0,
@@ -414,7 +414,7 @@ def test_a_result_may_be_requested_on_a_scale():
             12.5,
             "16 lx to 44.4444 lx",
         ),
-        # 10 mW is ln(10)/10 * 3 of it more a dB: 5.012 mW at 7 dBm, 19.95 mW at 13 dBm, over 4 pi
+        # 10 mW, with a slope of ln(10)/10 per dB: 5.012 mW at 7 dBm, 19.95 mW at 13 dBm, over 4 pi
         (
             "point-source --flux 10+-3dBm -g intensity:W/sr",
             0.01 / 4 / math.pi,
@@ -423,7 +423,7 @@ def test_a_result_may_be_requested_on_a_scale():
         ),
         ("convert 100*cos(0±5deg)*1lx fc", 100 * 0.3048**2, 0.0, "9.25495 fc to 9.2903 fc"),
         ("convert (0±1)^2*1m2 cm2", 0.0, 0.0, "0 cm2 to 10000 cm2"),
-        # two parts: 1/1.5 and 1/2.5 of 100, and 97/2 and 103/2, which is a straight line
+        # two inputs: 100/1.5 and 100/2.5; 97/2 and 103/2, which is linear
         (
             "convert (100±3)*1lx/(2.0±0.5) lx",
             50.0,
@@ -463,7 +463,7 @@ def test_nonlinearity_is_noted(words, value, uncertainty, note):
         ("100lx/(0.3+-2.5) lx", "unbounded below and above"),
         # 2.81^2 = 7.8961, over 0 at 0
         ("100lx*(0.31+-2.5)^2 lx", "0 lx to 789.61 lx"),
-        # a power of 10 may reach far, and is no 0
+        # a power of 10 is never 0
         ("10+-10OD 1", "1e-20 to 1"),
     ],
 )
