@@ -37,12 +37,12 @@ PAGE = Page(
         "polar=30deg azimuth=0deg reflect-at=0,0,1",
         "0 0 1 reflect-to=1,0,0                (the mirror's normal)",
     ),
-    remarks="The polar angle is counted from +z, the azimuth from +x towards +y; the elevation "
-    "is 90 degrees minus the polar angle. Directions point away from a mirror: towards the "
-    "source of the light, and to where the light goes. A mirror ball is seen along -z from "
-    "far away, x to the right and y up. The results mirror-ball-u and mirror-ball-v, shown on "
-    "request, are the place on the ball that shows a direction; with mirror-ball-w they are "
-    "the ball's normal there.",
+    remarks="The polar angle is measured from +z, the azimuth from +x towards +y; the elevation "
+    "is 90 degrees minus the polar angle. At a mirror, both directions point away from it: one "
+    "towards the source of the light, one along the reflected light. A mirror ball is seen along "
+    "-z from far away, with x to the right and y up. The results mirror-ball-u and mirror-ball-v, "
+    "shown on request, are the point on the ball that shows a direction; with mirror-ball-w they "
+    "are the ball's normal at that point.",
     mistakes=("direction",),
 )
 

@@ -52,12 +52,12 @@ PAGE = Page(
         "Sky": (*OF_SKY, *SCALES),
         "Receiver": RECEIVER,
         "Maps to write": ("size",),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
-        "toward": "A direction that light comes from: POLAR from +z, POLAR,AZIMUTH, or X,Y,Z.",
-        "aim": "Direction in the middle of the map (1,0,0).",
-        "normal": "Normal of the receiver (0,0,1: up).",
+        "toward": "Direction that light comes from, as POLAR (from +z), POLAR,AZIMUTH or X,Y,Z.",
+        "aim": "Direction in the middle of the map (default 1,0,0).",
+        "normal": "Normal of the receiver (default 0,0,1: up).",
     },
     draws=True,
     takes_lines=False,
@@ -76,13 +76,14 @@ PAGE = Page(
     remarks="""
     SOURCE is a map of radiances (Radiance .hdr, OpenEXR .exr, .pfm), sky:TYPE with a type of
     radcalc sky, or an expression in theta (polar angle from +z, which is up) and phi (azimuth from
-    +x towards +y), followed by a blank and a unit, or relative.  Directions are those that light
-    comes from.
+    +x towards +y); it may end with a blank and a unit, otherwise it is relative.  Directions are
+    those that light comes from.
 
     The middle of a map shows the direction {aim}; its top is as near to +z as possible.  A 2:1 map
-    is latlong; a square map needs {projection}.  Few files state their {unit}; with {unit} 1
-    every result is relative.  R, G and B are weighted to a luminance, by the file's primaries or
-    those of Rec. 709; in W/m2/sr the weights are Radiance's, and a watt counts as 179 lm.
+    is latlong; a square map needs {projection}.  Few files state the unit of their values: give
+    {unit}; with {unit} 1 every result is relative.  R, G and B are weighted by the file's
+    primaries, or by those of Rec. 709, to give a luminance.  In W/m2/sr the weights are those of
+    the Radiance program, with 179 lm per watt.
     """,
     mistakes=("all around",),
 )

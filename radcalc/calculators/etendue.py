@@ -38,9 +38,9 @@ PAGE = Page(
         "Cone of light": CONES,
         "Receiver": (*RECEIVERS, "distance", "incidence"),
         "Light": ("etendue", "radiance", "flux"),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
-    texts={"flux": "The flux of the beam."},
+    texts={"flux": "Flux of the beam."},
     examples=(
         "area=1mm2 half-angle=90deg",
         "diameter=200um na=0.22",
@@ -52,9 +52,10 @@ PAGE = Page(
         "etendue=1mm2.sr area=4mm2 get=half-angle:deg",
         "etendue=1mm2.sr flux=1W",
     ),
-    remarks="Give a source and a cone, or a source and a receiver.  Two discs ({radius}, "
-    "{receiver-radius}) that face each other are exact; other patches must be small compared to "
-    "their distance.  Any sufficient set of sizes, etendue, flux and radiance gives the others.",
+    remarks="Give a source and a cone, or a source and a receiver.  The etendue of two discs "
+    "({radius}, {receiver-radius}) that face each other is exact; other surfaces must be small "
+    "compared with their distance.  Give any sufficient set of sizes, etendue, flux and radiance; "
+    "the others are calculated.",
     mistakes=("projected cone",),
 )
 

@@ -68,7 +68,7 @@ PAGE = Page(
     },
     texts={
         "distance": ("3m", "Distance from the flash to the subject."),
-        "time": ("1/100s", "Exposure time, with any filter."),
+        "time": ("1/100s", "Exposure time, with the filter if there is one."),
         "illuminance": "Illuminance on the scene.",
         "luminance": "Luminance of the scene.",
     },
@@ -85,10 +85,10 @@ PAGE = Page(
     forms={"time": FRACTION, "unfiltered-time": FRACTION},
     remarks="{ev} follows from the f-number and the time; {ev100} follows from the light, and is "
     "{ev} at ISO 100.  {luminance} gives {illuminance} for an average scene; both together give "
-    "the reflectance of the scene.  {f-number} may be f/2.8, a fraction for {time} is in seconds, "
-    "and a bare {k} or {c} is in its usual unit.  {nd} is a density (0.9 or ND0.9), or the factor "
-    "of the filter (ND8).  For a flash, {guide-number}, {distance}, {f-number}, {iso} and the "
-    "filter give each other.",
+    "the reflectance of the scene.  {f-number} may be written as f/2.8.  A fraction for {time} is "
+    "in seconds.  A bare number for {k} or {c} is in its usual unit.  {nd} is a density (0.9 or "
+    "ND0.9), or the factor of the filter (ND8).  For a flash, each of {guide-number}, {distance}, "
+    "{f-number}, {iso} and the filter follows from the others.",
 )
 LEAST_STOPS = 1e-9  # fewer stops are rounding errors
 FLASHING = PAGE._replace(

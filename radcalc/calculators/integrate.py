@@ -40,10 +40,10 @@ PAGE = Page(
         "Results": ("accuracy",),
     },
     texts={
-        "half-angle": "The cone of that half angle about +z.",
-        "hemisphere": "The hemisphere about +z.",
-        "polar": ("30deg:60deg", "A zone between two polar angles."),
-        "azimuth": ("0deg:90deg", "A range of azimuths (default: all)."),
+        "half-angle": "Cone with this half angle about +z.",
+        "hemisphere": "Hemisphere about +z.",
+        "polar": ("30deg:60deg", "Zone between two polar angles."),
+        "azimuth": ("0deg:90deg", "Range of azimuths (default: all)."),
     },
     draws=True,
     takes_lines=False,
@@ -58,8 +58,8 @@ PAGE = Page(
     remarks="""
     EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
     vector), numbers, pi, e, deg, + - * / **, brackets, sin cos tan asin acos atan atan2 sinh cosh
-    tanh exp log log10 sqrt abs min max, and comparisons by < <= > >=, which are 1 where they hold
-    and 0 elsewhere.  An expression that starts with a minus needs brackets: '(-x)'.  The integral
+    tanh exp log log10 sqrt abs min max, and comparisons with < <= > >= (1 if true,
+    0 if false).  An expression that starts with a minus needs brackets: '(-x)'.  The integral
     is over solid angle, so it includes sin(theta).  An integral that does not converge is refused.
 
     With {unit} the integral of an intensity is a flux.  The integral of a radiance is the

@@ -64,7 +64,7 @@ PAGE = Page(
         "configuration-factor",
         "time",
     ),
-    about="Solve for a diffuse source or reflector, exactly at any distance: luminance, lux, size.",
+    about="Calculate the luminance, illuminance or size of a diffuse source or reflector.",
     operand=OPERAND,
     sections={
         "Light": (*QUANTITIES, "reflectance", "time"),
@@ -78,7 +78,7 @@ PAGE = Page(
             "incidence",
             "perpendicular",
         ),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={"half-angle": "Half angle of the luminous part of a hemisphere, around its zenith."},
     draws=True,
@@ -99,13 +99,15 @@ PAGE = Page(
     remarks="""
     \b
     SHAPE is one of:
-      patch (default)  {area} or other sizes, small compared to {distance} ({tilt}, {incidence})
-                       or to {height} and {offset}
-      disc             {radius} or {diameter}, {height} and {offset} (on the axis {distance})
-      sphere           {radius} or {diameter}, {distance} to its centre
+      patch (default)  a small flat surface: {area} or another size, with {distance} (optionally
+                       {tilt}, {incidence}), or with {height} and {offset}
+      disc             {radius} or {diameter}, with {height} and {offset}, or on the axis with
+                       {distance}
+      sphere           {radius} or {diameter}, and {distance} to its centre
       rectangle        {width}, {length}, {height}, {offset}, {offset-y} or {corner}
       plane            infinite
-      hemisphere       a uniform sky, or a cone of it ({half-angle}); radcalc sky has others
+      hemisphere       a uniform sky, or a cone of it ({half-angle}); radcalc sky has other
+                       skies
 
     \b
         source  ___________ length
@@ -115,11 +117,14 @@ PAGE = Page(
           (1) _^_    |  (2) |>
             receiver
 
-    The receiver faces the source's plane, as in (1).  {incidence} is the angle between its normal
-    and the line to the source's centre, away from the axis.  With {perpendicular} its normal is
-    parallel to the rectangle's length and points towards its centre, as in (2).
+    The results are exact at any distance; only a patch must be small compared with its distance.
 
-    The irradiance is that of the receiver; the incident irradiance is that of the reflector.
+    The receiver faces the source's plane, as in (1).  {incidence} is the angle between the
+    receiver's normal and the line to the source's centre; a positive angle turns the normal away
+    from the axis.  With {perpendicular} the receiver's normal is parallel to the rectangle's length
+    and points towards the rectangle's centre, as in (2).
+
+    'Irradiance' is that on the receiver; 'incident irradiance' is that on the reflector.
     """,
     mistakes=("flat source", "projected cone"),
 )

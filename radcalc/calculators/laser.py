@@ -29,12 +29,12 @@ PAGE = Page(
     ("irradiance", "peak-irradiance", "exposure", "flux", "energy", "received-flux", "limit"),
     ("spot-diameter", HAZARD, "distance", "diameter", "divergence", "time", "receiver-diameter"),
     goal="spot-diameter",
-    about="Give the spot of a laser beam, its irradiance, and its hazard distance for a limit.",
+    about="Calculate the spot and the irradiance of a laser beam, and its hazard distance.",
     sections={
         "Beam": (*BEAM, *LIGHT),
         "Spot": SPOT,
         "Hazard distance": ("limit", HAZARD),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
         "diameter": ("1mm", "Diameter of the beam at the laser's exit."),
@@ -43,13 +43,16 @@ PAGE = Page(
             "7mm",
             "Diameter of a round receiver centred on the beam's axis: a pupil, a sensor.",
         ),
-        "time": ("10ns", "Duration of the constant flux: a pulse, or an exposure."),
-        "flux": ("5mW", "The flux of the beam, or within a pulse."),
-        "irradiance": ("1W/m2", "The flux divided by the area of the spot."),
-        "exposure": ("100J/m2", "The exposure of the spot (with {time})."),
-        "energy": ("10mJ", "The energy of a pulse, or of the beam in the {time}."),
-        "peak-irradiance": ("10W/m2", "The irradiance on the axis, the maximum."),
-        "limit": ("25W/m2", "A limit of the peak, from the standard (with {hazard-distance})."),
+        "time": ("10ns", "Duration of the constant flux: of a pulse, or of an exposure."),
+        "flux": ("5mW", "Flux of the beam, or of a pulse while it lasts."),
+        "irradiance": ("1W/m2", "Flux divided by the area of the spot."),
+        "exposure": ("100J/m2", "Exposure of the spot (with {time})."),
+        "energy": ("10mJ", "Energy of a pulse, or of the beam during {time}."),
+        "peak-irradiance": ("10W/m2", "Peak irradiance, on the axis."),
+        "limit": (
+            "25W/m2",
+            "Limit of the peak irradiance, from the standard (gives {hazard-distance}).",
+        ),
     },
     examples=(
         "flux=5mW diameter=1mm divergence=1mrad distance=10m",
@@ -59,10 +62,13 @@ PAGE = Page(
         "energy=10mJ time=8ns diameter=6mm get=peak-irradiance:MW/cm2",
         "flux=1mW diameter=8mm receiver-diameter=7mm get=received-flux:mW",
     ),
-    remarks="{divergence} is the full angle far away; {profile} defines the diameters.  The "
-    "formula of laser safety, 1.27 P / (a + phi d)^2, is for a uniform beam, or for diameters at "
-    "1/e of the peak.  Take the limit from the standard: radcalc has no table of limits and gives "
-    "no advice on safety.  Any sufficient set gives the others.",
+    remarks="{divergence} is the full angle of the beam far from the laser.  {profile} sets how "
+    "diameters are measured.  The formula of laser safety standards, 1.27 P / (a + phi d)^2 (P: "
+    "flux, a: diameter, phi: divergence, d: distance), applies to a uniform beam, or to a Gaussian "
+    "beam with diameters at 1/e of the peak.  The hazard distance is the distance at which the "
+    "peak irradiance falls to the {limit}.  Take the limit from the standard: radcalc has no table "
+    "of limits and gives no advice on safety.  Give any sufficient set of quantities; the others "
+    "are calculated.",
 )
 
 

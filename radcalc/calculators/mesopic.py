@@ -22,8 +22,8 @@ PAGE = Page(
         "Other luminances": ("mesopic-luminance", "scotopic-luminance"),
     },
     texts={
-        "spectrum": ("SOURCE", "A spectrum, for its S/P ratio."),
-        "luminance": ("0.1cd/m2", "The photopic luminance."),
+        "spectrum": ("SOURCE", "Spectrum of the light, for its S/P ratio."),
+        "luminance": ("0.1cd/m2", "Photopic luminance."),
     },
     examples=(
         "luminance=0.1cd/m2 sp-ratio=2",

@@ -31,9 +31,9 @@ PAGE = Page(
         "400nm:780nm:1nm get=luminous-efficacy plot=",
         "400nm:700nm:50nm get=wavelength:nm get=luminous-efficacy:lm/W",
     ),
-    remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  The tables of "
-    "the eye are used at the wavelength as given, or at the wavelength in standard air that "
-    "follows from a frequency, a wavenumber or an energy.",
+    remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  A "
+    "given wavelength is looked up unchanged in the tables of the eye; for a frequency, a "
+    "wavenumber or an energy, the wavelength in standard air is looked up.",
 )
 
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}

@@ -75,7 +75,7 @@ PAGE = Page(
         "flux-within",
         "beam-flux",
     ),
-    about="Solve for a small source (lamp, spot, luminaire file): intensity, lux, distance, beam.",
+    about="Calculate the intensity, illuminance, distance or beam of a small source of light.",
     sections={
         "Light": (*QUANTITIES, "peak-intensity"),
         "Directions": (
@@ -102,7 +102,7 @@ PAGE = Page(
             "receiver-area",
             "time",
         ),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
         "distance": "Straight line from the source to the receiver.",
@@ -135,16 +135,17 @@ PAGE = Page(
         "distribution=lamp.ies aim=1,0,-2 rotate=90deg height=3m offset=2m",
     ),
     remarks="""
-    Any sufficient set of quantities gives the others; redundant quantities are checked against
-    each other, to the digits typed.  The irradiance is that of the receiver.  Light arrives along
-    the receiver's normal, unless {incidence} is given or {get=incidence} asks for it; with a
-    {height} the source points straight down and the receiver is horizontal.  An offset, a height
-    or an exponent can follow from the light; if two values fit, both are shown.
+    The source may be a lamp, a spot or the file of a luminaire.  Give any sufficient set of
+    quantities; the others are calculated.  Redundant quantities are checked against each other, to
+    the digits typed.  The irradiance is that on the receiver.  Light arrives along the receiver's
+    normal, unless {incidence} is given or {get=incidence} asks for it; with a {height} the source
+    points straight down and the receiver is horizontal.  An offset, a height or an exponent can
+    follow from the light; if two values fit, both are shown.
 
-    {distribution} also reads the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
-    intensities (CSV), or an expression in theta, the angle from the source's axis, and phi, the
-    azimuth around it, followed by a blank and a unit; - is standard input.  A light quantity scales
-    such a source.  {offset} is towards C0, {offset-y} towards C90.
+    {distribution} also takes the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
+    intensities (CSV), - for standard input, or an expression with a blank and a unit at its end.
+    In the expression, theta is the angle from the source's axis and phi the azimuth around it.  A
+    light quantity scales such a source.  {offset} is towards C0, {offset-y} towards C90.
 
     Several sources add up (see also radcalc scene):
 

@@ -41,9 +41,10 @@ PAGE = Page(
         "brewster-angle=56.66deg get=index",
     ),
     remarks="{index} is the refractive index after the surface divided by that before it: 1.52 "
-    "into glass, 1/1.52 out of it.  s is light with its electric field perpendicular to the plane "
-    "of incidence, p parallel to it; {reflectance} is for unpolarised light.  The slab has the "
-    "first medium on both sides; its transmittance includes all internal reflections.",
+    "into glass, 1/1.52 out of it.  s-polarised light has its electric field perpendicular to the "
+    "plane of incidence, p-polarised light parallel to it; {reflectance} is for unpolarised light. "
+    "The slab has the first medium on both sides; its transmittance includes all internal "
+    "reflections.",
 )
 
 

@@ -89,15 +89,15 @@ PAGE = Page(
     sections={
         "Room": (*SIZES, "room-index"),
         "Light": ("irradiance", "flux", "luminaires", *LOSSES),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
         "width": ("6m", "Width of the room."),
         "length": ("9m", "Length of the room."),
         "area": ("54m2", "Area of the room."),
         "height": ("2m", "Height of the luminaires above the working plane."),
-        "flux": ("3600lm", "The flux of one luminaire."),
-        "irradiance": ("500lx", "The mean irradiance of the working plane."),
+        "flux": ("3600lm", "Flux of one luminaire."),
+        "irradiance": ("500lx", "Mean irradiance of the working plane."),
     },
     examples=(
         "width=6m length=9m height=2m illuminance=500lx flux=3600lm utilance=0.6 maintenance=0.8",
@@ -107,7 +107,8 @@ PAGE = Page(
     ),
     remarks="Lumen method: the mean illuminance of the working plane is the flux that reaches it, "
     "divided by its area.  The data sheet of a luminaire gives its {utilance} for the room index "
-    "and the reflectances.  Any sufficient set of these quantities gives the others.",
+    "and the reflectances.  Give any sufficient set of these quantities; the "
+    "others are calculated.",
 )
 
 

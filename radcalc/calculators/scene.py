@@ -22,8 +22,11 @@ from radcalc.units.unit import NUMBER
 PAGE = Page(
     about="Add up the light of many sources at points or over a grid.",
     operand=Operand("file", "FILE.csv", FILE, ENDINGS),
-    sections={"The points": ("grid", "normal"), "Kinds of light": (*LINKS, *REFINEMENTS)},
-    texts={"normal": "Normal of the receivers (0,0,1: up)."},
+    sections={
+        "Points": ("grid", "normal"),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
+    },
+    texts={"normal": "Normal of the receivers (default 0,0,1: up)."},
     draws=True,
     takes_lines=False,
 )

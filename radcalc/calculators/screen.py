@@ -67,12 +67,15 @@ PAGE = Page(
     sections={
         "Light": ("flux", "irradiance", "radiance"),
         "Picture": (*SIZES, "gain"),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
         "width": "Width of the picture.",
         "area": ("2m2", "Area of the picture."),
         "height": ("1.2m", "Height of the picture."),
+        "flux": "Flux that reaches the picture.",
+        "irradiance": "Irradiance on the screen.",
+        "radiance": "Radiance along the normal of the screen.",
     },
     examples=(
         "flux=3000lm diagonal=100in aspect=16/9 gain=1.3",
@@ -80,8 +83,8 @@ PAGE = Page(
         "flux=3000lm area=3m2 diagonal=100in",
         "luminance=48cd/m2 width=12m aspect=2.39 gain=1 get=flux:lm",
     ),
-    remarks="The luminance is that along the screen's normal, in a dark room.  Any sufficient set "
-    "of light quantities, sizes of the picture and the gain gives the others.",
+    remarks="The luminance is that along the screen's normal, in a dark room.  Give any sufficient "
+    "set of light quantities, sizes of the picture and the gain; the others are calculated.",
 )
 
 

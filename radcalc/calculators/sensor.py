@@ -113,17 +113,18 @@ PAGE = Page(
         "Lens": (*LENS, "etendue"),
         "Pixel": PIXEL,
         "Detector": ("photons", *DETECTOR),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
-        "photon-range": "Wavelengths of {spectrum} for counting photons (default: as for watts).",
+        "photon-range": "Wavelengths over which the photons of {spectrum} are counted (default: as "
+        "for the watts).",
         "etendue": ("1um2.sr", "Etendue of the light on a pixel."),
         "time": ("1/100s", "Exposure time."),
-        "flux": ("0.1uW", "The flux on a pixel, or on the detector."),
-        "irradiance": ("10lx", "The irradiance of the sensor."),
-        "radiance": ("1000cd/m2", "The radiance of the scene."),
-        "exposure": ("0.1lx.s", "The exposure of the sensor (with {time})."),
-        "energy": ("1fJ", "The energy on a pixel (with {time})."),
+        "flux": ("0.1uW", "Flux on a pixel, or on the detector."),
+        "irradiance": ("10lx", "Irradiance on the sensor."),
+        "radiance": ("1000cd/m2", "Radiance of the scene."),
+        "exposure": ("0.1lx.s", "Exposure of the sensor (with {time})."),
+        "energy": ("1fJ", "Energy on a pixel (with {time})."),
     },
     examples=(
         "luminance=4000cd/m2 f-number=16 time=1/100s",
@@ -139,11 +140,12 @@ PAGE = Page(
     ),
     bare={"time": "s"},
     forms={"time": FRACTION},
-    remarks="{radiance} is that of the scene, the other light quantities are those of the sensor; "
-    "the camera equation relates them.  {f-number} is the marked one, of a lens focused far away; "
-    "{working-f-number} is N (1 + m).  The area of a pixel, or of another detector, is the area "
-    "that collects light.  Electrons need photons: give {wavelength} or {spectrum}, or light in "
-    "photon units.  Any sufficient set gives the others.",
+    remarks="{radiance} is that of the scene; the other light quantities are those on the sensor.  "
+    "The camera equation relates them.  {f-number} is the number N marked on the lens, for focus "
+    "at infinity; {working-f-number} is N (1 + m), with the {magnification} m.  The area of a "
+    "pixel, or of another detector, is the area that collects light.  Electrons need photons: give "
+    "{wavelength} or {spectrum}, or light in photon units.  Give any sufficient set of quantities; "
+    "the others are calculated.",
 )
 GOALS = {  # without light
     "responsivity": ("quantum-efficiency", "responsivity"),

@@ -139,14 +139,14 @@ PAGE = Page(
         ),
         "Plane and direction": ("tilt", "azimuth", "normal", "toward"),
         "Map": ("size",),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
         "tilt": ("90deg", "Tilt of a plane from the horizontal: 90deg is a wall."),
         "azimuth": ("180deg", "Azimuth that the plane faces (with {tilt})."),
-        "toward": "A point of the sky: POLAR from the zenith, POLAR,AZIMUTH, or X,Y,Z with Z up.",
-        "normal": "Normal of the plane, instead of {tilt}: z is up.",
-        "sun-azimuth": "Azimuth of the sun, counted like those of planes and directions.",
+        "toward": "Point of the sky, as POLAR (from the zenith), POLAR,AZIMUTH or X,Y,Z (Z up).",
+        "normal": "Normal of the plane, instead of {tilt} (+z is up).",
+        "sun-azimuth": "Azimuth of the sun, measured like those of planes and directions.",
     },
     draws=True,
     examples=(
@@ -178,12 +178,12 @@ PAGE = Page(
 
     The types 2, 4 and 6 to 15 depend on the position of the sun.  The light of the sky does not
     include the sun's own light: {sun-irradiance} (perpendicular to the rays), {sun-radiance} (of
-    the disc) or {global-irradiance} adds it.  Any light quantity gives all others.
+    the disc) or {global-irradiance} adds it.  Give any light quantity; the others are calculated.
 
-    Only differences of azimuths matter, so they may be counted from any direction, such as from
-    north clockwise; with {normal} X,Y,Z or {toward} X,Y,Z they are counted from +x towards +y.
-    The ground reflects no light: a wall is lit by half of the sky alone.  daylight-share is the
-    irradiance of the plane from the sky alone, divided by that of the ground.
+    Only differences of azimuths matter, so they may be measured from any direction, for example
+    clockwise from north; with {normal} X,Y,Z or {toward} X,Y,Z they are measured from +x towards
+    +y.  The ground reflects no light: only half of the sky lights a wall.  daylight-share is the
+    irradiance on the plane from the sky alone, divided by that on the ground.
     """,
     mistakes=("sky",),
 )

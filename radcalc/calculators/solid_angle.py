@@ -479,9 +479,13 @@ PAGE = Page(
         "length": "Length of a rectangle, along y.",
         "area": "Area of a small patch.",
         "tilt": "Angle between the normal of a patch and the line of sight.",
-        "solid-angle": "Solid angle of the cone, or of the sphere.",
+        "solid-angle": "Solid angle of the shape (cone or sphere).",
         "polar": ("30deg:60deg", "Polar angles of a zone, from +z."),
         "azimuth": ("0deg:90deg", "Azimuths of a zone (default: all)."),
+        "distance": "Straight-line distance to the centre of the shape.",
+        "height": "Distance from the shape's plane, along its axis.",
+        "offset": "Sideways distance from the shape's axis, along x (with {height}).",
+        "offset-y": "Sideways distance from the shape's axis, along y (with {height}).",
         "corner": "Viewpoint above a corner of the rectangle.",
     },
     examples=(
@@ -499,15 +503,17 @@ PAGE = Page(
     remarks="""
     \b
     SHAPE is one of:
-      full, hemisphere   all directions, half of them
+      full, hemisphere   all directions, or the half above a plane
       cone               {half-angle}, {apex-angle}, {solid-angle} or {projected-solid-angle}
       zone (band)        {polar} A:B, {azimuth} A:B
       sphere             two of {radius} (or {diameter}), {distance}, {solid-angle}
-      disc               {radius} or {diameter}, {height} ({distance}), {offset}
-      rectangle          {width}, {length}, {height} ({distance}), {offset}, {offset-y}, {corner}
+      disc               {radius} or {diameter}, with {height} and {offset}, or on the axis with
+                         {distance}
+      rectangle          {width} and {length}, with {height}, {offset}, {offset-y} or {corner}, or
+                         on the axis with {distance}
       pyramid            {horizontal} and {vertical}, full angles
-      patch              {area} (or {radius}, {diameter}), {distance}, {tilt}: small and flat;
-                         or {area} and {radius}: a part of a sphere seen from its centre
+      patch              a small flat surface: {area} (or {radius}, {diameter}), {distance}, {tilt};
+                         with {area} and {radius}, a part of a sphere seen from its centre
       polygon (triangle) X,Y,Z of each vertex in order, {viewpoint}, {normal}
       pixel              {size}, {pixel}, {projection}: a pixel of a map of all directions
 

@@ -22,8 +22,8 @@ PAGE = Page(
     sections={"Light": ("observer", "range", "photon-range")},
     texts={
         "observer": "Observer (eye response) of the luminous efficacy.",
-        "range": ("LOW:HIGH", "Wavelengths for counting watts."),
-        "photon-range": ("LOW:HIGH", "Wavelengths for counting photons."),
+        "range": ("LOW:HIGH", "Wavelengths over which watts are counted."),
+        "photon-range": ("LOW:HIGH", "Wavelengths over which photons are counted."),
     },
     draws=True,
     takes_lines=False,
@@ -41,11 +41,11 @@ PAGE = Page(
     ),
     remarks="""
     SOURCE is a name, blackbody:T, daylight:T, line:WAVELENGTH, gaussian:CENTRE,FWHM,
-    band:LOW:HIGH, a file, or - for standard input. Several sources give a row each in a table, or
-    a line of numbers each in a pipe.
+    band:LOW:HIGH, a file, or - for standard input. With several sources, each has its row
+    in a table, or its line of numbers in a pipe.
 
-    A file has columns of text, or is in a format of OceanView, SpectraSuite, Jaz, UPRtek, Sekonic,
-    LI-COR, CGATS (X-Rite), or IES TM-27 (.spdx).
+    A file has columns of text, or one of the formats of OceanView, SpectraSuite, Jaz, UPRtek,
+    Sekonic, LI-COR, CGATS (X-Rite), or IES TM-27 (.spdx).
     """,
     mistakes=("efficacies of eyes",),
 )

@@ -60,9 +60,9 @@ PAGE = Page(
     sections={
         "Light": ("intensity", "irradiance", "omni"),
         "Distance": ("falloff", "falloff-distance", "maximum", "near", "far"),
-        "Direction, of a spot": ("superellipse", "roundness", "shear", "beam-exponent"),
+        "Direction of a spot": ("superellipse", "roundness", "shear", "beam-exponent"),
         "Receiver": ("normal", "incidence"),
-        "Kinds of light": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={"normal": "Normal of the receiver (default: towards the light)."},
     takes_lines=False,
@@ -75,13 +75,13 @@ PAGE = Page(
         "0.5,0,0 omni= intensity=100cd maximum=4 falloff=0,1,2",
     ),
     remarks="""
-    The light is at 0,0,0; a spot shines along +z, an {omni} light everywhere.  X,Y,Z are three
-    lengths (1m,0m,2m), or bare numbers in metres.  The attenuation is the product of four factors:
-    depth z ({near}, {far}), superellipse, beam and fall-off ({falloff}, {maximum}).  The
-    irradiance is I a cos(theta) / L^2, with the attenuation a and the {falloff-distance} L: a
-    fall-off of 2 is the inverse square, for any L.  intensity-toward is the intensity of a source
-    with an inverse square that gives the same irradiance.  Notes point out settings that are not
-    physical.
+    The light is at 0,0,0.  A spot shines along +z, an {omni} light in all directions.  X,Y,Z are
+    three lengths (1m,0m,2m), or bare numbers in metres.  The attenuation is the product of four
+    factors: depth z ({near}, {far}), superellipse, beam and fall-off ({falloff}, {maximum}).  The
+    irradiance is I a cos(theta) / L^2, with the intensity I, the attenuation a and the
+    {falloff-distance} L; a fall-off of 2 is the inverse square law, for any L.  intensity-toward is
+    the intensity of a source that gives the same irradiance by the inverse square law.  Notes point
+    out settings that are not physical.
 
     The other lights of computer graphics (a spot with a power of the cosine, a spot with a cone,
     a general point source) are point sources:

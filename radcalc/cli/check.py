@@ -22,7 +22,7 @@ OPTIONS = (
     click.Option(
         ["--tolerance"],
         metavar="1%",
-        help="Tolerance of --check: 1% (the default), 0.5lx, or 3sf (significant digits).",
+        help="Allowed deviation: 1% (default), 0.5lx, or 3sf for significant digits.",
     ),
 )
 

@@ -20,8 +20,8 @@ GET = click.Option(
     ["-g", "--get", "wanted"],
     multiple=True,
     metavar="NAME[:UNIT]",
-    help="Print only the number of that result, or with --format only that result (repeatable; "
-    "default: the unit shown).",
+    help="Print only this result: a bare number, or with --format in that format (repeatable; "
+    "default unit: that of the full answer).",
 )
 PLOT = click.Option(
     ["--plot"],
@@ -30,7 +30,7 @@ PLOT = click.Option(
 )
 # Endings of a word after --plot that is its file, not an operand.
 FIGURES = (".svg", ".png", ".pdf", ".ps", ".eps", ".jpg", ".jpeg", ".gif", ".webp", ".tif", "/")
-ALSO = " (also --"  # before the names of the kinds, in the help of a light quantity
+ALSO = "also --"  # before the names of the kinds, in the help of a light quantity
 LINES = "Streams"
 Member = str | click.Option  # the name of a symbol, or another option
 
@@ -166,9 +166,9 @@ def _options(member: Member, page: Page) -> list[click.Option]:
         return [_option(symbol)]
     other_names = [n for n in names_of_kinds(member) if SPECIFIC[n][1] in page.kinds]
     if other_names:
-        symbol = symbol._replace(
-            help=f"{symbol.help.rstrip('.')}{ALSO}{', --'.join(other_names)})."
-        )
+        text = symbol.help.rstrip(".")
+        start = f"{text[:-1]}; " if text.endswith(")") else f"{text} ("
+        symbol = symbol._replace(help=f"{start}{ALSO}{', --'.join(other_names)}).")
     if len(page.kinds) == 1:
         example = f"100{light_unit(member, page.kinds[0])}".replace(" ", ".")
         symbol = symbol._replace(example=example)
@@ -282,6 +282,7 @@ def _of_lines(listed: Sequence[click.Option]) -> tuple[str, str]:
     *names, last = (option.opts[-1] for option in listed)
     return (
         "- or '- UNIT'",
-        "Values from standard input: an answer (-g) for each line, a value with its unit or a bare "
-        f"number of UNIT; {', '.join(names)} and {last} as in radcalc convert.",
+        "As the value of one input: read standard input, and print an answer (-g) for each line.  "
+        "A line is a number with its unit or, after '- UNIT', a bare number.  "
+        f"{', '.join(names)} and {last} work as in radcalc convert.",
     )

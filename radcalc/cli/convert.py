@@ -59,17 +59,18 @@ Examples:
   radcalc convert - lx ppfd --spectrum sun -d , --column E --add PPFD < log.csv
   printf '100 lx\\n3 fc\\n' | radcalc convert - klx
 
-Unit symbols are case-sensitive, full names are not.  TARGET may be a quantity, in English,
-Czech or Russian: its usual unit.  Without TARGET, every unit of the quantity is shown.  The
-value of a condition has its unit and is one word (2m, 30deg).
+Unit symbols are case-sensitive, full names are not.  TARGET may also be the
+name of a quantity in English, Czech or Russian, for its usual unit.  Without TARGET, every
+unit of the quantity is shown.  Write the value of a condition as one word with its unit
+(2m, 30deg).
 VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), and TARGET a list; the last
-varies fastest.  Each answer uses the conditions that it needs; a condition that no answer
+list varies fastest.  Each answer uses the conditions that it needs; a condition that no answer
 needs is an error.  Values and conditions may have a standard uncertainty: 100+-3 lx,
 '100(3) lx', 2.00+-0.03m.
 
-With - for VALUE, each line of standard input is a number, and is replaced by the result.
-With - for VALUE and UNIT, the lines or the title of the column (E [lx]) have the unit; a unit
-in the title is checked and replaced.  All other bytes are unchanged.
+With - as VALUE, each line of standard input is a number, and the result replaces it.
+With - instead of VALUE UNIT, the unit is in each line or in the title of the column (E [lx]).
+A unit in the title is checked and replaced.  All other bytes are unchanged.
 """
 
 
@@ -79,7 +80,7 @@ in the title is checked and replaced.  All other bytes are unchanged.
     {
         **PAGE.sections,
         "Homework": checking.OPTIONS,
-        "Streams (with - for VALUE)": line_options.OPTIONS,
+        "Streams (with - as VALUE)": line_options.OPTIONS,
     },
     calculates=False,
     output=(STEPS,),

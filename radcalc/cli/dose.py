@@ -32,10 +32,10 @@ TIME_COLUMN = click.Option(
     ["--time-column"],
     multiple=True,
     metavar="NAME",
-    help="Column of the times, by title or number (repeatable: date and time of day).",
+    help="Column with the times: its title or its number (repeatable: date and time of day).",
 )
 COLUMN = click.Option(
-    ["--column"], metavar="NAME", help="Column of the values, by title or number."
+    ["--column"], metavar="NAME", help="Column with the values: its title or its number."
 )
 UNIT = click.Option(
     ["--unit"], metavar="lx", help="Unit of the values, if their title has none: lx, W/m2 ..."
@@ -43,14 +43,14 @@ UNIT = click.Option(
 DELIMITER = click.Option(
     ["-d", "--delimiter"],
     metavar="X",
-    help="Field separator: one character, or tab (default: found in the lines).",
+    help="Field separator: one character, or tab (default: detected).",
 )
 INVALID_LINES = click.Option(
     ["--invalid"],
     type=click.Choice(INVALID),
     default=ABORT,
-    help="Action at an unreadable line: stop (abort, the default), or skip it and fail at the end "
-    "(status 2), warn (status 0) or ignore it (status 0).",
+    help="Unreadable lines: stop at the first (abort, the default), or skip them and fail at the "
+    "end (status 2), warn (status 0) or ignore them (status 0).",
 )
 TIME_ZONE = click.Option(
     ["--time-zone"],
@@ -58,7 +58,7 @@ TIME_ZONE = click.Option(
     help="Time zone of local times and of days: Europe/Prague, +02:00, UTC.",
 )
 TIME_UNIT = click.Option(
-    ["--time-unit"], metavar="s", help="Unit of times that are numbers, counted from the start."
+    ["--time-unit"], metavar="s", help="Unit of times that are numbers, measured from the start."
 )
 TIME_FORMAT = click.Option(
     ["--time-format"],
@@ -87,10 +87,10 @@ Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the t
 --time-unit.  --time-zone is the zone of times without an offset; days with 23 or 25 hours
 are counted correctly.  Ambiguous dates are an error: use --time-format.
 
-Values between samples are interpolated linearly.  Steps longer than --max-gap (by more than
-0.1 %, for rounded times) are gaps; without --max-gap, steps in which a line was skipped are.
-A note lists the gaps, and coverage is the part of the time without them.  A day or hour
-within a gap has an exposure of 0, no mean, and coverage 0.
+Values between samples are interpolated linearly.  Steps longer than --max-gap are
+gaps (if they are longer by more than 0.1 %, as times are rounded).  Without --max-gap, steps
+with a skipped line are gaps.  A note lists the gaps, and coverage is the part of the time
+without them.  A day or hour within a gap has an exposure of 0, no mean, and coverage 0.
 """
 
 

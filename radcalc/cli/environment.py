@@ -29,7 +29,7 @@ IRRADIANCE_MAP = click.Option(
 ORDER = click.Option(
     ["--order"],
     type=click.Choice(["2"]),
-    help="Order of spherical harmonics, instead of the exact sum over all pixels.",
+    help="Use spherical harmonics up to this order, instead of the exact sum over all pixels.",
 )
 REPROJECT = click.Option(
     ["--reproject"], metavar="FILE", help="Write the map in another projection (with --to)."

@@ -13,7 +13,7 @@ from radcalc.cli.request import Request
 from radcalc.errors import UsageError
 
 UNIT = click.Option(
-    ["--unit"], metavar="cd", help="The unit of the expression: an intensity, a radiance, 1/sr."
+    ["--unit"], metavar="cd", help="Unit of the expression: of an intensity or a radiance, or 1/sr."
 )
 
 

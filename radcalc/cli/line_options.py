@@ -30,12 +30,12 @@ OPTIONS = (
     click.Option(
         ["--field"],
         metavar="LIST",
-        help="Numbers of the fields to convert: 3, 1,3, 2-4, 3-, -2 or -.",
+        help="Numbers of the fields to convert, such as 3 or 1,3 or 2-4 or 3-; - for all.",
     ),
     click.Option(
         ["--column"],
         metavar="NAME",
-        help="Field to convert, by its title, with or without the unit (E for E [lx]), or number.",
+        help="Field to convert: its title, with or without its unit (E for E [lx]), or its number.",
     ),
     click.Option(
         ["-d", "--delimiter"],
@@ -46,18 +46,18 @@ OPTIONS = (
         ["--header"],
         type=click.IntRange(1),
         metavar="[=N]",
-        help="Number of header lines (1 without N; --column implies 1).  Every line has the same "
-        "number of fields; a unit in the title is checked and replaced by TARGET.",
+        help="Number of header lines (1 without N; --column implies 1).  Every line must have as "
+        "many fields as the header.  A unit in a title is checked, and replaced by TARGET.",
     ),
     click.Option(
         ["--add"],
         metavar="NAME",
-        help="Keep the field and append one with the result, under this title.",
+        help="Keep the field, and append a field with this title for the result.",
     ),
     click.Option(
         ["--rename"],
         metavar="NAME",
-        help="New title of the field, required if the quantity changes.",
+        help="New title of the field; required if the result is another quantity.",
     ),
     click.Option(
         ["--decimal"],
@@ -67,8 +67,8 @@ OPTIONS = (
     click.Option(
         ["--invalid"],
         type=click.Choice(INVALID),
-        help="Action at an invalid line: stop (abort, the default), or pass it through and fail "
-        "at the end (status 2), warn (status 0) or ignore it (status 0).",
+        help="Invalid lines: stop at the first (abort, the default), or pass them through and fail "
+        "at the end (status 2), warn (status 0) or ignore them (status 0).",
     ),
 )
 

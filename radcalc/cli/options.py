@@ -161,7 +161,7 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
             ["--color"],
             type=click.Choice(terminal.COLORING),
             default=terminal.AUTO,
-            help="Colour on a terminal (also NO_COLOR, FORCE_COLOR).",
+            help="Colour on a terminal (NO_COLOR and FORCE_COLOR are respected).",
         ),
         click.Option(
             ["--auto"],

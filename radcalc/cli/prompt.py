@@ -58,12 +58,12 @@ def prompt(**values: Any) -> int:
       help point-source
       exit
 
-    No quotes are needed for characters of the shell.  A variable keeps an amount or an answer;
-    vars lists them; ans.NAME is one of several results.  Tab completes, Ctrl-C clears the line
-    or stops an answer, Ctrl-D exits.
+    Special characters of the shell need no quotes.  A variable keeps an amount or an answer;
+    vars lists the variables.  ans.NAME is one of several results.  Tab completes, Ctrl-C clears
+    the line or stops an answer, Ctrl-D exits.
 
     If standard input is not a terminal, each of its lines is answered, and the exit status is
-    the worst of them.  The options apply to every line.
+    the worst of the lines.  The options apply to every line.
     """
     decide(**values)  # refuses contradictory options
     unset = defaults()

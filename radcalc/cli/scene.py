@@ -53,26 +53,26 @@ FILE.csv has a header with the column titles, then one source in each row:
   door,5,0.5,2.5,,,,downlight.ies,,
 
 \b
-x, y, z                 its place; metres, unless the title or the cell has a unit
-aim_x, aim_y, aim_z     the point it is aimed at (default: straight down), or
-direction_x ... _z      the direction
+x, y, z                 position; in metres unless the title or the cell has a unit
+aim_x, aim_y, aim_z     point at which the source is aimed (default: straight down), or
+direction_x ... _z      direction of its axis
 rotate                  angle of rotation about its axis, from +x towards +y
 distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) with a
                         path relative to FILE.csv, or an expression in theta and phi
 half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (lobe)
-flux, intensity         its strength (a file is scaled to it)
+flux, intensity         flux or intensity of the source (scales a file)
 width, length or area; luminance, exitance, flux or intensity (lambertian)
 
-Rectangles are exact; every other source is taken as a point.  Light from behind a receiver
-does not count.  The answer for a grid is the mean, the extremes and the uniformity; for its
-points, use --format csv, or -g x -g y -g irradiance:lx.
+The light of a rectangle is exact; every other source is treated as a point.  Light from behind
+a receiver does not count.  For a grid, the answer gives the mean, the extremes and the
+uniformity; --format csv, or -g x -g y -g irradiance:lx, prints the points.
 """
 
 
 @define(
     "scene",
     page.PAGE,
-    {**page.PAGE.sections, "The points": (AT, *page.PAGE.sections["The points"])},
+    {**page.PAGE.sections, "Points": (AT, *page.PAGE.sections["Points"])},
     text=HELP,
 )
 def command(

@@ -33,7 +33,7 @@ DIGITS = 4
 COLUMN = click.Option(
     ["--column"],
     metavar="NAME",
-    help="Column of a file's values, by its title, with or without the unit, or number.",
+    help="Column with the values: its title, with or without its unit, or its number.",
 )
 LIST = click.Option(
     ["--list", "list_"], is_flag=True, help="List the named sources, or those of one kind."

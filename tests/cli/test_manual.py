@@ -198,12 +198,12 @@ def test_every_option_that_a_page_names_exists(name):
 def test_the_options_of_a_command_have_the_titles_of_its_help():
     section = re.search(r"^OPTIONS\n(.*?)^\S", rendered("radcalc-point-source(1)"), re.M | re.S)
     assert section
-    titles = re.findall(r"^ {5}([A-Z][\w ]+):$", section[1], re.M)
+    titles = re.findall(r"^ {5}([A-Z][\w, ]+):$", section[1], re.M)
     assert titles == [
         "Light",
         "Directions",
         "Receiver",
-        "Kinds of light",
+        "Radiant, luminous and photon quantities",
         "Results",
         "Output",
     ]

@@ -30,6 +30,20 @@ from radcalc.quantities.symbols import (
 )
 
 RESULT_WIDTH = 16  # of most of their names
+IN_FULL = {  # labels that are short for tables
+    "apex angle of the equal cone": "apex angle of the cone with the same solid angle",
+    "half angle of the equal cone": "half angle of the cone with the same solid angle",
+    "distance from the Planckian": "distance from the Planckian locus",
+    "far": "depths of the far cut",
+    "horizontal": "horizontal full angle",
+    "incidence": "angle of incidence",
+    "intensity toward": "intensity in the direction of the receiver",
+    "near": "depths of the near cut",
+    "polar": "polar angle",
+    "radiance toward": "radiance in the direction --toward",
+    "vertical": "vertical full angle",
+    **{f"{axis} on a mirror ball": "coordinate on a mirror ball" for axis in "uvw"},
+}
 VERBATIM, EXAMPLES, DRAWN = "\b", "Examples:", "__"
 Sections = Mapping[str, Sequence[click.Option]]
 
@@ -189,15 +203,16 @@ def _kinds(command: SectionedCommand) -> list[str]:
 def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
     """Return the description of a symbol, with its letter and units."""
     if symbol.label == symbol.letter:  # x, y and z
-        return f"{symbol.label}."
-    label = f"{symbol.label[0].upper()}{symbol.label[1:]}"
-    letter = f" {symbol.letter}" if symbol.letter and not label.endswith(symbol.letter) else ""
+        return f"Coordinate {symbol.label}."
+    label = IN_FULL.get(symbol.label, symbol.label)
+    label = f"{label[0].upper()}{label[1:]}"
+    letter = f" ({symbol.letter})" if symbol.letter and not label.endswith(symbol.letter) else ""
     if symbol.geometry is None or symbol.kind:
         unit = f", in {symbol.unit}" if symbol.unit not in ("", "1") else ""
         return f"{label}{letter}{unit}."
     units = _either([light_unit(symbol.generic, kind) for kind in kinds])
     names = [name for name in names_of_kinds(symbol.name) if SPECIFIC[name][1] in kinds]
-    of_kinds = f"; of one kind: {', '.join(names)}" if names else ""
+    of_kinds = f"; for one kind of light only: {', '.join(names)}" if names else ""
     return f"{label}{letter}, in {units}{of_kinds}."
 
 
@@ -214,8 +229,15 @@ def _items(listed: Sequence[click.Option]) -> Iterator[str]:
         spellings = [spelling for alias in listed[start:end] for spelling in _spellings(alias)]
         flags = " , ".join(f"Fl {plain(spelling[1:])}" for spelling in spellings)
         yield f".It {flags}{_argument(option)}"
-        description, also, _ = (option.help or "").partition(ALSO)
-        yield from sentences(f"{description}." if also else description)
+        yield from sentences(_without_names(option.help or ""))
+
+
+def _without_names(text: str) -> str:
+    """Return the help of an option without its names for the kinds, which the item lists."""
+    description, also, _ = text.partition(ALSO)
+    if also and description.endswith("; "):
+        return f"{description[:-2]})."
+    return f"{description.removesuffix(' (')}." if also else text
 
 
 def _spellings(option: click.Option) -> list[str]:
