@@ -62,10 +62,9 @@ def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> i
 
 
 def answered(words: list[str], listener: "Listener | None" = None) -> int:
-    """Run a command; return the exit status.
+    """Run a command like Click's `main`, without its own ways to exit; return the exit status.
 
-    This replaces Click's `main`, without its own ways to exit.  A listener hears every answer and
-    has options for all commands.
+    A listener hears every answer and has options for all commands.
     """
     if not words and not (words := _alone()):
         with commands.make_context("radcalc", [], resilient_parsing=True) as context:
@@ -83,7 +82,7 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
 
 
 def _color_in(words: list[str], listener: "Listener | None") -> str:
-    """Return the value of --color, which help and errors need before Click has read it."""
+    """Return the value of --color, which is needed before Click has read it."""
     chosen: str = listener.settings.get("color", terminal.AUTO) if listener else terminal.AUTO
     for word, following in zip(words, [*words[1:], ""], strict=True):
         name, is_joined, value = word.partition("=")
@@ -94,7 +93,6 @@ def _color_in(words: list[str], listener: "Listener | None") -> str:
 
 
 def _alone() -> list[str]:
-    """Return the words that `radcalc` alone stands for: the prompt, on a terminal."""
     return ["prompt"] if terminal.is_terminal() and os.isatty(0) else []
 
 

@@ -40,7 +40,7 @@ def show(
     output: Output,
     inputs: Sequence[Sequence[ShownInput]] = (),
 ) -> None:
-    """Write the answers, or the requested results; `inputs` are those of all answers."""
+    """Write the answers, or the requested results."""
     if not request.steps:
         answers = (
             answered._replace(answer=answered.answer._replace(steps=())) for answered in answers
@@ -66,8 +66,8 @@ def _picked(
 ) -> Iterator[tuple[Answered, list[Row]]]:
     """Yield each answer with the requested results, in the units of the first answer.
 
-    A result without a requested unit keeps its own unit if its kind of light differs from that of
-    the first answer; columns, which have one unit each, are refused then.
+    A result of another kind of light keeps its own unit unless a unit is requested; columns,
+    which have one unit each, are refused then.
     """
     scale_remarks: tuple[str, ...] | None = None
     first = wanted
@@ -89,7 +89,6 @@ def _picked(
 
 
 def _in_first(answered: Answered, name: str, in_unit: str, in_columns: bool) -> Row:
-    """Return a result in the unit of the first answer, or in its own if the request names none."""
     try:
         return pick(answered.answer.values, in_unit, answered.case)
     except MissingInput:
@@ -108,7 +107,6 @@ def _show_columns(
     output: Output,
     inputs: Sequence[Sequence[ShownInput]],
 ) -> None:
-    """Write bare numbers in plain text, or CSV of arrays."""
     units: dict[str, str] = {}
     if output.format == CSV:
         from radcalc.render import csv
@@ -169,7 +167,6 @@ def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
 
 
 def _element(given: ShownInput, k: int) -> ShownInput:
-    """Return one element of an array input, as it would be typed."""
     if not is_array(given.value):
         return given
     number = float(given.value[k])

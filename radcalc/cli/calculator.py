@@ -47,7 +47,6 @@ def _solve(cases: Sequence[Case], task: Task) -> Iterator[Answer]:
 
 
 def _draw(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
-    """Draw the answers, below the numbers or into a file."""
     from radcalc.cli import plot
 
     solved, inputs = [*_solve(cases, task)], _shown_inputs(cases, task)
@@ -57,7 +56,6 @@ def _draw(cases: Sequence[Case], task: Task, request: Request, output: Output) -
 
 
 def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
-    """Check a given answer against the one case."""
     from radcalc.homework.question import of_task
 
     assert request.check is not None
@@ -79,7 +77,6 @@ def _in_parts(cases: Sequence[Case], request: Request, output: Output) -> Sequen
 
 
 def _lines_for(given: Inputs) -> str:
-    """Return an option that could be read from lines of standard input."""
     for name, condition in given.items():
         if condition.symbol.form == QUANTITY:
             return option(name, f"- {condition.unit_text}" if condition.unit else "-")
@@ -87,7 +84,6 @@ def _lines_for(given: Inputs) -> str:
 
 
 def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
-    """Answer the lines of standard input, with one value of every other input."""
     case = cases[0]
     assert case.stream is not None
     stream_option = option(case.stream.name, "-")
@@ -111,7 +107,6 @@ def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: O
 
 
 def _blocks(case: Case) -> Iterator[Case]:
-    """Divide a case with a long range into parts whose answers fit in memory."""
     long = case.long
     if long is None:
         yield case

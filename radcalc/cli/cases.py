@@ -1,4 +1,4 @@
-"""The cases of a call: the inputs of each answer if some inputs are lists or ranges.
+"""Cases of a call: the inputs of each answer if some inputs are lists or ranges.
 
 Several lists make a grid in the order in which they were typed: the last varies fastest.
 """
@@ -27,7 +27,7 @@ NOTHING: Mapping[str, str] = MappingProxyType({})
 class Case(NamedTuple):
     """The inputs of an answer, those that differ between answers, and notes on them.
 
-    `long` is an input with a range too long for one case per value: its value is an array.
+    `long` is an input with an array as its value: a range too long for one case per value.
     `stream` is the input whose values come from standard input; `names` has its place.
     """
 
@@ -40,12 +40,10 @@ class Case(NamedTuple):
 
     @property
     def label(self) -> str:
-        """Return the inputs that distinguish an answer from the others."""
         return label(self.varied)
 
     @property
     def size(self) -> int:
-        """Return the number of answers."""
         return len(self.long.value) if self.long else 1
 
     def of_line(self, given: Input) -> Inputs:
@@ -59,7 +57,7 @@ def cases(
     intervals: Sequence[str] = (),
     bare: Mapping[str, str] = NOTHING,
 ) -> list[Case]:
-    """Return the cases of the inputs as typed, one for each combination of listed values.
+    """Return the cases, one for each combination of listed values.
 
     With `arrays`, a long range that is the last list is one case with an array; `intervals` are
     A:B; `bare` has the units of symbols that are usually written without one.
@@ -91,7 +89,6 @@ def cases(
 def _values(
     typed: dict[str, Any], arrays: bool, intervals: Sequence[str]
 ) -> dict[str, Sequence[Any]]:
-    """Split lists and ranges into values, the last input first."""
     values: dict[str, Sequence[Any]] = {}
     is_last = True
     for name, text in reversed(typed.items()):
@@ -123,7 +120,7 @@ def at_points(given_cases: Sequence[Case], name: str, words: Sequence[str]) -> l
 def _stream(
     typed: dict[str, Any], intervals: Sequence[str], bare: Mapping[str, str]
 ) -> "Source | None":
-    """Return the option given as - or '- UNIT', and the reader of its lines of standard input."""
+    """Return the option given as - or '- UNIT', and the reader of its lines."""
     streams = [name for name, text in typed.items() if str(text)[:1] in "- " and is_stream(text)]
     sources = [name for name in streams if SYMBOLS[name].form in READERS_OF_STDIN]
     line_streams = [name for name in streams if name not in sources]

@@ -52,7 +52,7 @@ def judge(
     output: "Output",
     inputs: Sequence[ShownInput] = (),
 ) -> int:
-    """Write whether an answer is right, and the likely mistake if not; return the exit status."""
+    """Write whether an answer is right, or its likely mistake; return the exit status."""
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 

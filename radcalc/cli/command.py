@@ -45,15 +45,13 @@ def define(
 ) -> Callable[[Callable[..., Any]], "SectionedCommand"]:
     """Make a command of its page and of a function.
 
-    `sections` replace those of the page where a command has options that are no symbols; `text`
-    replaces its examples and remarks in the help.  The docstring of the function is the help of a
-    command without a page.  A command
-    that calculates has the options that ask for results, those for lines of standard input if it
-    takes any, and that for a picture if it draws; `output` are more options of the output.
+    `sections` replace those of the page if some options are not symbols; `text` replaces its
+    examples and remarks in the help.  Without a page the help is the function's docstring.  A
+    command that `calculates` has options for results, and for lines and a picture if its page
+    allows them; `output` are more options of the output.
 
-    The function is called with `typed`, the texts of the symbols that were given, where it has
-    any; `shown`, how to show the answer; `request`, where it calculates; and with everything else
-    by its name.
+    The function is called with `typed`, the texts of the given symbols; `shown`, the output;
+    `request`, if it calculates; and all other parameters by name.
     """
     sections = dict(page.sections if sections is None else sections)
     if calculates:
@@ -115,8 +113,8 @@ def define(
 def of_page(name: str) -> "SectionedCommand":
     """Make a command of a calculator's page.
 
-    The calculation is the function of the command's name, or the task that the function `task` of
-    the same module makes of the words of a call.
+    It calculates with the function of the command's name, or with the task that the function
+    `task` of the same module makes of the words of a call.
     """
     module = import_module(f"radcalc.calculators.{name.replace('-', '_')}")
     page = module.PAGE
@@ -149,12 +147,11 @@ class SymbolOption(click.Option):
 
     @property
     def help(self) -> str:
-        """Return the help of the symbol, with options spelled as typed at a shell."""
         return spelled(mention(self.symbol.help))
 
     @help.setter
     def help(self, text: str | None) -> None:
-        """Take no other: the options of Click set theirs at once."""
+        """Ignore a help text: the options of Click set theirs at once."""
 
 
 def _options(member: Member, page: Page) -> list[click.Option]:
@@ -197,7 +194,6 @@ class SectionedCommand(Helped):
 
     @property
     def help(self) -> str:
-        """Return the help; that of a page is made when it is asked for."""
         return self._text or _help_of(self.name or "", self.page)
 
     @help.setter
@@ -236,7 +232,6 @@ class SectionedCommand(Helped):
         return [names.get(word, word) for word in args[:last]] + args[last:]
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options of each section as a list."""
         for title, listed in self.sections.items():
             of_output = title == "Output"
             visible = [*listed, self.get_help_option(ctx)] if of_output else listed
@@ -249,7 +244,6 @@ class SectionedCommand(Helped):
 
 
 def _help_of(name: str, page: Page) -> str:
-    """Return the help made from the texts of a page."""
     examples = []
     for example in page.examples:
         words, remark = words_of(example)

@@ -1,7 +1,7 @@
 """Compiler of the table of completion from the commands.
 
 `python -m radcalc.cli.compile PATH` writes the module `completion/built.py` of a wheel, so that
-completion does not load the commands or Click.  Without a wheel `fill_table` makes the table.
+completion does not load the commands or Click.
 """
 
 import re
@@ -74,7 +74,6 @@ class Compiler:
             self.quantities(SYMBOLS[name])
 
     def text(self) -> str:
-        """Return the table as the text of a module."""
         rows: dict[str, Row] = {}
         for name, line in COMMANDS.items():
             command = command_of(name)
@@ -105,7 +104,6 @@ class Compiler:
         )
 
     def _light_first(self) -> list[tuple[str, tuple[tuple[str, str], ...]]]:
-        """Return the units of each quantity, those of light first."""
         light = {name for names, _ in GEOMETRIES.values() for name in names}
         return sorted(self.units.items(), key=lambda row: row[0] not in light)
 
@@ -165,7 +163,6 @@ class Compiler:
         return WORD, (offered_example,) if offered_example else ()
 
     def quantities(self, symbol: Symbol) -> tuple[str, ...]:
-        """Return the keys of a symbol's units, one for each dimension."""
         return tuple(self.quantity(dimension, symbol) for dimension in symbol.dimensions)
 
     def quantity(self, dimension: Dimension, symbol: Symbol) -> str:
@@ -201,10 +198,7 @@ def main_options() -> list[click.Option]:
 
 
 def results_of(command: SectionedCommand) -> list[str]:
-    """Return the names of a calculator's results: its inputs, and the results of its examples.
-
-    The results are read from the hint for an unknown name.
-    """
+    """Return the names of a calculator's results, which the hint for an unknown name lists."""
     names = [
         option.opts[-1].removeprefix("--")
         for group in command.sections.values()
@@ -244,7 +238,7 @@ def _lines(rows: Iterable[Row]) -> str:
 
 
 def fill_table() -> None:
-    """Make the table of completion of the sources, and keep it until they change."""
+    """Make the table of completion, and keep it until the sources change."""
     text = Compiler().text()
     sources.keep(text)
     table.fill(sources.values_of(text))

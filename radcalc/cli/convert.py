@@ -151,18 +151,15 @@ class Conversion(NamedTuple):
 
     @property
     def conditions(self) -> list[Input]:
-        """Return the inputs of its case."""
         return list(self.case.given.values())
 
     @property
     def inputs(self) -> tuple[ShownInput, ...]:
-        """Return the value and the conditions, as an answer shows them."""
         text, off = self.amount.text.replace(MINUS, "-"), self.amount.typed_uncertainty
         value = ShownInput("value", self.value, self.source.text, text, off)
         return (value, *shown_inputs(self.case.given))
 
     def answer(self, planned: Sequence[Planned], steps: bool) -> Result:
-        """Return the value in the units of the targets, with a plan for each."""
         results = []
         for conversion, used in planned:
             result = answer(conversion, self.value, self.case.label, steps)
@@ -184,7 +181,7 @@ class Conversion(NamedTuple):
 
 
 def answers(calls: Sequence[Conversion], steps: bool) -> list[Result]:
-    """Return the answers to all conversions; each uses the conditions that it needs."""
+    """Return the answers to all conversions."""
     wanted = [
         (call.source, target, call.conditions, f"{call.value:.12g}")
         for call in calls
@@ -218,7 +215,6 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
 
 
 def _refuse_file(words: Sequence[str]) -> None:
-    """Refuse a file as VALUE, which the shell can redirect to standard input."""
     if os.path.isfile(words[0]):
         name = quote_path(words[0])
         stream = call_of("convert", "-", *map(quote, words[1:]))
@@ -226,7 +222,6 @@ def _refuse_file(words: Sequence[str]) -> None:
 
 
 def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
-    """Return a value and the texts of its targets, from the words of each conversion."""
     try:
         operands = [read_operands(words) for words in calls]
     except UnitError as error:

@@ -157,8 +157,6 @@ def command(
 def _task(
     summed: page.SummedLog, log: Log, operands: Sequence[ShownInput], of_period: bool
 ) -> Task:
-    """Return the task of a whole log, or of its one period."""
-
     def work_out(given: Inputs) -> Answer:
         light = _light(given)
         answer = next(summed.of_periods(light))[1] if of_period else summed.of_all(light)
@@ -176,7 +174,6 @@ def _show_periods(
     request: Request,
     output: Output,
 ) -> None:
-    """Show an answer for each day or hour of a log."""
     inputs = (*operands, *shown_inputs(given))
     answers = [
         Answered(
@@ -213,14 +210,13 @@ def _light(given: Inputs) -> Inputs:
 
 
 def _with_remarks(log: Log, answer: Answer) -> Answer:
-    """Add the remarks on the reading of the log to an answer."""
     return answer._replace(
         assumptions=(*log.assumptions, *answer.assumptions), notes=[*answer.notes, *log.notes]
     )
 
 
 def _summed(log: Log, longest: float, by: str) -> page.SummedLog:
-    """Integrate a log, bridging no step longer than `gap` seconds."""
+    """Integrate a log, bridging no step longer than `longest` seconds."""
     clock = log.clock
     page.check_unit(log.layout.unit)
     top, bottom = clock.tick

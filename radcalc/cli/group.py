@@ -25,14 +25,12 @@ def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> No
 
 
 class Commands(Helped, click.Group):
-    """The subcommands, each imported when called, but not for the help that lists them."""
+    """The subcommands, imported only when called."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names in the order of the help."""
         return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import a command."""
         if cmd_name not in COMMANDS:
             return None
         from importlib import import_module
@@ -46,12 +44,11 @@ class Commands(Helped, click.Group):
                 raise
             from radcalc.cli.command import of_page
 
-            command = of_page(cmd_name)  # a calculator's page says all that there is to it
+            command = of_page(cmd_name)
         command.short_help = COMMANDS[cmd_name]
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the table of the commands."""
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
 
@@ -100,7 +97,7 @@ def context(listener: "Listener | None" = None) -> click.Context:
 def protect_negatives(words: list[str]) -> list[str]:
     """Replace the minus of negative numbers, so that Click does not read them as options.
 
-    The - of a stream, as in '- nm', gets a blank before it.
+    The - of a stream with a unit, '- nm', gets a blank before it.
     """
     return [
         "→"

@@ -38,11 +38,9 @@ class Helped(click.Command):
     """A command whose help is written like an answer: completely, or with a failing status."""
 
     def get_help_option(self, ctx: click.Context) -> click.Option | None:
-        """Return the option that shows the help."""
         return HELP
 
     def get_help(self, ctx: click.Context) -> str:
-        """Return the help, laid out in the width of the terminal."""
         from radcalc.cli.help_format import HelpFormatter
 
         formatter = HelpFormatter(width=ctx.terminal_width, max_width=ctx.max_content_width)
@@ -51,5 +49,4 @@ class Helped(click.Command):
         return formatter.getvalue().rstrip("\n")
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the name of the manual page."""
         formatter.write(f"\nManual: man {ctx.command_path.replace(' ', '-')}\n")

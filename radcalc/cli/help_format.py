@@ -18,11 +18,9 @@ class HelpFormatter(click.HelpFormatter):
     is_colored = False
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-        """Write the usage line."""
         super().write_usage(prog, args, self._heading(prefix or "Usage:") + " ")
 
     def write_heading(self, heading: str) -> None:
-        """Write the title of a section."""
         self.write(f"{'':{self.current_indent}}{self._heading(f'{heading}:')}\n")
 
     def _heading(self, text: str) -> str:
@@ -49,7 +47,6 @@ class HelpFormatter(click.HelpFormatter):
     def write_dl(
         self, rows: Iterable[tuple[str, str]], col_max: int = 30, col_spacing: int = 2
     ) -> None:
-        """Write terms and their descriptions in two columns."""
         rows = list(rows)
         indent = " " * self.current_indent
         room = self.width - self.current_indent
@@ -85,10 +82,7 @@ def joined(lines: Iterable[str]) -> Iterator[str]:
 
 
 def narrowed(line: str, width: int) -> list[str]:
-    """Fold a line of a block: an example over several lines, or the last column of a row.
-
-    A line that fits is unchanged.
-    """
+    """Fold a long line of a block: an example over several lines, or the last column of a row."""
     text = line.lstrip()
     indent = " " * (len(line) - len(text))
     term, *columns = BETWEEN_COLUMNS.split(text.partition("\n")[0])
@@ -109,7 +103,7 @@ def narrowed(line: str, width: int) -> list[str]:
 
 
 def _example(indent: str, command: str, remark: str, width: int) -> list[str]:
-    """Fold a command over several lines as a shell takes it; its remark gets its own line."""
+    """Fold a command as a shell takes it; its remark gets its own line."""
     lines = [indent]
     for part in AT_OPTIONS.split(command):
         room = width - len(" \\")
@@ -121,7 +115,6 @@ def _example(indent: str, command: str, remark: str, width: int) -> list[str]:
 
 
 def _cut_choices(term: str, width: int) -> list[str]:
-    """Fold an option with many choices over several lines."""
     lines = [""]
     for part in re.split(r"(?<=\|)", term):
         if lines[-1] and len(lines[-1]) + len(part) > width:

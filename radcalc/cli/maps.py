@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def one_case(typed: dict[str, str], request: Request) -> Inputs:
-    """Return the inputs of a map; only one map is made at a time."""
+    """Return the inputs of the only map of a call."""
     if request.check is not None:
         raise UsageError("--check does not apply when a map is written", "the same without --check")
     if request.plot:

@@ -40,10 +40,7 @@ if TYPE_CHECKING:
 
 
 class Output(NamedTuple):
-    """The output format of an answer; `is_chosen` if it was requested.
-
-    A listener hears every answer.
-    """
+    """The output format of an answer; `is_chosen` if it was requested."""
 
     format: str
     style: Style
@@ -69,7 +66,6 @@ class Output(NamedTuple):
             self.listener.hear(results)
 
     def show(self, results: Sequence[Result]) -> None:
-        """Write the results to standard output, and remarks on them to standard error."""
         self.hear(results)
         results = [result.spelled(spelled) for result in results]
         if self.style.auto:
@@ -82,7 +78,6 @@ class Output(NamedTuple):
             self.remark(results)
 
     def records(self, records: Records) -> None:
-        """Write a list of records."""
         terminal.write(renderer(self.format).records(records, self._on_terminal()))
 
     def judge(self, judgement: Judgement) -> None:
@@ -107,12 +102,10 @@ class Output(NamedTuple):
         terminal.say(lines + [line for r in results for line in derivation(r.steps)])
 
     def refuse_auto(self, problem: str, hint: str) -> None:
-        """Refuse --auto if units are not shown or cannot be chosen."""
         if self.style.auto:
             raise UsageError(f"--auto chooses a unit, but {problem}", hint)
 
     def _on_terminal(self) -> Style:
-        """Return the style, with the terminal's width if a table is drawn."""
         if self.format != TABLE:
             return self.style
         return self.style._replace(width=width_of_terminal())
@@ -142,7 +135,6 @@ NUMERIC = ("number", "precision", "auto")
 
 
 def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
-    """Return the output options, some of them hidden in the help."""
     all_options = (
         click.Option(["-n", "--number"], is_flag=True, help="Print bare numbers only."),
         click.Option(

@@ -39,7 +39,6 @@ def _as_operand(read: Callable[[], T]) -> T:
 
 
 def _named(case: Case) -> Case:
-    """Rename the input of a case to the quantity that it is."""
     if case.stream:
         read = case.stream.read
         stream = case.stream._replace(read=lambda text: named(_as_operand(lambda: read(text))))

@@ -56,7 +56,7 @@ def show_with_picture(
 ) -> None:
     """Write the answers, with a picture below them or in its file.
 
-    On a terminal, many answers are shown as the picture only, unless a table is requested.
+    On a terminal, a picture replaces the table of many answers unless a table is requested.
     """
     if request.plot != TO_TERMINAL:
         for answered in answers:  # before anything is written

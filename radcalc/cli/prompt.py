@@ -130,7 +130,6 @@ def _converse(session: Session) -> int:
 
 
 def _asking(session: Session) -> "PromptSession[str]":
-    """Return the input line, with history and completion."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import CompleteEvent, Completer, Completion
     from prompt_toolkit.document import Document
@@ -139,10 +138,7 @@ def _asking(session: Session) -> "PromptSession[str]":
     from prompt_toolkit.output.defaults import create_output
 
     class Words(Completer):
-        """Completions with their descriptions."""
-
         def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
-            """Offer the words that fit the text before the cursor."""
             line = document.text_before_cursor
             matches, typed = completions(session, line)
             for word in matches:
@@ -153,8 +149,6 @@ def _asking(session: Session) -> "PromptSession[str]":
                 )
 
     class Kept(History):
-        """The lines of this session and of earlier ones, in a file."""
-
         def load_history_strings(self) -> Iterable[str]:
             return reversed(past_lines(path))
 
@@ -173,7 +167,7 @@ def _asking(session: Session) -> "PromptSession[str]":
 
 
 def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
-    """Return the words that may follow in a line, and the part of them already typed."""
+    """Return the words that may follow in a line, and the typed part of them."""
     from radcalc.completion import completions as words_after
     from radcalc.completion import table
     from radcalc.completion.line import Completion
@@ -233,7 +227,7 @@ def load_what_answers_need() -> Iterator[None]:
 
 
 def history_path() -> Path | None:
-    """Return the file of the history: RADCALC_HISTORY, or the platform's; '' for none."""
+    """Return the file of the history: RADCALC_HISTORY ('' for none), or the platform's."""
     setting = os.environ.get("RADCALC_HISTORY")
     if setting is not None:
         return Path(setting).expanduser() if setting else None

@@ -63,7 +63,6 @@ def join_unit(error: MissingUnit, words: list[str]) -> MissingUnit:
 
 
 def _unit_of(example: str) -> str:
-    """Return the unit of an example."""
     return example.lstrip("0123456789./")
 
 
@@ -86,7 +85,6 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
 
 
 def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> RadcalcError:
-    """Refuse an option that a command lacks; suggest another."""
     from radcalc.cli.command import GET
 
     if after_command := options_behind(words):
@@ -108,7 +106,6 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
 
 
 def _synonyms(typed: str, known: list[str]) -> list[str]:
-    """Return the known options that have that name as a synonym."""
     name = typed.removeprefix("--").lower()
     meant = [f"--{option}" for option, words in MEANT_OPTIONS.items() if name in words.split()]
     return [option for option in meant if option in known]
@@ -140,7 +137,7 @@ def options_behind(words: list[str]) -> str:
 
 
 def _with_values(words: list[str]) -> list[str]:
-    """Return the words of a call for a mention: an option with a = in its value is one word."""
+    """Join an option and a value with a =, for a mention."""
     mentioned: list[str] = []
     for word in words:
         if "=" in word and mentioned and mentioned[-1].startswith("--"):
@@ -151,7 +148,6 @@ def _with_values(words: list[str]) -> list[str]:
 
 
 def _takers(name: str) -> list[str]:
-    """Return the commands that have an option."""
     return [c for c in COMMANDS if any(name in p.opts for p in _parameters(c))]
 
 

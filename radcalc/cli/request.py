@@ -10,8 +10,7 @@ from radcalc.tuples import NamedTuple
 class Request(NamedTuple):
     """The requested results, derivation, check and picture.
 
-    `lines` are the options for lines of standard input, if the command takes them; `plot` is the
-    place of the picture.
+    `lines` are the options for lines of standard input; `plot` is the place of the picture.
     """
 
     wanted: tuple[str, ...]
@@ -37,7 +36,6 @@ class Request(NamedTuple):
         return request
 
     def wants(self, name: str) -> bool:
-        """Return whether a result is requested by name."""
         from radcalc.calculators.results import name_of
 
         names = [*self.wanted, (self.check or "").replace("=", ":")]

@@ -126,7 +126,6 @@ def command(
 
 
 def _of_all(names: Sequence[str]) -> list[str]:
-    """Return the requested results over all points; refuse them next to results of each point."""
     of_all = [name for name in names if page.is_of_all(name)]
     if of_all and len(of_all) < len(names):
         other = next(name for name in names if name not in of_all)
@@ -136,7 +135,6 @@ def _of_all(names: Sequence[str]) -> list[str]:
 
 
 def _refuse_one_of_many(request: Request, count: int) -> None:
-    """Refuse to check or derive a result of each point if there are several."""
     if request.check is not None:
         claimed = name_of(request.check.partition("=")[0])
         if (claimed in SYMBOLS or page.is_share(claimed)) and not page.is_of_all(claimed):
@@ -165,7 +163,6 @@ def _draw(
     sources: list[Any] = []
 
     def work_out(given: Inputs) -> Answer:
-        """The answer over all points, while those at each are kept."""
         surveyed: page.Survey = survey(given)
         blocks.extend(surveyed.at_points(points.blocks()))
         sources.extend((source.name, source.source.place) for source in surveyed.scene.sources)
@@ -205,7 +202,6 @@ def _stream(
 def _list(
     survey: Any, inputs: tuple[ShownInput, ...], points: "Points", request: Request, output: Output
 ) -> int:
-    """Write the requested results of each point, as rows or objects."""
     if points.size > MOST:
         raise UsageError(f"a table of {points.size} points is too long", "--format csv")
     answers, _ = _at_each(survey, inputs, points)
@@ -216,7 +212,6 @@ def _list(
 
 
 def _show(survey: Any, inputs: tuple[ShownInput, ...], points: "Points", output: Output) -> int:
-    """Write the answers at a few points, and then over all of them."""
     refuse_bare(output)
     answers, over_all = _at_each(survey, inputs, points)
     results = [result(answered) for answered in answers]
@@ -231,7 +226,6 @@ def _show(survey: Any, inputs: tuple[ShownInput, ...], points: "Points", output:
 def _at_each(
     survey: Any, inputs: tuple[ShownInput, ...], points: "Points"
 ) -> tuple[list[Answered], Answered]:
-    """Yield the answer at each of the points, and then over all of them."""
     blocks = list(survey.at_points(points.blocks()))
     over_all = survey.remarks(points.is_grid, with_values=True)
     conditions = tuple(entry for entry in inputs if entry.name not in ("at", "grid"))
@@ -248,12 +242,11 @@ def _at_each(
 
 
 def _coordinates(answer: Answer) -> tuple[ShownInput, ...]:
-    """Return the place of an answer, or the places of a block."""
     return tuple(ShownInput(value.name, value.si, value.units[0]) for value in answer.values[:3])
 
 
 def _has_places(request: Request) -> bool:
-    """Return whether coordinates are among the requested results, which then come first."""
+    """Return whether coordinates, which then come first, are among the requested results."""
     return any(name_of(name) in COORDINATES for name in request.wanted)
 
 
@@ -272,7 +265,6 @@ class Points(NamedTuple):
 
 
 def _points(at: tuple[str, ...], grid: Input | None) -> Points:
-    """Read the points typed one by one, or those of a grid."""
     from radcalc.distributions import scene
 
     if at and grid:

@@ -1,7 +1,7 @@
 """State of the prompt: reading a line, the last answer, and variables.
 
-A line is a command as at the shell, without `radcalc`.  The text of an amount replaces `ans` and
-the names of variables before a line is read, so the commands do not know them.
+A line is a command without `radcalc`.  Texts of amounts replace `ans` and the names of variables
+before a line is read, so the commands do not know them.
 """
 
 import re
@@ -76,7 +76,6 @@ class Session:
     """The lines of a prompt, one after another; `settings` are output options for all."""
 
     def __init__(self, settings: Mapping[str, Any] | None = None, has_stdin: bool = True) -> None:
-        """Take the default options of commands, and whether they may read standard input."""
         self.settings = dict(settings or {})
         self.has_stdin = has_stdin
         self.variables: dict[str, str] = {}
@@ -93,7 +92,6 @@ class Session:
         return (WORDS if with_words else {}) | last | self.variables
 
     def hear(self, results: Sequence[Result]) -> None:
-        """Keep the answer of a command."""
         for result in results:  # a conversion has one value, in one or more units
             self.heard += result.rows if result.named else result.rows[:1]
 
@@ -217,7 +215,6 @@ class Session:
         return text
 
     def _only_row(self, result: str, rows: Sequence[Row], name: str) -> Row:
-        """Return the only row, or the row of a result."""
         if not rows:
             raise UsageError(f"{name} has no value yet", "an answer before it, such as 100 lx fc")
         matching = [row for row in rows if not result or row.name == result]
@@ -257,7 +254,6 @@ class Session:
         )
 
     def _run(self, words: list[str]) -> int:
-        """Run a command, or a word of the prompt."""
         called = words[0] if words else ""
         if called == "vars" and not words[1:]:
             self._list()
@@ -280,13 +276,11 @@ class Session:
         terminal.write("".join(f"{name} = {text}\n" for name, text in texts.items()))
 
     def _kept(self, name: str) -> str:
-        """Return the text of a command's answer, to be kept under a name."""
         if not self.heard:
             raise UsageError(f"the amount for {name} is missing", f"{name} = 800 lm")
         return text_of(self._only_row("", self.heard, name), name)
 
     def _show(self, amount: Amount, words: list[str]) -> int:
-        """Show an amount in its own unit."""
         if unit := amount.typed[1]:
             return cli.answered([*words, "to", unit.text], self)
         with group.context(self):
@@ -297,7 +291,6 @@ class Session:
 
 
 def _help() -> str:
-    """Return the help of the prompt."""
     from radcalc.cli.help_format import HelpFormatter
 
     formatter = HelpFormatter(max_width=group.context().max_content_width)
@@ -362,7 +355,6 @@ def _takers(called: str) -> set[str]:
 
 
 def _is_option(word: str) -> bool:
-    """Return whether a word begins with a dash, and is not a negative number."""
     return word[:1] == "-" and word[1:2] in ("-", *ascii_letters) and not _is_negative(word)
 
 
@@ -385,15 +377,14 @@ def _closed(words: list[str]) -> list[str]:
 
 
 def _is_part(word: str, place: int) -> bool:
-    """Return whether a word is a part of arithmetic over several words."""
     return bool(ARITHMETIC.search(word)) if place else word[-1:] in tuple(OPERATIONS)
 
 
 def _parted(head: str, last: str) -> list[str]:
     """Split arithmetic that ends in a number, and a word: its unit, or the target.
 
-    `800 lm / 2 m2` has no target and `800 lm * 2 cd` has one, as their quantities show; an
-    ambiguous line is refused.
+    Their quantities decide: `800 lm / 2 m2` has no target and `800 lm * 2 cd` has one; an ambiguous
+    line is refused.
     """
     phrase = f"{head} {last}"
     as_unit, value, target = _read(phrase), _read(head), unit_of(last)
@@ -429,7 +420,6 @@ def _amount(words: list[str]) -> Amount | None:
 
 
 def _is_plain(amount: Amount) -> bool:
-    """Return whether it was typed as a number with a unit, not as arithmetic."""
     unit = amount.unit.text if amount.unit else ""
     if amount.scale:
         return True
@@ -442,9 +432,9 @@ def _is_plain(amount: Amount) -> bool:
 
 
 def _text(amount: Amount) -> str:
-    """Return the text of an amount: as typed, or the value of arithmetic.
+    """Return the text of an amount as typed, or the value of arithmetic.
 
-    A fraction with its unit is in brackets, as arithmetic needs it.
+    Arithmetic with it needs brackets around a fraction with its unit.
     """
     if _is_plain(amount):
         if not amount.unit or amount.scale or amount.uncertainty:

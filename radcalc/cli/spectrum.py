@@ -76,7 +76,6 @@ def command(
 
 
 def _source(text: str, column: str | None) -> Input:
-    """Read a source, with the column of a file."""
     if column:
         return Input(SYMBOLS["spectrum"], text, spectrum(text, column))
     return read("spectrum", text, uncertain=True)

@@ -75,7 +75,6 @@ class _Work:
         self.as_json = output.format == JSON
 
     def say(self, texts: Sequence[str]) -> None:
-        """Write remarks if they are shown."""
         if self.style.remarks and not self.as_json:
             terminal.say(list(map(spelled, texts)))
 
@@ -107,7 +106,6 @@ class _Conversion(_Work):
         self.already_said: set[str] = set()
 
     def plan(self, unit: Unit, *assumptions: str) -> Plan:
-        """Plan the conversion of a unit of the lines, and write its assumptions."""
         try:
             planned = plan(unit, self.target, self.given)
         except Unused as error:
@@ -124,7 +122,6 @@ class _Conversion(_Work):
         return planned
 
     def header(self, column: str) -> "Header":
-        """Return the reader of the titles, and of the unit in the title of the numbers."""
         from radcalc.streams.header import Header
 
         def note(text: str) -> None:
@@ -144,7 +141,6 @@ class _Conversion(_Work):
         return self.titles
 
     def record(self, line: int, field: int | None, planned: Plan, value: float) -> str:
-        """Return the JSON of a number's answer."""
         conditions = shown_inputs({given.name: given for given in self.given})
         inputs = (ShownInput("value", value, planned.source.text), *conditions)
         titles = self.titles
@@ -152,7 +148,6 @@ class _Conversion(_Work):
         return self.line_of(answer(planned, value, inputs=inputs), line, field, title)
 
     def _titled(self, unit: Unit) -> "tuple[Texts, Unit]":
-        """Return the reader of numbers with the unit in their title."""
         from radcalc.streams.readers import Numbers
 
         assumption = f"the numbers are in {quote(unit.text)}, as their title says"
@@ -173,7 +168,7 @@ def calculate(
 ) -> int:
     """Answer every line of standard input; return the exit status.
 
-    `wanted` are the results that take the place of what is read.
+    `wanted` are the results that replace the numbers that are read.
     """
     source = case.stream
     assert source is not None
@@ -225,18 +220,15 @@ class _Calculation(_Work):
         terminal.pour(data)
 
     def texts(self, source: Source, wanted: Sequence[str]) -> "Calculated":
-        """Return the reader of texts that answers with the requested results."""
         from radcalc.streams.calculated import Calculated
 
         heard, precision = self.remarks.hear, self.style.precision
         return Calculated(source, self._of_line, wanted, heard, precision, self.layout.mark)
 
     def in_units(self, source: Source) -> Sequence[str]:
-        """Return the requested results with the units of the lines."""
         return _in_units(source, self._of_value, self.wanted, self.as_json)
 
     def header(self, column: str, target: Unit | None) -> "Header":
-        """Return the reader of titles, which writes the title of the result."""
         from radcalc.streams.header import Header, refuse_change
 
         self.target = target
@@ -258,7 +250,6 @@ class _Calculation(_Work):
         )
 
     def record(self, line: int, field: int | None, given: Input, line_answer: "LineAnswer") -> str:
-        """Return the JSON of a line's answer."""
         from radcalc.calculators.results import rows
 
         inputs = (*self.task.operands, *shown_inputs(self.case.of_line(given)))
@@ -283,7 +274,6 @@ class _Calculation(_Work):
             refuse_change(unit, self.target)
 
     def _titled(self, unit: Unit) -> "tuple[Calculated, Unit]":
-        """Return the reader of numbers with the unit in their title."""
         self.say([f"assumed: the numbers are in {quote(unit.text)}, as their title says"])
         self.source.check(unit)
         of_unit = self.source._replace(unit=unit.text)
@@ -296,7 +286,6 @@ class _Calculation(_Work):
 
 
 def _unit_of(wanted: Sequence[str]) -> Unit | None:
-    """Return the unit of the first result, NAME:UNIT; None for a name alone."""
     text = wanted[0].partition(":")[2].strip() if wanted else ""
     return resolve_any(text) if text else None
 
@@ -306,7 +295,7 @@ def _in_units(
 ) -> Sequence[str]:
     """Return the results as NAME:UNIT in the units of the lines; NAME if each line has a unit.
 
-    Refuse unknown results, found by answering a value of the same kind in the same unit.
+    Refuse unknown results, which the answer for a value of the same kind and unit lacks.
     """
     from radcalc.calculators.results import name_of, names_of, pick
 
@@ -363,8 +352,7 @@ def _refuse_format(output: Output) -> None:
 class Layout(NamedTuple):
     """The division of lines into fields, from the options.
 
-    `lines` is the number of header lines; `mark` is the decimal mark; `name` is the title of the
-    results.
+    `lines` is the number of header lines; `name` is the title of the results.
     """
 
     cut: "Cut | None"
@@ -399,7 +387,6 @@ class Layout(NamedTuple):
 
     @property
     def has_titles(self) -> bool:
-        """Return whether titles are read or written."""
         return bool(self.lines) or self.name is not None
 
     def run(
@@ -433,7 +420,6 @@ def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> 
 
 
 def _given(cases: Sequence[Case], steps: bool) -> Sequence[Input]:
-    """Return the conditions, as the only case."""
     if steps:
         raise UsageError("--steps cannot be used with a stream", "one value, for the derivation")
     if len(cases) > 1:

@@ -1,11 +1,9 @@
 r"""Generated parts of the manual pages in man/: lists and help, from the commands and tables.
 
-`python -m radcalc.cli.manual man` rewrites the text between the marks of the pages
+`python -m radcalc.cli.manual man` rewrites the text between these marks (WHAT: see `WRITERS`):
 
     .\" generated: WHAT of NAME
     .\" end of generated
-
-with WHAT one of `WRITERS`.  The rest of a page is written by hand.
 """
 
 import re

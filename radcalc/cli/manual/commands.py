@@ -49,7 +49,7 @@ Sections = Mapping[str, Sequence[click.Option]]
 
 
 def name(of: str) -> Iterator[str]:
-    """Yield the name of a page, and the command's line in the list of commands."""
+    """Yield the page's name, and the command's line in the list of commands."""
     yield f".Nm radcalc-{of}"
     yield f".Nd {_lowered(COMMANDS[of])}"
 
@@ -68,10 +68,7 @@ def _lowered(line: str) -> str:
 
 
 def help_text(of: str) -> Iterator[str]:
-    """Yield the text of --help, without its examples and lists: the page has fuller ones.
-
-    Lines after a colon, and drawings, are kept as they are.
-    """
+    """Yield the text of --help, without its examples and lists: the page has fuller ones."""
     before = ""
     for paragraph in (command_of(of).help or "").split("\n\n"):
         first, *remaining = paragraph.strip("\n").split("\n")
@@ -112,7 +109,7 @@ def sections_of(of: str) -> Sections:
 
 
 def results(of: str) -> Iterator[str]:
-    """Yield the results of a command by their names for --get, with letter and unit."""
+    """Yield the results by their names for --get, with letter and unit."""
     command = command_of(of)
     names = [name for name in results_of(command) if of == "photon" or name not in LINKS]
     kinds, rows = _kinds(command), _heard(of).rows
@@ -142,7 +139,7 @@ def laws(of: str) -> Iterator[str]:
 
 
 class Enough(RadcalcError):
-    """An answer was heard, and is not written."""
+    """The end of a command whose answer was heard, and is not written."""
 
 
 class Listener:
@@ -155,7 +152,6 @@ class Listener:
         self.steps: list[Step] = []
 
     def hear(self, results: Sequence[Result]) -> None:
-        """Keep an answer, and end the command."""
         for result in results:
             self.rows.update((row.name, row) for row in result.rows)
             self.steps += result.steps
@@ -201,7 +197,6 @@ def _kinds(command: SectionedCommand) -> list[str]:
 
 
 def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
-    """Return the description of a symbol, with its letter and units."""
     if symbol.label == symbol.letter:  # x, y and z
         return f"Coordinate {symbol.label}."
     label = IN_FULL.get(symbol.label, symbol.label)
@@ -241,12 +236,10 @@ def _without_names(text: str) -> str:
 
 
 def _spellings(option: click.Option) -> list[str]:
-    """Return the spellings of an option, the short name first."""
     return sorted(option.opts, key=len)
 
 
 def _argument(option: click.Option) -> str:
-    """Return the argument of an option: its choices, an example or a placeholder."""
     if option.is_flag or option.count:
         return ""
     if isinstance(option.type, click.Choice):

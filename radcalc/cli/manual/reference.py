@@ -39,7 +39,6 @@ def quantities(_: str) -> Iterator[str]:
 
 
 def _names(quantity: Quantity) -> str:
-    """Return the other names in each language."""
     names = [f"also {name}" for name in quantity.names(ENGLISH)[1:]]
     names += [
         f"{LANGUAGE_NAMES[code]} {', '.join(quantity.names(code))}"
@@ -54,7 +53,6 @@ def _sentence(words: str) -> str:
 
 
 def _misnomers(quantity: Quantity) -> Iterator[str]:
-    """Return the misused words for a quantity, with the reason."""
     for terms, meant, why in MISNOMERS:
         if meant == quantity.symbol:
             yield f"{', '.join(terms)}: {why}"
