@@ -24,8 +24,6 @@ Number = Any  # a float, or anything with NumPy's elementwise operations
 
 
 class _Mode(local):
-    """Whether what runs is within `exactly`."""
-
     is_exact = False
 
 
@@ -252,10 +250,7 @@ def smaller(x: Number, y: Number) -> Number:
 def piecewise(
     condition: Any, then: Callable[..., Number], otherwise: Callable[..., Number], *xs: Number
 ) -> Number:
-    """Return `then(*xs)` where the condition is true and `otherwise(*xs)` elsewhere.
-
-    Each function is called only with its own elements.
-    """
+    """Return `then(*xs)` where the condition is true and `otherwise(*xs)` elsewhere."""
     if isinstance(condition, bool):
         return then(*xs) if condition else otherwise(*xs)
     import numpy
@@ -275,7 +270,7 @@ HALVINGS = 200  # at most; fewer than 70 find a limit that is not close to 0
 def limit(holds: Callable[[float], bool], outside: float, inside: float) -> float:
     """Return the last number, from `inside` towards `outside`, that satisfies a condition.
 
-    Bisection: `inside` satisfies it, `outside` does not, and it changes once between them.
+    The condition changes once between them.
     """
     for _ in range(HALVINGS):
         middle = (outside + inside) / 2

@@ -64,11 +64,10 @@ class Bridge:
         return f"cannot convert {describe(self.source)} to {describe(self.target)}"
 
     def want(self, what: str) -> None:
-        """Record a missing condition."""
         self.lacking[what] = WANTED[what]
 
     def want_space(self, rows: Iterable[Way], given: set[str]) -> None:
-        """Record the spatial conditions that are still missing, for at most two ways."""
+        """Record the missing spatial conditions, for at most two ways."""
         rows = tuple(rows)
         extending = [way for way in rows if way.extends and given and given < set(way.powers)]
         sensible = [way for way in rows if way.is_suggested] or list(rows)
@@ -87,7 +86,6 @@ class Bridge:
         self.lacking["space"] = (phrase, ", or ".join(alternatives.values()))
 
     def refuse(self) -> None:
-        """Raise for missing conditions and for unused ones."""
         unused = self.conditions.unused
         if AXIS in self.lacking:
             self.lacking.pop(KIND, None)  # a wavelength supplies both

@@ -1,8 +1,4 @@
-"""The conditions of a conversion: the symbols that can be given, and the slot of each.
-
-The factors of conditions are in `geometric.py` and `spectral.py`; `links.py` determines the
-factors that a conversion needs.
-"""
+"""The conditions of a conversion: the symbols that can be given, and the slot of each."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -83,11 +79,9 @@ class Conditions:
         return self.given.get(slot)
 
     def take(self, slot: str) -> Input:
-        """Return a given condition and mark it as used."""
         self.used.add(slot)
         return self.given[slot]
 
     @property
     def unused(self) -> list[str]:
-        """The symbols of unused conditions."""
         return [condition.name for slot, condition in self.given.items() if slot not in self.used]

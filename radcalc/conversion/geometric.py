@@ -1,7 +1,7 @@
 """Factors of geometry and time: areas, cones, distances, reflectors, the pupil, durations.
 
-Laws for the formulas of steps are imported in the functions that use them: most conversions need
-only one, and imports delay the start.
+Laws are imported in the functions that use them: most conversions need only one, and imports delay
+the start.
 """
 
 import math
@@ -119,7 +119,6 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
 
 
 def _half_angle_at_most_right(given: Input) -> Any:
-    """Return a half angle [rad] of at most 90 degrees."""
     half = half_angle_of(given)
     most = "90" if given.name == "half-angle" else "180"
     within = not maths.any_true(half > math.pi / 2 * (1 + maths.SLACK))

@@ -29,7 +29,6 @@ class Plan:
     def __init__(
         self, source: Unit, target: Unit, factor: "Any", links: "Sequence[tuple[Factor, int]]" = ()
     ) -> None:
-        """Keep the plan, with the notes of the units and of the conditions."""
         self.source = source
         self.target = target
         self.factor = factor
@@ -40,10 +39,7 @@ class Plan:
             self.notes += link.notes
 
     def apply(self, value: "Any") -> "Any":
-        """Convert a number, or an array element by element.
-
-        A negative value is a difference; it can be converted only within its quantity.
-        """
+        """Convert a number or an array; a negative value, a difference, only within a quantity."""
         if isinstance(value, (int, float)):
             value = _as_float(value)
             if value != value:
@@ -73,11 +69,9 @@ class Plan:
         return result + 0.0  # 0, not -0
 
     def quantity(self, value: "Any") -> "Any":
-        """Return the result as a quantity in the target's unit."""
         return self.apply(value)
 
     def derive(self, value: float) -> "list[Step]":
-        """Return the steps of the derivation."""
         return derive(self, value)
 
     def _not_held(self) -> ConversionError:

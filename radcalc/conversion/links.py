@@ -1,8 +1,7 @@
 """The links between two different quantities, and the given conditions that supply them.
 
-The facts of the two quantities (kind, axis of density, time, area and solid angle) are compared;
-each difference needs a condition.  Area and solid angle are linked together, in one of the ways of
-`WAYS`.  Missing conditions are named; unused and redundant ones are refused.
+Each difference between the quantities in kind, axis of density, time, area and solid angle needs a
+condition.  Area and solid angle are linked together, in one of the ways of `WAYS`.
 """
 
 from collections.abc import Sequence
@@ -61,7 +60,6 @@ from radcalc.units.unit import Unit
 
 
 def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
-    """Link flux, intensity, irradiance and radiance."""
     conditions = bridge.conditions
     given = {slot for slot in PLAIN if slot in conditions.given}
     here, there = start.geometry[1:], end.geometry[1:]
@@ -92,7 +90,6 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 
 
 def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radiance: bool) -> None:
-    """Record the missing conditions of a way between geometries."""
     if is_radiance and given == {DISTANCE} and any(way.supply is FAR for way in ways):
         bridge.conditions.take(DISTANCE)
         bridge.lacking["size"] = (
@@ -165,7 +162,6 @@ def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 
 
 # ---------------------------------------------------------------------------------------------
-# Missing conditions
 
 
 # ---------------------------------------------------------------------------------------------
@@ -223,7 +219,6 @@ def _width(bridge: Bridge) -> Links:
 
 
 def _unlike(bridge: Bridge) -> RadcalcError:
-    """Return the error for two quantities that no condition links, one of them not of light."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
     if PER_TIME in (source.dimension, target.dimension):
         hint = "Hz, or cycle/s, for a frequency"
@@ -259,7 +254,6 @@ def _unlike(bridge: Bridge) -> RadcalcError:
 
 
 def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
-    """Return the link between energy and flux, or exposure and irradiance."""
     if start.time == end.time:
         return []
     given = bridge.conditions.use(TIME)
@@ -280,7 +274,6 @@ def _behind_detector(unit: Unit) -> Reading | None:
 
 
 def _detector(bridge: Bridge) -> Links:
-    """Return the link between the light on a detector and its current."""
     from_current = bridge.source.dimension in ELECTRIC
     if from_current == (bridge.target.dimension in ELECTRIC):
         return []
@@ -299,7 +292,6 @@ def _detector(bridge: Bridge) -> Links:
 
 
 def _pupil(bridge: Bridge, start: Reading, end: Reading) -> Links:
-    """Return the link between luminance and trolands."""
     if start.retinal == end.retinal:
         return []
     given = bridge.conditions.use(PUPIL)

@@ -1,8 +1,4 @@
-"""Conversion: a plan from one unit to another, applied to a number or an array.
-
-A plan between units of one quantity is a ratio of whole numbers from the table of units; links
-between different quantities are in `links.py`, which is loaded only if needed.
-"""
+"""Conversion: a plan from one unit to another, applied to a number or an array."""
 
 from radcalc.conversion.linear import Plan, between, is_function
 from radcalc.units.table import unit_of
@@ -32,7 +28,7 @@ def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str 
 
 
 def target_of(text: str, source: Unit | None = None) -> Unit:
-    """Return the target of a conversion: a unit, a scale, or a quantity's usual unit by its name.
+    """Return the target of a conversion: a unit, a scale, or a quantity's usual unit.
 
     A known `source` determines the kind of light of a name such as flux.
     """

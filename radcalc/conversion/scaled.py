@@ -22,14 +22,13 @@ LOSS = "OD"  # counts losses, while the other ratios count gains
 class ScaledPlan(Plan):
     """A plan with a scale as source or target; `linear` is the plan between their units.
 
-    `ends` are the scales, field strengths among them, which are units elsewhere.
+    `ends` are the scales, field strengths among them.
     """
 
     __slots__ = ("ends", "linear")
     is_linear = False
 
     def __init__(self, source: Unit, target: Unit, linear: Plan) -> None:
-        """Keep the plan, with the readings of the scales as assumptions."""
         super().__init__(linear.source, linear.target, linear.factor, linear.links)
         self.notes = linear.notes
         self.linear, self.ends = linear, (source, target)
@@ -40,16 +39,13 @@ class ScaledPlan(Plan):
         self.assumptions = (*dict.fromkeys(read), *linear.assumptions)
 
     def quantity(self, value: Any) -> Any:
-        """Return the result as a quantity, in the unit of the target's scale."""
         return self._in_target_unit(value) if self.target.is_scale else self.apply(value)
 
     def _in_target_unit(self, value: Any) -> Any:
-        """Return the value converted to the unit of the target, or of its scale."""
         source = self.ends[0]
         return self.linear.apply(source.quantity(value) if isinstance(source, ScaleUnit) else value)
 
     def apply(self, value: Any) -> Any:
-        """Convert a number in the source's unit, or a reading on its scale."""
         quantity, target = self._in_target_unit(value), self.ends[1]
         if not isinstance(target, ScaleUnit):
             return quantity

@@ -376,7 +376,6 @@ def _wavelength(bridge: "Bridge") -> Light | None:
 
 
 def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
-    """Return the link between radiant, luminous and photon quantities."""
     if start.kind == end.kind:
         return []
     of = _wavelength(bridge)
@@ -427,7 +426,6 @@ def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -
 
 
 def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
-    """Return the link between spectral densities, or between a density and a band."""
     if start.axis == end.axis:
         return []
     if NONE not in (start.axis, end.axis):

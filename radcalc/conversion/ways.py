@@ -12,8 +12,7 @@ Supply = dict[str, Callable[[Conditions], Factor]]
 class Way(NamedTuple):
     """The powers of the conditions that lead from one geometry to another.
 
-    `supply` gives the factor of each.  Without any given condition, only the common ways are
-    suggested.
+    `supply` gives the factor of each.
     """
 
     powers: dict[str, int]

@@ -92,7 +92,6 @@ class Title(NamedTuple):
 
     @property
     def in_brackets(self) -> bool:
-        """Return whether the unit is in brackets."""
         return BRACKETS.search(self.text, self.opening, self.start) is not None
 
     def with_unit(self, unit: str) -> str:
@@ -115,9 +114,6 @@ def read_title(text: str, like: Unit | None = None) -> Title:
     The unit may measure the quantity of `like`, or any quantity of light if `like` is None.  If no
     such unit is found, text in brackets may be any unit, and a word of several letters any unit of
     light.
-
-    Raises UnitError for an unknown unit of light, as in `E (klux)`, and for titles that
-    `refuse_altered` or `refuse_misnamed` refuses.
     """
     title = _read(text, like)
     if title.unit is None and (match := UNIT_OF_LIGHT.search(text)):
@@ -137,8 +133,8 @@ def unit_in(text: str, like: Unit | None = None) -> Unit | None:
 def refuse_altered(title: Title) -> None:
     """Raise for a title whose numbers are not the values of the quantity in its unit.
 
-    Raises UnitError for a title that scales them, as `E [lx] x1000`, names a function of them, as
-    `log E [lx]`, or has a second unit, as `E [W/m2] or [lx]`.
+    That is a title that scales them, as `E [lx] x1000`, names a function of them, as `log E [lx]`,
+    or has a second unit, as `E [W/m2] or [lx]`.
     """
     text, unit = title.text, title.unit
     before, after = text[: title.start], text[title.end :]
@@ -157,7 +153,7 @@ def refuse_altered(title: Title) -> None:
 def refuse_misnamed(title: Title, unit: Unit) -> None:
     """Raise for a title that names a quantity that the unit of its numbers does not measure.
 
-    Raises UnitError for `illuminance [cd/m2]`, and for `PPFD (desk) 1` above numbers in lux.
+    Examples are `illuminance [cd/m2]`, and `PPFD (desk) 1` above numbers in lux.
     """
     if other := other_quantity(title.name, unit):
         raise UnitError(
@@ -169,8 +165,7 @@ def refuse_misnamed(title: Title, unit: Unit) -> None:
 def other_quantity(name: str, unit: Unit) -> Quantity | None:
     """Return the quantity with that name if a unit of light measures another one, else None.
 
-    Text in brackets and a number after a word are not part of a name.  An unknown name, or one with
-    additional words, fits any unit; units of other quantities than light fit any name.
+    Unknown names, names with additional words, and units of other quantities than light fit.
     """
     words = [word.rstrip("0123456789") for word in comparable(IN_BRACKETS.sub(" ", name)).split()]
     folded = " ".join(filter(None, words))
@@ -190,7 +185,6 @@ def other_quantity(name: str, unit: Unit) -> Quantity | None:
 
 
 def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
-    """Return whether the name of a quantity is also a name of the quantity of a reading."""
     usual = read(resolve(quantity.unit))
     if usual is None:
         return False
@@ -250,8 +244,7 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
     """Return the place of the column with a name.
 
     The name is a whole title, a title without its unit, or either without regard to case; the first
-    of these forms that matches decides.  A number that is not a title is that of a column, from 1.
-    Raises UsageError if there is no such column, or several.
+    of these forms that matches decides.  Other numbers count columns from 1.
     """
     name = name.strip()
     places = [place for place, title in enumerate(titles) if title == name]
@@ -314,7 +307,6 @@ def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
 
 
 def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title | None:
-    """Return the title with a part of it as the unit; None if the part is not a unit."""
     inner = text[start:end]
     start += len(inner) - len(inner.lstrip())
     inner = inner.strip()
@@ -338,7 +330,6 @@ def _of_words(text: str) -> Unit | None:
 
 
 def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
-    """Return whether the unit measures the quantity of `like`, or is a unit of light without it."""
     unit = title.unit
     if unit is None or like is None:
         return _contradicts(title, in_brackets, like) and unit is not None and _is_light(unit)

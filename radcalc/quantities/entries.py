@@ -68,10 +68,7 @@ def scales(rows: Iterable[Scale]) -> list[Entry]:
 
 
 def search(text: str) -> list[Entry]:
-    """Find units by name, by their quantity, by part of a name or by a unit of that quantity.
-
-    The first of these with a match decides; raises UnitError if there is no match.
-    """
+    """Find units by name, quantity, part of a name or a unit of their quantity, in that order."""
     text = text.strip()
     if not text:
         return [entry(name) for name in UNITS] + scales(SCALES)
@@ -115,7 +112,6 @@ def _of_quantity(quantity: str, unit: Unit) -> list[Entry]:
 
 
 def _products(quantity: str, unit: Unit) -> list[Entry]:
-    """Return the units of a quantity that are products of several symbols."""
     texts = [text for text in composed(unit) if not text.isalpha()]
     return [product(text, quantity) for text in texts]
 
@@ -135,7 +131,6 @@ def _of_name(text: str) -> list[Entry]:
 
 
 def _of_unit(text: str) -> list[Entry]:
-    """Read the search as a unit, and return the units of its quantity; raise for other texts."""
     try:
         unit = resolve(text)
     except UnitError as error:

@@ -18,8 +18,7 @@ def language() -> str:
 def translate(label: str, language: str) -> str:
     """Return a quantity's English name in a language; unchanged if there is no translation.
 
-    The text in brackets, the axis of a spectral density, is translated separately; so is the
-    quantity in labels of a mean, a part or the like.
+    The text in brackets is translated separately; so is the quantity in labels of a mean or a part.
     """
     if language == ENGLISH:
         return label

@@ -1,8 +1,7 @@
 """The quantity of a unit: geometry and kind, derived from its dimension.
 
 A light quantity has a kind (radiant e, luminous v, photon p), powers of time, area and solid angle
-relative to a flux, and the axis of a spectral density.  Conversions between quantities follow from
-the differences of these facts.
+relative to a flux, and the axis of a spectral density.
 """
 
 from operator import sub
@@ -162,19 +161,17 @@ class Reading(NamedTuple):
 
     @property
     def symbol(self) -> str:
-        """The quantity's symbol, such as E_v or L_e,λ."""
         if self.retinal:
             return OTHERS[RETINAL_ILLUMINANCE][1]
         return f"{GEOMETRIES[self.geometry][1]}_{self.kind}{DENSITY_SYMBOLS[self.axis]}"
 
 
 def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
-    """Return the dimension of a light quantity, from its facts."""
+    """Return the dimension of a light quantity."""
     return _DIMENSIONS[kind, geometry, axis]
 
 
 def _below_flux(geometry: tuple[int, int, int], axis: str) -> Dimension:
-    """What a flux is divided by."""
     time, area, solid_angle = geometry
     parts = zip(TIME, AREA, SOLID_ANGLE, AXIS[axis], strict=True)
     return tuple([area * a + solid_angle * s + x - time * t for t, a, s, x in parts])
@@ -263,7 +260,7 @@ COHERENT_AXES = {
 
 
 def coherent_unit(unit: Unit) -> str:
-    """Return the coherent SI unit of a light quantity, for derivations."""
+    """Return the coherent SI unit of a light quantity."""
     reading = read(unit)
     if reading is None:
         return COHERENT.get(unit.dimension, unit.text)
@@ -271,7 +268,7 @@ def coherent_unit(unit: Unit) -> str:
 
 
 def coherent_text(reading: Reading) -> str:
-    """Return the coherent SI unit of a light quantity, from its facts."""
+    """Return the coherent SI unit of a light quantity as text."""
     if reading.retinal:
         return "td"
     area = "/m2" if reading.area else ""

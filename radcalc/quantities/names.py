@@ -28,7 +28,6 @@ class Quantity(NamedTuple):
         return text.split(", ") if text else []
 
     def name(self, language: str) -> str:
-        """Return the preferred name in a language; the English one if there is none."""
         return (self.names(language) or self.names("en"))[0]
 
 

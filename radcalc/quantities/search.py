@@ -66,7 +66,7 @@ def matching(
 def search(text: str) -> list[Found]:
     """Find quantities by name, misnomer, symbol, unit or parts of a name; all for an empty text.
 
-    The first of these with a match decides; raises UsageError if there is no match.
+    The first of these with a match decides.
     """
     text = text.strip()
     if not text:
@@ -107,7 +107,7 @@ class Other(NamedTuple):
 
 
 class Index(NamedTuple):
-    """The names of quantities in their form for comparison, for searches, units and targets."""
+    """The names of quantities in their form for comparison."""
 
     names: dict[str, list[Quantity]]
     misnomers: dict[str, dict[str, str]]  # symbol of the quantity -> explanation
@@ -147,8 +147,8 @@ def _other_quantities() -> Iterator[Other]:
 def called(text: str) -> list[Found]:
     """Return the quantities with that full name in any language, then those with that misnomer.
 
-    Some misnomers are also part of correct names.  The quantities with "intensity" in their names
-    come first; the ratios with "výkon" and the densities with "плотность потока" come last.
+    Some misnomers are part of correct names.  The quantities with "intensity" in their names come
+    first; the ratios with "výkon" and the densities with "плотность потока" come last.
     """
     folded = comparable(text)
     named = [Found(q) for q in index().names.get(folded, ())]
@@ -217,7 +217,6 @@ def _by_words(
 
 
 def _unit(text: str) -> Unit | None:
-    """Return the text as a unit; None for other texts."""
     unit = find(text) or unit_of(text)
     return unit if unit and unit.dimension != NUMBER else None
 
@@ -243,7 +242,6 @@ def _by_unit(unit: Unit | None) -> list[Found]:
 
 
 def _without_axis(reading: Reading, note: str) -> list[Found]:
-    """Return the quantity of a spectral density."""
     name = reading._replace(axis=NONE).name
     return [Found(q, note) for q in QUANTITIES if name in q.names("en")]
 

@@ -1,8 +1,8 @@
 """The vocabulary: one row for each symbol of an input, of a result or of a law.
 
-Options, keywords, results, error messages, completions and the option items of the manual are
-generated from it.  A help text mentions another symbol as {name}; the command line and the Python
-API each spell it in their own way.
+Options, keywords, results, messages, completions and manual pages are generated from it.  A help
+text mentions another symbol as {name}; the command line and the Python API each spell it in their
+own way.
 """
 
 import math
@@ -83,8 +83,8 @@ UNIT, WORD = "unit", "word"
 class Symbol(NamedTuple):
     """A symbol: its names, its quantity and its allowed values.
 
-    `dimensions` are those in which it can be given or requested, its own first; `unit` is the unit
-    of display.  A light quantity has a geometry, and a kind if its name fixes the kind.
+    `dimensions` are those in which it can be given, its own first; `unit` is the unit of display. A
+    light quantity has a geometry, and a kind if its name fixes the kind.
     """
 
     name: str
@@ -154,7 +154,6 @@ def _text(
     help_: str,
     choices: tuple[str, ...] = (),
 ) -> Symbol:
-    """Return the row of a symbol that is not a quantity."""
     return Symbol(
         name,
         "",

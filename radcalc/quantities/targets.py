@@ -1,7 +1,6 @@
 """Names of quantities as units: TARGET of a conversion, and its completion.
 
-The name of a unit takes precedence over that of a quantity; an ambiguous name is refused with its
-meanings.
+The name of a unit takes precedence over that of a quantity.
 """
 
 from typing import NamedTuple
@@ -33,7 +32,6 @@ class Target(NamedTuple):
     note: str = ""
 
     def as_unit(self) -> Unit:
-        """Return the unit, with the note on the name."""
         kind = Exitance if self.name in EXITANCES else Unit
         return resolve(self.unit).of_class(kind, *filter(None, [self.note]))
 
@@ -41,8 +39,7 @@ class Target(NamedTuple):
 def named(text: str, source: Unit | None = None) -> Unit:
     """Return the usual unit of the quantity with that name, which is not the name of a unit.
 
-    A known `source` determines the kind of a name for every kind.  Raises UnitError for an unknown
-    quantity and for an ambiguous name.
+    A known `source` determines the kind of a name for every kind.
     """
     meanings = _meanings(text, source)
     if not meanings:
@@ -68,7 +65,6 @@ def names_starting(prefix: str) -> list[tuple[str, str]]:
 
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
-    """Return the possible meanings of a name."""
     folded = comparable(text)
     if len(folded) < SHORTEST:
         return []
@@ -87,8 +83,7 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
 def _of_kinds(name: str, source: Unit | None) -> list[Target]:
     """Return the meanings of a name for every kind of light: the source's kind, or all kinds.
 
-    Irradiance and radiance are also radiant quantities, which are meant if the source has no kind
-    or has that geometry.
+    Irradiance and radiance are radiant quantities if the source has no kind or has that geometry.
     """
     reading = read(source) if source else None
     kinds = (reading.kind,) if reading else KINDS
@@ -103,7 +98,6 @@ def _plain(name: str, kind: str) -> str:
 
 
 def _target(quantity: Quantity, note: str = "") -> Target:
-    """Return a quantity with its unit of display."""
     reading = read(resolve(quantity.unit))
     unit = quantity.unit
     if reading and not reading.axis and not reading.retinal:
@@ -133,7 +127,6 @@ def _targets(start: str) -> dict[str, Target]:
 
 
 def _names() -> dict[str, str]:
-    """Return all names, by their form for comparison."""
     names = [name for q in QUANTITIES for language in LANGUAGES for name in q.names(language)]
     names += [term for terms, _, _ in MISNOMERS for term in terms]
     names += [name for other in index().others.values() for name in other.names]
@@ -150,7 +143,6 @@ def _without_unit(text: str) -> UnitError | None:
 
 
 def _unknown(text: str) -> UnitError:
-    """Return the error for an unknown unit or quantity, with similar names of quantities."""
     try:
         resolve(text)
     except UnitError as error:
@@ -168,7 +160,6 @@ def _unknown(text: str) -> UnitError:
 
 
 def _ambiguous(text: str, meanings: list[Target]) -> UnitError:
-    """Return the error for a name of several quantities."""
     names = [f"{target.name} ({target.unit})" for target in meanings]
     units = dict.fromkeys(target.unit.replace(" ", ".") for target in meanings)
     return UnitError(

@@ -1,7 +1,4 @@
-"""Search of the typical values by subject, by quantity, by unit, or near a value.
-
-They help a reader to judge the plausibility of an answer.
-"""
+"""Search of the typical values by subject, by quantity, by unit, or near a value."""
 
 import math
 
@@ -45,7 +42,7 @@ def search(text: str) -> list[Typical]:
     """Find values by quantity, in any language, by unit, or by words; all for an empty text.
 
     The first of these with a match decides; a text that begins with a number finds the values
-    nearest to it.  Raises UsageError if there is no match.
+    nearest to it.
     """
     text = text.strip()
     if not text:
@@ -65,7 +62,6 @@ def search(text: str) -> list[Typical]:
 
 
 def _names(value: Typical) -> str:
-    """Return all words of a value."""
     return " ".join((*value.names, value.quantity, value.unit, value.also))
 
 
@@ -156,7 +152,6 @@ def _size(amount: Amount) -> float:
 
 
 def _away(value: Typical, amount: Amount) -> float:
-    """Return the distance of an amount from a value, as the logarithm of their ratio."""
     size = _size(amount)
     low, high = (_in_si(value, end) for end in (value.low, value.high))
     return max(math.log(low / size), math.log(size / high), 0.0)

@@ -1,7 +1,7 @@
 """Typical values: light of the sun, the sky, lamps and screens, and recommended light levels.
 
-Numbers are texts with the digits of their source.  For a wrong value of common lecture tables, the
-value here is the corrected one, and a note describes the error.
+Numbers have the digits of their source.  Where common lecture tables are wrong, the value here is
+the corrected one, and a note describes the error.
 """
 
 from typing import NamedTuple
@@ -27,26 +27,21 @@ class Typical(NamedTuple):
 
     @property
     def what(self) -> str:
-        """Return its subject in English."""
         return self.names[0]
 
     def name(self, language: str) -> str:
-        """Return its subject in a language."""
         return self.names[LANGUAGES.index(language)]
 
     @property
     def low(self) -> float:
-        """The value, or the start of its range."""
         return float(self.value.partition(" to ")[0])
 
     @property
     def high(self) -> float:
-        """The value, or the end of its range."""
         return float(self.value.rpartition(" to ")[2])
 
     @property
     def measured(self) -> Unit:
-        """The unit, or the scale."""
         return resolve_any(self.unit)
 
     @property

@@ -1,8 +1,7 @@
 """Spectra as arrays: a large file, or a whole image of spectra on one grid.
 
-The integrals of `integrals.py` as weights: since a spectrum is linear between its points, its
-watts, lumens and photons are weighted sums of its values.  All arrays that support NumPy's
-protocols are served, Dask arrays included.
+Since a spectrum is linear between its points, its watts, lumens and photons are weighted sums of
+its values.  All arrays that support NumPy's protocols are served, Dask arrays included.
 """
 
 from collections.abc import Sequence
@@ -72,17 +71,14 @@ class ArrayTable(Table):
     """A spectrum of very many points."""
 
     def power(self, limits: Range) -> float:
-        """See `Spectrum`."""
         grid, values = self._part(limits)
         return float(np.trapezoid(values, grid))
 
     def part(self, limits: Range) -> Spectrum | None:
-        """See `Spectrum`."""
         grid, values = self._part(limits)
         return ArrayTable(self.label, grid, values, is_whole=True) if len(grid) else None
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """See `Spectrum`."""
         nodes = np.arange(start, start + count, dtype=float)
         union, weights = _trapezoid_weights(self.grid, nodes)
         heights = np.interp(union, self.grid, self.values)
@@ -90,7 +86,6 @@ class ArrayTable(Table):
         return moments
 
     def photons(self, limits: Range) -> float:
-        """See `Spectrum`."""
         grid, values = self._part(limits)
         moments = moment_between(grid[:-1], grid[1:], values[:-1], values[1:])
         return photons(float(moments.sum()) / 6)

@@ -1,7 +1,7 @@
 """Chromaticity, correlated colour temperature and colour rendering.
 
-All are by the CIE 1931 2 degree observer at 1 nm, 360 nm to 830 nm; a spectrum is linear between
-these points.  A light is given by its moments there: `source.moments(*AT)`.
+All are by the CIE 1931 2 degree observer at 1 nm, 360 nm to 830 nm.  A light is given by its
+moments there: `source.moments(*AT)`.
 """
 
 import math
@@ -31,7 +31,7 @@ Light = Sequence[float]
 
 
 class Undefined(Exception):
-    """Error for a property that is undefined for a light; its text is the reason."""
+    """Error for a property that is undefined for a light."""
 
 
 # The denominator X + 15 Y + 3 Z of u and v.
@@ -54,7 +54,6 @@ def _dot(light: Light, weights: Sequence[float]) -> float:
 
 
 def _uv(light: Light) -> Colour:
-    """Return the chromaticity of a light in CIE 1960 (u, v)."""
     whole = _dot(light, _X_15Y_3Z)
     return 4 * _dot(light, X) / whole, 6 * _dot(light, Y) / whole
 

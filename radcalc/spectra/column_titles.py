@@ -72,7 +72,7 @@ class Meaning(NamedTuple):
 
     said: str
     are_photons: bool = False
-    absolute: str = ""  # the radiant quantity, if there is a unit
+    absolute: str = ""
     factor: float = 1.0  # to W/../nm or photon/s/../nm
 
 
@@ -122,7 +122,6 @@ def wavelengths(
 
 
 def _typed(text: str, word: str) -> str:
-    """Return the last occurrence of a word of a plain text, as it was typed."""
     at = plain(text).rindex(word)
     return text[at : at + len(word)]
 
@@ -163,8 +162,7 @@ def values(title: str) -> Meaning:
 def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:
     """Return the unit of the values in the lines before a table; raise for lines on other data.
 
-    `meant` is the meaning by the title of the column.  If lines mention photons without a unit per
-    wavelength and the title does not, the values are ambiguous.
+    `meant` is the meaning by the title of the column.
     """
     meanings: dict[object, Meaning] = {}
     photons = ""
@@ -205,7 +203,6 @@ def _with_short_units(text: str) -> str:
 
 
 def _is_spectral(facts: Reading) -> bool:
-    """Return whether it is power or photons per wavelength."""
     return facts.axis == PER_WAVELENGTH and facts.kind != LUMINOUS and not facts.time
 
 

@@ -1,8 +1,7 @@
 """Generate the tables of observers and light sources as package data.
 
-`python -m radcalc.spectra.compile` writes `data/observers.py`, `data/sources.py` and
-`data/colours.py` from colour-science, and `data/suns.py` from the ASTM G173-03 table that pvlib
-ships.
+`python -m radcalc.spectra.compile` writes `data/`, from colour-science and from the ASTM G173-03
+table that pvlib ships.
 """
 
 import csv
@@ -28,10 +27,7 @@ Table = tuple[float, float, tuple[float, ...]]
 
 
 def load_colour() -> Any:
-    """Return colour-science, imported without its warnings of missing packages.
-
-    The import changes how NumPy prints arrays in the whole process; this is undone.
-    """
+    """Return colour-science, without its warnings of missing packages and its print options."""
     import numpy
 
     with warnings.catch_warnings(), numpy.printoptions():
@@ -96,7 +92,7 @@ def components() -> dict[str, tuple[float, ...]]:
 
 
 def daylight(temperature: float) -> list[float]:
-    """Return a CIE daylight from its components, by the function used at run time."""
+    """Return a CIE daylight from its components."""
     from radcalc.spectra.daylight import combine
 
     return combine(temperature, **components())

@@ -22,7 +22,7 @@ class Counts:
     def __init__(
         self, source: Spectrum, eye: Observer, limits: Range | None, photon_limits: Range | None
     ) -> None:
-        """Keep the given ranges, or the usual ones, limited to the data."""
+        """The ranges are the usual ones by default, limited to the data."""
         self.source, self.eye = source, eye
         self.given = {RADIANT: limits, PHOTON: photon_limits}
         everywhere = WHOLE if source.counts_all_photons else PAR
@@ -39,7 +39,6 @@ class Counts:
         return self._amounts[kind]
 
     def over(self, kind: str) -> str:
-        """Return the range of watts or photons, as text."""
         return range_text(self.ranges[kind])
 
     @property
@@ -63,7 +62,6 @@ class Counts:
         return notes
 
     def _left_out(self, kind: str) -> str:
-        """Return a note on the lumens outside a range, if there are any."""
         part = self.source.part(self.ranges[kind])
         lumens = _count(part, LUMINOUS, WHOLE, self.eye) if part else 0.0
         share = lumens / self.amount(LUMINOUS)

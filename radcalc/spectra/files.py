@@ -1,7 +1,6 @@
 """Measured spectra from files: columns of numbers with any separator, and the files of meters.
 
-Unambiguous files are read, with notes; anything else is an error with its line.  A file is read in
-blocks, and only its numbers are kept.
+Unambiguous files are read, with notes; anything else is an error with its line.
 """
 
 import re
@@ -43,8 +42,6 @@ def read_file(path: str, column: str = "") -> Table:
 
 
 class _Layout(NamedTuple):
-    """The layout of a file with columns."""
-
     delimiter: str | None
     header: list[str]
     width: int
@@ -53,7 +50,7 @@ class _Layout(NamedTuple):
 
 
 class _Reader:
-    """The reader of one file, in blocks: its delimiter, its header, its columns."""
+    """The reader of one file, in blocks."""
 
     def __init__(self, name: str, read: Callable[[int], bytes], column: str) -> None:
         self.name = name
@@ -72,7 +69,6 @@ class _Reader:
         return refusal(self.name, number, problem, hint)
 
     def table(self) -> Table:
-        """Return the spectrum of the whole file."""
         blocks = self.text.blocks()
         first = next(blocks, (1, []))
         for form in FORMATS:
@@ -83,7 +79,6 @@ class _Reader:
         return self.plain_table(chain([first], blocks))
 
     def all_lines(self, first: tuple[int, Lines], blocks: Iterable[tuple[int, Lines]]) -> Lines:
-        """Return all lines of a file that is not a plain table."""
         collected = list(first[1])
         for _, lines in blocks:
             collected += lines
@@ -92,7 +87,6 @@ class _Reader:
         return collected
 
     def table_of(self, contents: Contents) -> Table:
-        """Return the table of the rows of a format."""
         self.notes += contents.notes
         for number, place, value in contents.rows:
             self.grid.append(self.number(place, contents.has_commas, number))
@@ -112,7 +106,6 @@ class _Reader:
                 yield number, line
 
     def plain_table(self, blocks: Iterable[tuple[int, Lines]]) -> Table:
-        """Return the table of columns."""
         layout = None
         first: list[tuple[int, str]] = []  # the rows that determine the layout
         for number, lines in blocks:
@@ -139,10 +132,7 @@ class _Reader:
         return self.finish_columns(layout)
 
     def layout(self, rows: list[tuple[int, str]]) -> _Layout:
-        """Return the delimiter, the header and the columns; remove the rows before the table.
-
-        `rows` are the first rows of the file, or all of them.
-        """
+        """Return the delimiter, the header and the columns; remove the rows before the table."""
         if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
         count = _before(rows)
@@ -229,7 +219,6 @@ class _Reader:
         return True
 
     def take(self, rows: Iterator[tuple[int, str]], layout: _Layout) -> None:
-        """Read rows one by one, and raise for a wrong one with its number."""
         for number, line in rows:
             if self.is_marked and line.startswith(oceanview.MARK):
                 self.is_over = True
@@ -247,7 +236,6 @@ class _Reader:
             self.lines.append(number)
 
     def check_titles(self, header: list[str]) -> None:
-        """Raise for a first column that is not of wavelengths."""
         if (longest := max(map(len, header), default=0)) > column_titles.LONGEST:
             raise self.error(
                 0, f"a title of {longest} characters", f"up to {column_titles.LONGEST}"
@@ -259,7 +247,6 @@ class _Reader:
             raise self.error(0, f"'{quote(header[0])}' is not a wavelength", "wavelengths first")
 
     def finish_columns(self, layout: _Layout) -> Table:
-        """Return the table of columns, in their units."""
         low, high = min(self.grid), max(self.grid)
         nanometres = self.wavelength_unit(layout.header, low, high)
         try:
@@ -277,10 +264,7 @@ class _Reader:
         meanings: Sequence[column_titles.Meaning],
         figures: Mapping[str, Figure] = NO_FIGURES,
     ) -> Table:
-        """Return the table of the numbers, with notes on repairs and oddities.
-
-        The figures of the meter decide between several meanings.
-        """
+        """Return the table of the numbers, with notes; a meter's figures decide its meaning."""
         if len(self.grid) < 2:
             count = len(self.grid)
             raise self.error(0, f"{count} row of data is not a spectrum", "two rows or more")
@@ -333,7 +317,6 @@ class _Reader:
         return note + (f": {100 * share:.2g} % of the watts" if share >= SMALL else "")
 
     def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
-        """Return the column of the values, and its title."""
         if width < 2:
             hint = "a wavelength and a value in every row"
             raise self.error(number, "there is only one column", hint)
@@ -455,7 +438,6 @@ def _gaps(grid: Sequence[float]) -> list[str]:
 
 
 def _trimmed(cells: list[str], width: int) -> list[str]:
-    """Return the cells without empty ones beyond a width."""
     while len(cells) > width and not cells[-1]:
         cells.pop()
     return cells
@@ -517,7 +499,6 @@ def _table(
     nanometres: float,
     meant: column_titles.Meaning,
 ) -> Table:
-    """Return the spectrum of numbers with a meaning."""
     xs: Any
     ys: Any
     if len(grid) > MANY:

@@ -1,7 +1,6 @@
 """The integral of all spectra: the trapezoid rule on the union of two grids.
 
-A spectrum and a weighting are both linear between their points; their product is integrated by the
-trapezoid rule on the union of both grids, and cut at the limits by a step, not a ramp.
+Spectra and weightings are linear between their points, and cut at the limits by a step, not a ramp.
 Wavelengths are in nanometres throughout `spectra`.
 """
 
@@ -55,7 +54,7 @@ def integral(grid: Grid, values: Grid, low: float = -inf, high: float = inf) -> 
 def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
     """Return the weights whose sum of products with any weighting is its integral over the table.
 
-    The weighting is tabulated at `count` whole nanometres from `start` and linear in between.
+    The weighting is linear between `count` whole nanometres from `start`.
     """
     weights = [0.0] * count
     grid, values = clip(grid, values, start, start + count - 1)

@@ -53,21 +53,12 @@ PATTERNS = [re.compile(row[0]) for row in LAMPS]
 
 
 class Named(NamedTuple):
-    """A named spectrum.
-
-    Attributes
-    ----------
-    name : str
-        As typed.
-    kind : int or None
-        The row of `LAMPS`.
-    """
+    """A named spectrum; `kind` is its row of `LAMPS`."""
 
     name: str
     kind: int | None
 
     def kind_in(self, language: str) -> str:
-        """Return the name of its kind; '' if it has none."""
         place = 1 + LANGUAGES.index(language)
         return "" if self.kind is None else LAMPS[self.kind][place]
 

@@ -32,7 +32,6 @@ class Observer(NamedTuple):
 
     @property
     def assumption(self) -> str:
-        """Return the assumption of an answer that uses this observer."""
         return (
             f"{self.label}, {self.constant} {self.maximum:g} lm/W, "
             "linear interpolation in the 1 nm table"

@@ -183,7 +183,6 @@ def _spelled(name: str) -> str:
 
 
 def _bare(name: str) -> str:
-    """Return the letters and digits of a name, which may be typed without other characters."""
     return "".join(c for c in name.upper() if c.isalnum() or c == ".")
 
 
@@ -196,7 +195,6 @@ def names() -> list[str]:
 
 @cache
 def _spellings() -> dict[str, str]:
-    """Return the named sources except the suns, by all their spellings."""
     from radcalc.spectra.data.sources import SOURCES
 
     names = {form(name): name for name in SOURCES for form in (_spelled, _bare)}
@@ -299,7 +297,6 @@ def _quantity(parameter: str, text: str, dimension: Dimension, form: str) -> flo
 
 
 def _in_si(parameter: str) -> tuple[float, Dimension]:
-    """Return a parameter in coherent SI units, and its dimension."""
     value, unit_text = split_value(parameter)
     unit = resolve(unit_text or "1")
     return value * unit.factor, unit.dimension

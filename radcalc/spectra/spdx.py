@@ -61,7 +61,7 @@ class _Document:
         self.parser.StartDoctypeDeclHandler = self.refuse_doctype
 
     def read(self, text: str) -> None:
-        """Parse the whole text, now in UTF-8 whatever encoding it declares."""
+        """Parse the text, now in UTF-8 whatever encoding it declares."""
         try:
             self.parser.Parse(text.encode(), True)
         except expat.ExpatError as error:

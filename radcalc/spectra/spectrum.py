@@ -46,7 +46,6 @@ class Spectrum:
     longest = math.inf
 
     def __init__(self, label: str, limits: Range, notes: tuple[str, ...] = ()) -> None:
-        """Keep the properties of every kind of spectrum."""
         self.label = label
         self.limits = limits
         self.notes = notes
@@ -54,7 +53,6 @@ class Spectrum:
 
     @property
     def described(self) -> str:
-        """The spectrum and the assumption on its values, for an answer."""
         return f"spectrum {self.label}" + (f", {self.reading}" if self.reading else "")
 
     def power(self, limits: Range) -> float:
@@ -69,7 +67,6 @@ class Spectrum:
         return self._moments[start, count]
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """Compute the moments."""
         raise NotImplementedError
 
     def weigh(self, start: int, weights: Sequence[float]) -> float:
@@ -82,7 +79,6 @@ class Spectrum:
         return self.weigh(observer.start, observer.values)
 
     def lumens(self, observer: Observer) -> float:
-        """Return the lumens for an observer."""
         return observer.maximum * self.seen(observer)
 
     def photons(self, limits: Range) -> float:
@@ -94,7 +90,6 @@ class Spectrum:
         raise NotImplementedError
 
     def total(self) -> float:
-        """Return the watts at all wavelengths."""
         return self.power(WHOLE)
 
     def peak(self) -> tuple[float, float | None]:
@@ -120,10 +115,7 @@ class Table(Spectrum):
         absolute: str = "",
         is_whole: bool = False,
     ) -> None:
-        """Keep the points; watts are counted over all data unless `limits` are given.
-
-        The spectrum beyond the points is unknown, unless they are the whole of it.
-        """
+        """Watts are counted over all data unless `limits` are given."""
         self.known = float(grid[0]), float(grid[-1])
         self.longest = self.known[1]
         self.is_whole = is_whole
@@ -136,25 +128,22 @@ class Table(Spectrum):
         self.absolute = absolute
 
     def part(self, limits: Range) -> Spectrum | None:
-        """See `Spectrum`."""
         grid, values = clip(self.grid, self.values, *limits)
         return Table(self.label, grid, values, is_whole=True) if grid else None
 
     def power(self, limits: Range) -> float:
-        """See `Spectrum`."""
         return integral(self.grid, self.values, *limits)
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """See `Spectrum`."""
         return moments(self.grid, self.values, start, count)
 
     def photons(self, limits: Range) -> float:
-        """See `Spectrum`; the product with the wavelength is integrated exactly."""
+        """Integrate the product with the wavelength exactly."""
         grid, values = clip(self.grid, self.values, *limits)
         return planck.photons(sum(map(moment_between, grid, grid[1:], values, values[1:])) / 6)
 
     def peak(self) -> tuple[float, float | None]:
-        """See `Spectrum`; the width is between the half-height crossings next to the peak."""
+        """Measure the width between the half-height crossings next to the peak."""
         grid, values = self.grid, self.values
         top = max(range(len(values)), key=values.__getitem__)
         half = values[top] / 2
@@ -174,7 +163,6 @@ class Lines(Spectrum):
     """Lines of zero width: wavelengths [nm] and watts."""
 
     def __init__(self, label: str, lines: Sequence[tuple[float, float]]) -> None:
-        """Keep the lines; all their photons are counted."""
         notes: tuple[str, ...] = ()
         if any(not PAR[0] <= place <= PAR[1] for place, _ in lines):
             notes = (f"a line {OUTSIDE}; it counts here",)
@@ -183,7 +171,6 @@ class Lines(Spectrum):
         self.longest = max(lines)[0]
 
     def part(self, limits: Range) -> Spectrum | None:
-        """See `Spectrum`."""
         inside = self._inside(limits)
         return Lines(self.label, inside) if inside else None
 
@@ -191,11 +178,10 @@ class Lines(Spectrum):
         return [line for line in self.lines if limits[0] <= line[0] <= limits[1]]
 
     def power(self, limits: Range) -> float:
-        """See `Spectrum`."""
         return sum(watts for _, watts in self._inside(limits))
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """See `Spectrum`; a line is divided between the nanometres on both sides of it."""
+        """Divide a line between the nanometres on both sides of it."""
         weights = [0.0] * count
         for place, watts in self.lines:
             if start <= place <= start + count - 1:
@@ -205,16 +191,13 @@ class Lines(Spectrum):
         return weights
 
     def peak(self) -> tuple[float, float | None]:
-        """See `Spectrum`; a line has no width."""
         return max(self.lines, key=lambda line: line[1])[0], None
 
     def photons(self, limits: Range) -> float:
-        """See `Spectrum`."""
         return planck.photons(sum(watts * place for place, watts in self._inside(limits)))
 
     @property
     def counts_all_photons(self) -> bool:
-        """See `Spectrum`."""
         return True
 
 
@@ -224,7 +207,6 @@ class BlackBody(Spectrum):
     absolute = "exitance"
 
     def __init__(self, temperature: float) -> None:
-        """Keep the temperature."""
         if not 1 <= temperature <= 1e9:
             raise ConditionError(
                 f"a black body of {temperature:g} K is out of range",
@@ -234,18 +216,17 @@ class BlackBody(Spectrum):
         self.temperature = temperature
 
     def part(self, limits: Range) -> Spectrum | None:
-        """See `Spectrum`; a table of the visible nanometres, which is the purpose of parts."""
+        """Return a table of the visible nanometres, which is the purpose of parts."""
         grid = [float(nanometre) for nanometre in range(360, 831)]
         wavelengths = [x * 1e-9 for x in grid]
         values = planck.spectral_exitances(wavelengths, self.temperature)
         return Table(self.label, grid, [y * 1e-9 for y in values], is_whole=True).part(limits)
 
     def power(self, limits: Range) -> float:
-        """See `Spectrum`."""
         return planck.exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
-        """See `Spectrum`; Planck's law at every nanometre, linear in between."""
+        """Use Planck's law at every nanometre, linear in between."""
         wavelengths = [(start + i) * 1e-9 for i in range(count)]
         weights = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
         weights[0] /= 2
@@ -253,10 +234,9 @@ class BlackBody(Spectrum):
         return weights
 
     def peak(self) -> tuple[float, float | None]:
-        """See `Spectrum`; by Wien's law, and the roots of half the peak in x = c2/(lambda T)."""
+        """Use Wien's law, and the roots of half the peak in x = c2/(lambda T)."""
         scale = planck.C2 / self.temperature * 1e9
         return scale / planck.WIEN_X, scale / planck.HALF_X[0] - scale / planck.HALF_X[1]
 
     def photons(self, limits: Range) -> float:
-        """See `Spectrum`."""
         return planck.photon_exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)

@@ -43,7 +43,6 @@ class Amount:
         rounding: float | None = None,
         parts: "tuple[Part, ...]" = (),
     ) -> None:
-        """Keep the reading of `text`."""
         self.text = text
         self.number = number
         self.unit = unit
@@ -56,7 +55,6 @@ class Amount:
 
     @property
     def typed(self) -> tuple[float, Unit | None]:
-        """The number and the unit that were typed, or the reading and its scale."""
         return (self.reading, self.scale) if self.scale else (self.number, self.unit)
 
     @property
@@ -66,7 +64,6 @@ class Amount:
 
     @property
     def typed_uncertainty(self) -> float:
-        """The uncertainty of the number that was typed."""
         if self.scale:
             return self.uncertainty / float(abs(self.scale.slope(self.reading)))
         return self.uncertainty

@@ -24,7 +24,7 @@ STREAM_EXAMPLE += f"{command('convert', '-', 'fc')} for lines with their own uni
 
 
 def has_number(unit: str) -> bool:
-    """Return whether the text of a unit contains a number other than an exponent."""
+    """Return whether a unit's text contains a number other than an exponent."""
     before = last = ""
     for c in unit:
         if c in DIGITS and last in BEFORE_NUMBERS and not before == last == "*":
@@ -42,10 +42,9 @@ def read_sum(text: str) -> Amount | None:
 
 
 def split_value(text: str) -> tuple[float, str]:
-    """Split a value into its number and the text of its unit, '' for a bare number.
+    """Split a value into its number and its unit's text, '' for a bare number.
 
-    An expression is read as `read_amount` reads it, but must not contain uncertainties.  The unit
-    of a plain number is not checked.
+    An expression must not contain uncertainties.  The unit of a plain number is not checked.
     """
     problem: RadcalcError | None = None
     number, unit = 0.0, ""

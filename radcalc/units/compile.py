@@ -1,8 +1,7 @@
 """Compile the units of `light.txt`, with their values from Pint, into the tables of units.
 
 `python -m radcalc.units.compile` writes `compiled.py`, which every conversion loads, and
-`catalogue.py`, which only `radcalc units` loads.  It raises ValueError for a name that is defined
-twice and for an ambiguous spelling.
+`catalogue.py`, which only `radcalc units` loads.
 """
 
 import re
@@ -20,7 +19,7 @@ BASE_UNITS = {f"[{name}]": place for place, name in enumerate(BASES)}
 
 
 class Definition(NamedTuple):
-    """One unit of `light.txt`, in its notation."""
+    """One unit of `light.txt`."""
 
     name: str
     value: str
@@ -104,10 +103,7 @@ def _definition(
 
 
 def every_spelling(definitions: Definitions) -> dict[str, list[tuple[str, str]]]:
-    """List every accepted spelling, with and without prefixes, with all its readings.
-
-    Full names are in lower case, as they are matched.
-    """
+    """List every accepted spelling, full names in lower case, with all its readings."""
     readings: dict[str, list[tuple[str, str]]] = {}
     for unit in definitions.units:
         for symbol in unit.symbols:
@@ -131,7 +127,7 @@ def refuse_collisions(definitions: Definitions) -> None:
 
 
 def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
-    """Ask Pint for a unit's exact factor to coherent SI units and its dimension."""
+    """Return Pint's exact factor of a unit to coherent SI units, and its dimension."""
     container = UnitsContainer({name: 1})
     factor, _ = registry.get_root_units(container)
     powers = [0] * len(BASE_UNITS)

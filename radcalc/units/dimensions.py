@@ -1,4 +1,4 @@
-"""Dimensions: exponents of the base quantities, and names for the dimensions in use."""
+"""Dimensions: exponents of the base quantities, and their names."""
 
 from radcalc.units.unit import BASES, NUMBER, Dimension
 

@@ -23,24 +23,19 @@ class ElectricField(Scale):
     __slots__ = ()
 
     def of(self, quantity: str) -> str:
-        """Return the formula of the field of an irradiance."""
         return f"sqrt({'2 ' if self.steps == PER_PEAK else ''}Z0 {quantity})"
 
     def inverse(self, reading: str = "n") -> str:
-        """Return the formula of the irradiance of a field."""
         field = "E" if reading == "n" else f"({reading} {quote(self.name)})"
         return f"{self.letter} = {field}^2 / {'(2 Z0)' if self.steps == PER_PEAK else 'Z0'}"
 
     def quantity(self, reading: Any) -> Any:
-        """Return the irradiance [W/m2] of a field."""
         return self.size * reading * reading
 
     def reading(self, quantity: Any) -> Any:
-        """Return the field of an irradiance [W/m2]."""
         return maths.sqrt(quantity / self.size)
 
     def slope(self, reading: Any) -> Any:
-        """Return the derivative of the irradiance with respect to the field."""
         return 2 * self.size * reading
 
 
@@ -53,17 +48,14 @@ class FieldUnit(ScaleUnit):
     __slots__ = ("plain",)
 
     def __init__(self, plain: Unit, scale: Scale) -> None:
-        """Keep the unit, and the scale of its readings."""
         super().__init__(plain.text, scale)
         self.plain = plain
 
     def describe(self, settable: bool = False) -> str:
-        """Return the assumptions in reading a field."""
         scale = self.scale
         return f"{scale.inverse()}, {scale.meaning}, Z0 = {IMPEDANCE:.6g} ohm"
 
     def quantity(self, reading: Any) -> Any:
-        """Return the irradiance of a field, in `unit`."""
         irradiance = self.scale.quantity(reading)
         if maths.any_true((irradiance - irradiance != 0) | ((irradiance == 0) & (reading != 0))):
             field = (
@@ -73,7 +65,6 @@ class FieldUnit(ScaleUnit):
         return irradiance
 
     def reading(self, quantity: Any) -> Any:
-        """Return the field of an irradiance in `unit`, 0 or more."""
         if maths.any_true(quantity < 0):
             raise ConversionError("a negative irradiance has no field strength", "0 or more")
         return self.scale.reading(quantity) + 0.0

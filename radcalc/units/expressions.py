@@ -45,9 +45,8 @@ HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
 class Value:
     """A number top / bottom in coherent SI units, with the typed units and their powers.
 
-    `rounding` is the relative rounding error of the typed digits, and `blur` the relative error of
-    functions computed to a finite number of digits.  `had_units` is true if units entered the
-    value, even if they cancelled: a ratio of two lengths is a number that takes no unit.
+    `rounding` is the relative rounding error of the typed digits, `blur` that of functions.
+    `had_units` is true also if all units cancelled: such a number takes no unit.
     """
 
     __slots__ = ("blur", "bottom", "dimension", "had_units", "rounding", "top", "units")
@@ -62,7 +61,6 @@ class Value:
         had_units: bool = False,
         blur: float = 0.0,
     ) -> None:
-        """Reduce the ratio to lowest terms."""
         common = math.gcd(top, bottom) or 1
         self.top = top // common
         self.bottom = bottom // common
@@ -115,7 +113,6 @@ class Value:
         return Value(a + b, bottom, self.dimension, self.units, rounding, had_units, blur)
 
     def is_bare(self) -> bool:
-        """Return whether it has no unit."""
         return not self.units
 
     def unit(self) -> Unit | None:
@@ -141,8 +138,6 @@ def _is_part(name: str) -> bool:
 
 
 def _unit_text(units: dict[str, int]) -> str:
-    """Return units with their powers in conventional notation: W.h/m2."""
-
     def factor(name: str, power: int) -> str:
         if power == 1:
             return name
@@ -164,7 +159,7 @@ class Term:
     def __init__(
         self, value: Value, start: int, middle: int, end: int, has_number: bool, units: int
     ) -> None:
-        """Keep the value of the text from `start` to `end`; the number ends at `middle`."""
+        """The number of the text from `start` to `end` ends at `middle`."""
         self.value = value
         self.start, self.middle, self.end = start, middle, end
         self.has_number = has_number
@@ -202,7 +197,6 @@ class Calculator(Scanner):
         return self.text[start:end].strip()
 
     def answer(self) -> Value:
-        """Return the value of the whole text."""
         value = self.sum()
         if self.peek() == ")":
             raise self.wrong("has a closing bracket too many", "as many ( as )")
@@ -222,7 +216,7 @@ class Calculator(Scanner):
         return self.wrong(f"cannot be read from '{quote(rest)}' on")
 
     def sum(self) -> Value:
-        """Read a sum of terms, up to the end or a closing bracket."""
+        """Read terms up to the end or a closing bracket."""
         self.skip_blanks()
         is_negative = self.peek() in MINUSES and bool(self.peek())
         if self.peek() and self.peek() in SIGNS:
@@ -255,7 +249,6 @@ class Calculator(Scanner):
     def refuse_unlike(
         self, value: Value, other: Value, sign: int, terms_before: str, term: str
     ) -> None:
-        """Raise for the sum of two different quantities."""
         units = value.unit(), other.unit()
         (a, b) = [
             (unit.dimension, unit.is_exitance, unit.has_wavelength) if unit else None
@@ -398,7 +391,6 @@ class Calculator(Scanner):
         return not (follows_number and self.is_times_ten())
 
     def begins_number(self) -> bool:
-        """Return whether a number, a bracketed number or a function starts here."""
         if self.at in self.leaves:
             return True
         if self.peek() == "(":
@@ -424,7 +416,6 @@ class Calculator(Scanner):
         return next((f for f in FUNCTIONS if self.text.startswith(f"{f}(", self.at)), "")
 
     def refuse_other_functions(self) -> None:
-        """Raise for a function that expressions do not support."""
         for name in OTHER_FUNCTIONS:
             if self.text.startswith(f"{name}(", self.at):
                 self.is_arithmetic = True
@@ -513,7 +504,6 @@ class Calculator(Scanner):
         return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
 
     def leaf(self) -> Value | None:
-        """Return the part that begins here if it is already read, else None."""
         leaf = self.leaves.get(self.at)
         if leaf is None:
             return None
@@ -582,7 +572,6 @@ class Calculator(Scanner):
         return value
 
     def power(self) -> int | None:
-        """Read the whole-number exponent of a number or a bracket; None if there is no exponent."""
         before = self.at
         self.skip_blanks()
         if self.text.startswith("**", self.at):
@@ -617,7 +606,6 @@ class Calculator(Scanner):
         return int(digits.replace("+", ""))
 
     def function(self, name: str, value: Value, start: int) -> Value:
-        """Return a function of an angle or a bare number, or a root."""
         self.is_arithmetic = True
         call = quote(self.slice(start, self.at))
         if name == "sqrt":
@@ -649,7 +637,6 @@ class Calculator(Scanner):
         return Value(top, bottom, blur=blur)
 
     def root(self, value: Value, call: str) -> Value:
-        """Return the square root, exact if it is a ratio of whole numbers."""
         if value.top < 0 or any(power % 2 for power in value.dimension):
             raise self.wrong(f"has no value for {call}", "a square, such as 4 m2")
         from radcalc.units import functions
@@ -664,10 +651,7 @@ class Calculator(Scanner):
 
 
 def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
-    """Return the value of an expression, None for a text that is not an expression.
-
-    Raises RadcalcError for arithmetic that has no value or is ambiguous.
-    """
+    """Return the value of an expression, None for a text that is not an expression."""
     if len(text) > MAX_LENGTH:
         return None
     text = plain(text)
@@ -687,10 +671,9 @@ def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
 def read_expression(
     text: str, leaves: Leaves | None = None
 ) -> tuple[float, Unit | None, float] | None:
-    """Return the number, the unit and the relative rounding error of an expression.
+    """Return the number, the unit and the relative rounding error of an expression, or None.
 
-    None for a text that is not an expression.  `leaves` are parts of a `plain` text that are
-    already read.
+    `leaves` are parts of a `plain` text that are already read.
     """
     value = evaluate(text, leaves)
     if value is None:

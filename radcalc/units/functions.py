@@ -21,10 +21,7 @@ Ratio = tuple[int, int, float]  # top, bottom, blur
 
 
 def of_number(name: str, top: int, bottom: int, blur: float) -> Ratio:
-    """Return the exponential or a logarithm of a number.
-
-    Raises ArithmeticError or ValueError if the result does not exist or is not a float.
-    """
+    """Return the exponential or a logarithm; ArithmeticError or ValueError if there is none."""
     if name == "exp" and abs(top) > LARGEST * bottom:
         raise OverflowError
     with localcontext(_context(top, bottom, blur)):

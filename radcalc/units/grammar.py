@@ -1,7 +1,6 @@
-"""The grammar of units: a text to atoms.
+"""The grammar of units: a text to atoms, in one pass of bounded length, depth and exponent.
 
-The text is read in one pass, one character at a time, bounded in length, depth and exponent.
-The grammar does not know the units, and evaluates nothing.
+The grammar does not know the units.
 
     UNIT     = FACTOR { [product] FACTOR } { "/" FACTOR }
     FACTOR   = (NAME | "1" | "(" UNIT ")") [EXPONENT]
@@ -35,16 +34,15 @@ Atom = tuple[str, int, bool]
 
 
 def plain(text: str) -> str:
-    """Return the text with each look-alike character normalised, and without outer blanks."""
+    """Return the text with look-alike characters normalised, without outer blanks."""
     return text.translate(SAME).strip()
 
 
 def parse_unit(text: str) -> list[Atom]:
     """Split the text of a unit into atoms: (name, exponent, inverted).
 
-    `inverted` marks an atom with the exponent -1 after a solidus, as in `W/m2/cm-1`: there `cm-1`
-    is itself a unit.  A product after a solidus (`W/m2 sr`) is ambiguous and refused with both
-    readings, as the SI Brochure requires.
+    `inverted` marks the exponent -1 after a solidus: in `W/m2/cm-1`, `cm-1` is itself a unit.  A
+    product after a solidus (`W/m2 sr`) is refused as ambiguous, as the SI Brochure requires.
     """
     if len(text) > MAX_LENGTH:
         raise UnitError(
@@ -140,7 +138,6 @@ class Scanner:
         return ""
 
     def ambiguous(self, start: int, solidus: int) -> RadcalcError:
-        """Return the error for a product after a solidus, with both readings."""
         over = self.text[start:solidus].strip().removesuffix("per").strip() or "1"
         under = self.text[solidus + 1 :].strip().lstrip("/").strip()
         first = self.text[start : self.at].strip().rstrip(PRODUCTS).strip()
@@ -151,7 +148,6 @@ class Scanner:
         return self.error("is ambiguous", readings)
 
     def factor(self, depth: int) -> list[Atom]:
-        """Read a name, a 1 or a bracket, with its exponent."""
         c = self.peek()
         power = 1
         if c == "(":
@@ -207,7 +203,6 @@ class Scanner:
         return self.text[start : self.at]
 
     def exponent(self) -> int:
-        """Read an exponent; return 1 if there is none."""
         if self.at == len(self.text):
             return 1
         caret = self.caret()
@@ -255,7 +250,6 @@ class Scanner:
         return mark in (".", "/") and self.text[self.at + 1 : self.at + 2].isdigit()
 
     def refuse_after_exponent(self, number: str, caret: bool) -> None:
-        """Raise for an exponent that is too long, and for characters that cannot follow it."""
         if not caret and (self.peek().isalpha() or self.peek() == "("):
             raise self.error(
                 "runs two units together", "a space or a dot between them, and one number"
@@ -266,7 +260,6 @@ class Scanner:
             raise self.error("has an exponent on an exponent", "one exponent")
 
     def signed_digits(self) -> str:
-        """Read the digits of an exponent, with their sign; '' if there are none."""
         start = end = self.at
         is_raised = self.text[start : start + 1] in SUPERSCRIPTS
         if not is_raised and self.text[start : start + 1] in tuple(SIGNS):

@@ -102,7 +102,7 @@ def bare(text: str) -> str:
 
 
 def comparable(word: str) -> str:
-    """Return a word without case, diacritics and hyphens, for comparison."""
+    """Return a word without case, diacritics and hyphens."""
     return bare(word).replace("-", "")
 
 
@@ -121,7 +121,6 @@ def forms(names: str, endings: dict[str, str]) -> list[str]:
 
 
 def _words(place: int, endings: dict[str, str]) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the prefixes and the forms of the units of a language, with their English names."""
     prefixes = zip(map(comparable, PREFIXES[place].split()), PREFIXES[0].split(), strict=True)
     units = {form: row[0] for row in NAMES for form in forms(row[place], endings)}
     return dict(prefixes), units
@@ -159,7 +158,6 @@ def in_english(text: str) -> str:
 
 
 def _pieces(text: str) -> list[str]:
-    """Split a text into its words and the single characters between them."""
     pieces: list[str] = []
     inside = False
     for c in text:
@@ -173,7 +171,6 @@ def _pieces(text: str) -> list[str]:
 
 
 def _unit(word: str) -> str:
-    """Return the English name of a unit; '' if the word is not a unit."""
     word = comparable(word)
     for prefixes, units in LANGUAGES:
         if word in units:

@@ -23,7 +23,7 @@ MAX_LENGTH = 1000
 INFINITE = float("inf")
 SMALLEST = float_info.min  # smallest float with full precision
 
-EXACT = 1e-9  # relative error of arithmetic with exact numbers
+EXACT = 1e-9  # of arithmetic with exact numbers
 FEWEST_DIGITS = 3  # 2m is read as 2.00 m
 
 FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10")  # of expressions
@@ -41,8 +41,8 @@ RUN = DIGITS + ",._"
 def read_number(text: str) -> tuple[float, int]:
     """Read the number at the start of `text`; return it and its end.
 
-    Raises NumberError if the text does not start with a number, or if the number is ambiguous
-    (`1,5`, `1,000`), unsupported (`1_000`, `0x10`, `nan`) or outside the range of a float.
+    Raises NumberError if there is no number, or if it is ambiguous (`1,5`, `1,000`), unsupported
+    (`1_000`, `0x10`, `nan`) or outside the range of a float.
     """
     if len(text) > MAX_LENGTH:
         raise NumberError(
@@ -77,7 +77,7 @@ def read_number(text: str) -> tuple[float, int]:
 def is_sentence(words: list[str]) -> bool:
     """Return whether a call begins with a value, not a command: `100 lx fc`, `-pi/2 rad deg`.
 
-    Such a call is a conversion; so is one that begins with the `-` or `- UNIT` of a stream.
+    The `-` or `- UNIT` of a stream counts as a value.
     """
     first = words[0] if words else ""
     start = 1 if first[:1] and first[0] in SIGNS else 0
@@ -155,7 +155,6 @@ def read_term(text: str, at: int) -> tuple[float, int, int]:
 
 
 def _digits_end(text: str, at: int) -> int:
-    """Return the end of the digits that start at `at`."""
     while at < len(text) and text[at] in DIGITS:
         at += 1
     return at
@@ -264,8 +263,8 @@ def _are_thousands(groups: list[str]) -> bool:
 def rounding(text: str) -> float:
     """Return the relative rounding error of a typed number: half a unit of its last digit.
 
-    Numbers with fewer digits count as three digits: 2m is read as 2.00 m.  Products, fractions,
-    multiples of pi and 0 are exact, except for the rounding of the arithmetic.
+    2m is read as 2.00 m.  Products, fractions, multiples of pi and 0 are exact, except for the
+    rounding of the arithmetic.
     """
     return relative_rounding(text[: read_number(text)[1]]) or EXACT
 

@@ -11,9 +11,8 @@ LEAST, MOST = 1e-150, 1e150  # uncertainties whose squares are numbers
 class Part(NamedTuple):
     """The contribution of an uncertain number in an expression, or of a reading on a scale.
 
-    `text` is the number as typed, `size` its signed contribution to the uncertainty, and `at`
-    returns the whole with the number shifted by a multiple (-1 to 1) of its uncertainty, or None
-    if that value does not exist.
+    `text` is the number as typed, `size` its signed contribution, and `at` returns the whole with
+    the number shifted by -1 to 1 of its uncertainty, None if that does not exist.
     """
 
     text: str

@@ -9,8 +9,8 @@ from radcalc.units.unit import lookup
 def prefixes_of(text: str) -> dict[int, str]:
     """Return a unit with each prefix of a power of 1000, by power of ten relative to the unit.
 
-    The unit itself is first, and alone if it takes no prefixes.  The prefix goes before the first
-    of several units, unless that one has an exponent: kcd/m2, but m2.
+    The unit itself is first.  The prefix goes before the first of several units, unless that one
+    has an exponent: kcd/m2, but m2.
     """
     spellings = {0: text}
     if unit_of(text) is None:
@@ -27,10 +27,6 @@ def prefixes_of(text: str) -> dict[int, str]:
 
 
 def _spellings(spelling: str, prefix: str, unit: str) -> dict[int, str]:
-    """Return a unit with each allowed prefix of a power of 1000 and without, by power of ten.
-
-    Symbols take symbols of prefixes, names take names.
-    """
     own_marks = [prefix, *(mark for mark, name in PREFIX_SYMBOLS.items() if name == prefix)]
     head = next(head for head in own_marks if spelling.lower().startswith(head.lower()))
     stem = spelling[len(head) :]

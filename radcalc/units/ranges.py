@@ -65,8 +65,7 @@ def _is_one_number(whole: str, decimals: str) -> bool:
 def with_list(hint: str, text: str, unit: str = "") -> str:
     """Return the hint for a number with a comma, with the list that may be meant.
 
-    A unit after the last value, or in another word, applies to each value; bare numbers are
-    written with decimals in the list.
+    A unit after the last value, or in another word, applies to each value.
     """
     *others, last = [part.strip() for part in text.split(",")]
     unit = unit or _unit_in(last)
@@ -103,9 +102,9 @@ def note_of(text: str) -> tuple[str, ...]:
 
 
 def read_values(text: str) -> list[str]:
-    """Split a list or a range into values, each with the unit that follows the last one.
+    """Split a list or a range into values, each with the unit after the last one.
 
-    `100,200 lx` are 100 lx and 200 lx, like `100lx,200lx`.
+    `100,200 lx` are 100 lx and 200 lx.
     """
     values, unit = _cut_unit(text)
     series = read_series(values)
@@ -145,7 +144,6 @@ def _is_part(text: str) -> bool:
 
 
 def _unit_in(text: str) -> str:
-    """Return the unit after the number at the start of a text; '' if there is none."""
     try:
         if any(sign in text for sign in (*SIGNS_OF_UNCERTAINTY, "(")):
             unit = read_amount(text).typed[1]
@@ -158,10 +156,7 @@ def _unit_in(text: str) -> str:
 
 
 def read_lists(words: list[str]) -> list[list[list[str]]]:
-    """Return the words of each conversion that lists in VALUE and TARGET request, by value.
-
-    Raises RadcalcError if there are more than the limit.
-    """
+    """Return the words of each conversion that lists in VALUE and TARGET request, by value."""
     if not any(mark in word for word in words for mark in ",:"):
         return [[words]]
     source, separator, target = sides(words)
@@ -224,7 +219,7 @@ def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
 
 
 def refuse_many(sizes: Sequence[int], most: int = MOST) -> None:
-    """Raise for lists whose sizes multiply to too many answers."""
+    """Raise for lists with too many combinations."""
     if math.prod(sizes) > most:
         counted = " x ".join(str(size) for size in sizes if size > 1)
         raise TooMany(f"the lists make {counted} = {math.prod(sizes)} answers", f"at most {most}")
@@ -309,7 +304,7 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
 def real(value: Any, what: str, hint: str) -> Any:
     """Return a Python number unchanged, or an array-like as an array of floats.
 
-    `what` names the argument in the error for other types.
+    `what` names the argument in errors.
     """
     problem = f"{what} takes real numbers, not '{quote(str(value))}'"
     try:
@@ -341,10 +336,7 @@ def floats(value: Any) -> Any:
 
 
 def refuse_masked(value: Any, what: str) -> None:
-    """Raise for a NumPy masked array with masked elements, whose values would be used.
-
-    `what` names it in the message.
-    """
+    """Raise for a NumPy masked array with masked elements, whose values would be used."""
     import numpy
 
     if numpy.ma.is_masked(value):

@@ -1,8 +1,4 @@
-"""Readers of values with their units, and of the words of a conversion.
-
-Every value (`100 lx`, `1/3`, `4pi sr`) is read by `read_amount`, and VALUE UNIT [to] TARGET by
-`read_operands`.
-"""
+"""Readers of values with their units, and of the words of a conversion."""
 
 from radcalc.errors import (
     ExpressionError,
@@ -37,10 +33,7 @@ if TYPE_CHECKING:
 
 
 def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
-    """Read a value, with a unit or bare; a spelling of several scales is read as one of them.
-
-    Raises RadcalcError for a text that is not a value, or has an unknown unit.
-    """
+    """Read a value, with a unit or bare; a spelling of several scales is read as one of them."""
     text = text.strip()
     problem: RadcalcError | None = None
     try:
@@ -108,8 +101,7 @@ def with_unit(amount: Amount, unit: str) -> Amount:
 def read_operands(words: list[str]) -> tuple[Amount, str]:
     """Return the value with its unit, and the text of the target ('' if there is none).
 
-    `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; units of several words are
-    allowed only around a separator.
+    Units of several words are allowed only around a separator.
     """
     try:
         return _read_operands(words)
@@ -180,10 +172,9 @@ def read_stream_operands(words: list[str]) -> tuple[str, str]:
 
 
 def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
-    """Split the words at the separator: the source, the separator, the target.
+    """Split the words at the separator: source, separator and target, all '' without one.
 
-    All are '' if there is no separator.  `in` and `as` separate a value with its unit from a
-    target: `5 in in cm` has an inch and a separator, `100 in cm` and `100 cm in` have inches only.
+    `5 in in cm` has an inch and a separator, `100 in cm` and `100 cm in` have inches only.
     """
     parts = " ".join(words).split()
     places = [place for place, part in enumerate(parts) if part in SEPARATORS]

@@ -1,7 +1,6 @@
 """The Pint registry of the Python API, built from `light.txt`.
 
-Only this module and `compile.py` import Pint.  Texts given to the registry are read by radcalc's
-own grammar, never by Pint's parser.
+Only this module and `compile.py` import Pint.
 """
 
 from collections.abc import Mapping
@@ -34,7 +33,6 @@ class LightRegistry(Registry):
     closed = False  # True once its own definitions are read
 
     def container(self, unit: Unit) -> UnitsContainer:
-        """Convert a unit to Pint's dictionary of canonical names and powers."""
         powers: dict[str, int] = {}
         for name, exponent in unit.atoms:
             self.get_name(name)  # defines a prefixed unit in Pint
@@ -42,7 +40,6 @@ class LightRegistry(Registry):
         return UnitsContainer({name: power for name, power in powers.items() if power})
 
     def parse_units_as_container(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
-        """Read the text of a unit with radcalc's grammar into Pint's container."""
         if not self.closed:
             return super().parse_units_as_container(input_string, *args, **kwargs)
         if not input_string:  # NumPy's functions ask Pint for the unit of a bare number
@@ -50,7 +47,7 @@ class LightRegistry(Registry):
         return self.container(table.resolve(input_string))
 
     def parse_expression(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
-        """Read a number and a unit with radcalc's grammar; an uncertain number is a variable."""
+        """Read a number and a unit; an uncertain number becomes a variable."""
         if not self.closed:
             return super().parse_expression(input_string, *args, **kwargs)
         amount = read_amount(input_string)
@@ -89,7 +86,6 @@ def light_registry() -> LightRegistry:
 
 
 def _reduced(measure: Any) -> tuple[Any, ...]:
-    """Return the pickled form of a quantity or a unit."""
     return _restored, (
         type(measure).__name__,
         getattr(measure, "magnitude", None),
@@ -107,10 +103,7 @@ def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:
 
 
 def exact_registry() -> Registry:
-    """Build a registry whose factors are exact fractions, for the compiler and the tests.
-
-    A second definition of a name is an error; by default Pint only warns.
-    """
+    """Build a registry with exact fractions as factors; a name defined twice is an error."""
     return Registry(
         str(DEFINITIONS), non_int_type=Fraction, cache_folder=None, on_redefinition="raise"
     )

@@ -19,8 +19,8 @@ CONSTANTS = {  # the assumed constants of a light meter, and values of other met
 class Scale(NamedTuple):
     """A scale: its spellings, its function, the assumption in reading it, and its source.
 
-    The reference is `size` times `unit`; `letter` is the symbol of the quantity.  `constant` is
-    the symbol of the light meter's constant that determines the size.
+    The reference is `size` times `unit`; `letter` is the symbol of the quantity, `constant` that of
+    the light meter's constant that determines the size.
     """
 
     spellings: tuple[str, ...]
@@ -36,21 +36,17 @@ class Scale(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The first of its spellings."""
         return self.spellings[0]
 
     @property
     def reference(self) -> str:
-        """The reference with its unit."""
         return f"{self.size:.7g} {self.unit}".removesuffix(" 1")
 
     @property
     def formula(self) -> str:
-        """The formula of a reading."""
         return self.of(self.letter)
 
     def of(self, quantity: str) -> str:
-        """Return the formula of a reading of a quantity with this symbol."""
         if not self.steps:
             return f"{self.reference} / {quantity}"
         inner = quantity if self.reference == "1" else f"{quantity} / {self.reference}"
@@ -59,7 +55,6 @@ class Scale(NamedTuple):
         return f"{self.zero:g} + {log}" if self.zero else log
 
     def inverse(self, reading: str = "n") -> str:
-        """Return the formula of the quantity of a reading."""
         if not self.steps:
             return f"{self.letter} = {self.reference} / {reading}"
         n = f"({reading})" if reading.startswith("-") and self.steps < 0 else reading
@@ -69,13 +64,12 @@ class Scale(NamedTuple):
         return f"{self.letter} = {head}{self.base}^{power if power.isalnum() else f'({power})'}"
 
     def quantity(self, reading: Any) -> Any:
-        """Return the quantity of a reading, in the scale's unit: a float or an array."""
+        """Return the quantity of a reading, in the scale's unit."""
         if not self.steps:
             return self.size / reading
         return self.size * maths.power(float(self.base), (reading - self.zero) / self.steps)
 
     def reading(self, quantity: Any) -> Any:
-        """Return the reading of a quantity in the scale's unit."""
         if not self.steps:
             return self.size / quantity
         log = maths.log10 if self.base == 10 else maths.log2

@@ -27,14 +27,13 @@ RECIPROCAL = next(scale for scale in SCALES if not scale.steps)
 class ScaleUnit(Unit):
     """A scale as the user wrote it, used like a unit; the values of its readings are in `unit`.
 
-    Everything but its numbers is as in that unit; `others` are other scales with this spelling.
+    `others` are other scales with this spelling.
     """
 
     __slots__ = ("others", "scale", "unit")
     is_scale = True
 
     def __init__(self, text: str, scale: Scale, others: "tuple[ScaleUnit, ...]" = ()) -> None:
-        """Keep the text and its scale."""
         unit = resolve(scale.unit)
         super().__init__(text, unit.top, unit.bottom, unit.dimension, unit.atoms)
         self.unit = unit
@@ -43,11 +42,9 @@ class ScaleUnit(Unit):
 
     @property
     def assumption(self) -> str:
-        """Return the assumption in reading a value, in one line."""
         return self.describe()
 
     def describe(self, settable: bool = False) -> str:
-        """Return the assumption in reading a value, with a light meter's constant."""
         scale = self.scale
         text = f"{quote(self.text)}: {scale.inverse()}, {scale.meaning}"
         if scale.constant and scale.size == SIZES[scale.constant]:
@@ -55,7 +52,6 @@ class ScaleUnit(Unit):
         return text
 
     def quantity(self, reading: Any) -> Any:
-        """Return the value of a reading, in `unit`."""
         reading_text = f"{reading:.12g} " if isinstance(reading, float) else ""
         reading_text += quote(self.text)
         if not self.scale.steps and maths.any_true(reading <= 0):
@@ -88,7 +84,6 @@ class ScaleUnit(Unit):
         return self.scale.reading(quantity) + 0.0
 
     def slope(self, reading: Any) -> Any:
-        """Return the derivative of the quantity in `unit` with respect to the reading."""
         return self.scale.slope(reading)
 
     def measures(self, dimensions: Iterable[Dimension]) -> "ScaleUnit":
@@ -97,7 +92,7 @@ class ScaleUnit(Unit):
         return next((scale for scale in (self, *self.others) if scale.dimension in wanted), self)
 
     def with_constants(self, values: dict[str, float]) -> "ScaleUnit":
-        """Return the scale of a light meter with other constants [SI] than the usual ones."""
+        """Return the scale of a light meter with other constants [SI]."""
         others = tuple([other.with_constants(values) for other in self.others])
         scale = self.scale
         if scale.constant in values:
@@ -116,10 +111,7 @@ def find(text: str) -> ScaleUnit | None:
 
 
 def resolve_any(text: str) -> Unit:
-    """Return the unit or the scale of a text.
-
-    Raises UnitError for a text that is neither.
-    """
+    """Return the unit or the scale of a text; raise UnitError for other texts."""
     return find(text) or resolve(text)
 
 
@@ -143,7 +135,7 @@ def scale_of(unit: Unit) -> Scale | None:
 def amount_on(
     unit: Unit, text: str, reading: float, uncertainty: float, dimensions: Iterable[Dimension]
 ) -> Amount:
-    """Return the amount of a reading, with the uncertainty that follows from its own."""
+    """Return the amount of a reading, with its uncertainty."""
     assert isinstance(unit, ScaleUnit)
     scale = unit.measures(dimensions)
     quantity = scale.quantity(reading)

@@ -33,9 +33,8 @@ def slopes(
 ) -> dict[Key, float | None]:
     """Return the slopes of numbers over a variable of a `size` with an uncertainty `off`.
 
-    `at` returns the numbers for a shift of the variable, and none if the shift is impossible.  Next
-    to a limit slopes are one-sided.  A slope is None if it does not exist, or if it grows as the
-    step becomes narrower.
+    `at` returns the numbers for a shift of the variable, none if it is impossible.  Next to a limit
+    slopes are one-sided.  A slope is None if it does not exist, or grows as the step narrows.
     """
     least = (size or off) * LEAST_STEP
     step = max(min(size * STEP or off / OF_ZERO, off / 2), least)
@@ -59,7 +58,6 @@ def slopes(
 def _points(
     at: Callable[[float], Mapping[Key, float]], step: float
 ) -> dict[int, Mapping[Key, float]]:
-    """Return the numbers at whole steps from the nominal ones."""
     return {k: at(k * step) for k in (-2, -1, 1, 2)}
 
 
@@ -119,8 +117,6 @@ def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
 def _peak(
     at: Callable[[float], float | None], sign: int, left: float, middle: float, right: float
 ) -> float:
-    """Return where a number, or its negative, is greatest between two places (golden section)."""
-
     def height(t: float) -> float:
         value = at(t)
         return -math.inf if value is None else sign * value

@@ -1,8 +1,6 @@
 """The compiled units at run time: text to a unit, spellings to suggestions.
 
-The numbers come from `compiled.py`, which `compile.py` generates from Pint's reading of
-`light.txt`.  Factors are exact ratios of whole numbers, so the factor between any two units is
-rounded once.
+Factors are exact ratios of whole numbers, so the factor between any two units is rounded once.
 """
 
 from radcalc.errors import RadcalcError, UnitError, ambiguous, command, nearest, quote
@@ -42,10 +40,7 @@ PARTS = ("percent", "permille", "ppm", "ppb")
 
 
 def resolve(text: str) -> Unit:
-    """Return the unit of a text.
-
-    Raises UnitError for a text that is not a unit, with the nearest names as the hint.
-    """
+    """Return the unit of a text; for other texts, raise UnitError with the nearest names."""
     unit = _read(text)
     if isinstance(unit, str):
         raise _unknown(unit)
@@ -146,7 +141,6 @@ def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
 
 
 def _counts_light(powers: Dimension) -> bool:
-    """Return whether a unit contains watts, lumens or photons."""
     return bool(powers[COUNT_AT] or powers[LUMINOSITY_AT] or (powers[MASS_AT] and powers[TIME_AT]))
 
 
@@ -201,7 +195,6 @@ def spellings() -> list[str]:
 
 
 def _unknown(spelling: str) -> UnitError:
-    """Return the error for an unknown or refused spelling, with the nearest names."""
     typed = quote(spelling)
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:

@@ -73,10 +73,7 @@ def signed(text: str) -> str:
 
 
 def read_uncertain(text: str) -> Reading | None:
-    """Read a value with its uncertainty; None for a text without that form.
-
-    Raises RadcalcError if the text has that form and part of it is wrong or ambiguous.
-    """
+    """Read a value with its uncertainty; None for a text without that form."""
     try:
         return _read(signed(text.strip()))
     except _Beside as error:
@@ -101,7 +98,6 @@ def _read(text: str) -> Reading | None:
 
 
 def _with_one(text: str) -> Reading | None:
-    """Read a value with a single uncertainty."""
     return _with_sign(text) if SIGN in text else _with_digits(text)
 
 
@@ -147,7 +143,6 @@ def _with_sign(text: str) -> Reading | None:
 def _of_quantity(
     text: str, value: float, unit: Unit, number: float, unit_of_uncertainty: str
 ) -> Reading:
-    """Return a value with its unit, from an uncertainty with its own unit."""
     if not unit_of_uncertainty:
         better = f"{value:.15g}±{number:.15g} {unit.text}"
         raise UnitError(f"the unit of the uncertainty of '{quote(text)}' is missing", quote(better))
@@ -196,10 +191,7 @@ def _with_digits(text: str) -> Reading | None:
 
 
 def _with_expression(text: str) -> Reading | None:
-    """Read `(100±3) lx * (2.0±0.1) m2`: arithmetic with each number with a ± as a variable.
-
-    The slopes over the variables are finite differences.
-    """
+    """Read `(100±3) lx * (2.0±0.1) m2`: arithmetic with each number with a ± as a variable."""
     import re
 
     from radcalc.units.expressions import Calculator, Leaves, Value, read_expression
@@ -280,15 +272,11 @@ def _leaf(text: str) -> Reading:
 
 
 def _inside(text: str) -> str:
-    """Return the text without the brackets around it."""
     return text[1:-1] if text[0] == "(" and text[-1] == ")" else text
 
 
 def _ways(text: str) -> list[str]:
-    """Return the readings of arithmetic with a ±: brackets around numbers, or sizes of both sides.
-
-    Readings that are themselves malformed are omitted.
-    """
+    """Return the well-formed readings of arithmetic with a ±, with brackets or both sizes."""
     import re
 
     from radcalc.units.amounts import split_value
@@ -357,10 +345,7 @@ def _power_of_ten(text: str) -> tuple[int, str]:
 
 
 def join_words(words: list[str]) -> list[str]:
-    """Return the words, with those of a value and its uncertainty joined: `100 ± 3 lx fc`.
-
-    A unit after both remains a separate word.
-    """
+    """Join the words of a value and its uncertainty, `100 ± 3 lx`, not a unit after both."""
     marked = next(k for k, word in enumerate(words) if SIGN in signed(word))
     if any(word in SEPARATORS for word in words):
         return words  # the part before a separator is read as a whole
@@ -388,7 +373,6 @@ def join_words(words: list[str]) -> list[str]:
 
 
 def _has_unit(text: str) -> bool:
-    """Return whether a value has a unit, and is not in brackets."""
     try:
         return not text.startswith("(") and split_quantity(text)[1] != ""
     except NumberError:  # sqrt(4.0

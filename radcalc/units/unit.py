@@ -55,7 +55,6 @@ class Unit:
         atoms: tuple[tuple[str, int], ...],
         notes: tuple[str, ...] = (),
     ) -> None:
-        """Keep the reading of `text`."""
         self.text = text
         self.top = top
         self.bottom = bottom
@@ -68,21 +67,19 @@ class Unit:
         return f"Unit({self.text!r})"
 
     def quantity(self, reading: "Any") -> "Any":
-        """Return the value of a number in the unit: the number itself, except on a scale."""
+        """Return a number in the unit; overridden by scales."""
         return reading
 
     def slope(self, reading: "Any") -> "Any":
-        """Return the derivative of the quantity over the number: 1, except on a scale."""
+        """Return the derivative of the quantity over the number; overridden by scales."""
         return 1.0
 
     def of_class(self, kind: "type[Kind]", *notes: str) -> "Kind":
-        """Return the same unit in another class, with additional notes."""
         all_notes = (*self.notes, *notes)
         return kind(self.text, self.top, self.bottom, self.dimension, self.atoms, all_notes)
 
     @property
     def has_wavelength(self) -> bool:
-        """Return whether it contains the inverse of a unit of wavelength."""
         return any(name in WAVELENGTH_UNITS and power == -1 for name, power in self.atoms)
 
     @property
@@ -109,10 +106,7 @@ class Exitance(Unit):
 
 
 class Photosynthetic(Unit):
-    """A unit of photons from 400 nm to 700 nm only, from the name PPFD or PPF.
-
-    `name` is the typed name.
-    """
+    """A unit of photons from 400 nm to 700 nm only; `name` is the typed PPFD or PPF."""
 
     __slots__ = ("name",)
     name: str
