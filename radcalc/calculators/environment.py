@@ -76,8 +76,8 @@ PAGE = Page(
     remarks="""
     SOURCE is a map of radiances (Radiance .hdr, OpenEXR .exr, .pfm), sky:TYPE with a type of
     radcalc sky, or an expression in theta (polar angle from +z, which is up) and phi (azimuth from
-    +x towards +y); it may end with a blank and a unit, otherwise it is relative.  Directions are
-    those that light comes from.
+    +x towards +y).  An expression may end with a blank and a unit; otherwise it is relative.
+    Directions are those that light comes from.
 
     The middle of a map shows the direction {aim}; its top is as near to +z as possible.  A 2:1 map
     is latlong; a square map needs {projection}.  Few files state the unit of their values: give

@@ -55,8 +55,8 @@ FILE.csv has a header with the column titles, then one source in each row:
 \b
 x, y, z                 position; in metres unless the title or the cell has a unit
 aim_x, aim_y, aim_z     point at which the source is aimed (default: straight down), or
-direction_x ... _z      direction of its axis
-rotate                  angle of rotation about its axis, from +x towards +y
+direction_x ... _z      direction of the source's axis
+rotate                  angle of rotation about this axis, from +x towards +y
 distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) with a
                         path relative to FILE.csv, or an expression in theta and phi
 half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (lobe)

@@ -58,7 +58,7 @@ def test_a_function_is_kept_by_pickle_and_has_types_at_run_time(name):
 def test_units_are_those_of_the_kinds_that_a_calculator_takes():
     assert "[W/m2/sr, cd/m2, umol/m2/s/sr]" in radcalc.screen.__doc__
     assert "Flux on the body. [W]" in radcalc.calorimeter.__doc__
-    assert "The photopic luminance. [cd/m2]" in radcalc.mesopic.__doc__
+    assert "Photopic luminance. [cd/m2]" in radcalc.mesopic.__doc__
 
 
 def test_arguments_that_a_function_does_not_take_are_a_type_error():
