@@ -15,5 +15,5 @@
 
 Angles are in radians; the lengths of a shape are in any one unit.  Arguments are floats or NumPy
 arrays; for floats only the integrals over directions import NumPy.  Arguments out of range raise a
-`ConditionError`.
+`ConditionError`.  The examples assume the names of their module.
 """

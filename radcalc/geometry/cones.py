@@ -53,7 +53,6 @@ def refuse(bad: Any, message: str, hint: str) -> None:
 
     Examples
     --------
-    >>> from radcalc.geometry.cones import refuse
     >>> refuse(2.0 < 0, "the radius is out of range", "0 or more")
     >>> refuse(-1.0 < 0, "the radius is out of range", "0 or more")
     Traceback (most recent call last):
@@ -131,8 +130,7 @@ def cone(half_angle: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -153,14 +151,12 @@ def cone(half_angle: Number) -> Number:
     --------
     A cone of half angle 60 degrees is a quarter of all directions, pi sr:
 
-    >>> import math
-    >>> from radcalc.geometry import cones
-    >>> round(cones.cone(math.radians(60)) / math.pi, 12)
+    >>> round(cone(math.radians(60)) / math.pi, 12)
     1.0
 
     A narrow cone has the area of a small flat disc, pi alpha^2:
 
-    >>> cones.cone(1e-9)
+    >>> cone(1e-9)
     3.141592653589793e-18
     """
     bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
@@ -203,11 +199,9 @@ def cone_of(solid_angle: Number) -> Number:
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry import cones
-    >>> round(math.degrees(cones.cone_of(math.pi)), 10)
+    >>> round(math.degrees(cone_of(math.pi)), 10)
     60.0
-    >>> round(math.degrees(cones.cone_of(cones.HEMISPHERE)), 10)
+    >>> round(math.degrees(cone_of(HEMISPHERE)), 10)
     90.0
     """
     part = solid_angle / FULL
@@ -231,8 +225,7 @@ def projected_cone(half_angle: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -247,9 +240,7 @@ def projected_cone(half_angle: Number) -> Number:
     --------
     A half angle of 30 degrees projects to a quarter of the hemisphere's pi:
 
-    >>> import math
-    >>> from radcalc.geometry import cones
-    >>> round(cones.projected_cone(math.radians(30)) / math.pi, 12)
+    >>> round(projected_cone(math.radians(30)) / math.pi, 12)
     0.25
     """
     cone(half_angle)  # checks the half angle
@@ -273,8 +264,7 @@ def projected_cone_of(solid_angle: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -284,9 +274,7 @@ def projected_cone_of(solid_angle: Number) -> Number:
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry import cones
-    >>> round(math.degrees(cones.projected_cone_of(math.pi / 4)), 12)
+    >>> round(math.degrees(projected_cone_of(math.pi / 4)), 12)
     30.0
     """
     part = solid_angle / math.pi
@@ -310,7 +298,6 @@ def check_tilt(tilt: Number) -> None:
 
     Examples
     --------
-    >>> from radcalc.geometry.cones import check_tilt
     >>> check_tilt(-1.0)
     >>> check_tilt(45.0)
     Traceback (most recent call last):
@@ -345,8 +332,6 @@ def facing(tilt: Number) -> Number:
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry.cones import facing
     >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
     (0.5, 0.0)
     """

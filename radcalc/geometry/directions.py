@@ -66,8 +66,6 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
     --------
     The vector (1, 1, sqrt(2)) of length 2 is at 45 degrees from +z, at an azimuth of 45 degrees:
 
-    >>> import math
-    >>> from radcalc.geometry.directions import spherical
     >>> polar, azimuth, length = spherical(1.0, 1.0, math.sqrt(2))
     >>> round(math.degrees(polar), 10), round(math.degrees(azimuth), 10), round(length, 10)
     (45.0, 45.0, 2.0)
@@ -116,8 +114,6 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
     --------
     60 degrees from +z, towards +y: (0, sqrt(3)/2, 1/2).
 
-    >>> import math
-    >>> from radcalc.geometry.directions import cartesian
     >>> [round(x, 6) for x in cartesian(math.radians(60), math.radians(90))]
     [0.0, 0.866025, 0.5]
     """
@@ -155,7 +151,6 @@ def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:
     --------
     An observer who faces +x has +y to the left:
 
-    >>> from radcalc.geometry.directions import facing
     >>> facing((2.0, 0.0, 0.0))
     ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     """
@@ -199,7 +194,6 @@ def reflected(direction: Vector, normal: Vector) -> Vector:
     --------
     At 45 degrees, from straight up to +x:
 
-    >>> from radcalc.geometry.directions import reflected
     >>> reflected((0.0, 0.0, 1.0), (1.0, 0.0, 1.0))
     (1.0, 0.0, 0.0)
     """
@@ -236,7 +230,6 @@ def mirror_normal(direction: Vector, reflection: Vector) -> Vector:
 
     Examples
     --------
-    >>> from radcalc.geometry.directions import mirror_normal
     >>> [round(x, 6) for x in mirror_normal((0.0, 0.0, 1.0), (1.0, 0.0, 0.0))]
     [0.707107, 0.0, 0.707107]
     """

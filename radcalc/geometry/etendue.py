@@ -57,9 +57,7 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
     --------
     2 m^2 and a cone of half angle 30 degrees, pi/2 m^2 sr:
 
-    >>> import math
-    >>> from radcalc.geometry import etendue
-    >>> round(etendue.patch_and_cone(2.0, math.radians(30)) / math.pi, 12)
+    >>> round(patch_and_cone(2.0, math.radians(30)) / math.pi, 12)
     0.5
     """
     refuse(
@@ -89,8 +87,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -111,15 +108,13 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     The form factor from a disc of radius 0.1 m to one of 0.2 m at 0.5 m is published as 0.1339 (EES
     heat transfer library, F3D_3):
 
-    >>> import math
-    >>> from radcalc.geometry import etendue
     >>> area = math.pi * 0.1**2
-    >>> round(etendue.coaxial_discs(0.1, 0.2, 0.5) / (math.pi * area), 4)
+    >>> round(coaxial_discs(0.1, 0.2, 0.5) / (math.pi * area), 4)
     0.1339
 
     Two unit discs at a distance of 1: S = 3, G = (pi^2/2) (3 - sqrt(5)).
 
-    >>> round(etendue.coaxial_discs(1.0, 1.0, 1.0), 6)
+    >>> round(coaxial_discs(1.0, 1.0, 1.0), 6)
     3.769853
     >>> round(math.pi**2 / 2 * (3 - math.sqrt(5)), 6)
     3.769853
@@ -164,8 +159,7 @@ def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
 
     Examples
     --------
-    >>> from radcalc.geometry import etendue
-    >>> round(etendue.discs_distance(1.0, 2.0, etendue.coaxial_discs(1.0, 2.0, 3.0)), 9)
+    >>> round(discs_distance(1.0, 2.0, coaxial_discs(1.0, 2.0, 3.0)), 9)
     3.0
     """
     part = _part_of_discs(etendue, smaller(radius, other))
@@ -205,8 +199,7 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
 
     Examples
     --------
-    >>> from radcalc.geometry import etendue
-    >>> round(etendue.discs_radius(2.0, 3.0, etendue.coaxial_discs(1.0, 2.0, 3.0)), 9)
+    >>> round(discs_radius(2.0, 3.0, coaxial_discs(1.0, 2.0, 3.0)), 9)
     1.0
     """
     refuse(distance <= 0, "the discs touch", "a distance above 0")

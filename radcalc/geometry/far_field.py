@@ -51,13 +51,11 @@ def size(area: Number, *sides: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Examples
     --------
-    >>> from radcalc.geometry import far_field
-    >>> round(far_field.size(1.0), 6), far_field.size(1.0, 4.0, 0.25)
+    >>> round(size(1.0), 6), size(1.0, 4.0, 0.25)
     (1.128379, 4.0)
     """
     refuse(area < 0, "the area is out of range", "0 or more")
@@ -84,13 +82,11 @@ def reach(area: Number, *sides: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Examples
     --------
-    >>> from radcalc.geometry import far_field
-    >>> round(far_field.reach(1.0), 3), round(2**0.5 / 2, 3)
+    >>> round(reach(1.0), 3), round(2**0.5 / 2, 3)
     (0.722, 0.707)
     """
     return REACH * size(area, *sides)
@@ -110,8 +106,7 @@ def is_near(distance: Number, extent: Number) -> bool:
 
     Examples
     --------
-    >>> from radcalc.geometry import far_field
-    >>> far_field.is_near(4.9, 1.0), far_field.is_near(5.0, 1.0)
+    >>> is_near(4.9, 1.0), is_near(5.0, 1.0)
     (True, False)
     """
     return any_true(nearer(distance, extent))
@@ -132,8 +127,7 @@ def nearer(distance: Number, extent: Number) -> Any:
 
     Examples
     --------
-    >>> from radcalc.geometry import far_field
-    >>> far_field.nearer(4.9, 1.0), far_field.nearer(5.0, 1.0)
+    >>> nearer(4.9, 1.0), nearer(5.0, 1.0)
     (True, False)
     """
     return distance < FAR * extent * (1 - 1e-9)
@@ -170,8 +164,7 @@ def error(
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -190,8 +183,7 @@ def error(
     --------
     At five times the size, 1.2 %:
 
-    >>> from radcalc.geometry import far_field
-    >>> round(far_field.error(1.0, 5.0), 6)
+    >>> round(error(1.0, 5.0), 6)
     0.012075
     """
     _check(size, distance)
@@ -225,16 +217,13 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Examples
     --------
     A disc of 1 m radius at 10 m reaches 5.74 degrees from its centre:
 
-    >>> import math
-    >>> from radcalc.geometry import far_field
-    >>> [far_field.is_cut(1.0, 10.0, math.radians(angle)) for angle in (84, 85, 95, 96)]
+    >>> [is_cut(1.0, 10.0, math.radians(angle)) for angle in (84, 85, 95, 96)]
     [False, True, True, False]
     """
     _check(reach, distance)
@@ -263,13 +252,11 @@ def steepest(reach: Number, distance: Number) -> str:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Examples
     --------
-    >>> from radcalc.geometry import far_field
-    >>> far_field.steepest(1.0, 10.0)
+    >>> steepest(1.0, 10.0)
     '84.2deg'
     """
     _check(reach, distance)
@@ -294,8 +281,7 @@ def percent(bound: Number) -> str:
 
     Examples
     --------
-    >>> from radcalc.geometry import far_field
-    >>> far_field.percent(0.022)
+    >>> percent(0.022)
     'within 2.2 %'
     """
     return f"within {100 * (float(bound.max(initial=0.0)) if is_array(bound) else bound):.2g} %"

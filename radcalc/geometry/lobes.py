@@ -49,8 +49,7 @@ def ln_cos(angle: Number) -> Number:
     --------
     For a small angle it tends to -x^2/2:
 
-    >>> from radcalc.geometry import lobes
-    >>> lobes.ln_cos(1e-9)
+    >>> ln_cos(1e-9)
     -5e-19
     """
     bad = abs(angle) > math.pi / 2
@@ -76,8 +75,7 @@ def exponent(full_angle: Number, share: float) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -95,14 +93,12 @@ def exponent(full_angle: Number, share: float) -> Number:
     --------
     A Lambertian surface, n = 1, falls to cos(60 deg) = 1/2 at a full angle of 120 degrees:
 
-    >>> import math
-    >>> from radcalc.geometry import lobes
-    >>> round(lobes.exponent(math.radians(120), 0.5), 12)
+    >>> round(exponent(math.radians(120), 0.5), 12)
     1.0
 
     A lamp of 1000 cd with a beam angle of 30 degrees sends 299 lm:
 
-    >>> n = lobes.exponent(math.radians(30), 0.5)
+    >>> n = exponent(math.radians(30), 0.5)
     >>> round(n, 2), round(2 * math.pi * 1000 / (n + 1))
     (19.99, 299)
     """
@@ -134,8 +130,7 @@ def angle(exponent: Number, share: float) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -151,11 +146,9 @@ def angle(exponent: Number, share: float) -> Number:
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry import lobes
-    >>> round(math.degrees(lobes.angle(1.0, 0.5)), 10)
+    >>> round(math.degrees(angle(1.0, 0.5)), 10)
     120.0
-    >>> round(math.degrees(lobes.angle(0.0, 0.5)), 10)
+    >>> round(math.degrees(angle(0.0, 0.5)), 10)
     180.0
     """
     _check_share(share)
@@ -183,8 +176,7 @@ def part(exponent: Number, within: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -198,11 +190,9 @@ def part(exponent: Number, within: Number) -> Number:
     --------
     A Lambertian surface sends sin^2(30 deg) = 1/4 of its flux within 30 degrees from its normal:
 
-    >>> import math
-    >>> from radcalc.geometry import lobes
-    >>> round(lobes.part(1.0, math.radians(30)), 12)
+    >>> round(part(1.0, math.radians(30)), 12)
     0.25
-    >>> lobes.part(1.0, math.pi / 2)
+    >>> part(1.0, math.pi / 2)
     1.0
     """
     _check_exponent(exponent)
@@ -232,8 +222,7 @@ def solid_angle(exponent: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -247,8 +236,7 @@ def solid_angle(exponent: Number) -> Number:
     --------
     A Lambertian surface, of exponent 1, has pi sr:
 
-    >>> from radcalc.geometry import lobes
-    >>> round(lobes.solid_angle(1.0), 6)
+    >>> round(solid_angle(1.0), 6)
     3.141593
     """
     _check_exponent(exponent)

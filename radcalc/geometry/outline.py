@@ -40,7 +40,6 @@ class Outline:
 
     Examples
     --------
-    >>> from radcalc.geometry.outline import read
     >>> square = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
     >>> outline = read(square, (0.0, 0.0, 0.0))
     >>> outline.normal, outline.notes
@@ -67,7 +66,6 @@ class Outline:
 
         Examples
         --------
-        >>> from radcalc.geometry.outline import read
         >>> outline = read([(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0)], (0.0, 0.0, 0.0))
         >>> outline.dips_below((1.0, 0.0, 0.0)), outline.dips_below((-1.0, 0.0, 0.0))
         (False, True)
@@ -111,7 +109,6 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
 
     Examples
     --------
-    >>> from radcalc.geometry.outline import read
     >>> square = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
     >>> read(square, (0.0, 0.0, 0.0)).normal
     (0.0, 0.0, 1.0)

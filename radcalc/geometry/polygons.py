@@ -81,7 +81,6 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
     Three directions at right angles bound an eighth of all directions, 4 pi/8 sr:
 
     >>> import math
-    >>> from radcalc.geometry.polygons import triangle
     >>> x, y, z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
     >>> round(triangle(x, y, z) / (math.pi / 2), 12)
     1.0
@@ -145,7 +144,6 @@ def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]
 
     Examples
     --------
-    >>> from radcalc.geometry.polygons import scaled
     >>> scaled((0.0, 0.0, 4.0), [(0.0, 0.0, 0.0), (4.0, 0.0, 0.0), (0.0, 2.0, 0.0)])
     ((0.0, 0.0, 0.5), [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (0.0, 0.25, 0.0)])
     """
@@ -186,7 +184,6 @@ def fan(first: Vector, sides: Sequence[Vector]) -> Number:
     The face of a cube, from the cube's centre, fills 4 pi/6 sr:
 
     >>> import math
-    >>> from radcalc.geometry.polygons import fan
     >>> sides = [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (2.0, 2.0, 0.0), (0.0, 2.0, 0.0)]
     >>> round(fan((-1.0, -1.0, 1.0), sides) / (4 * math.pi / 6), 12)
     1.0
@@ -221,7 +218,6 @@ def split(vertices: Any) -> tuple[Vector, list[Vector]]:
 
     Examples
     --------
-    >>> from radcalc.geometry.polygons import split
     >>> split([(1.0, 0.0, 5.0), (3.0, 0.0, 5.0), (1.0, 4.0, 5.0)])
     ((1.0, 0.0, 5.0), [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 4.0, 0.0)])
     """
@@ -265,7 +261,6 @@ def polygon(vertices: Any) -> Number:
     The face of a cube, from the cube's centre, fills 4 pi/6 sr:
 
     >>> import math
-    >>> from radcalc.geometry.polygons import polygon
     >>> face = [(-1.0, -1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0, 1.0), (-1.0, 1.0, 1.0)]
     >>> round(polygon(face) / (4 * math.pi / 6), 12)
     1.0
@@ -321,7 +316,6 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
     is pi:
 
     >>> import math
-    >>> from radcalc.geometry.polygons import projected, split
     >>> octant = split([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)])
     >>> round(projected(*octant, (0.0, 0.0, 1.0)) / (math.pi / 4), 12)
     1.0
@@ -421,7 +415,6 @@ def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vecto
     --------
     A square in the plane x = 1, half of it above z = 0:
 
-    >>> from radcalc.geometry.polygons import above, split
     >>> square = split([(1.0, -1.0, -1.0), (1.0, 1.0, -1.0), (1.0, 1.0, 1.0), (1.0, -1.0, 1.0)])
     >>> first, sides = above(*square, (0.0, 0.0, 1.0))
     >>> [tuple(f + s for f, s in zip(first, side)) for side in sides]

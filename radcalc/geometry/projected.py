@@ -66,8 +66,7 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -90,16 +89,14 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     --------
     A cone of half angle 30 degrees about the normal has pi/4 sr; all the sky has pi:
 
-    >>> import math
-    >>> from radcalc.geometry import projected
-    >>> round(projected.cone(math.radians(30)) / math.pi, 12)
+    >>> round(cone(math.radians(30)) / math.pi, 12)
     0.25
-    >>> round(projected.cone(math.pi / 2) / math.pi, 12)
+    >>> round(cone(math.pi / 2) / math.pi, 12)
     1.0
 
     A surface tilted by t sees (1 + cos(t))/2 of a uniform sky:
 
-    >>> round(projected.cone(math.pi / 2, math.radians(60)) / math.pi, 12)
+    >>> round(cone(math.pi / 2, math.radians(60)) / math.pi, 12)
     0.75
     """
     cones.cone(half_angle)  # checks the half angle
@@ -168,8 +165,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -184,11 +180,9 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     --------
     The zones from 0 to 45 and from 45 to 90 degrees of a uniform sky give the same illuminance:
 
-    >>> import math
-    >>> from radcalc.geometry import projected
-    >>> round(projected.zone(0.0, math.pi / 4) / math.pi, 12)
+    >>> round(zone(0.0, math.pi / 4) / math.pi, 12)
     0.5
-    >>> round(projected.zone(math.pi / 4, math.pi / 2) / math.pi, 12)
+    >>> round(zone(math.pi / 4, math.pi / 2) / math.pi, 12)
     0.5
     """
     solid.check_zone(lower, upper, azimuth)
@@ -218,8 +212,7 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -232,16 +225,14 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry import projected
-    >>> round(projected.sphere(1.0, 2.0) / math.pi, 12)
+    >>> round(sphere(1.0, 2.0) / math.pi, 12)
     0.25
 
     Edge-on (t = 90 degrees) half of the sphere counts, alpha - sin(alpha) cos(alpha); here alpha
     is 30 degrees:
 
     >>> alpha = math.radians(30)
-    >>> round(projected.sphere(1.0, 2.0, math.pi / 2), 6)
+    >>> round(sphere(1.0, 2.0, math.pi / 2), 6)
     0.090586
     >>> round(alpha - math.sin(alpha) * math.cos(alpha), 6)
     0.090586
@@ -300,14 +291,12 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     --------
     On the axis at a height of one radius, pi/2 sr:
 
-    >>> import math
-    >>> from radcalc.geometry import projected
-    >>> round(projected.disc(1.0, 1.0) / math.pi, 12)
+    >>> round(disc(1.0, 1.0) / math.pi, 12)
     0.5
 
     Below a point of the rim, at the same height, Z = 3 and Omega_p = (pi/2) (1 - 1/sqrt(5)):
 
-    >>> round(projected.disc(1.0, 1.0, 1.0), 6), round(math.pi / 2 * (1 - 1 / math.sqrt(5)), 6)
+    >>> round(disc(1.0, 1.0, 1.0), 6), round(math.pi / 2 * (1 - 1 / math.sqrt(5)), 6)
     (0.868315, 0.868315)
     """
     cones.refuse(radius < 0, "the radius is out of range", "0 or more")
@@ -434,9 +423,7 @@ def rectangle(
     From the middle, a square at a height of half its side is four corners with X = Y = 1, each
     arctan(1/sqrt(2)) / sqrt(2):
 
-    >>> import math
-    >>> from radcalc.geometry import projected
-    >>> round(projected.rectangle(2.0, 2.0, 1.0), 6)
+    >>> round(rectangle(2.0, 2.0, 1.0), 6)
     1.74084
     >>> round(4 * math.atan(1 / math.sqrt(2)) / math.sqrt(2), 6)
     1.74084
@@ -444,9 +431,9 @@ def rectangle(
     A wide ceiling fills the hemisphere of a receiver that faces up, and half of that of a receiver
     that faces sideways:
 
-    >>> round(projected.rectangle(1e9, 1e9, 1.0) / math.pi, 6)
+    >>> round(rectangle(1e9, 1e9, 1.0) / math.pi, 6)
     1.0
-    >>> round(projected.rectangle(1e9, 1e9, 1.0, normal=(1.0, 0.0, 0.0)) / math.pi, 6)
+    >>> round(rectangle(1e9, 1e9, 1.0, normal=(1.0, 0.0, 0.0)) / math.pi, 6)
     0.5
     """
     first, sides = solid.corners(width, length, height, offset, offset_y)
@@ -468,8 +455,7 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -485,11 +471,9 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     The pyramid of 90 by 90 degrees is a square at a height of half its side; the pyramid of 180 by
     180 degrees is the hemisphere:
 
-    >>> import math
-    >>> from radcalc.geometry import projected
-    >>> round(projected.pyramid(math.pi / 2, math.pi / 2), 6)
+    >>> round(pyramid(math.pi / 2, math.pi / 2), 6)
     1.74084
-    >>> round(projected.pyramid(math.pi, math.pi) / math.pi, 12)
+    >>> round(pyramid(math.pi, math.pi) / math.pi, 12)
     1.0
     """
     solid.check_pyramid(horizontal, vertical)
@@ -532,12 +516,10 @@ def polygon(vertices: Any, normal: Any) -> Number:
     The octant x, y, z > 0 is a quarter of the hemisphere above z = 0, pi/4 sr.  Its mirror image
     below the horizon does not count:
 
-    >>> import math
-    >>> from radcalc.geometry import projected
     >>> octant = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
-    >>> round(projected.polygon(octant, (0.0, 0.0, 1.0)) / (math.pi / 4), 12)
+    >>> round(polygon(octant, (0.0, 0.0, 1.0)) / (math.pi / 4), 12)
     1.0
-    >>> projected.polygon([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)], (0.0, 0.0, 1.0))
+    >>> polygon([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)], (0.0, 0.0, 1.0))
     0.0
     """
     from radcalc.geometry.polygons import split

@@ -75,7 +75,6 @@ def is_outside(projection: str, u: Number, v: Number) -> Any:
 
     Examples
     --------
-    >>> from radcalc.geometry.projections import is_outside
     >>> is_outside("latlong", 0.9, 0.9), is_outside("angular", 0.9, 0.9)
     (False, True)
     """
@@ -105,7 +104,6 @@ def name_of_map(projection: str) -> str:
 
     Examples
     --------
-    >>> from radcalc.geometry.projections import name_of_map
     >>> name_of_map("angular")
     'an angular map'
     """
@@ -128,7 +126,6 @@ def has_shape(projection: str, width: int, height: int) -> bool:
 
     Examples
     --------
-    >>> from radcalc.geometry.projections import has_shape
     >>> has_shape("latlong", 64, 32), has_shape("angular", 64, 32)
     (True, False)
     """
@@ -168,7 +165,6 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
     --------
     A quarter of the width to the left of the middle, a latlong map shows +y:
 
-    >>> from radcalc.geometry.projections import direction_at
     >>> [round(x, 12) for x in direction_at("latlong", -0.5, 0.0)]
     [0.0, 1.0, 0.0]
 
@@ -232,7 +228,6 @@ def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, 
 
     Examples
     --------
-    >>> from radcalc.geometry.projections import place_of
     >>> place_of("latlong", 0.0, 1.0, 0.0), place_of("latlong", 0.0, 0.0, 2.0)
     ((-0.5, 0.0), (0.0, 1.0))
     >>> [round(a, 12) for a in place_of("mirror-ball", 0.28, 0.96, 0.0)]
@@ -268,7 +263,6 @@ def middle_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any
 
     Examples
     --------
-    >>> from radcalc.geometry.projections import middle_of_pixel
     >>> middle_of_pixel(4, 2, 0, 0), middle_of_pixel(5, 5, 2, 2)
     ((-0.75, 0.5), (0.0, 0.0))
     """
@@ -291,7 +285,6 @@ def corner_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any
 
     Examples
     --------
-    >>> from radcalc.geometry.projections import corner_of_pixel
     >>> corner_of_pixel(4, 2, 0, 0), corner_of_pixel(4, 2, 4, 1)
     ((-1.0, 1.0), (1.0, 0.0))
     """
@@ -338,7 +331,6 @@ def pixel_solid_angle(projection: str, width: int, height: int, column: int, row
     --------
     A pixel at the equator of 1024 x 512 pixels, and a pixel that a mirror ball's circle cuts:
 
-    >>> from radcalc.geometry.projections import pixel_solid_angle
     >>> f"{pixel_solid_angle('latlong', 1024, 512, 0, 255):.6e}"
     '3.764932e-05'
     >>> round(pixel_solid_angle("mirror-ball", 2, 2, 0, 0), 12)
@@ -374,8 +366,6 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry.projections import pixel_solid_angles
     >>> round(float(pixel_solid_angles("angular", 63, 63).sum()) / (4 * math.pi), 12)
     1.0
     """
@@ -413,7 +403,6 @@ def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any
     A quarter of the square around the circle:
 
     >>> import numpy
-    >>> from radcalc.geometry.projections import solid_angles_in_circle
     >>> half = numpy.array([0.5])
     >>> round(float(solid_angles_in_circle("angular", half, half, -half, half)[0]), 12)
     3.14159265359

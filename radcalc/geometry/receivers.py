@@ -46,8 +46,7 @@ def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Numb
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -58,11 +57,9 @@ def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Numb
     A disc with its rim at 60 degrees fills pi sr; an incidence of 60 degrees halves the solid angle
     of a distant disc:
 
-    >>> import math
-    >>> from radcalc.geometry import receivers
-    >>> round(receivers.isotropic(math.sqrt(3), 1.0) / math.pi, 12)
+    >>> round(isotropic(math.sqrt(3), 1.0) / math.pi, 12)
     1.0
-    >>> far = receivers.isotropic(1.0, 1e6, math.radians(60)) / receivers.isotropic(1.0, 1e6)
+    >>> far = isotropic(1.0, 1e6, math.radians(60)) / isotropic(1.0, 1e6)
     >>> round(far, 9)
     0.5
     """
@@ -118,10 +115,8 @@ def cone(
     --------
     A disc larger than the light's footprint receives the whole cone:
 
-    >>> import math
-    >>> from radcalc.geometry import cones, receivers
     >>> half = math.radians(0.5)
-    >>> receivers.cone(half, 0.4, 5.0) == cones.cone(half)
+    >>> cone(half, 0.4, 5.0) == cones.cone(half)
     True
     """
     cones.cone(half_angle)  # checks the half angle
@@ -191,9 +186,7 @@ def lobe(
     --------
     A disc with its rim at 60 degrees receives three quarters of the flux of a Lambertian source:
 
-    >>> import math
-    >>> from radcalc.geometry import lobes, receivers
-    >>> round(receivers.lobe(1.0, math.tan(math.radians(60)), 1.0) / math.pi, 12)
+    >>> round(lobe(1.0, math.tan(math.radians(60)), 1.0) / math.pi, 12)
     0.75
     """
     _check(radius, distance, off_axis)
@@ -251,8 +244,7 @@ def unevenness(
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -266,8 +258,7 @@ def unevenness(
     --------
     A spot of 10 degrees (n = 181) and a disc of 1 cm radius on its axis, 1 m away:
 
-    >>> from radcalc.geometry import receivers
-    >>> round(receivers.unevenness(181.0, 0.01, 1.0), 5)
+    >>> round(unevenness(181.0, 0.01, 1.0), 5)
     0.00901
     """
     _check(radius, distance, off_axis)

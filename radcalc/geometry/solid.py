@@ -60,8 +60,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -81,15 +80,13 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     --------
     From 30 to 60 degrees: 2 pi (cos 30 - cos 60) = pi (sqrt(3) - 1).
 
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> band = solid.zone(math.radians(30), math.radians(60))
+    >>> band = zone(math.radians(30), math.radians(60))
     >>> round(band / (math.pi * (math.sqrt(3) - 1)), 12)
     1.0
 
     One degree by one degree at the equator is close to a square degree, (pi/180)^2 sr:
 
-    >>> cell = solid.zone(math.radians(89.5), math.radians(90.5), math.radians(1))
+    >>> cell = zone(math.radians(89.5), math.radians(90.5), math.radians(1))
     >>> f"{cell:.6e}", f"{math.radians(1) ** 2:.6e}"
     ('3.046136e-04', '3.046174e-04')
     """
@@ -116,7 +113,6 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
 
     Examples
     --------
-    >>> from radcalc.geometry.solid import check_zone
     >>> check_zone(0.0, 1.0, 2.0)
     >>> check_zone(1.0, 0.5, 2.0)
     Traceback (most recent call last):
@@ -153,7 +149,6 @@ def check_height(height: Number) -> None:
 
     Examples
     --------
-    >>> from radcalc.geometry.solid import check_height
     >>> check_height(0.5)
     >>> check_height(0.0)
     Traceback (most recent call last):
@@ -188,8 +183,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -223,14 +217,12 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     --------
     On the axis, with its rim at 60 degrees, the disc fills the cone of 60 degrees, pi sr:
 
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(solid.disc(math.sqrt(3), 1.0) / math.pi, 12)
+    >>> round(disc(math.sqrt(3), 1.0) / math.pi, 12)
     1.0
 
     Just above a point of the rim it fills half of the hemisphere below the observer, also pi sr:
 
-    >>> round(solid.disc(1.0, 1e-9, 1.0) / math.pi, 6)
+    >>> round(disc(1.0, 1e-9, 1.0) / math.pi, 6)
     1.0
     """
     refuse(radius < 0, "the radius is out of range", "0 or more")
@@ -268,9 +260,7 @@ def rim_of(solid_angle: Number) -> Number:
     --------
     A disc at the distance of its radius fills 2 pi (1 - 1/sqrt 2) sr, with its rim at 45 degrees:
 
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(math.degrees(solid.rim_of(2 * math.pi * (1 - math.sqrt(0.5)))), 9)
+    >>> round(math.degrees(rim_of(2 * math.pi * (1 - math.sqrt(0.5)))), 9)
     45.0
     """
     refuse(
@@ -339,8 +329,7 @@ def rectangle(
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -361,15 +350,14 @@ def rectangle(
     --------
     From the centre of a cube each of the six faces fills 4 pi/6 sr:
 
-    >>> import math
-    >>> from radcalc.geometry import cones, solid
-    >>> round(solid.rectangle(2.0, 2.0, 1.0) / (4 * math.pi / 6), 12)
+    >>> from radcalc.geometry import cones
+    >>> round(rectangle(2.0, 2.0, 1.0) / (4 * math.pi / 6), 12)
     1.0
 
     The part of a point source's light that falls on a rectangle of 1 m by 2 m, 0.5 m from the
     source above one of its corners, is published as 0.0836 (EES heat transfer library, FDiff_5):
 
-    >>> round(solid.rectangle(1.0, 2.0, 0.5, 0.5, 1.0) / cones.FULL, 4)
+    >>> round(rectangle(1.0, 2.0, 0.5, 0.5, 1.0) / cones.FULL, 4)
     0.0836
     """
     from radcalc.geometry.polygons import fan
@@ -408,8 +396,7 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
 
     Examples
     --------
-    >>> from radcalc.geometry import solid
-    >>> first, sides = solid.corners(2.0, 4.0, 1.0, 0.0, 0.0)
+    >>> first, sides = corners(2.0, 4.0, 1.0, 0.0, 0.0)
     >>> first
     (-1.0, -2.0, 1.0)
     >>> sides
@@ -439,8 +426,7 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -456,14 +442,12 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     --------
     The pyramid of 90 by 90 degrees is the face of a cube seen from its centre, 4 pi/6 sr:
 
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(solid.pyramid(math.pi / 2, math.pi / 2) / (4 * math.pi / 6), 12)
+    >>> round(pyramid(math.pi / 2, math.pi / 2) / (4 * math.pi / 6), 12)
     1.0
 
     With one angle of 180 degrees it is a wedge, whose solid angle is twice the other angle:
 
-    >>> round(solid.pyramid(0.5, math.pi), 12)
+    >>> round(pyramid(0.5, math.pi), 12)
     1.0
     """
     check_pyramid(horizontal, vertical)
@@ -501,10 +485,8 @@ def pyramid_side(solid_angle: Number, other: Number) -> Number:
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> omega = solid.pyramid(math.radians(60), math.radians(40))
-    >>> round(math.degrees(solid.pyramid_side(omega, math.radians(60))), 9)
+    >>> omega = pyramid(math.radians(60), math.radians(40))
+    >>> round(math.degrees(pyramid_side(omega, math.radians(60))), 9)
     40.0
     """
     check_pyramid(other, other)
@@ -525,12 +507,10 @@ def check_pyramid(horizontal: Number, vertical: Number) -> None:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Examples
     --------
-    >>> from radcalc.geometry.solid import check_pyramid
     >>> check_pyramid(1.0, 0.5)
     >>> check_pyramid(-1.0, 0.5)
     Traceback (most recent call last):
@@ -564,8 +544,7 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -579,14 +558,12 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
     Examples
     --------
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(solid.patch(2.0, 10.0, math.radians(60)), 12)
+    >>> round(patch(2.0, 10.0, math.radians(60)), 12)
     0.01
 
     A disc of radius 1 m at 10 m, compared with the exact solid angle:
 
-    >>> round(solid.patch(math.pi, 10.0) / solid.disc(1.0, 10.0) - 1, 4)
+    >>> round(patch(math.pi, 10.0) / disc(1.0, 10.0) - 1, 4)
     0.0075
     """
     refuse(area < 0, "the area is out of range", "0 or more")

@@ -25,8 +25,7 @@ def angular_radius(radius: Number, distance: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -44,13 +43,12 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     At two radii from the centre, sin(alpha) = 1/2:
 
     >>> import math
-    >>> from radcalc.geometry import spheres
-    >>> round(math.degrees(spheres.angular_radius(1.0, 2.0)), 12)
+    >>> round(math.degrees(angular_radius(1.0, 2.0)), 12)
     30.0
 
     The sun (radius 695 700 km) from a distance of one astronomical unit, in minutes of arc:
 
-    >>> round(60 * math.degrees(spheres.angular_radius(695_700e3, 149_597_870_700.0)), 2)
+    >>> round(60 * math.degrees(angular_radius(695_700e3, 149_597_870_700.0)), 2)
     15.99
     """
     refuse((radius < 0), "the radius is out of range", "0 or more")
@@ -80,8 +78,7 @@ def solid_angle(radius: Number, distance: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -98,13 +95,12 @@ def solid_angle(radius: Number, distance: Number) -> Number:
     At two radii from the centre: 2 pi (1 - sqrt(3)/2).
 
     >>> import math
-    >>> from radcalc.geometry import spheres
-    >>> round(spheres.solid_angle(1.0, 2.0), 6), round(2 * math.pi * (1 - math.sqrt(3) / 2), 6)
+    >>> round(solid_angle(1.0, 2.0), 6), round(2 * math.pi * (1 - math.sqrt(3) / 2), 6)
     (0.841787, 0.841787)
 
     The sun at its mean distance (radius 695 700 km, 1 au) fills 6.794e-5 sr:
 
-    >>> f"{spheres.solid_angle(695_700e3, 149_597_870_700.0):.3e}"
+    >>> f"{solid_angle(695_700e3, 149_597_870_700.0):.3e}"
     '6.794e-05'
     """
     return cone(angular_radius(radius, distance))
@@ -143,8 +139,7 @@ def distance_of(radius: Number, solid_angle: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -159,8 +154,8 @@ def distance_of(radius: Number, solid_angle: Number) -> Number:
     A cone of half angle 30 degrees touches a sphere whose centre is two radii away:
 
     >>> import math
-    >>> from radcalc.geometry import cones, spheres
-    >>> round(spheres.distance_of(1.0, cones.cone(math.radians(30))), 12)
+    >>> from radcalc.geometry import cones
+    >>> round(distance_of(1.0, cones.cone(math.radians(30))), 12)
     2.0
     """
     return radius / _sine(solid_angle)
@@ -184,8 +179,7 @@ def radius_of(distance: Number, solid_angle: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -198,8 +192,8 @@ def radius_of(distance: Number, solid_angle: Number) -> Number:
     Examples
     --------
     >>> import math
-    >>> from radcalc.geometry import cones, spheres
-    >>> round(spheres.radius_of(2.0, cones.cone(math.radians(30))), 12)
+    >>> from radcalc.geometry import cones
+    >>> round(radius_of(2.0, cones.cone(math.radians(30))), 12)
     1.0
     """
     return distance * _sine(solid_angle)

@@ -53,7 +53,6 @@ def smoothstep(low: Number, high: Number, x: Number) -> Number:
 
     Examples
     --------
-    >>> from radcalc.geometry.uberlight import smoothstep
     >>> smoothstep(1.0, 3.0, 1.5), smoothstep(2.0, 2.0, 2.0)
     (0.15625, 1.0)
     """
@@ -97,7 +96,6 @@ def depth_clip(
 
     Examples
     --------
-    >>> from radcalc.geometry.uberlight import depth_clip
     >>> depth_clip(1.5, near=(1.0, 2.0)), depth_clip(-1.0)
     (0.5, 0.0)
     """
@@ -135,7 +133,6 @@ def cross_section(
 
     Examples
     --------
-    >>> from radcalc.geometry.uberlight import cross_section
     >>> cross_section(3.0, 1.0, 2.0, shear=(0.5, 0.0)), cross_section(0.0, 0.0, -1.0)
     ((1.0, 0.5), (1e+150, 1e+150))
     """
@@ -182,7 +179,6 @@ def superellipse_scale(
 
     Examples
     --------
-    >>> from radcalc.geometry.uberlight import superellipse_scale
     >>> superellipse_scale(3.0, 4.0, 1.0, 1.0, 1.0), superellipse_scale(3.0, 4.0, 1.0, 1.0, 1e-6)
     (5.0, 4.0)
     """
@@ -235,7 +231,6 @@ def superellipse_clip(
 
     Examples
     --------
-    >>> from radcalc.geometry.uberlight import superellipse_clip
     >>> superellipse_clip(1.2, 0.0, inner=(1.0, 1.0), outer=(1.5, 1.5))
     0.648
     """
@@ -281,8 +276,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
 
     Raises
     ------
-    ConditionError
-        If an argument is out of range.
+    ConditionError : argument out of range
 
     Notes
     -----
@@ -296,7 +290,6 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
     --------
     At 60 degrees off the axis:
 
-    >>> from radcalc.geometry.uberlight import beam
     >>> round(beam(3**0.5, 0.0, 1.0, 2.0), 12), beam(0.0, 0.0, -1.0, 2.0)
     (0.25, 0.0)
     """
@@ -349,7 +342,6 @@ def falloff(
 
     Examples
     --------
-    >>> from radcalc.geometry.uberlight import falloff
     >>> round(falloff(2.0, 2.0, 1.0), 12), round(falloff(0.5, 2.0, 1.0), 12)
     (0.25, 4.0)
     >>> round(falloff(1e-9, 2.0, 1.0, maximum=3.0), 6)
