@@ -21,8 +21,8 @@ class Step(NamedTuple):
 class ShownInput(NamedTuple):
     """A shown input: a number in a unit, another text, or True for a flag.
 
-    `uncertainty` is the standard uncertainty of the number, in the unit.  An input that `tells`
-    answers apart (the day of a log) is shown even with a single answer.
+    `uncertainty` is a standard uncertainty in the unit.  An input that `tells` answers apart (the
+    day of a log) is shown even with a single answer.
     """
 
     name: str
@@ -34,7 +34,6 @@ class ShownInput(NamedTuple):
 
     @property
     def is_quantity(self) -> bool:
-        """Return whether the input is a number in a unit."""
         return bool(self.unit)
 
 
@@ -49,8 +48,8 @@ FRACTION = "fraction"  # of a second, like the times of a shutter: 1/60
 class Row(NamedTuple):
     """One value of an answer; `case` identifies one of several answers.
 
-    `name` is the name for `--get`.  `given` marks inputs; `uncertainty` is the standard
-    uncertainty in the unit; `form` is the form of the number.
+    `name` is the name for `--get`, `given` marks inputs, `uncertainty` is a standard uncertainty in
+    the unit.
     """
 
     quantity: str
@@ -65,10 +64,7 @@ class Row(NamedTuple):
 
 
 class Result(NamedTuple):
-    """One answer: rows, assumptions, notes, derivation and inputs.
-
-    The single result of a conversion is not `named`: texts omit its name.
-    """
+    """One answer; texts omit the name of a conversion's single result, which is not `named`."""
 
     rows: tuple[Row, ...]
     assumptions: tuple[str, ...] = ()
@@ -78,7 +74,6 @@ class Result(NamedTuple):
     named: bool = True
 
     def spelled(self, spell: Callable[[str], str]) -> "Result":
-        """Return the result with the mentions in its texts spelled by `spell`."""
         return self._replace(
             assumptions=tuple(map(spell, self.assumptions)), notes=tuple(map(spell, self.notes))
         )
@@ -94,7 +89,7 @@ class Value(NamedTuple):
     function, called on demand.  `reach` has the amounts in linked kinds, by dimension.  `given` is
     the input number in the first unit, `exact` a number known in that unit without a conversion
     from SI; `also` is another name.  With uncertain inputs, numbers are those of the
-    `uncertainties` package.  `form` is the form of the numbers.
+    `uncertainties` package.
     A result that does not follow has no units; `lacking` returns the inputs that would give it, or
     `because` is the reason why none would.
     """
@@ -120,7 +115,6 @@ class Value(NamedTuple):
 
     @property
     def amount(self) -> Any:
-        """The value in coherent SI units."""
         return self.si() if callable(self.si) else self.si
 
     @property

@@ -1,10 +1,9 @@
 """Errors that a user can correct: the problem, and what to do.
 
 Every invalid input ends in a `RadcalcError`.  The command line prints its message and its hint and
-exits with status 2; the Python API raises it.
-
-A message names a symbol of the vocabulary, or a command, by a mention (`option("height")`), which
-the shell and Python spell differently: `--height 6m` and `height="6 m"`.
+exits with status 2; the Python API raises it.  A message names a symbol of the vocabulary, or a
+command, by a mention (`option("height")`), which the shell and Python spell differently:
+`--height 6m` and `height="6 m"`.
 """
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -131,7 +130,6 @@ class Plain:
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """Return the name and the value."""
         return f"{name} {value}".strip()
 
     @staticmethod
@@ -163,13 +161,11 @@ class RadcalcError(Exception):
         return _remade, (type(self), self.args, self.__dict__)
 
     def reworded(self: "Kind", message: str = "", hint: str = "") -> "Kind":
-        """Return the same error with another message or hint."""
         error: Kind = _remade(type(self), self.args, self.__dict__)
         error.message, error.hint = message or self.message, hint or self.hint
         return error
 
     def spelled(self, spelling: "Any") -> tuple[str, str]:
-        """Return message and hint with their mentions spelled."""
         return spell(self.message, spelling), spell(self.hint, spelling)
 
     def __str__(self) -> str:

@@ -1,6 +1,6 @@
 """The Python functions: texts, quantities and arrays in, quantities and assumptions out.
 
-Elementwise functions also take Dask arrays: the results that depend on them are Dask arrays, and an
+Elementwise functions also take Dask arrays: results that depend on them are Dask arrays, and an
 invalid element raises its error when they are computed.
 """
 

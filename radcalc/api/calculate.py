@@ -31,9 +31,8 @@ def calculate(
 ) -> Result:
     """Read the symbols given to a function, and return the result.
 
-    `operands` are shown with them, and `drawn` is what a picture needs besides the inputs;
-    `adapt` changes the inputs after they are read.  `waits` is true for an elementwise function,
-    which takes Dask arrays.
+    `operands` are shown with them; `drawn` is what a picture needs besides the inputs; `adapt`
+    changes the inputs that were read; `waits` is true if the function takes Dask arrays.
     """
     columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
@@ -68,6 +67,5 @@ def calculate(
 
 
 def _has_elements(given: Input) -> bool:
-    """Return whether there is an array, or points that are arrays."""
     values = given.value if isinstance(given.value, tuple) else (given.value,)
     return any(map(is_column, values))

@@ -1,8 +1,8 @@
 """Columns of pandas, Polars and xarray as inputs and results.
 
-A column has its unit in its name (`distance [m]`), like the columns of files; one of xarray also in
-its attribute `units`, or in its data, which may be a quantity.  A result that depends on columns is
-a column of the same index or coordinates, with its unit in the same place.
+A column has its unit in its name (`distance [m]`); one of xarray also in its attribute `units`, or
+in its data, which may be a quantity.  A result that depends on columns is a column of the same
+index or coordinates, with its unit in the same place.
 """
 
 from collections.abc import Mapping, Sequence
@@ -29,8 +29,7 @@ UNITS = "units"  # the attribute of xarray arrays in the CF conventions
 class Columns(NamedTuple):
     """The columns given to a function; the first one is the model of the results.
 
-    With `quantities` the data of xarray arrays are quantities; otherwise their units are
-    attributes.
+    With `quantities` the data of xarray arrays are quantities; otherwise units are attributes.
     """
 
     library: str
@@ -163,7 +162,6 @@ def _aligned(given: Mapping[str, Any]) -> Sequence[Any]:
 
 
 def _array(key: str, column: Any, unit: Unit | None) -> Any:
-    """Return the values of a column, with their unit."""
     if unit is None and _is_text(column):
         texts = column.to_numpy().tolist()
         if not all(isinstance(text, str) for text in texts):

@@ -198,12 +198,10 @@ def factor(source: str, target: str, **conditions: Any) -> float:
 
 
 def _again(given: Mapping[str, Any]) -> Any:
-    """Convert a block of an array."""
     return convert(**given)
 
 
 def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:
-    """Return the converted value, as an answer shows it."""
     if not isinstance(value, str):
         return ShownInput("value", number, conversion.source.text)
     amount = read_amount(value)
@@ -270,7 +268,6 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
 
 
 def _plan_of(source: Unit | None, target: str, given: list[Input]) -> Plan:
-    """Return the plan from a unit, or from numbers without one."""
     start = source or resolve("1")
     target_unit = target_of(target, start)
     if source is None and target_unit.dimension != start.dimension and not target_unit.is_scale:

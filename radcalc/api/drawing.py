@@ -9,13 +9,7 @@ if TYPE_CHECKING:
 
 
 class Drawing:
-    """A picture for a notebook, as a Matplotlib figure, or in a file.
-
-    Parameters
-    ----------
-    picture : radcalc.plots.data.Picture
-        The content of the picture.
-    """
+    """A picture for a notebook, as a Matplotlib figure, or in a file."""
 
     def __init__(self, picture: "Picture") -> None:
         self.picture = picture
@@ -34,7 +28,6 @@ class Drawing:
         return figure(self.picture)
 
     def _repr_svg_(self) -> str:
-        """Return the picture for a notebook."""
         from radcalc.plots.figure import data
 
         return data(self.picture, ".svg").decode()

@@ -94,7 +94,6 @@ def _vector(vector: Any) -> tuple[Any, str]:
 
 
 def _corners(vertices: Any) -> list[str]:
-    """Return the vertices of a polygon as texts."""
     try:
         return [
             vertex if isinstance(vertex, str) else ",".join(map(str, vertex)) for vertex in vertices

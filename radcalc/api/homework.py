@@ -88,12 +88,10 @@ def check(
 
 
 def _as_named(claim: str, values: Sequence[Value]) -> str:
-    """Return a claim with the name of a result as the result has it: NAME=VALUE UNIT."""
     name, equals, claimed = claim.partition("=")
     names = {keyword(known): known for value in values for known in (value.name, value.also)}
     return f"{names.get(keyword(name.strip()), name)}{equals}{claimed}" if equals else claim
 
 
 def _in_python(diagnosis: Any) -> Any:
-    """Return a diagnosis with keywords."""
     return diagnosis._replace(done=in_words(diagnosis.done), right=in_words(diagnosis.right))

@@ -1,8 +1,7 @@
 """Dask arrays: a calculation that is deferred, and done block by block.
 
-A calculator needs the values of its inputs.  So it runs first on arrays without elements, which
-show the results, their units and their axes, and later on each block, where invalid values raise
-errors.
+A calculator needs values, so it runs first on arrays without elements, which show the results,
+their units and their axes, and later on each block, where invalid values raise errors.
 """
 
 from collections.abc import Callable, Mapping
@@ -44,8 +43,8 @@ class Expected(NamedTuple):
 class Call(NamedTuple):
     """A call that can be sent to another process, with the places of the arrays of a block.
 
-    The function takes its arguments as one mapping.  They are magnitudes with units, since Pint
-    quantities would lose their registry, or None instead of an array of a block.
+    The function takes a mapping of magnitudes with units, since Pint quantities would lose their
+    registry, or of None instead of an array of a block.
     """
 
     function: Callable[[dict[str, Any]], Any]
@@ -63,7 +62,6 @@ class Call(NamedTuple):
         return self.function(values)
 
     def results(self, *blocks: Any) -> dict[str, Any]:
-        """Return the results for these blocks by all of their names."""
         return _by_name(self.answer(*blocks))
 
 
@@ -100,25 +98,9 @@ def blockwise(
 ) -> Any:
     """Call a function with Dask arrays: like with NumPy arrays, but the results are deferred.
 
-    Parameters
-    ----------
-    name : str
-        The name of Dask's tasks.
-    function
-        An elementwise function of a mapping, which can be pickled.
-    given
-        Its arguments, including a Dask array or a quantity with one.
-
-    Returns
-    -------
-    Quantity, dask.array.Array, or Result
-        The result of the function; values that depend on an array are Dask arrays.
-
-    Raises
-    ------
-    radcalc.errors.RadcalcError
-        If the call is wrong for all elements; errors of single elements are raised when the
-        results are computed.
+    The function is elementwise, takes a mapping, and can be pickled; `name` is for Dask's tasks.
+    Values that depend on an array are Dask arrays.  A call that is wrong for all elements raises
+    RadcalcError; errors of single elements are raised when the results are computed.
     """
     given = {key: gathered(key, value) for key, value in given.items()}
     parts = {key: blocks for key, value in given.items() if (blocks := _arrays(key, value))}
@@ -198,7 +180,7 @@ def _without_elements(array: Any) -> Any:
 
 
 def _index(shape: tuple[int, ...], count: int, is_single: bool) -> tuple[Any, ...]:
-    """Return the index of a result in rows with so many axes; it may have fewer or be single."""
+    """Return the index of a result in rows with `count` axes; it may have fewer or be single."""
     if is_single:
         return (0,)
     kept = (slice(None, 1) if length == 1 else slice(None) for length in shape)

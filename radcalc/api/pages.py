@@ -1,7 +1,6 @@
 """The Python functions of calculators, made from their pages.
 
-A page names the symbols of a calculator, and the vocabulary describes them: from both follow the
-signature and the docstring of the function.
+Signature and docstring follow from the symbols of the page, which the vocabulary describes.
 """
 
 from __future__ import annotations
@@ -70,7 +69,6 @@ class Keyword(NamedTuple):
 
     @property
     def parameter(self) -> inspect.Parameter:
-        """Return the keyword in a signature."""
         return inspect.Parameter(
             self.name,
             inspect.Parameter.KEYWORD_ONLY,
@@ -97,9 +95,8 @@ def of_page(
 ) -> Callable[[Callable[..., T]], Callable[..., T]]:
     """Decorate a function with the keywords and the documentation of a page.
 
-    The function takes the keywords as `**given`.  Its own parameters stay, and the sections of
-    its docstring replace the remarks and examples of the page.  `without` names symbols that it
-    does not take.
+    The function takes the keywords as `**given`, except those named in `without`.  The sections of
+    its docstring replace the remarks and examples of the page.
     """
     page = page_of(command)
     page_keywords = _keywords(page, without)
@@ -174,7 +171,6 @@ def _docstring(
     operands: Sequence[str],
     page_keywords: Sequence[Keyword],
 ) -> str:
-    """Return the docstring: the sections of the function, and the others from its page."""
     summary, *headed = HEADING.split(own_text)
     sections = {"Returns": RETURNS, "Raises": RAISES}
     sections |= dict(zip(headed[::2], headed[1::2], strict=True))
@@ -223,7 +219,7 @@ def _filled(text: str) -> str:
 def _example(command: str, example: str, bare: Mapping[str, str]) -> str:
     """Return a call from a page's examples, folded if it is long.
 
-    Python takes no bare numbers: they get the unit that they have at a shell.
+    Bare numbers, which Python does not take, get the unit that they have at a shell.
     """
     words = [
         word + bare.get(word.partition("=")[0], "") * word[-1].isdigit()

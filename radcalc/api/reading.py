@@ -77,7 +77,6 @@ def gathered(keyword: str, value: Any) -> Any:
 
 
 def _gathered(name: str, value: Any) -> Any:
-    """Return the same as an array and its unit, and anything else unchanged."""
     if SYMBOLS[name].form != QUANTITY:
         return value
     if isinstance(value, str):

@@ -50,8 +50,7 @@ class Result(Mapping[str, Quantity]):
     inputs : tuple of radcalc.answer.ShownInput
         The inputs, as they were typed.
     rows : tuple of radcalc.answer.Row
-        The results with their labels, symbols and units, in all the units that the calculator
-        shows.
+        The results with labels and symbols, in all the units that the calculator shows.
     assumptions, notes : tuple of str
         The assumptions of the answer, and its remarks.
     steps : tuple of radcalc.answer.Step
@@ -124,7 +123,6 @@ class Result(Mapping[str, Quantity]):
         return [*super().__dir__(), *self._every]
 
     def _ipython_key_completions_(self) -> list[str]:
-        """Return the names that IPython completes after a bracket."""
         return [*self._every]
 
     def __repr__(self) -> str:
@@ -134,41 +132,34 @@ class Result(Mapping[str, Quantity]):
         return text(self.command, self._renderable)
 
     def _repr_html_(self) -> str:
-        """Return the same for a notebook, with the inputs and the derivation."""
         from radcalc.render.notebook import html
 
         return html(self.command, self._renderable)
 
     @property
     def _renderable(self) -> answer.Result:
-        """Return the answer as a renderer takes it."""
         result = self._show()
         self._show = lambda: result
         return result
 
     @property
     def inputs(self) -> tuple[ShownInput, ...]:
-        """Return the inputs."""
         return self._renderable.inputs
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """Return the results with labels, symbols and units."""
         return self._renderable.rows
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """Return the assumptions."""
         return self._renderable.assumptions
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Return the notes."""
         return self._renderable.notes
 
     @property
     def steps(self) -> tuple[Step, ...]:
-        """Return the derivation."""
         return self._renderable.steps
 
     def to_dict(self) -> dict[str, Any]:
@@ -228,7 +219,6 @@ class Result(Mapping[str, Quantity]):
 
     @property
     def every(self) -> dict[str, Any]:
-        """Return the results by all of their names."""
         return self._every
 
     def in_columns(self, columns: "Columns | None") -> "Result":
@@ -264,8 +254,6 @@ def _is_same(first: Any, second: Any) -> bool:
 def _restored(
     command: str, result: answer.Result, every: Mapping[str, Any], names: Sequence[str]
 ) -> Result:
-    """Return a result from its pickled form."""
-
     problem = "a pickled result cannot be calculated again"
 
     def ask() -> "Question":
@@ -303,7 +291,6 @@ def _drawing(result: Result, solved: Drawn | Undrawn, wanted: tuple[str, ...]) -
 
 
 def _listed(value: Any) -> Any:
-    """Return an array as lists."""
     if is_lazy(value):
         raise ConditionError("a result of Dask is not computed yet", ".compute() of its magnitude")
     return value.tolist() if hasattr(value, "tolist") else value
@@ -352,7 +339,7 @@ def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:
 
 
 def _quantities(solution: Answer) -> tuple[dict[str, Any], list[str]]:
-    """The results by all of their names, as of one kind of light, and the first name of each."""
+    """Return the results by all of their names, and the first name of each."""
     first: dict[str, Any] = {}
     aliases: dict[str, Any] = {}
     for value in solution.values:

@@ -95,7 +95,6 @@ def scene(
 
 
 def _joined(parts: Sequence[Value]) -> Value:
-    """Return the values of blocks of points as one."""
     return parts[0]._replace(
         si=numpy.concatenate([part.amount for part in parts]),
         reach={

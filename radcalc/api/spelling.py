@@ -64,7 +64,6 @@ class Python:
 
     @staticmethod
     def manual(name: str) -> str:
-        """Return the call that shows the documentation."""
         return f"help(radcalc.{keyword(name)})"
 
     @staticmethod
@@ -93,7 +92,6 @@ class Documented(Python):
 
 
 def _apart(value: str) -> str:
-    """Insert a blank between a number and its unit: 6m becomes 6 m."""
     try:
         end = read_number(value)[1]
     except NumberError:

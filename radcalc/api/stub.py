@@ -1,7 +1,4 @@
-"""Types of the public names, for type checkers.
-
-`python -m radcalc.api.stub` writes them to `radcalc/__init__.pyi`.
-"""
+"""Types of the public names; `python -m radcalc.api.stub` writes them to `radcalc/__init__.pyi`."""
 
 import inspect
 import re
@@ -48,7 +45,6 @@ def _imports(names: Mapping[str, Iterable[str]]) -> str:
 
 
 def _signature(function: Any) -> str:
-    """Return a signature, one parameter a line, with keyword-only ones after a star."""
     lines = []
     signature = inspect.signature(function)
     for parameter in signature.parameters.values():
@@ -60,7 +56,6 @@ def _signature(function: Any) -> str:
 
 
 def _lines(head: str, tail: str, entries: Iterable[str]) -> str:
-    """Return entries between brackets, one a line."""
     listed = "".join(f"    {entry},\n" for entry in entries)
     return f"{head}\n{listed}{tail}\n".replace("'", '"')
 

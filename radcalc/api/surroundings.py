@@ -146,7 +146,6 @@ def reproject(source: Surroundings, to: Projection, size: Pair = None, **given: 
 
 
 def _map(source: Any, given: dict[str, Any], make: Callable[..., RenderedMap]) -> Quantity:
-    """Return a map made from surroundings."""
     around, given = _surroundings(source, given)
     inputs = read_inputs(given)
     refuse_uncertain(inputs.values(), "a map")

@@ -13,8 +13,7 @@ if TYPE_CHECKING:
 class Source(NamedTuple):
     """An input whose values come from standard input: bare numbers of a unit, or texts with one.
 
-    `read` reads a text like one on the command line, and `check` refuses a unit that the input
-    cannot have; `is_bare` if the texts are bare numbers.
+    `read` reads a text like one on the command line; `check` refuses an impossible unit.
     """
 
     name: str

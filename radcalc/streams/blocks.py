@@ -1,11 +1,11 @@
 """Blocks of numbers through a plan: the answers of `Plan.apply`, many at a time.
 
-A plan between two units is an exact fraction, applied with one rounding.  Here floats must give
-the same result, which is certain in two cases:
+A plan between two units is an exact fraction, applied with one rounding.  Floats certainly give the
+same result in two cases:
 
 - The fraction is a decimal of few digits (1 lx = 0.09290304 fc), as are the numbers: their product
-  is a decimal of at most 15 digits.  It never lies halfway between two numbers of the required
-  precision, because of its factors of 2, and otherwise it is further from that point than three
+  is a decimal of at most 15 digits.  Its factors of 2 keep it from lying halfway between two
+  numbers of the required precision, and otherwise it is further from that point than three
   roundings can move it: a plain product prints the same digits.
 - The product is computed in two parts, with a bound on the error.  If both ends of the interval
   round to one float, that is the exact answer; if not, the fraction decides.
@@ -30,7 +30,6 @@ class Bulk:
     """A plan prepared for blocks of numbers, shown with `precision` digits."""
 
     def __init__(self, plan: Plan, precision: int) -> None:
-        """Choose the method: see the module."""
         self.plan = plan
         self.factor = plan.factor
         self.line = b"%%.%dg\n" % precision
@@ -54,8 +53,7 @@ class Bulk:
     def lines(self, block: bytes) -> bytes | None:
         """Convert lines of one decimal number each; return None if any is unusual.
 
-        Unusual lines (blanks, an empty line, `1/3`, a number out of range) are not errors: the
-        grammar must read them.
+        The grammar must read unusual lines: blanks, an empty line, `1/3`, a number out of range.
         """
         shape = shape_of(block)
         if shape is None or not self.able:

@@ -1,8 +1,8 @@
 """Texts of a stream as one input of a calculator, with an answer to each.
 
-Many plain numbers of one unit are an array that the calculator takes at once, `exactly`: each
-element has the last bit of a single float.  A block with a bad number is divided into smaller ones,
-and a few texts are calculated one by one.
+Plain numbers of one unit are an array that the calculator takes at once, `exactly`: each element
+has the last bit of a single float.  A block with a bad number is divided into smaller ones, and a
+few texts are calculated one by one.
 """
 
 from collections.abc import Callable, Sequence
@@ -38,8 +38,7 @@ class LineAnswer(NamedTuple):
 class Calculated:
     """Texts of an input, each replaced by the requested results.
 
-    If the input has a unit, its texts are bare numbers.  `work_out` answers an input; `hear`
-    takes the remarks on the answer to some lines.
+    If the input has a unit, its texts are bare numbers.  `hear` takes the remarks on some lines.
     """
 
     def __init__(
@@ -51,7 +50,6 @@ class Calculated:
         precision: int | None = None,
         mark: bytes = POINT,
     ) -> None:
-        """Take the calculator, the request, and the decimal mark of the numbers."""
         self.line = 0  # the current line
         self.source = source
         self.work_out = work_out
@@ -64,7 +62,6 @@ class Calculated:
         self.fewest = FIRST
 
     def read(self, text: bytes) -> tuple[Input, LineAnswer]:
-        """Return the input of a text, and its answer."""
         typed = self._typed(pointed(decoded(text), self.mark))
         try:
             given = self.source.read(typed)
@@ -99,7 +96,6 @@ class Calculated:
         return LineAnswer(answer, rows)
 
     def show(self, given: Input, result: LineAnswer) -> bytes:
-        """Return the output for a text."""
         self.hear(remarks_of(result.answer), range(self.line, self.line + 1))
         line = "\t".join([number(row.value, self.precision) for row in result.rows])
         return line.encode().replace(POINT, self.mark)

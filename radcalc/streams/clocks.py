@@ -82,14 +82,12 @@ class Elapsed:
         return columns.finite_numbers(texts)
 
     def one(self, text: str) -> float:
-        """Return the ticks of a text."""
         value = columns.finite(text, comma=True)
         if value is None:
             raise NumberError(f"'{quote(text)}' is not a number of {self.unit.text}", "a number")
         return value
 
     def say(self, tick: float) -> str:
-        """Return a time for people."""
         return f"{tick:.12g} {self.unit.text}"
 
     def period(self, tick: float, by: str) -> Interval:
@@ -148,7 +146,6 @@ class Calendar:
         return ticks
 
     def one(self, text: str) -> int:
-        """Return the ticks of a text."""
         day, clock = self.pattern.parts(text)
         local = self.pattern.day(day) + self.clocks[clock]
         if not self.is_local:
@@ -199,7 +196,6 @@ class Calendar:
         return ticks[1]
 
     def comes_twice(self, text: str, tick: int) -> NumberError:
-        """Return the error of a time that occurs twice, unresolved by the order."""
         assert self.zone is not None
         return NumberError(*_comes_twice(text, self.zone, tick + _offset_at(self.zone, tick)))
 
@@ -212,12 +208,10 @@ class Calendar:
 
     @property
     def has_offset(self) -> bool:
-        """Return whether the offset of the times from UTC is known."""
         return bool(self.zone or self.offsets)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """Return how ambiguous stamps were read."""
         assumptions = (self.pattern.assumption,) if self.pattern.assumption else ()
         if not self.has_offset:
             zone = f"the times are in a zone without changes of daylight saving time ({ZONE})"
@@ -238,7 +232,6 @@ class Calendar:
         return assumptions
 
     def say(self, tick: float) -> str:
-        """Return a time for people."""
         seconds, fraction = divmod(int(tick), SECOND)
         text = _at(self.shown_in, seconds).strftime("%Y-%m-%d %H:%M:%S")
         if fraction:
@@ -286,7 +279,6 @@ class Unix(Calendar):
         return ticks
 
     def one(self, text: str) -> int:
-        """Return the ticks of a text."""
         from decimal import Decimal
 
         if not OF_UNIX.fullmatch(text):
@@ -298,7 +290,6 @@ class Unix(Calendar):
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """Return the unit of the times."""
         names = {SECOND: "seconds", 10**6: "milliseconds", 10**3: "microseconds"}
         assumption = f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}"
         return (
@@ -405,7 +396,6 @@ def _fixed(offset: int) -> tzinfo:
 
 
 def _format_offset(offset: int) -> str:
-    """Return an offset as in a stamp."""
     minutes = abs(offset) // (60 * SECOND)
     return f"{'-' if offset < 0 else '+'}{minutes // 60:02}:{minutes % 60:02}"
 
@@ -430,7 +420,6 @@ def _offset_at(zone: tzinfo, tick: int) -> int:
 
 
 def _tick(zone: tzinfo, local: datetime) -> int:
-    """Return the tick of a local time."""
     naive = (local.toordinal() - FIRST_DAY) * DAY
     return naive - _offset(zone, naive, 0)
 

@@ -20,13 +20,11 @@ class Fields:
     """A list of fields as in `cut` and `numfmt`: `2`, `1,3`, `2-4`, `3-`, `-2`."""
 
     def __init__(self, text: str = "1") -> None:
-        """Read the list; raise UsageError if it is invalid."""
         self.ranges = sorted(_range(text, part) for part in text.replace(MINUS, "-").split(","))
         self.last = max(last or first for first, last in self.ranges)
 
     @property
     def is_one(self) -> bool:
-        """Return whether it is one field for every line."""
         return self.ranges == [(self.last, self.last)]
 
     def of(self, count: int) -> Iterator[int]:
@@ -83,8 +81,7 @@ TITLE = re.compile(
 class Cut:
     """The division of a line into fields: at a delimiter, or at blanks if it is empty.
 
-    A field in double quotes, as in CSV, may contain the delimiter; with blanks there are no
-    quotes.
+    A field in double quotes, as in CSV, may contain a delimiter, but not blanks that separate.
     """
 
     def __init__(self, delimiter: bytes = b"") -> None:
@@ -123,7 +120,6 @@ class Cut:
             raise NumberError("a quoted field does not end on its line", "one line for each record")
 
     def inner(self, line: bytes, span: Span) -> Span:
-        """Return the span without the blanks and quotes around it."""
         if not self.delimiter:
             return span
         start, end = _strip(line, span, self.blanks)
@@ -142,11 +138,9 @@ class Cut:
         return [match.span() for match in TITLE.finditer(header, start)]
 
     def joint(self, line: bytes) -> bytes:
-        """Return the separator before a field added to a line."""
         return self.delimiter or (b"\t" if b"\t" in line else b" ")
 
     def quoted(self, field: bytes) -> bytes:
-        """Return a field quoted if needed."""
         if self.delimiter and (self.delimiter in field or field[:1] == b'"'):
             return b'"' + field.replace(b'"', b'""') + b'"'
         return field
@@ -156,9 +150,8 @@ class Cut:
     ) -> bytes | None:
         """Convert the fields of a block of lines, all lines at once.
 
-        Every line has `width` fields, unless that is 0.  With `adds` the field stays, and the
-        result is appended to the line.  Return None if the lines differ in shape: then each is
-        read alone.
+        Every line has `width` fields, unless that is 0.  With `adds` the result is appended to the
+        line, whose field stays.  Return None if lines differ in shape: then each is read alone.
         """
         converted = None
         mark = self.delimiter or _only_blank(block)

@@ -121,7 +121,6 @@ class Header:
         return [(start, max(start, len(line.rstrip(BLANKS))))]
 
     def _find(self, titles: list[str], above: bytes) -> int:
-        """Return the place of the requested column."""
         try:
             return find(titles, self.column, WHERE, self.source)
         except UsageError as error:
@@ -203,7 +202,6 @@ class Header:
         return line[start - 1 : start] == b'"'
 
     def _cell(self, title: str, in_quotes: bool = False) -> bytes:
-        """Return a title as a cell of the line."""
         text = title.encode(errors="surrogateescape")
         if in_quotes:
             return text.replace(b'"', b'""')

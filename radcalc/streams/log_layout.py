@@ -128,7 +128,6 @@ class Head:
         return self.settings.delimiter or columns.dialect(line)[0]
 
     def _named_row(self, rows: Sequence[NumberedLine]) -> int | None:
-        """Return the row with the requested names of columns."""
         wanted = (*self.settings.times, self.settings.column)
         names = [name for name in wanted if name and not name.isdecimal()]
         if not names:
@@ -209,7 +208,6 @@ class Head:
     def _columns(
         self, number: int, cells: list[str], titles: list[list[str]], delimiter: str | None
     ) -> LogLayout:
-        """Find the columns of times and values by their titles and the first line."""
         names = titles[0] if titles else []
         times = self._time_columns(number, cells, names)
         place, unit = self._value_column(number, cells, titles, times)
@@ -259,7 +257,6 @@ class Head:
     def _value_column(
         self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]
     ) -> tuple[int, Unit]:
-        """Return the column of the values, and their unit."""
         candidates = [k for k in range(len(cells)) if k not in times]
         if self.settings.column:
             place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
@@ -280,7 +277,6 @@ class Head:
         return place, self._unit(self._unit_in(titles, place), titles[0][place] if titles else "")
 
     def _unit(self, declared: Unit | None, title: str) -> Unit:
-        """Return the unit of the values: as typed, or from the title."""
         if not self.settings.unit:
             if declared is None:
                 raise MissingInput(
@@ -325,7 +321,6 @@ class Head:
         return None
 
     def _place(self, name: str, names: list[str], width: int) -> int:
-        """Return the column of a name, or of a number."""
         return find(names or [""] * width, name, self.name)
 
 
@@ -339,7 +334,6 @@ def _is_number(cell: str) -> bool:
 
 
 def _is_of_time(title: str) -> bool:
-    """Return whether a title is that of times."""
     if OF_TIME.search(columns.plain(title).replace("_", " ")):
         return True
     unit = unit_in(title, SECONDS)

@@ -45,7 +45,6 @@ class Numbers:
     example += f"{command('convert', '-', 'TARGET')} for 100 lx"
 
     def __init__(self, plan: Plan, precision: int | None = None, mark: bytes = POINT) -> None:
-        """Take the plan for all numbers, and their decimal mark."""
         self.line = 0
         self.plan = plan
         self.precision = precision

@@ -27,7 +27,6 @@ class Remark:
         self.shown_spans: list[Span] | None = None
 
     def widen(self, spans: list[Span], lines: Sequence[int]) -> None:
-        """Add lines and their numbers."""
         touches = lines[0] - 1 <= self.last_line and self.first_lines[0] - 1 <= lines[-1]
         self.is_unbroken = self.is_unbroken and touches and _are_unbroken(lines)
         self.first_lines = sorted({*self.first_lines, *lines[: FEW + 1]})[: FEW + 1]
@@ -78,7 +77,6 @@ class Remarks:
         self.has_begun = False
 
     def hear(self, texts: Sequence[str], lines: Sequence[int]) -> None:
-        """Take the remarks on the answer to some lines."""
         templates = [SPAN.sub(MARK, text) for text in texts]
         if not self.has_begun:
             self.shared = {*templates} & ({*templates} if self.shared is None else self.shared)

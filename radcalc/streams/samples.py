@@ -66,11 +66,9 @@ class Log:
 
     @property
     def clock(self) -> Clock:
-        """Return the reader of the times."""
         return self.layout.clock
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
-        """Return the error of a line."""
         return log_layout.error(self.name, number, problem, hint)
 
     def samples(self) -> Iterator[Samples | None]:
@@ -142,7 +140,6 @@ class Log:
         return texts
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
-        """Yield the samples of lines one by one, and report errors."""
         rows = [row for row in enumerate(lines, number) if not is_remark(row[1])]
         yield from _runs(sample for row in rows for sample in self._of_line(*row))
 
@@ -200,7 +197,6 @@ class Log:
             self.say(error)
 
     def _sample(self, line: str, number: int) -> Sample:
-        """Return the time and the value of a line."""
         layout = self.layout
         cells = columns.cells(line, layout.delimiter)
         if len(cells) != layout.width:

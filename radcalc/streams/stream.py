@@ -43,8 +43,8 @@ class Stream:
     ) -> None:
         """Take whole lines if `cut` is None; the first `lines` are a header.
 
-        With `adds` the text stays, and the result is a field after the others.  With a `record`
-        every number becomes a separate line, without other output.
+        With `adds` the result is a field after the others.  With a `record` every number becomes a
+        separate line, without other output.
         """
         self.texts = texts
         self.cut = cut
@@ -269,11 +269,9 @@ def _blocks(read: Read) -> Iterator[bytes | None]:
 
 
 def _first(block: bytes) -> tuple[bytes, bytes]:
-    """Return the first line and the rest."""
     line, end, rest = block.partition(b"\n")
     return line + end, rest
 
 
 def _body(line: bytes) -> bytes:
-    """Return a line without its end."""
     return line.removesuffix(b"\n").removesuffix(b"\r")

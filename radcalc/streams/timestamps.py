@@ -66,7 +66,6 @@ class Pattern(NamedTuple):
     assumption: str
 
     def parts(self, text: str) -> tuple[str, str]:
-        """Return the date and the time of day of a stamp."""
         if not self.mark:
             return text, text
         day, _, clock = text.partition(self.mark)
