@@ -101,7 +101,7 @@ def test_conditions_are_texts_quantities_numbers_or_flags(conditions, expected):
         (lambda: Q(1, "W/m^2 sr"), UnitError),
     ],
 )  # fmt: skip
-def test_what_is_wrong_raises_a_radcalc_error(call, error):
+def test_wrong_inputs_raise_a_radcalc_error(call, error):
     with pytest.raises(error) as caught:
         call()
     assert isinstance(caught.value, RadcalcError)
@@ -186,7 +186,7 @@ def _lamp(**cells):
         lambda: radcalc.solid_angle("cone", [(1, 2, 3)], half_angle="3 deg"),
     ],
 )
-def test_python_objects_that_are_no_input_are_refused(call):
+def test_python_objects_that_are_not_inputs_are_refused(call):
     with pytest.raises(RadcalcError) as caught:
         call()
     assert caught.value.hint
@@ -205,12 +205,12 @@ def test_vectors_and_points_are_texts_or_sequences():
 @pytest.mark.parametrize(
     ("one", "other"), [("lm", "cd"), ("lx", "nit"), ("W/Hz", "J"), ("td", "cd")]
 )
-def test_pint_itself_refuses_what_differs_by_an_angle_a_cycle_or_the_eye(one, other):
+def test_pint_itself_refuses_to_drop_an_angle_a_cycle_or_the_eye(one, other):
     with pytest.raises(pint.DimensionalityError):
         Q(1, one).to(other)
 
 
-def test_what_was_assumed_can_be_had_from_python():
+def test_assumptions_are_available_in_python():
     result = radcalc.explain("1 W", "lm", wavelength="300nm")
     assert result.rows[0].value == 0
     assert "CIE 1924" in result.assumptions[0]
@@ -233,7 +233,7 @@ def test_pint_arithmetic_works_in_radcalcs_units():
 @pytest.mark.parametrize(
     "first", ["radcalc.cli", "radcalc.conversion.plan", "radcalc.api", "radcalc"]
 )
-def test_the_public_names_do_not_depend_on_what_was_imported_first(first):
+def test_the_public_names_do_not_depend_on_the_order_of_imports(first):
     done = python(f"import {first}, radcalc; print(radcalc.convert('1 klx', 'lx'))")
     assert done.stdout == "1000.0 lux\n", done.stderr
 
@@ -261,7 +261,7 @@ def test_the_examples_in_the_docstrings_run(documented):
 
 
 def test_the_python_example_of_the_readme_runs():
-    """In an interpreter of its own: the tests' colour-science changes how NumPy prints."""
+    """Use a new interpreter: colour-science, loaded by other tests, changes how NumPy prints."""
     code = "import doctest, sys; print(doctest.testfile(sys.argv[1], module_relative=False))"
     done = python(code, str(ROOT / "README.md"))
     found = re.search(r"failed=(\d+), attempted=(\d+)", done.stdout)
@@ -270,7 +270,7 @@ def test_the_python_example_of_the_readme_runs():
     assert int(found[1]) == 0, done.stdout
 
 
-def test_a_reading_on_a_scale_is_a_quantity_and_back_a_bare_number():
+def test_a_reading_on_a_scale_becomes_a_quantity_and_a_bare_number_again():
     """By definition 0 dBm is 1 mW; K = 12.5 cd s/m2 and C = 250 lx s of ISO 2720."""
     assert radcalc.convert("-30 dBm", "uW") == Q(1.0, "uW")
     assert radcalc.convert("15 EV", "lx") == Q(81920.0, "lx")
@@ -298,13 +298,13 @@ def test_a_reading_on_a_scale_is_a_quantity_and_back_a_bare_number():
         ),
     ],
 )
-def test_a_reading_that_means_nothing_or_two_things_is_refused(ask, said):
+def test_a_meaningless_or_ambiguous_reading_is_refused(ask, said):
     with pytest.raises(RadcalcError, match=said):
         ask()
 
 
-def test_an_uncertain_reading_is_carried_by_the_slope_of_its_scale():
-    """0.1 dB of 10 mW are 10 ln(10)/10 times 0.1 mW; 0.1 mW of 10 mW 10/ln(10) times 0.01 dB."""
+def test_the_uncertainty_of_a_reading_follows_the_slope_of_its_scale():
+    """0.1 dB at 10 mW is 10 ln(10)/10 times 0.1 mW; 0.1 mW at 10 mW is 10/ln(10) times 0.01 dB."""
     power = radcalc.convert("10±0.1 dBm", "mW").m
     assert (power.nominal_value, power.std_dev) == pytest.approx((10.0, math.log(10) / 10))
     level = radcalc.convert("10±0.1 mW", "dBm")
@@ -324,7 +324,7 @@ def test_an_uncertain_reading_is_carried_by_the_slope_of_its_scale():
         ("lx s", "lx", {"time": "1/50 s"}, 50.0),
     ],
 )
-def test_a_factor_is_one_number_that_multiplies(source, target, conditions, expected):
+def test_a_factor_is_a_single_multiplier(source, target, conditions, expected):
     factor = radcalc.factor(source, target, **conditions)
     assert type(factor) is float
     assert factor == pytest.approx(expected, rel=1e-15, abs=0)
@@ -358,7 +358,7 @@ def test_a_factor_is_one_number_that_multiplies(source, target, conditions, expe
         ("lx", None, {}, "a unit is a text, and not a NoneType", "'lx'"),
     ],
 )
-def test_what_no_factor_links_is_refused(source, target, conditions, said, hint):
+def test_units_that_no_factor_links_are_refused(source, target, conditions, said, hint):
     with pytest.raises(RadcalcError) as caught:
         radcalc.factor(source, target, **conditions)
     assert said in caught.value.message

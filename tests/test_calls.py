@@ -1,4 +1,4 @@
-"""An answer takes few calls; counting tells, where a clock tells how busy the machine is."""
+"""The number of function calls of an answer; unlike a time, it does not depend on the load."""
 
 import pytest
 from bench.calls import CASES, calls

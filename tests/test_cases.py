@@ -1,7 +1,6 @@
-"""The console transcripts in `cases/` and in README.md are run, and print what they show.
+"""The commands of the transcripts in `cases/` and README.md print the outputs shown.
 
-What takes no more of a shell than words, pipes to it and from it, and one call after another, is
-a call in this process.
+Commands that need no more of a shell than words, pipes and sequences run in this process.
 """
 
 import os
@@ -13,16 +12,16 @@ from pathlib import Path
 import pytest
 from conftest import ROOT, entry_point, run
 
-BARE = r"[^\"|<>;&`$\\]*"  # without what a shell reads, but for '...'
+BARE = r"[^\"|<>;&`$\\]*"  # no characters special to a shell, except in '...'
 CALL = re.compile(
     rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE}?)( 2> ?(?:&1|/dev/null))?(?: ?(\|.*))?"
 )
-PARTS = re.compile(rf"radcalc {BARE}(?:(?: &&|;) (?:radcalc|rm) {BARE})+")  # one after another
+PARTS = re.compile(rf"radcalc {BARE}(?:(?: &&|;) (?:radcalc|rm) {BARE})+")  # a sequence
 FILES = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md"]
 
 
 def transcripts(path: Path) -> list[tuple[str, str]]:
-    """Every command of a file's console blocks, with the output below it."""
+    """Return the commands in the console blocks of a file, each with its output."""
     found = []
     for block in re.findall(r"```console\n(.*?)```", path.read_text(encoding="utf-8"), re.S):
         for entry in re.split(r"^\$ ", block, flags=re.M)[1:]:
@@ -40,7 +39,7 @@ CASES = [
 
 
 def answered(command: str) -> tuple[str, int]:
-    """What a command line prints, errors among the rest, and its exit status."""
+    """Return the output of a command line, errors included, and its exit status."""
     unquoted = re.sub(r"'[^']*'", lambda quoted: "." * len(quoted[0]), command)
     found = CALL.fullmatch(unquoted.removesuffix(" < /dev/null"))
     if not found and PARTS.fullmatch(unquoted):
@@ -58,7 +57,7 @@ def answered(command: str) -> tuple[str, int]:
 
 
 def one_by_one(command: str, spans: list[tuple[int, int]]) -> tuple[str, int]:
-    """What parts print that `;` and `&&` join."""
+    """Run commands joined by `;` and `&&`; return their output and exit status."""
     printed, status, joint = "", 0, ";"
     for start, end in spans:
         part = command[start:end].strip()
@@ -85,14 +84,14 @@ def in_shell(command: str, lines: str = "") -> tuple[str, int]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory) -> Path:
-    """A folder for the files that some commands write, and remove."""
+    """Temporary folder for the files that some commands write and remove."""
     path = tmp_path_factory.mktemp("cases")
     (path / "examples").symlink_to(ROOT / "examples")
     return path
 
 
 @pytest.mark.parametrize(("command", "output"), CASES)
-def test_the_transcript_is_what_is_printed(command, output, folder, monkeypatch):
+def test_the_command_prints_the_transcript(command, output, folder, monkeypatch):
     monkeypatch.chdir(folder)
     printed, status = answered(command)
     assert printed + (f"[{status}]\n" if status else "") == output

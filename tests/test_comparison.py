@@ -1,4 +1,4 @@
-"""The README's table of what other calculators answer: each is asked, and radcalc too."""
+"""The README's comparison with other calculators, checked by running each of them."""
 
 import os
 import re
@@ -14,19 +14,21 @@ SECTION = (ROOT / "README.md").read_text("utf-8").partition("## How other tools 
 ABOUT, _, TABLE = SECTION.partition("\n\n| question ")
 ROWS = [line.strip("| ").split(" | ") for line in TABLE.split("\n\n")[0].splitlines()[2:]]
 TOOLS = ("units", "qalc", "Pint")  # in the order of the columns
-VERSIONS = dict(re.findall(r"(units|qalc) ([\d.]+\d)", ABOUT))  # those that differ by it
-REGISTRY = cache(pint.UnitRegistry)  # of Pint itself, without the units of radcalc
+VERSIONS = dict(
+    re.findall(r"(units|qalc) ([\d.]+\d)", ABOUT)
+)  # of the tools whose answers depend on it
+REGISTRY = cache(pint.UnitRegistry)  # Pint's own units, without radcalc's
 EXPONENTS = str.maketrans({"²": "**2", "µ": "u"})
 PLAIN = str.maketrans({"²": "2", "µ": "u"})
 
 
 def codes(cell):
-    """What a cell has as code."""
+    """Return the code spans of a cell."""
     return re.findall(r"`(.*?)`", cell)
 
 
 def said(*words, home):
-    """What a command prints, on either stream."""
+    """Return the output of a command, both streams together."""
     env = os.environ | {"HOME": str(home), "QALCULATE_USER_DIR": str(home), "LC_ALL": "C.UTF-8"}
     done = subprocess.run(
         words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", env=env
@@ -35,7 +37,7 @@ def said(*words, home):
 
 
 def asked(tool, source, target, home):
-    """What another calculator says, and its version."""
+    """Return the version and the answer of another calculator."""
     if tool == "units":
         found = said("units", "--version", home=home).split()[3]
         return found, said("units", "-1", "-t", source, target.translate(PLAIN), home=home)
@@ -56,7 +58,7 @@ def test_the_table_is_read():
 
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
 @pytest.mark.parametrize("tool", TOOLS)
-def test_another_calculator_answers_what_the_table_says(tool, row, tmp_path):
+def test_another_calculator_answers_as_in_the_table(tool, row, tmp_path):
     if tool != "Pint":
         require(tool)
     source, target = codes(row[0])
@@ -72,7 +74,7 @@ def test_another_calculator_answers_what_the_table_says(tool, row, tmp_path):
 
 
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
-def test_radcalc_answers_what_the_table_says(row):
+def test_radcalc_answers_as_in_the_table(row):
     words = [text.translate(PLAIN) for text in codes(row[0])]
     *option, expected = codes(row[4])
     if option:

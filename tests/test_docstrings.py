@@ -1,4 +1,4 @@
-"""The docstrings of the geometry and the laws: complete, and with examples that run."""
+"""Docstrings of geometry and laws: they are complete and their examples run."""
 
 import ast
 import doctest
@@ -19,7 +19,7 @@ ROOMS = ("radcalc.geometry", "radcalc.laws")
 
 
 def modules(package: str) -> Iterator[ModuleType]:
-    """A package and all modules in it, however deep."""
+    """Yield a package and all its modules, recursively."""
     root = importlib.import_module(package)
     yield root
     for found in pkgutil.walk_packages(root.__path__, f"{package}."):
@@ -27,7 +27,7 @@ def modules(package: str) -> Iterator[ModuleType]:
 
 
 def public() -> Iterator[tuple[str, Any]]:
-    """Every public function, class and public method that the rooms define, by its name."""
+    """Yield the public functions, classes and methods of the packages, with their full names."""
     for module in (module for room in ROOMS for module in modules(room)):
         for name, found in vars(module).items():
             if name.startswith("_") or getattr(found, "__module__", "") != module.__name__:
@@ -53,19 +53,19 @@ EXAMPLES = {
 
 
 def sections(documented: Any) -> dict[str, str]:
-    """The sections of a docstring by their headings; the text before them under ''."""
+    """Return the sections of a docstring by heading; the text before them is under ''."""
     first, *rest = SECTION.split(inspect.cleandoc(documented.__doc__ or ""))
     return {"": first} | dict(zip(rest[::2], rest[1::2], strict=True))
 
 
 def entries(text: str) -> set[str]:
-    """The names that a section explains: one or more to a line that is not indented."""
+    """Return the names that a section documents: one or more per unindented line."""
     lines = [line for line in text.splitlines() if line and not line.startswith(" ")]
     return {name.strip() for line in lines for name in line.partition(":")[0].split(",")}
 
 
 def errors_of(function: Callable[..., Any], seen: set[Any] | None = None) -> set[str]:
-    """The names of the errors that a function raises, itself or by what it uses of the rooms."""
+    """Return the names of the errors that a function raises, directly or through its calls."""
     seen = set() if seen is None else seen
     if function in seen:
         return set()
@@ -85,7 +85,7 @@ def errors_of(function: Callable[..., Any], seen: set[Any] | None = None) -> set
             used = scope.get(node.func.id)
             if inspect.isclass(used) and issubclass(used, Exception):
                 found.add(used.__name__)
-        elif isinstance(node, ast.Name):  # called, or handed over to be called
+        elif isinstance(node, ast.Name):  # called, or passed as an argument
             used = scope.get(node.id)
         elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
             used = getattr(scope.get(node.value.id), node.attr, None)
@@ -102,7 +102,7 @@ def errors_of(function: Callable[..., Any], seen: set[Any] | None = None) -> set
 
 
 @for_each(MODULES)
-def test_every_module_says_what_is_in_it(name):
+def test_every_module_has_a_docstring(name):
     assert (MODULES[name].__doc__ or "").strip()
 
 
@@ -115,7 +115,7 @@ def test_the_examples_run(name):
 
 
 @for_each(sorted(PUBLIC))
-def test_a_summary_of_one_sentence_and_an_example(name):
+def test_every_docstring_has_a_summary_of_one_sentence_and_an_example(name):
     documented = sections(PUBLIC[name])
     summary = documented[""].split("\n\n")[0]
     assert summary.endswith(".")
@@ -127,7 +127,7 @@ def test_a_summary_of_one_sentence_and_an_example(name):
 
 
 @for_each(sorted(FUNCTIONS))
-def test_every_parameter_and_what_is_returned_are_explained(name):
+def test_every_parameter_and_return_value_is_documented(name):
     function, documented = FUNCTIONS[name], sections(FUNCTIONS[name])
     signature = inspect.signature(function)
     assert entries(documented.get("Parameters", "")) == set(signature.parameters) - {"self"}
@@ -138,12 +138,12 @@ def test_every_parameter_and_what_is_returned_are_explained(name):
 
 
 @for_each(sorted(FUNCTIONS))
-def test_every_error_that_is_raised_is_named(name):
+def test_every_error_that_is_raised_is_documented(name):
     assert errors_of(FUNCTIONS[name]) <= entries(sections(FUNCTIONS[name]).get("Raises", ""))
 
 
 @pytest.mark.parametrize("name", sorted(CLASSES))
-def test_what_a_class_takes_and_keeps_is_explained(name):
+def test_the_parameters_and_attributes_of_a_class_are_documented(name):
     documented = sections(CLASSES[name])
     fields = set(getattr(CLASSES[name], "_fields", ()))
     assert entries(documented.get("Attributes", "")) >= fields
@@ -153,13 +153,13 @@ def test_what_a_class_takes_and_keeps_is_explained(name):
         assert errors_of(CLASSES[name]) <= entries(documented.get("Raises", ""))
 
 
-def test_what_these_tests_look_for_is_found():
+def test_the_helpers_of_these_tests_find_functions_and_errors():
     from radcalc.geometry import cones, directions, projected, solid
 
     assert len(FUNCTIONS) > 60
     assert {"radcalc.laws.law.law", "radcalc.laws.solver.solve"} <= FUNCTIONS.keys()
-    assert errors_of(directions.spherical) == {"ConditionError"}  # its own
-    assert errors_of(cones.cone) == {"ConditionError"}  # by `refuse`
-    assert errors_of(projected.sphere) == {"ConditionError"}  # by another module
-    assert errors_of(solid.rectangle) == {"ConditionError"}  # by an import of its own
+    assert errors_of(directions.spherical) == {"ConditionError"}  # directly
+    assert errors_of(cones.cone) == {"ConditionError"}  # through `refuse`
+    assert errors_of(projected.sphere) == {"ConditionError"}  # through another module
+    assert errors_of(solid.rectangle) == {"ConditionError"}  # through an import in the function
     assert errors_of(cones.facing) == set()

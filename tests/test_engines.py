@@ -1,4 +1,4 @@
-"""The recipes of the README for engines of queries, run as they stand there."""
+"""The README's recipes for query engines, run unchanged."""
 
 import csv
 import os
@@ -24,7 +24,7 @@ LUX_PER_PPFD = 69.750
 
 
 def run(recipe: str, place: Path, *shell: str) -> str:
-    """Run a recipe in a folder, in an interpreter of its own or a shell; what it prints."""
+    """Run a recipe in a folder, in a new interpreter or a shell; return its output."""
     done = call(recipe, place, *shell)
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout

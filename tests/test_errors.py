@@ -1,4 +1,4 @@
-"""What every error says at each gate, and that no text of a user's is taken for a mention."""
+"""The text of every error at each gate; a user's text is never taken for a mention."""
 
 import inspect
 import pickle
@@ -68,7 +68,7 @@ def plainly(error: RadcalcError) -> tuple[str, str]:
 
 
 def in_python(error: RadcalcError) -> tuple[str, str]:
-    """As a function of `radcalc.api` raises it."""
+    """Return the message and hint as a function of `radcalc.api` raises them."""
 
     @of_function
     def call() -> None:
@@ -85,13 +85,13 @@ GATES: dict[str, Callable[[RadcalcError], tuple[str, str]]] = {
 # an error, and its message and hint at each gate in turn
 Said = tuple[str, str]
 ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
-    "what names nothing reads alike at every gate": (
+    "an error without mentions has the same text at every gate": (
         lambda: RadcalcError("no answer", "another question"),
         *[("no answer", "another question")] * 3),
-    "a number is refused in plain words": (
+    "a number is refused with the same text at every gate": (
         lambda: NumberError("'1,5' has a comma in its number", "1.5"),
         *[("'1,5' has a comma in its number", "1.5")] * 3),
-    "what no number holds is refused in plain words": (
+    "a number that is too large is refused with the same text at every gate": (
         lambda: OutOfRange("'1e400' is too large for a number", "less than 1.8e308"),
         *[("'1e400' is too large for a number", "less than 1.8e308")] * 3),
     "quantities are named at both gates": (
@@ -99,11 +99,11 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("cannot add illuminance (lx) and luminous flux (lm)", "one"),
         ("cannot add 'lx' and 'lm'", "one"),
         ("cannot add illuminance (lx) and luminous flux (lm)", "one")),
-    "a unit is refused in plain words": (
+    "a unit is refused with the same text at every gate": (
         lambda: UnitError("unknown unit 'zork'", "lx"), *[("unknown unit 'zork'", "lx")] * 3),
-    "what was not written is told without a hint": (
+    "a failed write has no hint": (
         lambda: OutputError("cannot write: no space"), *[("cannot write: no space", "")] * 3),
-    "a line is refused in plain words": (
+    "a line is refused with the same text at every gate": (
         lambda: LineError("line 2: 'x' is not a number", "a number"),
         *[("line 2: 'x' is not a number", "a number")] * 3),
     "a conversion leads to another command": (
@@ -112,16 +112,16 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("no condition links them", "radcalc solid-angle cone --half-angle 1deg"),
         ("no condition links them", "radcalc solid-angle cone half-angle=1deg"),
         ("no condition links them", 'radcalc.solid_angle("cone", half_angle="1 deg")')),
-    "a condition leads to a function of Python's": (
+    "a condition leads to a Python function": (
         lambda: ConditionError("too near", command("lambertian", "disc", radius="1m")),
         ("too near", "radcalc lambertian disc --radius 1m"),
         ("too near", "radcalc lambertian disc radius=1m"),
         ("too near", 'radcalc.lambertian("disc", radius="1 m")')),
-    "a range of too many values leads to the place where it may have them": (
+    "a range of too many values may be long in last place": (
         lambda: errors.TooMany("9 values", f"at most 8, or {option('distance')} last"),
         ("9 values", "at most 8, or --distance last"),
         ("9 values", "at most 8, or distance last"), ("9 values", "at most 8, or distance last")),
-    "a patch that is near is told its distance and its size": (
+    "a patch that is near is refused with its distance and size": (
         lambda: TooNear(option("distance", "2m"), "source", "1.1", command("lambertian", "disc")),
         ("--distance 2m is less than five times the size of the source (1.1 m): the inverse square "
          "law does not hold", "radcalc lambertian disc"),
@@ -129,7 +129,7 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
          "law does not hold", "radcalc lambertian disc"),
         ('distance="2 m" is less than five times the size of the source (1.1 m): the inverse '
          "square law does not hold", 'radcalc.lambertian("disc")')),
-    "a turn at which one patch cuts the other leads to a lesser one": (
+    "a tilt at which one patch cuts the other leads to a smaller tilt": (
         lambda: HorizonCuts("tilt", "89deg", "84.2deg", law="A1 A2 / d^2"),
         ("--tilt 89deg: the source's horizon may cut the receiver, and A1 A2 / d^2 does not hold",
          "--tilt 84.2deg, or as far past 90 deg, where there is no light"),
@@ -141,7 +141,7 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         lambda: UsageError("too little", manual("point-source")),
         ("too little", "radcalc point-source --help"), ("too little", "the help of point-source"),
         ("too little", "help(radcalc.point_source)")),
-    "a missing condition is named with what stands for any value": (
+    "a missing condition is named with a placeholder": (
         lambda: MissingCondition(
             "a cone is missing", f"{option('half-angle', 'ANGLE')} or {option('isotropic')}",
             "lm", "cd", ["a cone"]),
@@ -154,7 +154,7 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("the size is missing", "--radius 10cm or --area 1cm2"),
         ("the size is missing", "radius 10cm or area 1cm2"),
         ("the size is missing", 'radius="10 cm" or area="1 cm2"')),
-    "a missing input is named alone where there is no example": (
+    "a missing input is named alone if it has no example": (
         lambda: MissingInput("more is missing", options(("radius", "receiver-area"))),
         ("more is missing", "--radius or --receiver-area"),
         ("more is missing", "radius or receiver-area"),
@@ -164,38 +164,38 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("the unit of --distance 2 is missing", "--distance 2m"),
         ("the unit of distance 2 is missing", "distance 2m"),
         ('the unit of distance="2" is missing', 'distance="2 m"')),
-    "what does not apply is left out": (
+    "an option that does not apply is left out": (
         lambda: Unused(("off-axis",), "to a disc"),
         ("--off-axis does not apply to a disc", "the same without --off-axis"),
         ("off-axis does not apply to a disc", "the same without off-axis"),
         ("off_axis does not apply to a disc", "the same without off_axis")),
-    "two that do not apply are left out": (
+    "two options that do not apply are left out": (
         lambda: Unused(("time", "width"), "here"),
         ("--time and --width do not apply here", "the same without --time and --width"),
         ("time and width do not apply here", "the same without time and width"),
         ("time and width do not apply here", "the same without time and width")),
-    "what is not enough alone gets the inputs that would do": (
+    "an input that is not enough alone gets the inputs to add": (
         lambda: Idle(f"{option('half-angle', '30deg')} alone is not enough",
                      f"with it, {options(('flux', 'off-axis'))}"),
         ("--half-angle 30deg alone is not enough", "with it, --flux or --off-axis"),
         ("half-angle 30deg alone is not enough", "with it, flux or off-axis"),
         ('half_angle="30 deg" alone is not enough', "with it, flux or off_axis")),
-    "what is out of range gets its limits": (
+    "a value out of range gets its limits": (
         lambda: Impossible("half-angle", "181deg", "at most 180 deg", "a turn"),
         ("--half-angle 181deg is out of range: a turn", "at most 180 deg"),
         ("half-angle 181deg is out of range: a turn", "at most 180 deg"),
         ('half_angle="181 deg" is out of range: a turn', "at most 180 deg")),
-    "a range that leaves out too much is to be wider": (
+    "a range that is too narrow is to be wider": (
         lambda: TooNarrow("more than any light gives", f"a wider {option('photon-range')}"),
         ("more than any light gives", "a wider --photon-range"),
         ("more than any light gives", "a wider photon-range"),
         ("more than any light gives", "a wider photon_range")),
-    "of two that exclude each other one is enough": (
+    "one of two exclusive options is enough": (
         lambda: Exclusive(("na", "f-number")),
         ("--na cannot be used with --f-number", "one of them"),
         ("na cannot be used with f-number", "one of them"),
         ("na cannot be used with f_number", "one of them")),
-    "a contradiction names what was given": (
+    "a contradiction names the inputs": (
         lambda: Contradiction(f"{option('flux', '800lm')} contradicts the rest",
                               f"without one of {options(('flux', 'intensity'), ', ')}",
                               "flux", 800.0, 900.0),
@@ -206,26 +206,26 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
 
 
 @for_each(product(GATES, ERRORS.values()))
-def test_an_error_is_said_as_one_types_at_the_gate(gate, row):
+def test_an_error_is_spelled_as_inputs_are_at_the_gate(gate, row):
     error, *said = row
     assert GATES[gate](error()) == said[list(GATES).index(gate)]
 
 
 @for_each(ERRORS.values())
-def test_an_error_reaches_another_process_whole(row):
+def test_an_error_reaches_another_process_unchanged(row):
     error = row[0]()
     arrived = pickle.loads(pickle.dumps(error))
     assert (type(arrived), arrived.args) == (type(error), error.args)
     assert vars(arrived) == vars(error)
 
 
-def test_every_class_of_error_is_said_somewhere():
+def test_every_class_of_error_is_tested():
     classes = {one for one in vars(errors).values() if inspect.isclass(one)} - {errors.Plain}
     assert {type(error()) for error, *_ in ERRORS.values()} == classes
     assert all(issubclass(one, RadcalcError) for one in classes)
 
 
-def test_what_a_program_needs_to_know_is_in_the_error():
+def test_an_error_has_attributes_for_programs():
     hint = f"{option('radius', '1m')} or {option('area')} (see {manual('ev')})"
     assert tuple(MissingInput("", hint).symbols) == ("radius", "area")
     assert Unused(["radius"], "here").symbols == Exclusive(["radius"]).symbols == ("radius",)
@@ -245,7 +245,7 @@ MARKS = START + VALUE + WORD + END
 
 
 class Watcher:
-    """A gate that lets only radcalc's own mentions through."""
+    """Gate that accepts only radcalc's own mentions."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
@@ -271,7 +271,7 @@ class Watcher:
 
 
 LAMP = point_source({"flux": read("flux", "1lm")}).values
-# What takes a text of a user's.
+# Functions that take a user's text.
 TAKES: dict[str, Callable[[str], Any]] = {
     "a number": parse_number,
     "a unit": resolve,
@@ -302,7 +302,7 @@ HOSTILE = st.one_of(
 
 @given(text=HOSTILE)
 @settings(max_examples=8)
-def test_no_text_of_a_users_becomes_a_mention(text):
+def test_a_users_text_never_becomes_a_mention(text):
     for name, takes in TAKES.items():
         try:
             takes(text)
@@ -313,7 +313,7 @@ def test_no_text_of_a_users_becomes_a_mention(text):
 
 
 @given(st.text(alphabet=st.characters(categories=["Co", "Cc", "L", "Zs"])))
-def test_a_quoted_text_has_no_mark_in_it(text):
+def test_a_quoted_text_contains_no_marks(text):
     assert not set(quote(text)) & set(MARKS)
 
 
@@ -355,7 +355,7 @@ def test_a_mention_on_the_command_line_is_not_spelled(words):
     assert not set(done.stdout + done.stderr) & set(MARKS)
 
 
-def test_the_name_of_a_file_is_no_mention(tmp_path):
+def test_the_name_of_a_file_is_not_a_mention(tmp_path):
     path = tmp_path / f"{MENTION}.csv"
     path.write_text("400,1\n500,2\n600,1\n")
     for words in (
@@ -377,7 +377,7 @@ UNSEEN = (
 
 
 @given(st.text(st.sampled_from(UNSEEN + "\ud800\udcff\ue000\ufeffa\u00e5\u03bb"), max_size=200))
-def test_what_is_quoted_is_one_printable_line_of_bounded_length(text):
+def test_a_quoted_text_is_one_printable_line_of_bounded_length(text):
     shown = errors.quote(text)
     assert shown.isprintable()
     assert len(shown) <= 10 * errors.SHOWN
@@ -386,7 +386,7 @@ def test_what_is_quoted_is_one_printable_line_of_bounded_length(text):
         assert shown == text
 
 
-def test_names_are_listed_up_to_a_few():
+def test_only_a_few_names_are_listed():
     assert errors.listed(["a", "b\n"]) == "a, b\\n"
     names = [f"column {k}" for k in range(100_000)]
     assert errors.listed(names).endswith("column 9 and 99990 more")

@@ -1,4 +1,4 @@
-"""Reading what somebody gave: the forms that are no quantities."""
+"""Reading inputs that are not quantities: directions, points, sizes, lists."""
 
 import math
 
@@ -60,7 +60,7 @@ NO_DIRECTIONS = {
 
 
 @pytest.mark.parametrize("text", NO_DIRECTIONS)
-def test_what_is_no_direction_is_refused(text):
+def test_a_malformed_direction_is_refused(text):
     with pytest.raises(RadcalcError) as error:
         read_direction(text, "the direction")
     assert NO_DIRECTIONS[text] in error.value.message
@@ -70,7 +70,7 @@ def test_what_is_no_direction_is_refused(text):
 
 @pytest.mark.parametrize("text", ["0,0,0", "0,-0,0.0", "1,2", "1,2,x", "nan,0,1", "1m,0m,2m", "up"])
 @pytest.mark.parametrize("name", [name for name, one in SYMBOLS.items() if one.form == VECTOR])
-def test_what_is_no_vector_is_refused_with_its_option(name, text):
+def test_a_malformed_vector_is_refused_with_its_option(name, text):
     with pytest.raises(RadcalcError) as error:
         read(name, text)
     assert error.value.message.startswith(f"{option(name)} '{text}'")
@@ -96,10 +96,10 @@ def test_directions_are_a_range_of_polar_angles(monkeypatch):
 def test_an_interval_without_a_unit_is_quoted_in_its_hint():
     with pytest.raises(RadcalcError) as error:
         read_interval("polar", f"1:1{START}")
-    assert START not in error.value.hint[1:]  # but for the mention of the option itself
+    assert START not in error.value.hint[1:]  # except for the mention of the option itself
 
 
-def test_a_coordinate_of_0_needs_no_unit_beside_lengths():
+def test_a_coordinate_of_0_needs_no_unit_next_to_lengths():
     assert read_place("point", "0,0,100cm").value == (0.0, 0.0, 1.0)
     assert read_place("point", "1cm,0,0").unit.text == "cm"
 
@@ -127,7 +127,7 @@ NO_SIZES = {
 
 
 @pytest.mark.parametrize("size", NO_SIZES)
-def test_what_is_no_size_is_refused(size):
+def test_a_malformed_size_is_refused(size):
     with pytest.raises(RadcalcError) as error:
         read("size", size)
     assert NO_SIZES[size] in error.value.message
@@ -147,18 +147,18 @@ def test_what_is_no_size_is_refused(size):
         ("reflectance", "0.1,0.3 OD", ["0.1 OD", "0.3 OD"]),
     ],
 )
-def test_a_list_may_have_its_unit_last_where_its_values_have_one(name, text, values):
+def test_a_list_may_have_its_unit_after_the_last_value(name, text, values):
     assert split_values(name, text) == values
 
 
 @pytest.mark.parametrize("text", ["0.2,80%", "0.5,0.6%", "0.1:0.3:0.1%", "0.1:0.9:40%"])
-def test_a_percentage_at_the_end_of_a_list_of_shares_is_refused(text):
+def test_a_percentage_at_the_end_of_a_list_of_fractions_is_refused(text):
     with pytest.raises(RadcalcError, match="ambiguous"):
         split_values("reflectance", text)
 
 
 @pytest.mark.parametrize("name", ["f-number", "nd", "iso", "stops", "ev100", "exponent"])
-def test_a_number_that_is_no_share_has_no_percentage(name):
+def test_a_number_that_is_not_a_fraction_takes_no_percentage(name):
     with pytest.raises(RadcalcError, match="takes a number"):
         read(name, "12.5%")
 
@@ -168,7 +168,7 @@ def test_a_long_range_may_have_its_unit_last():
     assert (len(numbers), numbers[-1], unit.text, text) == (3000, 3000, "m", "1:3000:1m")
 
 
-# By the definition of the degree Fahrenheit: a step of 9 of them is one of 5 K.
+# By the definition of the degree Fahrenheit, a difference of 9 degF is one of 5 K.
 @pytest.mark.parametrize(
     ("text", "kelvins", "uncertainty"),
     [
@@ -186,7 +186,7 @@ def test_a_difference_of_temperature_may_be_in_degrees(text, kelvins, uncertaint
 
 
 @pytest.mark.parametrize("text", ["°C", "2 K ± 0.1 °F", "300K-25°C", "25°C-23°C", "2 °F ± 1 °C"])
-def test_degrees_beside_anything_else_are_no_difference(text):
+def test_degrees_with_anything_else_are_not_a_difference(text):
     with pytest.raises(RadcalcError):
         read("temperature-rise", text, uncertain=True)
 
@@ -198,7 +198,7 @@ def test_differences_may_be_a_range():
         read("temperature", split_values("temperature", "2°C:4°C:1°C")[0])
 
 
-def test_a_long_range_has_the_decimals_that_would_be_typed():
+def test_the_values_of_a_long_range_have_the_decimals_of_typed_ones():
     [(numbers, *_)] = split_values("distance", "0.1m:200.1m:0.1m", arrays=True)
     assert [float(number) for number in numbers] == [float(f"{k / 10:.1f}") for k in range(1, 2002)]
     [(numbers, *_)] = split_values("distance", "1e-30m:2e-27m:1e-30m", arrays=True)

@@ -1,4 +1,4 @@
-"""Every hint of a refusal, typed as it says, is answered."""
+"""Every hint of a refusal leads to an answer when it is followed."""
 
 import shlex
 from pathlib import Path
@@ -18,7 +18,7 @@ def conversion(source, target, conditions):
 
 
 def corpus():
-    """Every refusal that the tests know of."""
+    """Yield the words of all refused calls in the tests."""
     yield from (conversion(*row[:3]) for row in CONVERSIONS.values())
     yield from (row[0].split() for row in COMMANDS.values())
     yield from (["convert", "-", *row[0]] for row in STREAMS.values())
@@ -30,7 +30,7 @@ def corpus():
 
 @pytest.fixture(autouse=True)
 def _aside(tmp_path, monkeypatch):
-    """A place for the files that hints write, with those that the calls read."""
+    """Run in a folder that has the files read by the calls and takes those written by hints."""
     (tmp_path / "examples").symlink_to(EXAMPLES)
     monkeypatch.chdir(tmp_path)
 
@@ -46,7 +46,7 @@ def test_a_hint_leads_to_an_answer(first):
     assert not found, "\n".join(found)
 
 
-# words of a command, a part of the hint that answers what was asked
+# words of a command, a part of the hint that fits the request
 MEANT = [
     ("convert 500 lx umol/m2/s --efficacy 0.0185", "--efficacy 0.0185umol/lm/s"),
     ("convert 500 lx umol/m2/s --efficacy 54", "--efficacy 54lm.s/umol"),
@@ -109,7 +109,7 @@ MEANT = [
 
 
 @for_each(MEANT)
-def test_a_hint_answers_what_was_meant(line, part):
+def test_a_hint_fits_the_request(line, part):
     error = call(line.split()).error
     assert error is not None
     message, hint = shell(error)

@@ -1,4 +1,4 @@
-"""Dask's arrays go through the calculators as NumPy's do, and wait until they are computed."""
+"""Dask arrays work in the calculators as NumPy arrays do, and stay lazy until computed."""
 
 import pickle
 from collections.abc import Mapping
@@ -18,13 +18,13 @@ from radcalc.errors import ConditionError, RadcalcError
 from radcalc.inputs.reading import read
 
 Q = radcalc.Quantity
-A = np.linspace(0.5, 4.0, 12).reshape(3, 4)  # in chunks that do not fit together
+A = np.linspace(0.5, 4.0, 12).reshape(3, 4)  # chunks that do not match
 B = np.linspace(1.0, 1.5, 4)
 DOWNLIGHT = str(ROOT / "examples" / "downlight.ies")
 
 
 class Waiting:
-    """An array that counts what is read of it."""
+    """Array that counts its reads."""
 
     def __init__(self, values: np.ndarray) -> None:
         self.values, self.shape, self.dtype = values, values.shape, values.dtype
@@ -55,7 +55,7 @@ CALLS = {
     "a file": (
         radcalc.point_source, None, (), {"distribution": DOWNLIGHT, "spectrum": "D65"},
         {"height": (A, "m"), "offset": (B, "m")}),
-    "a direction beside it": (
+    "an expression and an aim": (
         radcalc.point_source, None, (),
         {"distribution": "3*max(cos(theta), 0) cd", "aim": (1, 0, -1)}, {"height": (A, "m")}),
     "an expression": (
@@ -108,7 +108,7 @@ CALLS = {
 
 
 def of_example(name):
-    """The first example of a calculator's page, with an array of its first quantity."""
+    """Return the first example of a calculator's page, with an array for its first quantity."""
     first, *others = (word.split("=", 1) for word in example_of(name))
     given = read(*first)
     unit = given.unit.text.replace("^", "**") if given.unit else ""
@@ -121,7 +121,7 @@ CALLS |= {f"the example of {name}": of_example(name) for name in PLAIN}
 
 
 def lazy(values):
-    """A Dask array in chunks, and what counts the reads of it."""
+    """Return a Dask array in chunks, and the array that counts its reads."""
     counted = Waiting(values)
     chunks = (2,) * (values.ndim - 1) + (3,)
     return dask.array.from_array(counted, chunks=chunks, asarray=False, meta=np.empty(0)), counted
@@ -141,7 +141,7 @@ def asked(function, value, words, given, arrays, make):
 
 
 @pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
-def test_the_answers_are_those_of_arrays_in_memory_and_wait(call):
+def test_the_answers_are_lazy_and_equal_those_of_arrays_in_memory(call):
     sources = []
 
     def make(values):
@@ -167,7 +167,7 @@ def test_the_answers_are_those_of_arrays_in_memory_and_wait(call):
 
 
 def test_every_function_takes_lazy_arrays_or_refuses_them():
-    """Those that refuse them are below, but for maps, which `environment` reads strip by strip."""
+    """Functions that refuse them are listed below; `environment` reads maps strip by strip."""
     taken = {call[0].__name__ for call in CALLS.values()}
     refuse = {"explain", "factor", "scene", "environment", "spectrum", "check"}
     refuse |= {"irradiance_map", "reproject"}
@@ -187,7 +187,7 @@ def test_the_points_of_a_light_may_be_lazy():
     assert alone.compute() == radcalc.uberlight(points[0, 0], intensity="9 cd")["irradiance"].m
 
 
-def test_what_depends_on_some_arrays_only_has_their_shape():
+def test_a_result_has_the_shape_of_the_arrays_it_depends_on():
     """As NumPy broadcasts: a column of distances and a row of intensities."""
     column, row = A[:, :1], B
     lazily = [dask.array.from_array(array, chunks=2) for array in (column, row)]
@@ -199,8 +199,8 @@ def test_what_depends_on_some_arrays_only_has_their_shape():
     np.testing.assert_allclose(found["flux"].m.compute(), expected["flux"].m)
 
 
-def test_arrays_in_memory_and_lists_beside_a_lazy_one_are_cut_as_it_is():
-    """Else a list as long as a chunk would be taken for each chunk anew."""
+def test_arrays_in_memory_and_lists_with_a_lazy_one_get_its_chunks():
+    """Otherwise a list as long as a chunk would be used again for each chunk."""
     distance = Q(dask.array.from_array(np.arange(1.0, 7.0), chunks=3), "m")
     exponents = [1, 2, 3, 4, 5, 6]
     found = radcalc.point_source(intensity="1 cd", distance=distance, exponent=exponents)
@@ -209,18 +209,18 @@ def test_arrays_in_memory_and_lists_beside_a_lazy_one_are_cut_as_it_is():
         radcalc.point_source(intensity="1 cd", distance=distance, exponent=[1, 2, 3])
 
 
-def test_a_single_lazy_number_and_lengths_that_are_not_known_yet():
+def test_a_single_lazy_number_and_unknown_lengths():
     one = dask.array.from_array(np.array(2.0))
     assert radcalc.convert("1 cd", "lx", distance=Q(one, "m")).m.compute() == 0.25
     logged = dask.array.from_array(np.array([1.0, -1.0, 2.0, -3.0]), chunks=2)
-    kept = logged[logged > 0]  # chunks of lengths that only the values tell, and one may be empty
+    kept = logged[logged > 0]  # the lengths of the chunks depend on the values; one may be empty
     assert radcalc.convert(Q(kept, "klx"), "lx").m.compute().tolist() == [1000.0, 2000.0]
     found = radcalc.point_source(flux="1 lm", distance=Q(logged[logged < -1], "m") * -1)
     assert found["distance"].m.compute().tolist() == [3.0]
 
 
 @pytest.mark.parametrize("bad", [-1.0, np.nan, np.inf])
-def test_a_value_that_is_not_possible_raises_when_it_is_computed(bad):
+def test_a_value_out_of_range_raises_when_it_is_computed(bad):
     values = np.ones(8)
     values[5] = bad
     array = dask.array.from_array(values, chunks=2)
@@ -264,7 +264,7 @@ def test_a_receiver_that_is_too_near_raises_when_it_is_computed():
         ),
     ],
 )
-def test_what_is_wrong_whatever_the_elements_are_is_refused_at_once(call, said):
+def test_errors_that_do_not_depend_on_the_elements_are_raised_at_once(call, said):
     array, counted = lazy(A)
     with pytest.raises(RadcalcError, match=said) as caught:
         call(array)
@@ -273,7 +273,7 @@ def test_what_is_wrong_whatever_the_elements_are_is_refused_at_once(call, said):
 
 
 @for_each(CALLS)
-def test_answers_that_wait_can_be_sent_to_another_process(name):
+def test_lazy_answers_can_be_sent_to_another_process(name):
     answer = asked(*CALLS[name], dask.array.asarray).values()
     magnitudes = [getattr(value, "magnitude", value) for value in answer]
     waiting = [value for value in magnitudes if isinstance(value, dask.array.Array)]
@@ -290,7 +290,7 @@ def test_a_call_can_be_sent_to_another_process():
     assert rows(np.array([4.0])).tolist() == [[1.0]]
 
 
-def test_results_that_not_all_elements_have_are_refused():
+def test_results_that_only_some_elements_have_are_refused():
     call = Call(to_lux, {"value": None, "distance": (2.0, "m")}, (Place("value", "cd", 1),))
     for known in (Expected("fc", (0,), np.empty(0)), Expected("lx", (), 5.0)):
         with pytest.raises(ConditionError, match="not all elements have the same results"):

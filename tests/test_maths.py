@@ -1,4 +1,4 @@
-"""Elementary functions: what the laws' own tests do not look at."""
+"""Elementary functions: cases that the tests of the laws do not cover."""
 
 import math
 
@@ -12,7 +12,7 @@ def test_a_limit_is_found_to_its_last_digit_from_either_side():
     assert limit(lambda x: math.cos(x) > 0, 3.0, 0.0) == math.pi / 2
 
 
-def test_a_limit_next_to_zero_ends_after_as_many_steps():
+def test_a_limit_next_to_zero_takes_a_bounded_number_of_steps():
     tried = []
     assert 0 < limit(lambda x: not tried.append(x), 0.0, 1.0) < 1e-60
     assert len(tried) == 200

@@ -1,4 +1,4 @@
-"""What the wheel and the source distribution have in them, and what SECURITY.md promises."""
+"""Contents of the wheel and the source distribution, and the promises of SECURITY.md."""
 
 import ast
 import os
@@ -17,9 +17,9 @@ from radcalc.cli.compile import Compiler
 PACKAGE = ROOT / "radcalc"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 BUILD = PROJECT["tool"]["hatch"]["build"]["targets"]
-TABLE = "radcalc/completion/built.py"  # printed for a wheel
+TABLE = "radcalc/completion/built.py"  # generated for a wheel
 LEFTOVERS = {"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache"}
-# What could run a text, reach a network, or read more than what is named.
+# Means to run a text, reach a network, or read files other than those named.
 NEVER_CALLED = {"eval", "exec", "compile", "__import__", "system", "popen"}
 NEVER_IMPORTED = {
     "ctypes", "ftplib", "http", "marshal", "multiprocessing", "pickle", "requests", "runpy",
@@ -29,7 +29,7 @@ NEVER_IMPORTED = {
 
 
 def files(*places: str) -> set[str]:
-    """The files below folders of the project, or the files themselves, but for leftovers."""
+    """Return the files in folders of the project, without caches; a file stands for itself."""
     found = set()
     for place in places:
         path = ROOT / place
@@ -41,7 +41,7 @@ def files(*places: str) -> set[str]:
 
 
 def built(kind: str, folder: Path) -> Path:
-    """A distribution of this tree, made by the project's own build backend."""
+    """Build a distribution of this tree with the project's build backend; return its path."""
     code = f"from hatchling.build import build_{kind} as build; print(build({str(folder)!r}))"
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120
@@ -50,7 +50,7 @@ def built(kind: str, folder: Path) -> Path:
     return folder / done.stdout.split()[-1]
 
 
-def test_the_wheel_has_the_package_its_table_and_the_manual_and_no_more(tmp_path):
+def test_the_wheel_has_only_the_package_its_table_and_the_manual(tmp_path):
     with zipfile.ZipFile(built("wheel", tmp_path)) as wheel:
         names = {name for name in wheel.namelist() if not name.endswith("/")}
         table = wheel.read(TABLE).decode()
@@ -67,7 +67,7 @@ def test_the_wheel_has_the_package_its_table_and_the_manual_and_no_more(tmp_path
     assert {"METADATA", "RECORD", "WHEEL", "licenses/LICENSE"} <= ends
 
 
-def test_the_source_distribution_has_all_that_the_tests_need(tmp_path):
+def test_the_source_distribution_has_everything_the_tests_need(tmp_path):
     with tarfile.open(built("sdist", tmp_path)) as source:
         names = {name.partition("/")[2] for name in source.getnames()}
     assert names - {"PKG-INFO", ".gitignore", "pyproject.toml"} == files(*BUILD["sdist"]["include"])

@@ -1,4 +1,4 @@
-"""The pictures of the README show what its commands print."""
+"""The pictures of the README show the outputs of its commands."""
 
 import os
 import re
@@ -14,7 +14,7 @@ PICTURES = runpy.run_path(str(ROOT / "docs" / "pictures.py"))
 
 
 def shown(path):
-    """The lines of a picture of a terminal, without blank ones, which depend on rich."""
+    """Return the lines of a picture of a terminal, without blank ones, which depend on rich."""
     lines = {}
     for text in ElementTree.parse(path).iter(f"{SVG}text"):
         y = float(text.get("y", "nan"))
@@ -30,15 +30,15 @@ def _own_radcalc(monkeypatch):
 
 
 @pytest.mark.usefixtures("_own_radcalc")
-def test_the_session_is_what_the_commands_print(tmp_path):
+def test_the_session_shows_the_outputs_of_the_commands(tmp_path):
     PICTURES["session"](tmp_path / "session.svg")
     assert shown(ROOT / "docs" / "session.svg") == shown(tmp_path / "session.svg")
     assert "$ radcalc 800 lm cd" in shown(tmp_path / "session.svg")
 
 
 @pytest.mark.usefixtures("_own_radcalc")
-def test_the_downlight_is_drawn_as_it_is_today(tmp_path):
-    """Versions of Matplotlib differ in their digits; what letters stand for is in comments."""
+def test_the_picture_of_the_downlight_is_up_to_date(tmp_path):
+    """Compare the texts, which are in comments: the digits depend on Matplotlib's version."""
     PICTURES["main"](tmp_path)
     drawn, kept = (
         re.findall("<!-- (.*) -->", (folder / "downlight.svg").read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""Who may import whom, and what a command leaves out of the process."""
+"""Allowed imports between packages, and modules that a command must not load."""
 
 import ast
 import json
@@ -53,7 +53,7 @@ KEEPERS = {
     ),
 }
 PICTURE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").split("```text\n")[1]
-# Imports point downwards: a room may import those below it, and those behind it in its row.
+# Imports point downwards: a room may import rooms below it, and those after it in its row.
 LAYERS = [
     ["radcalc.__main__"],
     *(
@@ -67,7 +67,7 @@ IMPORTERS = ("import_module", "__import__")
 
 
 def statements(node: ast.AST) -> Iterator[ast.AST]:
-    """Everything in a tree but expressions, of which tables have very many."""
+    """Yield the statements of a tree, without expressions: tables have very many."""
     for child in ast.iter_child_nodes(node):
         if not isinstance(child, ast.expr):
             yield child
@@ -76,7 +76,7 @@ def statements(node: ast.AST) -> Iterator[ast.AST]:
 
 @cache
 def tree_of(name: str) -> ast.Module:
-    """The source of a module, without what is there for type checkers alone."""
+    """Return the syntax tree of a module, without code for type checkers only."""
     tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
     for node in statements(tree):
         if isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING":
@@ -86,7 +86,7 @@ def tree_of(name: str) -> ast.Module:
 
 @cache
 def imports(name: str) -> set[str]:
-    """Everything a module imports, wherever in it, type checking apart."""
+    """Return everything that a module imports anywhere, except for type checking."""
     found = set()
     for node in statements(tree_of(name)):
         if isinstance(node, ast.Import):
@@ -98,7 +98,7 @@ def imports(name: str) -> set[str]:
 
 
 def named_modules(name: str) -> set[str]:
-    """The modules that a module imports by a name that is a text of its own."""
+    """Return the modules that a module imports by a name given as a string."""
     found = set()
     for node in ast.walk(tree_of(name)):
         if isinstance(node, ast.Call) and ast.unparse(node.func).endswith(IMPORTERS):
@@ -107,7 +107,7 @@ def named_modules(name: str) -> set[str]:
 
 
 def modules_of(name: str) -> set[str]:
-    """The modules of radcalc that a module imports, wherever in it, type checking apart."""
+    """Return radcalc's modules that a module imports anywhere, except for type checking."""
     found = set()
     for node in statements(tree_of(name)):
         if isinstance(node, ast.Import):
@@ -148,7 +148,7 @@ def test_there_are_few_layers_and_few_loose_modules():
     assert len([path for path in PACKAGE.glob("*.py") if path.stem != "__init__"]) <= 10
 
 
-def test_no_modules_import_each_other_in_a_circle():
+def test_there_are_no_circular_imports():
     edges = {name: modules_of(name) for name in MODULES}
     assert sum(map(len, edges.values())) > 300
     left = set(edges)
@@ -157,11 +157,11 @@ def test_no_modules_import_each_other_in_a_circle():
     assert not left, "these import each other, or one that does"
 
 
-OPTION = re.compile(r"(?<![\w-])--(?!no-deps\b)[a-z]")  # --no-deps is one of pip's
+OPTION = re.compile(r"(?<![\w-])--(?!no-deps\b)[a-z]")  # --no-deps is an option of pip
 
 
 def texts_of(tree: ast.Module) -> list[str]:
-    """The string literals of a module, the parts of f-strings among them; no docstrings."""
+    """Return the string literals of a module, with parts of f-strings, without docstrings."""
     documented = (ast.Module, ast.ClassDef, ast.FunctionDef)
     docstrings = {
         id(node.body[0].value)
@@ -188,13 +188,13 @@ def test_no_option_is_spelled_outside_the_command_line(name):
 
 
 def test_the_vocabulary_has_the_names_of_observers_and_distributions():
-    """They stand there once more, as the vocabulary is below the tables and the laws."""
+    """The vocabulary repeats them because it must not import the tables and the laws."""
     assert tuple(OBSERVERS) == OBSERVER_NAMES
     assert tuple(point.LAWS) == DISTRIBUTIONS == (point.ISOTROPIC, point.CONICAL, point.LOBED)
 
 
-def test_the_vocabulary_knows_no_command():
-    """What a symbol means in a single command is on the page of that command."""
+def test_the_vocabulary_names_no_commands():
+    """A meaning that a symbol has in one command only is on the page of that command."""
     tree = tree_of("radcalc.quantities.symbols")
     keywords = {node.arg for node in ast.walk(tree) if isinstance(node, ast.keyword)}
     assert not keywords & {name.replace("-", "_") for name in COMMANDS}
@@ -215,7 +215,7 @@ import json
 os.write(2, ("\\n" + json.dumps(sorted(loaded))).encode())
 """
 
-# The same for many calls in one interpreter: what has been added after each of them.
+# The same for many calls in one interpreter: the modules loaded after each of them.
 PROBE_OF_ALL = """
 import json, os, sys
 from radcalc.__main__ import run
@@ -229,19 +229,19 @@ os.write(2, ("\\n" + json.dumps(loaded)).encode())
 
 
 def loaded_by(*words: str) -> set[str]:
-    """What a run of radcalc adds to the modules of a bare interpreter."""
+    """Return the modules that a run of radcalc loads in addition to a bare interpreter's."""
     done = python(PROBE, *words)
     return set(json.loads(done.stderr.splitlines()[-1]))
 
 
-def test_an_uncertain_value_loads_numpy_for_its_package_alone():
+def test_an_uncertain_value_loads_numpy_only_for_its_package():
     """The package `uncertainties` imports it."""
     loaded = loaded_by("100+-3", "lx", "fc")
     assert loaded & HEAVY == {"click", "numpy", "uncertainties"}
 
 
 @pytest.mark.parametrize("words", ["convert 100 lx fc", "100 lx fc", "100 lx in fc"])
-def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing(words):
+def test_a_plain_conversion_into_a_pipe_loads_few_modules(words):
     loaded = loaded_by(*words.split())
     assert not loaded & (HEAVY | SLOW)
     assert loaded - MODULES.keys() <= {"gc", "math"}
@@ -254,7 +254,7 @@ def test_a_plain_conversion_by_a_czech_or_russian_name_loads_no_slow_module():
 
 
 @pytest.mark.parametrize("words", ["800 lm cd --isotropic", "10 dBm mW", "10 lx EV", "10% OD"])
-def test_a_unit_or_a_scale_is_looked_for_in_no_names_of_quantities(words):
+def test_a_unit_or_a_scale_is_found_without_the_names_of_quantities(words):
     loaded = loaded_by("convert", *words.split())
     assert not loaded & {"radcalc.quantities.names", "radcalc.units.languages"}
 
@@ -320,17 +320,17 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich():
 @pytest.mark.parametrize(
     "words", [("spectrum", "D65"), ("photon", "400nm:700nm:50nm")], ids=" ".join
 )
-def test_a_picture_below_the_answer_loads_what_draws_it_and_no_numpy(words):
+def test_a_picture_below_the_answer_loads_plotille_but_not_numpy(words):
     loaded = loaded_by(*words, "--plot")
     assert loaded & HEAVY == {"click", "plotille"}
 
 
-def test_a_figure_in_a_file_loads_no_picture_in_characters(tmp_path):
+def test_a_figure_in_a_file_does_not_load_plotille(tmp_path):
     loaded = loaded_by("spectrum", "D65", "--plot", str(tmp_path / "d65.svg"))
     assert loaded & HEAVY == {"click", "numpy", "matplotlib"}
 
 
-def test_a_file_of_a_luminaire_loads_its_own_reader_alone():
+def test_a_file_of_a_luminaire_loads_only_its_reader():
     path = str(ROOT / "examples" / "downlight.ies")
     loaded = loaded_by("point-source", "--distribution", path, "-g", "flux")
     others = {f"radcalc.distributions.{name}" for name in ("tables", "eulumdat", "formula")}
@@ -346,7 +346,9 @@ def test_a_file_of_a_luminaire_loads_its_own_reader_alone():
         (["environment", "{map}", "--unit", "cd/m2"], {"pfm"}),
     ],
 )
-def test_what_surrounds_a_place_loads_numpy_and_the_reader_of_its_format(tmp_path, words, readers):
+def test_a_light_of_the_surroundings_loads_numpy_and_the_reader_of_its_format(
+    tmp_path, words, readers
+):
     path = tmp_path / "around.pfm"
     path.write_bytes(b"Pf\n8 4\n-1\n" + bytes(8 * 4 * 4))
     loaded = loaded_by(*[word.format(map=path) for word in words])
@@ -355,7 +357,7 @@ def test_what_surrounds_a_place_loads_numpy_and_the_reader_of_its_format(tmp_pat
     assert not loaded & (HEAVY - {"click", "numpy"})
 
 
-def test_no_start_looks_for_translations_of_clicks_own_texts():
+def test_starting_does_not_look_for_translations_of_clicks_texts():
     assert "locale" not in loaded_by("point-source", "--flux", "800lm", "--distance", "2m")
 
 
@@ -367,7 +369,7 @@ OF_COMMANDS = {
 
 
 @pytest.mark.parametrize("words", ["photon 555nm", "lambertian --luminance 1cd/m2", "ev --ev 3"])
-def test_a_calculator_imports_its_own_page_alone(words):
+def test_a_calculator_imports_only_its_own_page(words):
     pages = {f"radcalc.calculators.{name.replace('-', '_')}" for name in SUMMARIES}
     assert loaded_by(*words.split()) & pages == {f"radcalc.calculators.{words.split()[0]}"}
 
@@ -375,13 +377,13 @@ def test_a_calculator_imports_its_own_page_alone(words):
 @pytest.mark.parametrize(
     "words", [("--help",), ("-h",), ("--version",), (), ("covnert",), ("covnert", "1"), ("--hlep",)]
 )
-def test_the_help_and_a_wrong_command_import_no_command(words):
+def test_the_help_and_a_wrong_command_import_no_commands(words):
     assert not loaded_by(*words) & (OF_COMMANDS | HEAVY - {"click"})
 
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """Return a folder with the package as a wheel has it: with the table of completion."""
+    """Return a folder with the package as in a wheel, with the completion table."""
     folder = tmp_path_factory.mktemp("installed")
     shutil.copytree(PACKAGE, folder / "radcalc", ignore=shutil.ignore_patterns("__pycache__"))
     table = folder / "radcalc" / "completion" / "built.py"
@@ -402,10 +404,10 @@ def installed(tmp_path_factory):
         ("bash", "radcalc 800 lm lx --isotropic ", "--distance", set()),
     ],
 )
-def test_completing_a_word_imports_no_command_nor_click(
+def test_completing_a_word_imports_neither_commands_nor_click(
     shell, line, found, left_out, installed, monkeypatch
 ):
-    monkeypatch.chdir(installed)  # which comes first on the path of -c
+    monkeypatch.chdir(installed)  # python -c puts it first on the path
     monkeypatch.setenv("_RADCALC_COMPLETE", f"{shell}_complete")
     monkeypatch.setenv("COMP_LINE", line)
     done = python(PROBE)

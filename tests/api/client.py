@@ -1,4 +1,4 @@
-"""A program that uses radcalc, which runs, and which mypy accepts in strict mode."""
+"""Program that uses radcalc, runs, and passes mypy in strict mode."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""A program that uses radcalc with five mistakes, each of which mypy refuses."""
+"""Program that uses radcalc with five mistakes; mypy reports each of them."""
 
 import radcalc
 

@@ -1,4 +1,4 @@
-"""Columns of pandas, Polars and xarray: with their unit in, with their index out, or refused."""
+"""Columns of pandas, Polars and xarray: their units are read and their indexes kept."""
 
 import numpy as np
 import pandas as pd
@@ -19,7 +19,7 @@ def lamp(distance, **given):
     return radcalc.point_source(intensity="100 cd", distance=distance, **given)
 
 
-def test_a_series_of_pandas_keeps_its_index_and_tells_its_unit():
+def test_a_series_of_pandas_keeps_its_index_and_has_its_unit():
     distance = pd.Series(METRES, index=["a", "b", "c"], name="distance [m]")
     found = lamp(distance)
     pd.testing.assert_series_equal(
@@ -32,7 +32,7 @@ def test_a_series_of_pandas_keeps_its_index_and_tells_its_unit():
     np.testing.assert_allclose(again, FC)
 
 
-def test_a_series_of_polars_keeps_its_kind_and_tells_its_unit():
+def test_a_series_of_polars_keeps_its_kind_and_has_its_unit():
     found = lamp(pl.Series("d (cm)", [100.0, 200.0, 500.0])).illuminance
     assert isinstance(found, pl.Series)
     assert found.name == "illuminance [lx]"
@@ -43,7 +43,7 @@ def test_a_series_of_polars_keeps_its_kind_and_tells_its_unit():
     np.testing.assert_allclose(wrapped.to_numpy(), FC)
 
 
-def test_what_is_missing_stays_missing_in_what_is_converted():
+def test_missing_values_stay_missing_in_a_conversion():
     found = radcalc.convert(pl.Series("E [lx]", [1076.391041671, None, float("nan")]), "fc")
     assert found.to_list()[:2] == [pytest.approx(100), None]  # 10.76391041671 lx = 1 fc
     assert np.isnan(found[2])
@@ -52,7 +52,7 @@ def test_what_is_missing_stays_missing_in_what_is_converted():
 
 
 @pytest.mark.parametrize("texts", [["1 m", None], [None, "1 m"], [float("nan"), "1 m"]])
-def test_a_column_of_texts_with_a_missing_one_is_told_so(texts):
+def test_a_column_of_texts_with_a_missing_one_is_refused(texts):
     column = pd.Series(texts, dtype=object, name="d")
     for ask in (lambda: lamp(column), lambda: radcalc.convert(column, "ft")):
         with pytest.raises(radcalc.RadcalcError, match="missing values, 'd'"):
@@ -62,8 +62,8 @@ def test_a_column_of_texts_with_a_missing_one_is_told_so(texts):
 @pytest.mark.parametrize(
     "values", [np.array(["2020-01-01"], "datetime64[ns]"), np.array([5], "timedelta64[s]"), [True]]
 )
-def test_what_is_no_number_is_not_taken_for_one(values):
-    refusals = (radcalc.RadcalcError, pint.DimensionalityError)  # Pint's of its own from 0.26 on
+def test_a_value_that_is_not_a_number_is_not_taken_for_one(values):
+    refusals = (radcalc.RadcalcError, pint.DimensionalityError)  # Pint raises it from 0.26 on
     for ask in (
         lambda: radcalc.convert(pd.Series(values, name="E [lx]"), "fc"),
         lambda: lamp(pd.Series(values, name="d [m]")),
@@ -109,11 +109,11 @@ def test_a_title_that_contradicts_its_unit_is_refused(column, said):
 
 
 @pytest.mark.parametrize(("name", "unit"), [("E [lx]", "lux"), ("E [lux]", "lm/m2"), ("E", "lx")])
-def test_a_title_and_a_unit_beside_it_that_are_the_same_are_taken(name, unit):
+def test_a_title_and_a_separate_unit_that_agree_are_accepted(name, unit):
     assert radcalc.convert(_of_xarray(name, unit), "klx").item() == pytest.approx(0.1)
 
 
-def test_arrays_of_xarray_are_broadcast_by_the_names_of_their_dimensions():
+def test_arrays_of_xarray_are_broadcast_by_dimension_names():
     distance = xr.DataArray(METRES, dims="d", attrs={"units": "m"})
     intensity = xr.DataArray([100.0, 200.0], dims="lamp", attrs={"units": "cd"})
     found = radcalc.point_source(intensity=intensity, distance=distance).illuminance
@@ -121,7 +121,7 @@ def test_arrays_of_xarray_are_broadcast_by_the_names_of_their_dimensions():
     np.testing.assert_allclose(found.sel(lamp=1), np.multiply(LUX, 2))
 
 
-def test_several_series_are_of_one_table():
+def test_several_series_belong_to_one_table():
     table = pd.DataFrame({"I [cd]": [100.0, 50.0], "d [m]": [1.0, 5.0]}, index=[7, 9])
     found = radcalc.point_source(intensity=table["I [cd]"], distance=table["d [m]"])
     assert found.illuminance.to_dict() == {7: 100.0, 9: 2.0}
@@ -200,7 +200,7 @@ def test_a_column_is_converted_to_readings_on_a_scale_and_to_another_quantity():
         ),
     ],
 )  # fmt: skip
-def test_what_would_lose_its_names_or_has_no_unit_is_refused_with_the_way_out(ask, said):
+def test_a_column_without_a_unit_or_whose_names_would_be_lost_is_refused_with_a_hint(ask, said):
     with pytest.raises(radcalc.RadcalcError, match=said) as caught:
         ask()
     assert caught.value.hint
@@ -232,7 +232,7 @@ def test_a_list_or_column_of_texts_is_converted_in_the_unit_of_the_first():
         (pd.Series([1.0], name="E"), "the unit of the value is missing"),
     ],
 )
-def test_what_is_no_list_of_one_quantity_is_refused(value, said):
+def test_a_list_without_a_common_quantity_and_unit_is_refused(value, said):
     with pytest.raises(radcalc.RadcalcError) as refused:
         radcalc.convert(value, "klx")
     assert said in str(refused.value)

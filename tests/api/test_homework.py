@@ -1,4 +1,4 @@
-"""Answers that are judged from Python."""
+"""Checking of answers in Python."""
 
 import pytest
 
@@ -12,7 +12,7 @@ def test_a_right_answer_is_true_and_a_wrong_one_false():
     wrong = radcalc.check(CONE, "3.14 sr")
     assert not wrong
     assert wrong.value == pytest.approx(0.841787)
-    assert wrong.right is False  # as the schema of --json has both
+    assert wrong.right is False  # both are in the schema of --json
     assert radcalc.check(CONE, "0.842 sr").right is True
     assert wrong.ratio == pytest.approx(3.14 / 0.841787)
     assert repr(wrong).startswith(
@@ -38,14 +38,14 @@ def test_a_claim_names_the_result_with_hyphens_or_underscores(name):
     assert not radcalc.check(CONE, f"{name}=0.9 sr")
 
 
-def test_an_answer_at_one_point_is_judged_and_at_several_is_not():
+def test_an_answer_is_checked_at_one_point_but_not_at_several():
     """100 cd at 2 m are 100/4 lx."""
     assert radcalc.check(radcalc.uberlight((0, 0, 2), intensity="100 cd"), "irradiance=25 lx")
     with pytest.raises(radcalc.ConditionError, match="takes one answer, but there are several"):
         radcalc.check(radcalc.uberlight([(0, 0, 2), (0, 0, 3)], intensity="100 cd"), "25 lx")
 
 
-def test_what_is_refused_has_the_keywords_of_the_function():
+def test_a_refusal_has_the_keywords_of_the_function():
     lamp = radcalc.point_source(intensity="100 cd", distance="2 m")
     with pytest.raises(radcalc.RadcalcError) as caught:
         radcalc.check(lamp, "16")
@@ -53,7 +53,7 @@ def test_what_is_refused_has_the_keywords_of_the_function():
     assert "claim=" in str(caught.value)
 
 
-def test_a_tolerance_is_a_part_a_size_or_digits():
+def test_a_tolerance_is_relative_absolute_or_in_digits():
     assert radcalc.check(CONE, "0.9 sr", tolerance="10%")
     assert not radcalc.check(CONE, "0.85 sr", "0.001 sr")
     assert radcalc.check(CONE, "0.842 sr", "3sf")
@@ -75,7 +75,7 @@ def test_a_tolerance_is_a_part_a_size_or_digits():
         ),
     ],
 )
-def test_what_cannot_be_judged_is_refused(ask, said):
+def test_an_answer_that_cannot_be_checked_is_refused(ask, said):
     with pytest.raises(radcalc.RadcalcError, match=said) as caught:
         ask()
     assert caught.value.hint

@@ -1,4 +1,4 @@
-"""What a function gives: attributes, aliases, remarks, and how a notebook shows it."""
+"""Results of functions: attributes, aliases, remarks and their display in a notebook."""
 
 import json
 import pickle
@@ -20,7 +20,7 @@ LAMP = radcalc.point_source(flux="800 lm", distance="2 m")
 PER_SR = 800 / (4 * np.pi)  # the intensity of an isotropic source of 800 lm [cd]
 
 
-def test_results_are_attributes_and_items_by_every_name_that_they_have():
+def test_results_are_attributes_and_items_under_each_of_their_names():
     for name in ("irradiance", "illuminance"):
         assert getattr(LAMP, name) == LAMP[name]
         assert getattr(LAMP, name).m_as("lx") == pytest.approx(PER_SR / 4)
@@ -33,7 +33,7 @@ def test_results_are_attributes_and_items_by_every_name_that_they_have():
 
 def test_an_item_has_its_name_with_hyphens_or_underscores():
     daylight = radcalc.spectrum("D65")
-    names = {row.name for row in daylight.rows}  # as the repr has them
+    names = {row.name for row in daylight.rows}  # the names in the repr
     assert "peak-wavelength" in names
     assert {name.replace("-", "_") for name in names} == {*daylight}
     for name in names:
@@ -48,12 +48,12 @@ def test_kinds_of_light_that_are_linked_have_their_own_names():
     assert green.flux.units == green.radiant_flux.units
 
 
-def test_no_result_has_the_name_of_what_every_result_has():
+def test_no_result_has_the_name_of_a_common_attribute():
     own = {name for name in dir(radcalc.Result) if not name.startswith("_")} | vars(LAMP).keys()
     assert not own & {name.replace("-", "_") for name in SYMBOLS}
 
 
-def test_a_name_of_no_result_is_an_attribute_error_that_names_those_like_it():
+def test_an_unknown_name_is_an_attribute_error_with_similar_names():
     with pytest.raises(AttributeError, match="unknown result 'iluminance'\ntry: illuminance"):
         LAMP.iluminance  # noqa: B018
     assert not hasattr(LAMP, "luminance")
@@ -63,7 +63,7 @@ def test_a_name_of_no_result_is_an_attribute_error_that_names_those_like_it():
     assert "radiance" not in LAMP
 
 
-def test_what_was_assumed_noted_and_derived_is_told_in_pythons_words():
+def test_assumptions_notes_and_steps_are_spelled_for_python():
     assert LAMP.assumptions[0] == "isotropic: the same intensity in all directions"
     assert [step.law for step in LAMP.steps][-1] == "inverse square law"
     assert radcalc.photon("300 nm").notes[0].startswith("300 nm is invisible")
@@ -116,11 +116,11 @@ CALLS = {
 
 
 @pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
-def test_a_dict_is_what_the_command_writes_as_json(call):
+def test_a_dict_equals_the_json_of_the_command(call):
     ask, words = call
     expected = json.loads(run(*shlex.split(words), "--json", "--steps").stdout)
     found = ask().to_dict()
-    for one in (expected, found):  # which the two gates spell in their own ways
+    for one in (expected, found):  # spelled differently at the two gates
         one.pop("assumptions"), one.pop("notes")
         for given in one["inputs"].values():
             given.pop("text", None) if "value" in given else None
@@ -151,7 +151,7 @@ def test_several_answers_are_arrays_of_them():
 
 
 class Page(HTMLParser):
-    """The cells of the tables, the items of the lists and the tags of a page."""
+    """Parser that collects the table cells, list items and tags of a page."""
 
     def __init__(self, text):
         super().__init__()
@@ -184,7 +184,7 @@ class Page(HTMLParser):
             self.folded += data
 
 
-def test_a_notebook_shows_what_was_given_what_follows_and_what_was_assumed():
+def test_a_notebook_shows_inputs_results_and_assumptions():
     page = Page(LAMP._repr_html_())
     assert page.rows[0] == ["quantity", "symbol", "value", "unit"]
     assert ["flux (given)", "", "800 lm", ""] in page.rows
@@ -193,7 +193,7 @@ def test_a_notebook_shows_what_was_given_what_follows_and_what_was_assumed():
     assert "E = I cos(theta) Omega0 / d^2" in page.folded
 
 
-def test_a_notebook_shows_notes_arrays_uncertainties_and_what_is_no_number():
+def test_a_notebook_shows_notes_arrays_uncertainties_and_texts():
     dark = Page(radcalc.photon("300 nm", observer="scotopic")._repr_html_())
     assert any(one.startswith("note: 300 nm is invisible") for one in dark.items)
     assert ["observer (given)", "", "scotopic", ""] in dark.rows
@@ -204,20 +204,20 @@ def test_a_notebook_shows_notes_arrays_uncertainties_and_what_is_no_number():
     assert ["illuminance", "E_v", "25.00 ± 0.50", "lx"] in Page(off._repr_html_()).rows
 
 
-def test_what_a_user_typed_is_text_in_a_notebook():
+def test_a_users_text_is_escaped_in_a_notebook():
     text = "3*(theta<1)*(phi>=0)*1 cd"
     page = Page(radcalc.point_source(distribution=text)._repr_html_())
     assert ["distribution (given)", "", text, ""] in page.rows
 
 
-def test_the_page_has_no_colours_scripts_or_links_so_that_it_is_read_on_light_and_dark():
+def test_the_page_has_no_colours_scripts_or_links():
     page = Page(LAMP._repr_html_())
     assert not {*page.tags} & {"script", "style", "a", "img", "font"}
     assert "color" not in page.styles
     assert "background" not in page.styles
 
 
-def test_an_interpreter_shows_the_results_with_their_units_and_what_was_assumed():
+def test_an_interpreter_shows_the_results_with_units_and_assumptions():
     lines = repr(LAMP).splitlines()
     assert lines[0] == "radcalc point-source"
     assert "  irradiance  15.9155 lx" in lines
@@ -225,7 +225,7 @@ def test_an_interpreter_shows_the_results_with_their_units_and_what_was_assumed(
     assert f"  assumed: {LAMP.assumptions[0]}" in lines
 
 
-def test_what_dask_has_not_computed_is_shown_as_such():
+def test_values_that_dask_has_not_computed_are_shown_as_lazy():
     import dask.array
 
     array = dask.array.from_array(np.array([1.0, 2.0]))
@@ -236,7 +236,7 @@ def test_what_dask_has_not_computed_is_shown_as_such():
         found.to_dict()
 
 
-def test_a_file_is_named_among_what_was_given():
+def test_a_file_is_named_among_the_inputs():
     found = radcalc.point_source(distribution=ROOT / "examples" / "downlight.ies")
     assert "downlight.ies" in str(found.inputs) or found.inputs[0].text
 
@@ -261,13 +261,13 @@ def test_a_text_may_be_a_list_or_a_range_as_on_the_command_line():
         ({"distance": ["1+-0.1 m", "2 m"]}, "cannot be uncertain here"),
     ],
 )
-def test_a_list_that_is_no_array_is_refused(given, said):
+def test_a_list_that_is_not_an_array_is_refused(given, said):
     with pytest.raises(radcalc.RadcalcError, match=said) as caught:
         radcalc.point_source(flux="800 lm", **given)
     assert caught.value.hint
 
 
-def test_a_list_is_no_single_value_of_explain():
+def test_explain_refuses_a_list():
     with pytest.raises(radcalc.RadcalcError, match="single values"):
         radcalc.explain(["1 lx", "2 lx"], "fc")
     with pytest.raises(radcalc.ConditionError, match="one value of"):
@@ -295,7 +295,7 @@ UNDRAWN = {
 
 
 @pytest.mark.parametrize("said", UNDRAWN)
-def test_what_has_no_picture_says_what_has(said):
+def test_a_result_without_a_picture_names_those_that_have_one(said):
     with pytest.raises(radcalc.RadcalcError, match=said) as caught:
         UNDRAWN[said]().plot()
     assert caught.value.hint
@@ -343,7 +343,7 @@ def test_results_with_other_values_or_names_are_not_equal(other):
 @pytest.mark.parametrize(
     "kept", [Q(3, "klx"), Q(np.array([1.0, 2.0]), "umol/s"), Q(3, "lx").plus_minus(0.1)]
 )
-def test_a_quantity_that_was_pickled_is_of_the_registry_that_functions_take(kept):
+def test_an_unpickled_quantity_belongs_to_the_registry_of_the_functions(kept):
     again = pickle.loads(pickle.dumps(kept))
     assert repr(again) == repr(kept)
     assert type(again) is type(kept)
@@ -365,7 +365,7 @@ def test_another_process_gives_results():
         (lambda: LAMP, "illuminance"),
     ],
 )
-def test_what_a_picture_does_not_depend_on_is_refused(result, wanted):
+def test_an_axis_that_a_picture_does_not_depend_on_is_refused(result, wanted):
     with pytest.raises(radcalc.RadcalcError, match=f"does not depend on {wanted}"):
         result().plot(wanted)
     with pytest.raises(radcalc.RadcalcError, match="unknown result 'peak_zork'"):
@@ -374,13 +374,13 @@ def test_what_a_picture_does_not_depend_on_is_refused(result, wanted):
 
 
 @pytest.mark.parametrize("shape", [(2, 3), (0,)])
-def test_an_array_that_is_no_curve_is_refused(shape):
+def test_an_array_that_is_not_a_curve_is_refused(shape):
     found = radcalc.point_source(flux="1 lm", distance=radcalc.Quantity(np.ones(shape), "m"))
     with pytest.raises(radcalc.RadcalcError, match="distance is an array of the shape"):
         found.plot()
 
 
-def test_the_errors_are_at_the_top():
+def test_the_errors_are_in_the_top_level_package():
     assert issubclass(radcalc.UnitError, radcalc.RadcalcError)
     with pytest.raises(radcalc.UnitError):
         radcalc.convert("1 zork", "lx")

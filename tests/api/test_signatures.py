@@ -1,4 +1,4 @@
-"""The signatures and docstrings of the functions: complete, and as the commands have them."""
+"""Signatures and docstrings of the functions: they are complete and agree with the commands."""
 
 import inspect
 import pickle
@@ -36,7 +36,7 @@ def test_the_tests_see_the_functions():
     assert len(FUNCTIONS) > 20
 
 
-def test_every_command_is_a_function_or_remains_at_a_shell():
+def test_every_command_is_a_function_or_for_a_shell_only():
     functions = {keyword(name) for name in COMMANDS if name not in AT_A_SHELL}
     others = {"check", "explain", "factor", "irradiance_map", "reproject"}
     assert functions | others == {*FUNCTIONS}
@@ -44,7 +44,7 @@ def test_every_command_is_a_function_or_remains_at_a_shell():
 
 
 def test_the_stub_has_the_signatures_of_the_functions():
-    """Else: python -m radcalc.api.stub."""
+    """Run `python -m radcalc.api.stub` if it is outdated."""
     assert stub.PATH.read_text(encoding="utf-8") == stub.text()
 
 
@@ -72,7 +72,7 @@ def test_help_reads_as_a_manual():
     text = pydoc.render_doc(radcalc.point_source, renderer=pydoc.plaintext)
     assert "distance: 'Amount' = None" in text
     assert "Straight line from the source to the receiver. [m]" in text
-    assert "`height`" in text  # as keywords are mentioned
+    assert "`height`" in text  # the form of keywords
 
 
 @for_each(FUNCTIONS)

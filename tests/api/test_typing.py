@@ -1,4 +1,4 @@
-"""What a type checker makes of programs that use radcalc."""
+"""Type checks of programs that use radcalc."""
 
 import re
 from typing import get_args
@@ -16,7 +16,7 @@ CLIENT, MISTAKES = PROGRAMS / "client.py", PROGRAMS / "mistakes.py"
 
 
 def errors_of(*paths):
-    """The lines of the errors that mypy finds, by the files' names."""
+    """Return the lines of the errors that mypy finds, by file name."""
     said, problem, _ = mypy.run(["--strict", "--no-error-summary", *map(str, paths)])
     assert not problem
     found = re.findall(r"^(?:.*/)?(\w+\.py):(\d+): error:", said, re.MULTILINE)
@@ -31,7 +31,7 @@ def test_a_program_is_accepted_and_one_with_five_mistakes_refused_at_each():
 
 
 def test_the_program_that_is_accepted_runs():
-    """At 1 m 800 lm give 800 lm / (4 pi sr) / (1 m)^2 = 63.66 lx, and 5.914 fc."""
+    """800 lm give 800 lm / (4 pi sr) / (1 m)^2 = 63.66 lx, or 5.914 fc, at 1 m."""
     done = python(CLIENT.read_text(encoding="utf-8"))
     assert done.stdout.startswith("[5.914"), done.stderr
 
