@@ -1,7 +1,7 @@
 """Completion of the next word, for the shells (`shells`) and for a prompt in the same process.
 
-The commands, their options and results are in `table`, which `radcalc.cli.compile` prints for a
-wheel, so that completion does not load Click, which is too slow.
+`radcalc.cli.compile` prints the `table` of commands, options and results for a wheel, so that
+completion does not load Click, which is too slow.
 """
 
 import os

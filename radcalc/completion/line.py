@@ -39,13 +39,11 @@ class Option:
 class Line:
     """The words of a command before the word being typed.
 
-    `given` has the texts of the options by their longest names; `waiting` is the option whose
-    value comes next, and `offering` one with an optional file; after `--` every word is an
-    operand.
+    `given` has the texts of the options by their longest names; `waiting` is the option whose value
+    comes next, and `offering` one with an optional file; after `--` every word is an operand.
     """
 
     def __init__(self, command: str, words: "Iterable[str]") -> None:
-        """Separate options from operands."""
         self.command = command
         _, self.operand, option_rows = COMMANDS[command]
         self.options = [Option(row) for row in option_rows]
@@ -79,7 +77,6 @@ class Line:
                     self.waiting = option
 
     def option(self, name: str) -> Option | None:
-        """Return the option of that name."""
         return next((option for option in self.options if name in option.names), None)
 
 

@@ -2,7 +2,7 @@
 
 `_RADCALC_COMPLETE=bash_source radcalc` prints the script, which a shell evaluates once.  At a Tab
 it calls `_RADCALC_COMPLETE=bash_complete radcalc` with the line up to the cursor, with quotes, in
-`COMP_LINE`; no such line makes radcalc report an error.
+`COMP_LINE`, without which radcalc reports an error.
 """
 
 import os
@@ -91,8 +91,8 @@ def _write(data: bytes) -> int:
 class Typed:
     """A line up to the cursor: its words, and the word being typed.
 
-    `quote` is an open quotation mark; `cut` is the start of the part of the last word that
-    readline replaces: after one of its `breaks`, or an open quotation mark.
+    `quote` is an open quotation mark; `cut` is the start of the part of the last word that readline
+    replaces: after one of its `breaks`, or an open quotation mark.
     """
 
     def __init__(self, line: str, breaks: str) -> None:
@@ -178,7 +178,6 @@ def _with_description(candidate: Completion, width: int) -> str:
 
 
 def _fish(typed: Typed) -> list[str]:
-    """Return word and description."""
     return [f"{candidate.text}\t{candidate.description}" for candidate in typed.completions()]
 
 

@@ -135,7 +135,7 @@ class Reach:
     def units(self, head: str, typed: str) -> list[Completion]:
         """Return units with this beginning: those in reach, then those that need a condition.
 
-        Units of the source's own quantity need no conditions; if some are given, they come last.
+        Given conditions put the units of the source's own quantity, which need none, last.
         """
         reached, conditional, same_dimension = [], [], []
         seen = set() if self.source.is_scale else {frozenset(self.source.atoms)}
@@ -185,7 +185,6 @@ class Reach:
 
 
 def _units(head: str, typed: str) -> list[Completion]:
-    """Return the units of any quantity with this beginning."""
     known = [(text, unit_of(head + text)) for text in _texts(None, head, typed)]
     units = [Completion(text, full_name(unit)) for text, unit in known if unit and _is_known(unit)]
     return units + [
@@ -196,7 +195,6 @@ def _units(head: str, typed: str) -> list[Completion]:
 
 
 def _scales(typed: str) -> "Iterator[tuple[str, Unit, str]]":
-    """The scales that begin so, each with its unit and its meaning."""
     for scale in SCALES:
         for text in scale.spellings if typed else scale.spellings[:1]:
             if text.startswith(typed):
@@ -241,7 +239,7 @@ def _spellings(offered_texts: "Sequence[str]", typed: str) -> "Iterator[str]":
 
 
 def _powers(text: str, style: str) -> str:
-    """Return a unit with its powers written in another way: W/m^2."""
+    """Return a unit with its powers in another style: W/m^2."""
     letters = [
         style + letter if letter.isdigit() and before.isalpha() else letter
         for before, letter in zip(" " + text, text, strict=False)

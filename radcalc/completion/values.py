@@ -73,7 +73,6 @@ Results = dict[str, tuple[bool, tuple[str, ...]]]  # whether of one kind of ligh
 
 
 def _results(results: Results, incomplete: str) -> list[Completion]:
-    """Return NAME or NAME:UNIT."""
     name, colon, unit = incomplete.partition(":")
     fitting = _named(results, name)
     if name in results and (colon or len(fitting) == 1):
@@ -92,7 +91,6 @@ def _named(results: Results, typed: str) -> list[str]:
 
 
 def _claims(results: Results, incomplete: str) -> list[Completion]:
-    """Return NAME=VALUE with its unit."""
     name, equals, value = incomplete.partition("=")
     if not equals:
         return [Completion(f"{result}=", "", False) for result in _named(results, name)]
@@ -124,14 +122,12 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Return the names of quantities, or units."""
     named = [Completion(name, row[0]) for name, row in NAMES.items() if name.startswith(incomplete)]
     units = units_of(list(UNITS), incomplete) if incomplete else []
     return named + [Completion(text, description) for text, description in units]
 
 
 def _units(quantities: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Return the units of these quantities, or 1."""
     return [
         Completion(text, description)
         for text, description in [*units_of(quantities, incomplete), ("1", "")]
@@ -154,7 +150,6 @@ def _files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def _figures(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Return folders and files of figures."""
     return [
         completion
         for completion in files(endings, incomplete)

@@ -1,7 +1,4 @@
-"""Checks of a learner's answer: right or wrong, and the likeliest mistake.
-
-A `Question` holds the right answer and its derivation; `check` judges an answer to it.
-"""
+"""Checks of a learner's answer: right or wrong, and the likeliest mistake."""
 
 from radcalc.homework.answer import Diagnosis
 from radcalc.homework.question import Question

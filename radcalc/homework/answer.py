@@ -22,7 +22,7 @@ class Claim(NamedTuple):
 
     Zeros at the end of an integer may be significant or not: `half_unit` is half a unit of the
     last digit if they are, `widest` if they are not (but the first two digits always are).
-    `uncertainty` is the standard uncertainty of the answer, in its unit.
+    `uncertainty` is the standard uncertainty, in the unit.
     """
 
     text: str
@@ -119,11 +119,10 @@ class Tolerance(NamedTuple):
     size: float
 
     def holds(self, value: float, right: float) -> bool:
-        """Return whether a value is within the tolerance of the right one."""
         return abs(value - right) <= self.width(right) * (1 + 1e-9) + 1e-300
 
     def width(self, right: float) -> float:
-        """Return the largest difference from the right value that is allowed."""
+        """Return the largest allowed difference from the right value."""
         if self.kind == "relative":
             return self.size * abs(right)
         if self.kind == "absolute":

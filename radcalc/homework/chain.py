@@ -1,8 +1,8 @@
 """The derivation of a result as a chain of laws that propagates a wrong value.
 
 A mistake gives one symbol a wrong value; the laws after it turn that into a wrong answer.  The
-chain of a conversion, or of a quantity in another kind (radiant, luminous or photon) than the one
-given, ends with a product of the factors between them.
+chain of a conversion, or of a quantity in a kind (radiant, luminous or photon) that was not given,
+ends with a product of the factors between them.
 """
 
 import math
@@ -32,8 +32,8 @@ FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError)
 class Chain:
     """The derivation of a result: values [SI] by symbol, and laws with the symbols solved for.
 
-    `goal` is the symbol of the result, or a symbol that the result is proportional to; `symbols`
-    are all symbols that the result depends on.
+    `goal` is the symbol of the result, or one that it is proportional to; `symbols` are all that it
+    depends on.
     """
 
     def __init__(self, values: dict[str, float], steps: Steps, goal: str, right: float) -> None:
@@ -70,7 +70,7 @@ class Chain:
 
 
 def _single(value: Any) -> float:
-    """Return the one solution of a law, as a float; several solutions are an error."""
+    """Return the one solution of a law; several solutions are an error."""
     if isinstance(value, Several):
         raise ValueError("several values")
     return float(value)

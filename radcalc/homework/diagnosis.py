@@ -27,7 +27,7 @@ def diagnose(
     """Return the mistakes that reproduce an answer to the digits typed, the likeliest first.
 
     `scale` is the unit of the answer [SI].  Pairs of mistakes are tried only if no single mistake
-    fits: there are so many pairs that one of them fits almost any number of few digits.
+    fits: among so many pairs, one fits almost any number of few digits.
     """
     problem = Problem(question, target)
     single = candidates(problem)
@@ -71,7 +71,6 @@ class Pair(NamedTuple):
     slip: Candidate
 
     def together(self) -> Candidate:
-        """Return both as one mistake."""
         law, slip = self.law, self.slip
         return Candidate(
             f"{law.mistake} and {slip.mistake}",
@@ -111,7 +110,7 @@ class _Search:
     """The search for an answer among the wrong values.
 
     An answer with fewer digits is compared with fewer values, those of the most common mistakes,
-    so that an unrelated number seldom agrees with one of them by chance.
+    so that unrelated numbers seldom agree by chance.
     """
 
     def __init__(self, claim: Claim, right: float, scale: float) -> None:

@@ -291,7 +291,6 @@ def _eyes(p: Problem) -> Found:
 
 
 def _efficacy(p: Problem, eye: "Observer", is_dark: bool) -> float | None:
-    """Return the luminous efficacy [lm/W] of the given light for an observer."""
     if "wavelength" in p.given:
         from radcalc.conversion.spectral import light
         from radcalc.spectra.observers import luminous_efficacy

@@ -15,10 +15,9 @@ PI_FORGOTTEN = "pi was forgotten"
 
 
 class Candidate(NamedTuple):
-    """A wrong value [SI] and the mistake that leads to it.
+    """A wrong value [SI] and the mistake that leads to it; rank 1 is the likeliest.
 
-    A mistake of rank 1 is the most likely.  `done` describes the mistake, `right` is the right
-    rule.
+    `done` describes the mistake, `right` is the right rule.
     """
 
     mistake: str
@@ -44,7 +43,7 @@ def usual(
 class Problem:
     """One result of a question: its inputs, the other results, and the right value [SI].
 
-    `light` is the light quantity of the result, if it is one; `chain` is its derivation.
+    `light` is its light quantity, if it is one; `chain` is its derivation.
     """
 
     def __init__(self, question: Question, target: Value) -> None:
@@ -61,7 +60,6 @@ class Problem:
             self.chain = of_answer(question.answer, target, self.given)
 
     def lists(self, mistake: str) -> bool:
-        """Return whether the page of the calculator lists a mistake or a family of mistakes."""
         return mistake in page_of(self.question.command).mistakes
 
     def asks(self, *names: str) -> bool:

@@ -18,10 +18,9 @@ from radcalc.units.unit import Unit
 class Question(NamedTuple):
     """The right answer, the inputs, and a function that gives the answer for other inputs.
 
-    `shape` is the shape of the source or of the solid angle; `steps` are the derivation, if it
-    was requested.  A conversion has a plan and a number to convert.  If inputs are uncertain,
-    `uncertain` is the right answer with its uncertainties.  The `samples` of a log are the first,
-    the last and the sum of all [SI].
+    `shape` is the shape of the source or of the solid angle.  A conversion has a plan and a number
+    to convert.  If inputs are uncertain, `uncertain` is the right answer with its uncertainties.
+    The `samples` of a log are the first, the last and the sum of all [SI].
     """
 
     answer: Answer
@@ -44,7 +43,6 @@ def of_task(task: Task, given: Inputs, steps: bool = False) -> Question:
 
 
 def _with_uncertainties(question: Question, given: Inputs, steps: bool) -> Question:
-    """Add the steps and the uncertainties to a question."""
     answer = question.answer
     if any_uncertain(given.values()):
         uncertain = with_uncertainties(question.work_out, given)
@@ -63,10 +61,7 @@ def of_conversion(
     steps: bool = False,
     amount: Amount | None = None,
 ) -> Question:
-    """Return the question of a conversion under conditions.
-
-    `amount` is the value with its uncertainty, if it has one.
-    """
+    """Return the question of a conversion; `amount` is its value with any uncertainty."""
 
     def work_out(inputs: Inputs) -> Answer:
         value = inputs[""].value if "" in inputs else number

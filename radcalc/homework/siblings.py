@@ -1,7 +1,7 @@
 """Mistakes that use a similar function for the right one in a law.
 
 A row of `LAWS` has the name of a law, the symbol that it is solved for, and a function that gives
-wrong values of that symbol from the others.
+its wrong values from the other symbols.
 """
 
 import math

@@ -1,7 +1,4 @@
-"""Checks of answers with uncertainties: the tolerance of the value, and the claimed ±.
-
-Some common mistakes are recognised, such as uncertainties that were added without squares.
-"""
+"""Checks of answers with uncertainties: the tolerance of the value, and the claimed ±."""
 
 import math
 from typing import Any

@@ -1,8 +1,8 @@
 """Ranks and descriptions of the usual mistakes.
 
 A row has the rank (1 comes first), the mistake, and the right rule; if the rule is empty, it is the
-formula of the edited law.  Mistakes that are generated for any symbol (a power dropped, doubled or
-inverted) have their ranks and words in `edits.py`.
+formula of the edited law.  `edits.py` has the mistakes that are generated for any symbol (a power
+dropped, doubled or inverted).
 """
 
 USUAL: dict[str, tuple[float, str, str]] = {

@@ -29,8 +29,8 @@ WAYS = 4  # unambiguous answers in a hint
 class Verdict(NamedTuple):
     """The verdict on an answer.
 
-    `value` is the right value; `ratio` is the answer divided by it, if it is not 0.  `uncertainty`
-    and `claimed_uncertainty` are the standard uncertainties of the right value and of the answer.
+    `value` is the right value; `ratio` is the answer divided by it, if it is not 0.  The standard
+    uncertainties are those of the right value and of the answer.
     """
 
     right: bool
@@ -51,8 +51,7 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
     """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf).
 
     The default tolerance is the largest of 1%, the rounding of the digits typed (if at least
-    two), and the standard uncertainty of the right value.  If the question has several solutions,
-    each of them is right.
+    two), and the standard uncertainty of the right value.  Any of several solutions is right.
     """
     uncertain = question.uncertain
     uncertain_answers = (uncertain, *uncertain.more) if uncertain else repeat(None)
@@ -93,7 +92,6 @@ def _judged(
     tolerance: str,
     asked_tolerance: str | None,
 ) -> Verdict:
-    """Judge an answer to one result, in a unit."""
     unit = measured_in(unit_text, target.name)
     right = in_unit(target, unit)
     if not isinstance(right, float):
@@ -197,7 +195,6 @@ def _in_readings(verdict: Verdict, claim: Claim, scale: ScaleUnit) -> Verdict:
 
 
 def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
-    """Return the step from the right value to the answer by the likeliest mistake."""
     sizes = (verdict.value, verdict.ratio, verdict.claimed)
     right, ratio, claimed = map(format_number, sizes)
     numbers = f"{with_unit(right, verdict.unit)} * {ratio} = {with_unit(claimed, verdict.unit)}"
@@ -205,7 +202,6 @@ def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
 
 
 def _rounded(claim: Claim, right: float) -> Diagnosis:
-    """Return the diagnosis of a right answer with fewer digits than the tolerance needs."""
     digits = next(
         (n for n in range(1, claim.digits) if float(f"{right:.{n}g}") == claim.value), claim.digits
     )
@@ -228,7 +224,6 @@ def _marked(question: Question, claim: Claim, target: Value, unit: Unit) -> Diag
 
 
 def _wrong_unit(claim: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:
-    """Return the diagnosis of an answer in a unit of another quantity."""
     number = "the number would be right" if is_near else "check both"
     return Diagnosis(
         "wrong-unit",
@@ -273,7 +268,6 @@ def _target(question: Question, claim: Claim, tolerance: str) -> tuple[Value, st
 
 
 def _named(question: Question, claim: Claim) -> list[Value]:
-    """Return the results of a name."""
     named = [value for value in question.answer.values if claim.name in (value.name, value.also)]
     present = [value for value in named if not value.is_absent]
     if present:

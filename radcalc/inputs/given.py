@@ -56,7 +56,6 @@ class Input(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The symbol's name."""
         return self.symbol.name
 
     @property
@@ -66,7 +65,7 @@ class Input(NamedTuple):
 
     @property
     def unit_text(self) -> str:
-        """The unit as typed; 1 for a bare number."""
+        """Return the unit as typed; 1 for a bare number."""
         return self.unit.text if self.unit else "1"
 
     def text_where(self, condition: Any) -> str:

@@ -58,8 +58,8 @@ def read_vector(text: str, what: str) -> Point:
 def read_direction(text: str, what: str) -> tuple[float, float]:
     """Read POLAR or POLAR,AZIMUTH, angles with their units, or a vector X,Y,Z of bare numbers.
 
-    Returns the polar angle (0 to pi) and the azimuth (0 to below 2 pi) [rad] of
-    `radcalc.geometry.directions`.  `what` names the text in messages.
+    Returns the polar angle (0 to pi) and the azimuth (0 to below 2 pi) [rad]; `what` names the
+    text in messages.
     """
     from radcalc.geometry.directions import TURN, spherical
 
@@ -126,7 +126,6 @@ COUNTED = {2: "two", 3: "three", 4: "four"}
 
 
 def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[float, ...]:
-    """Read `count` bare numbers separated by commas."""
     parts = text.split(",")
     if len(parts) != count:
         how_many = f"{len(parts)} {noun}{'s' if len(parts) > 1 else ''}"
@@ -269,7 +268,6 @@ def grid_input(symbol: Symbol, value: Any) -> Input:
 
 
 def _axis(part: list[str], coordinates: Iterator[float], what: str) -> tuple[float, float, int]:
-    """Return start, end and count of an axis of a grid, with the ends from `coordinates`."""
     start = next(coordinates)
     if len(part) == 1:
         return start, start, 1

@@ -116,7 +116,6 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
 
 
 def _typed_amount(symbol: Symbol, text: str) -> Amount:
-    """Read the text of a quantity; a few symbols have special forms."""
     amount = None
     if symbol.name in DIFFERENCES:
         amount = _difference(text)
@@ -155,7 +154,6 @@ def _check_unit(symbol: Symbol, amount: Amount) -> None:
 
 
 def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionError:
-    """Return the error for an amount whose unit is missing or is of another quantity."""
     name, unit = symbol.name, amount.unit
     if unit is None and maths.is_array(amount.number):
         problem = f"{option(name)} has numbers without a unit"
@@ -268,7 +266,6 @@ def with_likely_unit(symbol: Symbol, number: str) -> str:
 
 
 def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
-    """Return the value in SI units."""
     value = number * (divide(unit.top, unit.bottom) if unit else 1)
     _refuse_extreme(name, text, value)
     return value

@@ -74,8 +74,8 @@ def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Inpu
     """Read the value of a symbol of the vocabulary.
 
     `value` is a text as on the command line, True for a flag, a number, or a tuple of a number (or
-    an array), a `Unit` and optionally a text for messages.  `uncertain` allows uncertain values.
-    `bare` is the unit of a number that is usually written without one.
+    an array), a `Unit` and optionally a text for messages.  `bare` is the unit of a number that is
+    usually written without one.
     """
     text = str(value).strip() if bare else ""
     if text and not text.strip(AS_BARE) and ("time" not in name or "/" in text):  # 4 may be 1/4
