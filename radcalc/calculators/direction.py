@@ -211,7 +211,6 @@ def _angle(first: Vector, second: Vector) -> Number:
 
 
 def _refuse_behind(normal: Input, incidence: Number) -> None:
-    """Refuse a direction behind a mirror."""
     if any_true(incidence > math.pi / 2 * (1 + SLACK)):
         turned = ",".join(format_number(-component, 15) for component in normal.value)
         raise ConditionError(
@@ -226,7 +225,6 @@ def _format_vector(vector: Vector) -> str:
 
 
 def _of_ball(place: Input) -> Answer:
-    """Return the direction that a mirror ball shows at a place."""
     u, v = place.value
     if is_outside(MIRROR_BALL, u, v):
         ratio = format_number(hypot(u, v))
@@ -270,7 +268,6 @@ def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer
 
 
 def _length(length: Any, unit: str = "") -> Value:
-    """Return the length of the vector, in the unit of its coordinates if they have one."""
     dimension = LENGTH if unit else NUMBER
     row = value("length", length, unit or "1", letter="r")
     return row._replace(dimensions=(dimension,))

@@ -80,7 +80,7 @@ def check_unit(unit: Unit) -> None:
 
 
 class SampleStep(NamedTuple):
-    """The step from one sample to the next: its length and its ends [ticks]."""
+    """The length of the step from one sample to the next, and its ends [ticks]."""
 
     length: float
     start: float
@@ -91,7 +91,7 @@ NO_STEP = SampleStep(0, 0, 0)
 
 
 class Period:
-    """The sums over the samples of a day, an hour or a whole log, in their unit and in ticks.
+    """The sums over the samples of a period, in their unit and in ticks.
 
     The sum is kept in two floats, so that ten million terms lose no digits.
     """
@@ -156,7 +156,6 @@ class Dose:
         self.negative, self.below, self.least, self.least_at = 0, 0.0, 0.0, 0.0
 
     def interrupt(self) -> None:
-        """Record that a sample is missing here."""
         self.is_broken = not self.bridges
 
     def add(self, times: list[Any], values: list[float]) -> None:
@@ -181,7 +180,6 @@ class Dose:
         self._run(times[start:], values[start:], steps[start:], counted)
 
     def _watch(self, times: list[Any], values: list[float]) -> None:
-        """Record the greatest sample and negative ones."""
         self.count += len(times)
         self.plain += sum(values)
         high, low = max(values), min(values)
@@ -261,7 +259,6 @@ class SummedLog(NamedTuple):
     say: Callable[[float], str]
 
     def seconds(self, ticks: float) -> float:
-        """Return a number of ticks in seconds."""
         return _exact(ticks, self.tick)
 
     def check(self) -> None:
@@ -284,7 +281,6 @@ class SummedLog(NamedTuple):
             )
 
     def remarks(self) -> list[str]:
-        """Return the notes on the samples."""
         dose, unit = self.dose, self.unit.text
         notes = [
             f"the greatest sample, {format_number(dose.peak)} {unit}, is at "
@@ -331,7 +327,6 @@ class SummedLog(NamedTuple):
         return {name: number * factor for name, number in numbers.items()}
 
     def of_all(self, given: Inputs) -> Answer:
-        """Return the dose of the whole log."""
         dose = self.dose
         period = dose.periods[0]
         period.end = dose.time
@@ -422,7 +417,6 @@ def _area_below(first: float, second: float, step: float) -> float:
 
 
 def _customary(result: Value) -> Value:
-    """Return a result with its customary unit added, if it has one."""
     also = CUSTOMARY_UNITS.get(result.units[0]) if result.units else None
     return result._replace(units=(also, *result.units)) if also else result
 

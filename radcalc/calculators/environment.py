@@ -107,8 +107,8 @@ IS_RELATIVE = (
 class Source:
     """The source of the radiances, read once for all answers.
 
-    `named` is the path of a map, sky:TYPE, an expression with its unit, or a picture; with
-    `is_path` it is a path.
+    `named` is the path of a map (with `is_path`), sky:TYPE, an expression with its unit, or a
+    picture.
     """
 
     def __init__(self, named: "str | Picture", is_path: bool = False) -> None:
@@ -118,7 +118,6 @@ class Source:
         self.sums: dict[tuple[int, Vector], tuple[Integral, float, Peak]] = {}
 
     def environment(self, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
-        """Return the radiances for the settings of the source."""
         key = tuple((name, given.text) for name, given in settings.items())
         if key not in self.environments:
             self.environments[key] = self._read(settings, lit)
@@ -149,7 +148,6 @@ class Source:
         return environments.of_picture(named, **values)
 
     def _picture(self, path: str, channel: str) -> "Picture":
-        """Return the picture of a map, read once."""
         from radcalc.distributions.maps.pictures import read_picture
 
         if channel not in self.pictures:
@@ -158,7 +156,6 @@ class Source:
 
 
 def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
-    """Refuse the settings of other sources."""
     foreign = [item.name for name, item in settings.items() if name not in takes]
     if foreign:
         raise Unused(foreign, f"to {what}")
@@ -225,7 +222,6 @@ def reprojection(
 
 
 def _surroundings(source: Source, given: Inputs, more: tuple[str, ...]) -> "_Surroundings":
-    """Return the radiances of a source with the other inputs."""
     quantities, links, rest = split_by_light(given)
     takes = (*OF_MAP, *OF_SKY, *SCALES, *more)
     refuse_foreign(rest, takes, "an environment")
@@ -258,7 +254,6 @@ class _Surroundings:
         self.lit = kinds.read_light({}, links)._replace(kind=self.kind)
 
     def answer(self) -> Answer:
-        """Return the irradiance, the mean, the peak, and the radiance from a direction."""
         given, radiances = self.given, self.environment.radiances
         normal = given["normal"].value if "normal" in given else UP
         if "normal" not in given:
@@ -305,7 +300,6 @@ class _Surroundings:
         )
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
-        """Return the irradiances for the normals of the pixels of a latlong map."""
         from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map
 
         size = self._size(LATLONG, *SMALL)
@@ -327,7 +321,6 @@ class _Surroundings:
         return self._render("irradiance", result.pixels, LATLONG, step)
 
     def reprojected(self, to: str, progress: "Progress | None") -> RenderedMap:
-        """Return the radiances in another projection."""
         from radcalc.distributions.maps.resampling import reproject
 
         chart = self._map()
@@ -338,7 +331,6 @@ class _Surroundings:
         return self._render("radiance", reproject(chart, to, *size, progress=progress), to, step)
 
     def _size(self, projection: str, width: int, height: int) -> tuple[int, int]:
-        """Return the size of the map to write, as given or by default."""
         from radcalc.calculators.pixel import refuse_shape
         from radcalc.distributions.maps.pictures import check_size
         from radcalc.distributions.maps.radiance_map import check_shape
@@ -351,7 +343,6 @@ class _Surroundings:
         return width, height
 
     def _map(self) -> "RadianceMap":
-        """Return the radiances as a map; sample skies and expressions."""
         from radcalc.distributions import environments
         from radcalc.distributions.maps.radiance_map import RadianceMap
         from radcalc.geometry.projections import USUAL_SIZE
@@ -411,20 +402,17 @@ class _Surroundings:
         return results
 
     def _format(self, name: str, amount: float) -> str:
-        """Return the text of a light quantity in a derivation."""
         relative = _relative(name, amount).units[0]
         unit = light_unit(name, self.kind, coherent=True) if self.kind else relative
         return format_value(amount, unit)
 
     def _error(self, error: float) -> Value:
-        """Return the estimated error of the irradiance."""
         row = self._show_light({"irradiance": error}).values["irradiance"][0]
         return value("error", error, *row.units, label="estimate of the error")._replace(
             dimensions=row.dimensions
         )
 
     def _steps(self, normal: Any, irradiance: float, mean: float) -> Iterator[Step]:
-        """Yield the steps of the derivation."""
         yield from self._weighting()
         facing = ",".join(map(format_number, normal))
         numbers = f"n = {facing}; E = {self._format('irradiance', irradiance)}"
@@ -433,7 +421,6 @@ class _Surroundings:
         yield Step("mean radiance", MEAN.format("L_mean"), numbers)
 
     def _weighting(self) -> Iterator[Step]:
-        """Yield the weighting of a pixel's channels, if it has several."""
         if self.environment.luminance:
             yield Step(
                 "radiance of a pixel", "", self.environment.luminance, self.environment.reference
@@ -441,7 +428,6 @@ class _Surroundings:
 
 
 def _relative(name: str, amount: float) -> Value:
-    """Return a light quantity of relative radiances."""
     symbol = SYMBOLS[name]
     is_radiance = symbol.geometry == SYMBOLS["radiance"].geometry
     dimension, unit = (NUMBER, "1") if is_radiance else (SOLID_ANGLE, "sr")

@@ -61,7 +61,7 @@ PAGE = Page(
 
 
 def etendue(given: Inputs) -> Answer:
-    """Return the etendue of a source and a cone or a receiver, with the sizes, flux and radiance.
+    """Return etendue, sizes, flux and radiance of a source and a cone or a receiver.
 
     Any sufficient set of these gives the others.
     """
@@ -96,7 +96,6 @@ def etendue(given: Inputs) -> Answer:
 
 
 def _unlimited(given: Inputs) -> MissingInput:
-    """Return the error for a source without a size or a limit of its light."""
     if set(given) & {*CONES, *RECEIVERS}:
         sizes = "{area=1cm2}, {radius=10cm}, {diameter=20cm}, or {width=2cm} with {length=1cm}"
         return MissingInput("the size of the source is missing", mention(sizes))
@@ -105,7 +104,6 @@ def _unlimited(given: Inputs) -> MissingInput:
 
 
 def _source(given: Inputs) -> list[AnyLaw]:
-    """Return the laws of the source's area."""
     if "width" in given or "length" in given:
         if set(given) & {"area", *ROUND}:
             raise ConditionError("the size of the source is given twice", "one of them")
@@ -115,7 +113,6 @@ def _source(given: Inputs) -> list[AnyLaw]:
 
 
 def _with_cone(sheet: Worksheet) -> Placed:
-    """Place a source with a cone of light."""
     given = sheet.given
     placed = Placed(*_source(given))
     at_most_one(given, "the cone", *CONES)

@@ -112,7 +112,6 @@ def ev(given: Inputs) -> Answer:
 
 
 def _solve_exposure(given: Inputs) -> Answer:
-    """Return the answer for an exposure, a filter or a flash."""
     for item in given.values():
         if isinstance(item.unit, ScaleUnit) and item.unit.scale.constant:
             problem = f"{option(item.name, quote(item.text))} is an exposure value"
@@ -159,7 +158,6 @@ def _solve_exposure(given: Inputs) -> Answer:
 
 
 def _flash(given: Inputs) -> Answer:
-    """Return guide number, distance, f-number, ISO speed and filter of a flash."""
     sheet, placed = worksheet(FLASHING, given, with_light=False), Placed()
     if "iso" not in given and not {*OF_FLASH, "f-number"} <= set(given):
         placed.add("iso", 100.0)
@@ -170,7 +168,6 @@ def _flash(given: Inputs) -> Answer:
 
 
 def _assume_average(solved: Solved) -> None:
-    """Add the assumption of an average scene between luminance and illuminance."""
     if {"luminance", "illuminance"} & set(solved.given):
         average = format_number(100 * math.pi * solved.value("k") / solved.value("c"), 3)
         solved.assume(

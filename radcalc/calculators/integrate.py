@@ -110,8 +110,7 @@ def integrand(text: str) -> Integrand:
 def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     """Integrate an expression in theta, phi, x, y, z over a part of the sphere.
 
-    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy; `of` describes the
-    unit of the expression.
+    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy.
     """
     polar, azimuth = directions(given)
     accuracy = given["accuracy"].value if "accuracy" in given else USUAL
@@ -173,7 +172,6 @@ def directions(given: Inputs) -> tuple[tuple[float, float], tuple[float, float]]
 
 
 def _polar(given: Inputs) -> tuple[float, float]:
-    """Return the polar angles [rad] to integrate over."""
     where = [name for name in DIRECTIONS if name in given]
     ways = mention("{sphere}, {hemisphere}, {half-angle=30deg} or {polar=30deg:60deg}")
     if not where:

@@ -57,8 +57,7 @@ if TYPE_CHECKING:
 class LightInputs(NamedTuple):
     """Light inputs: quantities of one kind [SI], and links to other kinds.
 
-    `given_in_two_kinds` maps the generic name of a quantity to its value in a second kind; their
-    ratio is one of the `links`.
+    `given_in_two_kinds` has, by generic name, values in a second kind; their ratio is a link.
     """
 
     kind: str
@@ -147,7 +146,6 @@ class Ratio(NamedTuple):
 
     @classmethod
     def of(cls, first: Input, second: Input) -> "Ratio":
-        """Return the ratio of two values of one quantity."""
         kinds = {kind_of(given): given for given in (first, second)}
         return next(
             cls(name, kinds[over], kinds[under])
@@ -157,11 +155,9 @@ class Ratio(NamedTuple):
 
     @property
     def value(self) -> Any:
-        """The ratio [SI]."""
         return self.over.value / self.under.value
 
     def link(self) -> Input:
-        """Return the ratio as an efficacy."""
         unit = resolve(SYMBOLS[self.name].unit)
         number = self.value / float(unit.factor)
         text = f"{format_number(number)} {unit.text} ({self.over.text} over {self.under.text})"
@@ -171,7 +167,6 @@ class Ratio(NamedTuple):
 
     @property
     def law(self) -> Law:
-        """The definition of the ratio."""
         over, under = (
             specific_name(quantity.symbol.generic, kind_of(quantity)) for quantity in self[1:]
         )
@@ -179,7 +174,6 @@ class Ratio(NamedTuple):
         return law(label, f"{{{over}}} = {{{self.name}}} {{{under}}}")
 
     def step(self) -> Step:
-        """Return the step of the derivation."""
         from radcalc.conversion.spectral import KIND_UNITS
 
         generic, kinds = self.over.symbol.generic, (kind_of(self.over), kind_of(self.under))
@@ -214,7 +208,6 @@ def rounding(lit: LightInputs, name: str) -> Any:
 
 
 def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
-    """Refuse one quantity in two kinds with an impossible ratio."""
     kinds = (kind_of(quantity) for quantity in ratio[1:])
     try:
         linking_factor(links, *kinds)

@@ -190,7 +190,6 @@ def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> A
 
 
 def _refuse_dark(given: Inputs, lit: LightInputs) -> None:
-    """Refuse inputs without a light quantity."""
     hint = mention("{radiance}, {exitance}, {flux} ...")
     if not lit.values and ({"reflectance", "time"} & set(given) or lit.links):
         raise MissingInput("a light quantity is missing", hint)
@@ -227,7 +226,6 @@ def _judge(solved: Solved) -> None:
 
 
 def _compare(solved: Solved, far: Number, exact: Number) -> None:
-    """Note how the far-field irradiance differs from the exact one."""
     ratio = piecewise(exact == 0, lambda f, e: 1.0 + 0.0 * e, lambda f, e: f / e, far, exact)
     differs = (ratio < SHOWN_AS_1[0]) | (ratio > SHOWN_AS_1[1])
     law = "the inverse square law, applied at the centre,"

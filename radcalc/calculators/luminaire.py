@@ -1,7 +1,4 @@
-"""A point source with any distribution: of a file or an expression, or an aimed one.
-
-`radcalc.calculators.point_source` uses it for distributions that are functions of direction.
-"""
+"""A point source with any distribution: of a file or an expression, or an aimed one."""
 
 import math
 from collections.abc import Iterator
@@ -103,7 +100,6 @@ class Figures(NamedTuple):
 
 @lru_cache(maxsize=8)
 def _figures(distribution: Any) -> Figures:
-    """Return the figures of a distribution, cached for the answers of a list."""
     flux: Integral | ConditionError
     try:
         flux = distribution.flux()
@@ -131,8 +127,6 @@ def _upward(
 
 
 class _Luminaire:
-    """One attempt at an answer: the source, its pose and the worksheet."""
-
     def __init__(self, given: Inputs, is_aside: bool, any_incidence: bool) -> None:
         from radcalc.distributions.pose import DOWN, Pose
 
@@ -210,7 +204,6 @@ class _Luminaire:
     # -- figures and scale --------------------------------------------------------------------
 
     def _place_figures(self) -> None:
-        """Add the figures of the distribution, by the symbols of the laws."""
         light, placed, flux = self.sheet.lit.values, self.placed, self.figures.flux
         placed.add("relative-axial-intensity", self.figures.axial)
         placed.add("relative-peak-intensity", self.figures.peak.value)
@@ -289,7 +282,6 @@ class _Luminaire:
     # -- the receiver ---------------------------------------------------------------------------
 
     def _place_receiver(self) -> None:
-        """Add the receiver's position and its laws."""
         given, placed = self.given, self.placed
         if "incidence" in given:
             placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
@@ -309,7 +301,6 @@ class _Luminaire:
             placed.laws.append(laws_of.beam_diameter(edges, self._axis_input))
 
     def _place_below(self) -> None:
-        """Add a receiver at a height and an offset."""
         given, placed = self.given, self.placed
         offsets = [given[name] for name in OFFSETS if name in given]
         if offsets:
@@ -349,31 +340,26 @@ class _Luminaire:
         return "" if "toward" in self.given else "distance"
 
     def _receiver(self) -> AnyLaw:
-        """Return the law of the received flux."""
         if self.is_flat:
             return laws_of.lying_disc(self.source, self.pose, self.bearing)
         return laws_of.SMALL if self.is_turned else laws_of.facing_disc(self.source)
 
     @property
     def is_flat(self) -> bool:
-        """Return whether the receiver is horizontal."""
         return self.is_below and "incidence" not in self.given
 
     @property
     def is_turned(self) -> bool:
-        """Return whether the receiver is turned around an unknown axis."""
         incidence = angle_of(self.given, "incidence")
         return not self.is_flat and (self.any_incidence or any_true(incidence != 0))
 
     @property
     def is_scaled(self) -> bool:
-        """Return whether a light quantity scales the distribution."""
         return "scale" not in self.placed.known
 
     # -- remarks --------------------------------------------------------------------------------
 
     def _with_remarks(self, solved: Solved) -> Answer:
-        """Return the answer with remarks on the source and the receiver."""
         solved.assumptions = [*self._of_source(solved), *solved.assumptions]
         solved.notes += self.photometry.notes
         if solved.lit.links and not self.of_shape:
@@ -398,7 +384,6 @@ class _Luminaire:
         return answer._replace(values=values)
 
     def _of_source(self, solved: Solved) -> Iterator[str]:
-        """Yield the assumptions about the distribution and its scale."""
         source = self.photometry
         if self.of_shape:
             yield ASSUMED[source.format].partition(";")[0]
@@ -425,7 +410,6 @@ class _Luminaire:
             yield "the declared lamp flux and power do not apply to a scaled distribution"
 
     def _judge_receiver(self, solved: Solved) -> None:
-        """Add the assumptions about the receiver, and note uneven light on it."""
         solved.assume("the receiver is a disc of that area")
         if self.is_turned:
             self._refuse_uneven(solved)
@@ -466,7 +450,6 @@ class _Luminaire:
         yield from self._declared(solved)
 
     def _error(self, solved: Solved, flux: "Integral") -> Value:
-        """Return the estimated error of the integrated flux."""
         kind = solved.lit.kind
         if zonal := getattr(self.source, "zonal_flux", None):
             part = zonal() / flux.value
@@ -485,7 +468,6 @@ class _Luminaire:
     def _width(
         self, solved: Solved, name: str, azimuth: float, share: float, percentage: str
     ) -> Value:
-        """Return a beam angle or a field angle in a plane, and add its remarks."""
         beam = _beam(self.source, 0.0 if self.source.is_axial else azimuth, share)
         if beam.outermost is None:
             return absent(
@@ -528,7 +510,7 @@ class _Luminaire:
 
     @property
     def _not_declared(self) -> tuple[str, str]:
-        """The reason why declared values are missing, and a hint."""
+        """Return the reason why declared values are missing, and a hint."""
         if self.photometry.declared and self.is_scaled:
             scaling = options([item.name for item in self.sheet.lit.values.values()], " and ")
             problem = "declared values do not apply to a scaled distribution"

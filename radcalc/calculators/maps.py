@@ -9,10 +9,7 @@ if TYPE_CHECKING:
 
 
 class RenderedMap(NamedTuple):
-    """A rendered picture, its description, and the answer with results and remarks.
-
-    `pixels` are those of the picture in full precision, in the `unit`.
-    """
+    """A picture in full precision in the `unit`, its description, and its answer."""
 
     picture: "Picture"
     pixels: Any

@@ -64,7 +64,6 @@ def mesopic(given: Inputs) -> Answer:
 
 
 def _ratio_of(given: Input) -> float:
-    """Return the S/P ratio of a spectrum."""
     source = given.value
     photopic = source.lumens(OBSERVERS["photopic"])
     if not photopic > 0:

@@ -46,12 +46,12 @@ class Page(NamedTuple):
     Fields for the command and the Python function: `about` is a one-line summary; `sections` map
     titles of the help to the symbols of options, `kinds` are their kinds of light.  `texts` replace
     the example and the help of a symbol, or the help alone.  `like` maps a result to the symbol of
-    the same quantity.  `draws` allows pictures, `takes_lines` inputs from lines of standard input.
+    the same quantity.  `draws` allows pictures, `takes_lines` lines of standard input.
     `mistakes` are names of `homework` for this calculator.
 
     `examples` have NAME=VALUE for each symbol, NAME= for a flag, and may end in two or more blanks
     and a remark.  In `remarks` {name} mentions a symbol, and a paragraph that begins with a line of
-    `\\b` keeps its lines.
+    `\b` keeps its lines.
 
     `bare` are the units of numbers that are usually written without one; `labels` replace those
     of symbols, and `forms` are the forms of their numbers.
@@ -93,7 +93,6 @@ class Page(NamedTuple):
 
     @property
     def paragraphs(self) -> list[str]:
-        """Return the paragraphs of the remarks."""
         from inspect import cleandoc
 
         return cleandoc(self.remarks).split("\n\n") if self.remarks else []

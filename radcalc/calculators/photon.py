@@ -47,8 +47,8 @@ def named(wave: Input) -> Input:
 def photon(given: Inputs) -> Answer:
     """Return the answer for a wavelength, frequency, wavenumber or photon energy.
 
-    `given` has it as the wavelength, and may have an observer.  The wavelength, frequency,
-    wavenumber and energy are those in vacuum; the tables of the eye are for standard air.
+    `given` may have an observer, too.  All are values in vacuum; the tables of the eye are for
+    standard air.
     """
     wave = given["wavelength"]
     solution = solve(LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})
@@ -75,7 +75,6 @@ def photon(given: Inputs) -> Answer:
 
 
 def _visibility(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
-    """Return efficiency and efficacy of a wavelength [m]."""
     efficiency = luminous_efficiency(wavelength, observer)
     return [
         value(f"{kind}-efficiency", efficiency),

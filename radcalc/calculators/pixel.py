@@ -102,7 +102,6 @@ def refuse_shape(size: Input, projection: str, is_given: bool = True) -> None:
 
 
 def _middle(projection: str, u: float, v: float) -> list[Value]:
-    """Return the direction of a place on the map, if it has one."""
     if is_outside(projection, u, v):
         problem = "the middle of the pixel is outside the circle of the map"
         return [absent(name, problem, "a pixel further inside") for name in ("polar", "azimuth")]

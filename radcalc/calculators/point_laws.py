@@ -72,7 +72,6 @@ def solve_facing(
 
 
 def _explaining_incidence(sheet: Worksheet, laws: list[AnyLaw], placed: Placed) -> Any:
-    """Return the incidence that fits the other inputs, or None."""
     try:
         solved = solve(sheet, laws, placed)
     except ConditionError:

@@ -172,8 +172,8 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
 
     Without a light quantity, one width of a cone or a lobe gives the others.  `given` are light
     quantities (generic or specific names), the distribution, lengths, angles, times, and links
-    between kinds.  With `any_incidence` the incidence is solved for instead of assumed to be 0.
-    Without an offset the receiver is on the axis, unless the other inputs contradict that.
+    between kinds.  `any_incidence` solves for the incidence instead of assuming 0.  Without an
+    offset the receiver is on the axis, unless the other inputs contradict that.
     """
     work_out = _answer
     shaped = "distribution" not in given or isinstance(given["distribution"].value, str)
@@ -192,7 +192,6 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
 
 
 def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
-    """Return the answer for a receiver on or off the source's axis."""
     shape = spread(given)
     results = (*POSITION, "off-axis", *SHAPED[shape], "beam-diameter", *RECEIVER)
     hints = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
@@ -220,7 +219,6 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
 
 
 def _width(sheet: Worksheet, placed: Placed, shape: str) -> Answer:
-    """Return the widths of the beam from one of them."""
     if sheet.lit.links or not {*SHAPED[shape], "hemisphere"} & set(sheet.given):
         hint = mention("{flux}, {intensity} or {irradiance}")
         raise MissingInput("a light quantity is missing", hint)
@@ -244,7 +242,6 @@ def _beam(sheet: Worksheet, placed: Placed, shape: str, away: str) -> list[AnyLa
 
 
 def _with_remarks(solved: Solved, shape: str) -> Answer:
-    """Return the answer with remarks on the receiver and the cone."""
     if solved.has("received-flux"):
         _judge_receiver(solved, shape)
     if "beam-angle" in solved.given and solved.has("intensity"):

@@ -86,7 +86,6 @@ def in_unit(value: Value, unit: Unit) -> Any:
 
 
 def _on_scale(value: Value, unit: "ScaleUnit") -> Any:
-    """Return the reading of a value on a scale, if its quantity has one."""
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
     scale = unit.measures((*value.dimensions, *value.reach))
@@ -136,7 +135,6 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
 
 
 def _in_shown_unit(value: Value, text: str) -> Any:
-    """Return a value in one of its shown units, mostly coherent or as typed."""
     if text == value.units[0] and (typed := value.in_first) is not None:
         return typed + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
     if text == COHERENT.get(value.dimensions[0]):
@@ -235,7 +233,6 @@ def names_of(values: Sequence[Value]) -> list[str]:
 
 
 def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> str:
-    """Return suggestions for an unknown name: results of that unit, similar names, or all."""
     from radcalc.units.scales import find
 
     scale = find(name)
@@ -252,7 +249,6 @@ def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> st
 
 
 def _apart(row: Row) -> Row:
-    """Return a row with number and uncertainty separated."""
     if not is_uncertain(row.value):
         return row
     return row._replace(value=row.value.nominal_value, uncertainty=row.value.std_dev)

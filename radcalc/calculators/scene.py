@@ -95,7 +95,6 @@ class Survey:
             yield irradiances
 
     def at_points(self, blocks: Iterable[Vector]) -> Iterator[Answer]:
-        """Return an answer with arrays for each block of points."""
         return map(self._values, self.fields(blocks))
 
     def at_point(self, point: Vector) -> Answer:
@@ -105,7 +104,6 @@ class Survey:
         return self.remarks()._replace(values=values, steps=self._steps(point))
 
     def over_all(self, blocks: Iterable[Vector], is_grid: bool = False) -> Answer:
-        """Return the answer over all points: mean, extremes and uniformity."""
         for _ in self.fields(blocks):
             pass
         return self.remarks(is_grid, with_values=True)
@@ -133,7 +131,6 @@ class Survey:
         return Answer(values)
 
     def remarks(self, is_grid: bool = False, with_values: bool = False) -> Answer:
-        """Return the assumptions and notes on all points, optionally with results over them."""
         statistics = self.statistics
         amounts = dict(
             zip(LIGHT_OF_ALL, (statistics.mean, statistics.least, statistics.most), strict=True)
@@ -167,7 +164,6 @@ class Survey:
             yield f"the least light is at {ends[0]}, the most at {ends[1]}"
 
     def _steps(self, point: Vector) -> list[Step]:
-        """Return the derivation at one point: the term of each source, and the sum."""
         steps, terms = [], []
         for placed in self.scene.sources:
             step, part = self._term(placed, point)

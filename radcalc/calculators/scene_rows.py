@@ -81,8 +81,7 @@ MARKED = re.compile(r"[\d.,]*[.,]\d+(?:[eE][-+]?\d+)?")  # a number with a point
 class Row(NamedTuple):
     """A source as typed.
 
-    `where` names the row in messages; `cells` are its values by column, without blank ones;
-    `titles` are the titles of the columns in the file.
+    `where` names the row in messages; `cells` are its non-blank values by column.
     """
 
     where: str
@@ -90,12 +89,10 @@ class Row(NamedTuple):
     titles: dict[str, str]
 
     def error(self, column: str, problem: str, hint: str) -> ConditionError:
-        """Return the error for a column of the row."""
         place = f"{self.where}, {_title(self.titles, column)}"
         return ConditionError(f"{place}: {problem}", hint)
 
     def both(self, first: str, second: str) -> ConditionError:
-        """Return the refusal of two columns that exclude each other."""
         message = f"{self.where}: {typed(first)} cannot be used with {typed(second)}"
         return ConditionError(message, "one of them")
 
@@ -291,7 +288,6 @@ class Reader:
         self.fluxes: dict[Distribution, float] = {}
 
     def sources(self, rows: Sequence[Row]) -> list[NamedSource]:
-        """Return a source for each row; names must be unique."""
         placed: list[NamedSource] = []
         names: dict[str, Row] = {}
         for number, row in enumerate(rows, 1):
@@ -310,7 +306,6 @@ class Reader:
         return placed
 
     def source(self, name: str, row: Row) -> NamedSource:
-        """Return the source that a row describes."""
         given = {c: self.read(row, c) for c in row.cells if c not in TEXTS}
         place = self.point(row, given, PLACE)
         shape, photometry = self.shape(row, given)
@@ -330,7 +325,6 @@ class Reader:
         return NamedSource(name, source)
 
     def read(self, row: Row, column: str) -> Input:
-        """Return the value in a cell."""
         symbol, value = COLUMNS[column], row.cells[column]
         number = value[0] if isinstance(value, tuple) else value
         if isinstance(number, bool) or not isinstance(number, (str, Real)):
@@ -352,7 +346,6 @@ class Reader:
             raise row.error(column, message.replace(column, typed(column), 1), hint) from None
 
     def point(self, row: Row, given: Inputs, names: Sequence[str]) -> Vector:
-        """Return three coordinates; refuse missing ones."""
         for name in names:
             if name not in given:
                 problem = "is blank" if name in row.titles else "is missing"
@@ -429,7 +422,6 @@ class Reader:
             raise row.error("distribution", *error.spelled(Plain)) from None
 
     def one_of(self, row: Row, given: Inputs, names: Sequence[str], shape: str) -> Input:
-        """Return the only given column of several for a shape; refuse none and two."""
         matches = [name for name in names if name in given]
         if len(matches) > 1:
             raise row.both(*matches[:2])
@@ -446,7 +438,6 @@ class Reader:
         return float(values[wanted].value)
 
     def refuse_idle(self, row: Row, given: Inputs, shape: str) -> None:
-        """Refuse columns of other distributions."""
         useful = (*PLACE, *AIM, *DIRECTION, "rotate", *STRENGTH, *TAKES.get(shape, ()))
         idle = [n for n, item in given.items() if {n, item.symbol.generic}.isdisjoint(useful)]
         if idle:
@@ -483,7 +474,6 @@ class Reader:
         return self.fluxes[distribution]
 
     def amount(self, row: Row, given: Input) -> float:
-        """Return a light quantity in the scene's kind."""
         kind = kinds.kind_of(given)
         return float(given.value) * self.in_kind(row, given.name, kind)
 

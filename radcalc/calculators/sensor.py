@@ -214,7 +214,6 @@ def _with_photons_counted(given: Inputs) -> Inputs:
 
 
 def _note_infrared(solved: Solved) -> None:
-    """Note counted photons that silicon does not absorb."""
     limits = solved.lit.links["photon-range"].value
     if limits[1] > SILICON:
         narrower = mention("{range=400nm:700nm} counts those that a filter transmits")

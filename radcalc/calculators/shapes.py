@@ -60,7 +60,6 @@ class Seen(Placed):
         self.given = given
 
     def project(self, flat: Any, shape: str, offset: Any = 0.0) -> None:
-        """Add the exact projected solid angle of a shape, with its step."""
         self.add("projected-solid-angle", flat)
         where = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
         numbers = f"{shape}{where}: Omega_p = {format_number(flat)} sr"
@@ -98,12 +97,10 @@ class Seen(Placed):
 
 
 def _is_sized(given: Inputs) -> bool:
-    """Return whether the radius is known."""
     return "radius" in given or "diameter" in given
 
 
 def _radius(given: Inputs) -> Any:
-    """Return the radius, given as a radius or a diameter."""
     return radius_of(one_of(given, "the size of the source", "radius", "diameter"))
 
 
@@ -171,12 +168,10 @@ def _patch_toward(placed: Seen) -> None:
 
 
 def _small(given: Inputs) -> list[AnyLaw]:
-    """Return the laws of a source that is small compared to its distance."""
     return [SMALL_SOURCE, *_without_size(given, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY)]
 
 
 def _without_height(name: str) -> MissingInput:
-    """Return the error for a receiver without a height."""
     message = f"{option(name)} does not apply without a height"
     return MissingInput(message, mention("{height=1.5m} with it"))
 
@@ -243,7 +238,6 @@ def _disc(sheet: Worksheet) -> Placed:
 
 
 def _disc_seen(placed: Seen, height: Any) -> None:
-    """Add the solid angles of a disc at a known position."""
     placed.use("radius", "diameter")
     size, offset = _radius(placed.given), offset_of(placed.given)
     tilt = _tilt(placed.given, height, abs(offset))
@@ -320,7 +314,6 @@ def _lacks_side(sheet: Worksheet) -> bool:
 
 
 def _rectangle_seen(placed: Seen, height: Any) -> None:
-    """Add the solid angles of a rectangle at a known position."""
     given = placed.given
     width, length = (
         one_of(given, f"the {name} of the rectangle", name).value for name in ("width", "length")

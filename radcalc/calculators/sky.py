@@ -1,7 +1,7 @@
 """The light of the sky and the sun: from a direction, on the ground, on a plane.
 
 Quadrature gives the sky's luminance relative to the zenith and its integrals for the ground and
-the plane; the laws use these values.
+the plane, which the laws use.
 """
 
 import math
@@ -243,8 +243,6 @@ def sky_map(name: str, given: Inputs) -> "RenderedMap":
 
 
 class _Sky:
-    """A sky, its sun, and the plane and direction of interest."""
-
     def __init__(
         self, name: str, given: Inputs, for_map: bool = False, is_drawn: bool = False
     ) -> None:
@@ -269,7 +267,6 @@ class _Sky:
             self._refuse_sun()
 
     def answer(self, solved: Solved) -> Answer:
-        """Return the answer."""
         self._assume(solved)
         kind = solved.lit.kind
         lacking = {} if self.has_plane else {"irradiance": NO_PLANE, "daylight-share": NO_PLANE}
@@ -282,7 +279,6 @@ class _Sky:
         return answer._replace(values=[*answer.values, *rows])
 
     def solve(self) -> Solved:
-        """Return the solution; refuse a sky without light and without a plane."""
         if not (self.lit or self.has_plane):
             raise MissingInput("a light quantity is missing", BRIGHT)
         placed = Placed()
@@ -293,7 +289,6 @@ class _Sky:
         return solve(self.sheet, self.laws, placed)
 
     def picture(self, solved: Solved, width: int, height: int) -> "Picture":
-        """Return the map of the sky."""
         from radcalc.distributions.maps.sky_map import Sun, sky_map
         from radcalc.distributions.sky import Sky
 
@@ -314,7 +309,6 @@ class _Sky:
         return sky_map(sky, width, height, disc)
 
     def on_ground(self, solved: Solved, picture: "Picture") -> str:
-        """Return a text with the irradiance of the ground from the map's pixels, and its error."""
         from radcalc.distributions.maps.radiance_map import RadianceMap
 
         kind = solved.lit.kind
@@ -327,7 +321,6 @@ class _Sky:
         return f"its pixels give the ground {irradiance_text} (error: {off:.1g} %)"
 
     def _laws(self, with_direction: bool) -> list[AnyLaw]:
-        """Return the laws of the sky, the sun, the direction and the plane."""
         laws: list[AnyLaw] = [GROUND]
         if self.is_sunlit:
             laws += [GLOBAL, DISC]
@@ -425,7 +418,6 @@ class _Sky:
         return placed
 
     def _luminance(self) -> Step:
-        """Return the derivation of the sky's luminance distribution."""
         if self.type.is_linear:
             return Step(*LINEAR)
         numbers = ", ".join(f"{name} = {getattr(self.type, name):g}" for name in "abcde")
@@ -437,7 +429,6 @@ class _Sky:
     # -- remarks --------------------------------------------------------------------------------
 
     def _assume(self, solved: Solved) -> None:
-        """Add the assumptions about the sky, the sun and the directions."""
         given, sky = self.given, self.type
         number = f"CIE type {sky.number}: " if sky.number else ""
         solved.assume(f"{number}{sky.name}")
@@ -493,7 +484,6 @@ def place_of_sun(given: Inputs) -> tuple[Number, Number]:
 
 
 def _facing(given: Inputs) -> Vector:
-    """Return the unit normal of the plane."""
     if "normal" in given:
         return unit(given["normal"].value)
     tilt, azimuth = given["tilt"].value, given["azimuth"].value if "azimuth" in given else 0.0

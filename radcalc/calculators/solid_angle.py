@@ -150,7 +150,6 @@ def _in_units_given(answer: Answer, given: Inputs) -> Answer:
 
 
 def _missing_input(sheet: Worksheet) -> UsageError:
-    """Return the error for a shape with too few inputs."""
     optional = ("diameter", "offset", "tilt", *sheet.given)
     choices = [name for name in sheet.page.takes if name not in optional]
     message = f"an input is missing: {sheet.page.title} takes two"

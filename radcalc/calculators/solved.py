@@ -69,15 +69,12 @@ class Solved(Remarks):
         self.use(*sheet.lit.given_in_two_kinds, *placed.used)
 
     def has(self, *names: str) -> bool:
-        """Return whether one of the symbols has a value."""
         return not self.solution.values.keys().isdisjoint(names)
 
     def value(self, name: str) -> Any:
-        """Return a value [SI]."""
         return self.solution.values[name].value
 
     def describe(self, name: str) -> str:
-        """Return the text of a value for a message, as typed or as computed."""
         if name in self.given:
             return option(name, quote(self.given[name].text))
         size = format_value(self.value(name), coherent_unit_of(name, self.lit.kind))
@@ -100,7 +97,6 @@ class Solved(Remarks):
                 )
 
     def note_behind(self) -> None:
-        """Note light from the side of the receiver or from behind."""
         if self.has("cosine") and any_true(self.value("cosine") == 0):
             self.note("light from the side or behind does not reach the receiver")
 
@@ -129,7 +125,6 @@ class Solved(Remarks):
         )
 
     def _others(self) -> list[Value]:
-        """Return the results of the page that are not light quantities."""
         values, page = self.solution.values, self.sheet.page
         results = []
         for name in page.others:

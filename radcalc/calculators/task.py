@@ -30,7 +30,6 @@ class Task(NamedTuple):
         return _with_readings(self.work_out(inputs), inputs)
 
     def solve(self, inputs: Inputs) -> Answer:
-        """Return the answer for inputs, with uncertainties."""
         if not any_uncertain(inputs.values()):
             return self.nominal(inputs)
         from radcalc.calculators.uncertainty import with_uncertainties
@@ -39,7 +38,6 @@ class Task(NamedTuple):
 
 
 def _with_readings(answer: Answer, inputs: Inputs) -> Answer:
-    """Return the answer with the assumptions about ambiguous inputs."""
     readings = dict.fromkeys([text for given in inputs.values() for text in given.assumptions])
     if not readings:
         return answer

@@ -200,7 +200,6 @@ def _sorted(first: float, second: float) -> tuple[float, float]:
 
 
 def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
-    """Add the defaults of settings, as assumptions."""
     given = sheet.given
     aim = "shines everywhere" if is_omni else "shines along +z"
     placed.assume(f"the light is at 0,0,0 and {aim}")
@@ -256,7 +255,6 @@ def _attenuate(settings: Settings, sheet: Worksheet) -> Placed:
 
 
 def _by_depth(at: Settings, placed: Placed) -> None:
-    """Add the attenuation by the depth."""
     near, far = at.get("near"), at.get("far")
     letter, depth = ("d", at["distance"]) if "omni" in at else ("z", at["point"][2])
     clip = attenuations.depth_clip(depth, near, far)
@@ -282,7 +280,6 @@ def _by_depth(at: Settings, placed: Placed) -> None:
 
 
 def _by_superellipse(at: Settings, placed: Placed) -> None:
-    """Add the attenuation by the cross-section."""
     if "superellipse" not in at:
         placed.add("superellipse-attenuation", 1.0)
         return
@@ -325,7 +322,6 @@ def _section(at: Settings) -> tuple[Number, Number]:
 
 
 def _by_beam(at: Settings, placed: Placed) -> None:
-    """Add the attenuation by the angle off the axis."""
     if "beam-exponent" not in at:
         placed.add("beam-attenuation", 1.0)
         return
@@ -338,7 +334,6 @@ def _by_beam(at: Settings, placed: Placed) -> None:
 
 
 def _by_falloff(at: Settings, placed: Placed) -> None:
-    """Add the attenuation by the distance."""
     numbers = {name: at[name] for name in ("distance", "falloff", "falloff-distance")}
     maximum = at.get("maximum")
     distance, exponent, reference = numbers.values()
@@ -418,7 +413,6 @@ def _judge_corner(solved: Solved) -> None:
 
 
 def _judge_dark(solved: Solved) -> None:
-    """Note why no light arrives."""
     z = solved.given["point"].value[2]
     if "omni" not in solved.given and any_true(z <= 0):
         solved.note("a spot has no light where z is 0 or less")

@@ -130,11 +130,9 @@ class Converted(NamedTuple):
 
     @property
     def uncertainty(self) -> float:
-        """The standard uncertainty of the number."""
         return getattr(self.number, "std_dev", 0.0)
 
     def notes(self, name: str, unit: str) -> list[str]:
-        """Return the notes on the bends, for the name and the unit of the number."""
         notes = [bend.problem for bend in self.bends if bend.problem]
         for bend in self.bends:
             for key in bend.bent:
@@ -145,7 +143,7 @@ class Converted(NamedTuple):
 def converted(planned: Plan, amount: Amount, given: Sequence[Input], of: Any = None) -> Converted:
     """Convert an amount, where it or the conditions are uncertain.
 
-    `of` is the Python variable of the amount, if there is one.
+    `of` is the Python variable of the amount, if any.
     """
 
     def work_out(inputs: Inputs) -> Numbers:
@@ -175,12 +173,10 @@ def _assumed(given: Inputs) -> str:
 
 
 def _named(given: Input) -> str:
-    """Return the name and the text of an input, for a note."""
     return f"{given.symbol.label or 'the value'} {quote(given.text)}"
 
 
 def _option_text(given: Input) -> str:
-    """Return an input as typed, for a message."""
     return option(given.name, quote(given.text)) if given.name else quote(given.text)
 
 
@@ -348,7 +344,6 @@ def _numbers(answer: Answer) -> Numbers:
 
 
 def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
-    """Return a result with the uncertainties of its numbers."""
     if value.is_absent:
         return value
     reach = {d: numbers.get((*key, d), amount) for d, amount in value.reach.items()}
@@ -373,7 +368,6 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
 
 
 def _in_unit(value: Value, unit: Unit, amount: float) -> Any:
-    """Return another amount [SI] of a result in a unit."""
     return in_unit(value._replace(si=amount, given=None, exact=None), unit)
 
 

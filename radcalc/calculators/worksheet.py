@@ -27,8 +27,7 @@ class Worksheet(NamedTuple):
     """The inputs of a calculator, checked and sorted.
 
     `lit` are the light quantities in one kind, `given` the other inputs, and `known` the values
-    of both for the laws.  `hints` are inputs to suggest if one is missing; `defaults` may be
-    omitted.
+    of both for the laws.  `hints` are inputs to suggest; `defaults` may be omitted.
     """
 
     page: Page
@@ -39,11 +38,9 @@ class Worksheet(NamedTuple):
     defaults: frozenset[str] = frozenset()
 
     def has(self, *names: str) -> bool:
-        """Return whether one of the symbols is among the inputs."""
         return not self.known.keys().isdisjoint(names)
 
     def known_with(self, placed: "Placed") -> dict[str, Known]:
-        """Return the values of the inputs and those that a page added."""
         return {**self.known, **placed.known}
 
     @property
@@ -65,8 +62,8 @@ def worksheet(
     """Check and sort the inputs of a page.
 
     Without `with_light`, light quantities are treated like other inputs.  The kind of light is the
-    `preferred` one if a link leads to it.  `accepts` are the accepted inputs (default: those of
-    the page), `hints` those to suggest (default: the accepted ones).
+    `preferred` one if a link leads to it.  `accepts` are the accepted inputs (default: the page's),
+    `hints` those to suggest (default: the accepted ones).
     """
     accepts = page.takes if accepts is None else accepts
     rest = given
@@ -109,11 +106,9 @@ class Remarks:
         self.used: set[str] = set()
 
     def assume(self, *texts: str) -> None:
-        """Add assumptions."""
         self.assumptions += texts
 
     def note(self, *texts: str) -> None:
-        """Add notes."""
         self.notes += texts
 
     def use(self, *names: str) -> None:
@@ -146,7 +141,6 @@ class Placed(Remarks):
             self.assume(*texts)
 
     def merge(self, other: "Placed") -> None:
-        """Add everything of another `Placed`."""
         self.laws += other.laws
         self.known |= other.known
         self.steps += other.steps
@@ -158,7 +152,7 @@ class Placed(Remarks):
 def place(sheet: Worksheet, find: Callable[[Worksheet], Placed]) -> Placed:
     """Return what `find` derives from the inputs, with the rounding errors of its values.
 
-    The rounding error of a value follows from shifting each input by its own rounding error.
+    These errors follow from shifting each input by its own rounding error.
     """
     placed = find(sheet)
     for name, known in placed.known.items():
