@@ -2,16 +2,14 @@
 
 `triangle` and `polygon` compute solid angles [sr] from vertices; `projected` weights each direction
 by its cosine to a normal; `above` cuts off the part below a receiver's horizon.
-`radcalc.geometry.solid` and `radcalc.geometry.projected` use them for rectangles and polygons.
 
-A point is a triple of coordinates: a tuple of floats or arrays, or the last axis of an array.
-All points are relative to the observer, in any one unit of length.  `split` turns a list of
-vertices into the form that the other functions take: the first vertex, and all vertices *from that
-one* (the first of these is zero).  The vertices of a small polygon far away agree in most of their
-digits, and only these differences keep all digits.
+A point is a triple of coordinates, a tuple of floats or arrays or the last axis of an array,
+relative to the observer, in any one unit of length.  `split` turns a list of vertices into the form
+that the other functions take: the first vertex, and all vertices *from that one* (the first of
+these is zero).  These differences keep all digits of a small polygon far away.
 
-The observer must not be in the polygon's plane; `radcalc.geometry.outline.read` checks this, the
-functions here do not.
+The vertices must be in one plane, and the observer must not, which only
+`radcalc.geometry.outline.read` checks.
 """
 
 from collections.abc import Sequence
@@ -66,10 +64,9 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
         tan(Omega/2) = [a b c] / (|a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|)
 
     with [a b c] = a . (b x c).  Exact.  It is solved with atan2, because the denominator is
-    negative for triangles of more than pi sr, for which arctan would give a wrong branch.  The
-    triple product is computed from the differences b - a and c - a.  For a splinter seen from close
-    by, the denominator is itself a small difference; these triangles are integrated strip by strip
-    (`radcalc.geometry.numerics.strips`).
+    negative for triangles of more than pi sr.  The triple product is computed from b - a and c - a.
+    For a splinter seen from close by, the denominator is a small difference; it is integrated strip
+    by strip (`radcalc.geometry.numerics.strips`).
 
     References
     ----------
@@ -84,8 +81,6 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
     >>> x, y, z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
     >>> round(triangle(x, y, z) / (math.pi / 2), 12)
     1.0
-    >>> round(triangle(x, z, y) / (math.pi / 2), 12)
-    -1.0
     """
     a, b, c = vector(a), vector(b), vector(c)
     return in_chunks(_from_vertices, *a, *b, *c)
@@ -140,7 +135,6 @@ def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]
     Notes
     -----
     The unit is the power of two above the largest coordinate: a division by it is exact.
-    Solid angles depend only on directions, so they do not change.
 
     Examples
     --------
@@ -254,7 +248,6 @@ def polygon(vertices: Any) -> Number:
     Notes
     -----
     The sum of the triangles from the first vertex, each by `triangle`.  Exact.
-    `radcalc.geometry.outline.read`, not this function, checks that the vertices are in one plane.
 
     Examples
     --------
@@ -300,9 +293,10 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
 
     where the side from p to q subtends the angle beta.  Exact.  The terms of a small polygon nearly
     cancel.  Therefore the vector area of the polygon whose vertices are the unit vectors p/|p| is
-    computed first, from differences that keep their digits, and each side adds only the excess of
-    its arc over its chord, beta/sin(beta) - 1.  If these also cancel (a splinter, or a polygon
-    along the horizon) the triangles are integrated strip by strip.
+    computed first, and each side adds only the excess of its arc over its chord,
+    beta/sin(beta) - 1.
+    If these also cancel (a splinter, or a polygon along the horizon) the triangles are integrated
+    strip by strip.
 
     References
     ----------
@@ -312,8 +306,7 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
 
     Examples
     --------
-    The octant x, y, z > 0 is a quarter of the hemisphere above z = 0, whose projected solid angle
-    is pi:
+    The octant x, y, z > 0 is a quarter of the hemisphere above z = 0, pi/4 sr:
 
     >>> import math
     >>> octant = split([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)])
@@ -402,9 +395,8 @@ def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vecto
 
     Notes
     -----
-    One step of Sutherland and Hodgman's clipping: vertices above the plane are kept, and the points
-    where sides cross it are added.  The part of a concave polygon may have edges along the horizon
-    that run there and back, which cancel.
+    One step of Sutherland and Hodgman's clipping.  The part of a concave polygon may have edges
+    along the horizon that run there and back, which cancel.
 
     References
     ----------
