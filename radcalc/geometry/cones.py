@@ -149,7 +149,6 @@ def cone(half_angle: Number) -> Number:
 
     >>> round(cone(math.radians(60)) / math.pi, 12)
     1.0
-
     """
     bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
     refuse(bad, "the half angle of the cone is out of range", "from 0 to 180 deg")

@@ -1,12 +1,10 @@
 """Directions in space: spherical coordinates and Cartesian ones.
 
-As in ISO 80000-2, the polar angle theta is counted from +z, from 0 to pi, and the azimuth phi
-from +x towards +y, from 0 to 2 pi.  Elevation (altitude over the plane z = 0) is pi/2 - theta,
-and is not used here.  Angles are in radians; arguments are floats or NumPy arrays, broadcast
-together.
+As in ISO 80000-2, the polar angle theta is counted from +z, from 0 to pi, and the azimuth phi from
++x towards +y, from 0 to 2 pi.  Angles are in radians; arguments are floats or NumPy arrays,
+broadcast together.
 
-At a mirror, the normal and both directions point away from the mirror: one direction to where the
-light comes from, the other to where it goes.
+At a mirror, the normal and both directions point away from the mirror.
 """
 
 import math
@@ -56,7 +54,7 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
         theta = arccos(z / r),  phi = atan2(y, x),  r = sqrt(x^2 + y^2 + z^2)
 
     The polar angle is computed as atan2(sqrt(x^2 + y^2), z), because the arccosine loses half of
-    the digits close to the z axis.  The lengths are computed by hypot, which does not overflow.
+    the digits close to the z axis; the lengths by hypot, which does not overflow.
 
     References
     ----------
@@ -64,8 +62,6 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
 
     Examples
     --------
-    The vector (1, 1, sqrt(2)) of length 2 is at 45 degrees from +z, at an azimuth of 45 degrees:
-
     >>> polar, azimuth, length = spherical(1.0, 1.0, math.sqrt(2))
     >>> round(math.degrees(polar), 10), round(math.degrees(azimuth), 10), round(length, 10)
     (45.0, 45.0, 2.0)
@@ -112,8 +108,6 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
 
     Examples
     --------
-    60 degrees from +z, towards +y: (0, sqrt(3)/2, 1/2).
-
     >>> [round(x, 6) for x in cartesian(math.radians(60), math.radians(90))]
     [0.0, 0.866025, 0.5]
     """
@@ -149,8 +143,6 @@ def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:
 
     Examples
     --------
-    An observer who faces +x has +y to the left:
-
     >>> facing((2.0, 0.0, 0.0))
     ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     """
@@ -192,8 +184,6 @@ def reflected(direction: Vector, normal: Vector) -> Vector:
 
     Examples
     --------
-    At 45 degrees, from straight up to +x:
-
     >>> reflected((0.0, 0.0, 1.0), (1.0, 0.0, 1.0))
     (1.0, 0.0, 0.0)
     """

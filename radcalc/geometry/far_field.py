@@ -1,14 +1,12 @@
 """Limits of the far field A cos(theta_s) cos(theta) / d^2 for patches small against their distance.
 
 - `error`: a bound of its relative error
-- `is_cut`: whether a receiver's plane may cut the patch, so that the formula does not hold;
-  `steepest`: the largest incidence at which the plane does not
-- `is_near`: whether the distance is less than five times the size, the least allowed; `nearer`
-  does it element by element
+- `is_cut`: whether a receiver's plane may cut the patch, so that the formula does not hold
+- `is_near`: whether the distance is less than five times the size, the least allowed
 - `size`, `reach`: size of a patch, and distance of its farthest point from its centre
 
-A patch is a disc or a rectangle.  Lengths are in any one unit, angles in radians;
-arguments are floats or arrays that are broadcast together.
+A patch is a disc or a rectangle.  Lengths are in any one unit, angles in radians; arguments are
+floats or arrays, broadcast together.
 """
 
 import math
@@ -71,7 +69,7 @@ def reach(area: Number, *sides: Number) -> Number:
     Parameters
     ----------
     area : float or ndarray [m^2]
-        Its area, 0 or more.
+        As in `size`.
     sides : float or ndarray [m]
         Its sides, if it is known to be a rectangle.
 
@@ -181,8 +179,6 @@ def error(
 
     Examples
     --------
-    At five times the size, 1.2 %:
-
     >>> round(error(1.0, 5.0), 6)
     0.012075
     """

@@ -45,10 +45,10 @@ def light_vectors(projection: str, u: Any, v: Any) -> Any:
                      z: integral of sin(t) cos(t) dt times the width in a
         mirror-ball  4 times the integrals of (2 n^2 - 1, 2 n u, 2 n v) du dv
 
-    Those of a mirror ball are differences, between corners, of antiderivatives that include the
-    circle; their error is about 1e-15 sr.  For an angular map the density pi sin(pi r) / r is
-    integrated by two Gauss-Legendre points each way; a rectangle that the circle cuts has the mean
-    direction of the points inside, and the exact solid angle.
+    Those of a mirror ball are differences of antiderivatives, with an error of about 1e-15 sr.  For
+    an angular map the density pi sin(pi r) / r is integrated by two Gauss-Legendre points each way;
+    a rectangle that the circle cuts has the mean direction of the points inside, and the exact
+    solid angle.
 
     Examples
     --------

@@ -1,13 +1,10 @@
 """Lobes: intensity distributions that fall off as a power of the cosine from their axis.
 
-A lobe of exponent n has the intensity I(theta) = I0 cos^n(theta) up to 90 degrees from its axis
-and 0 beyond.  n = 1 is a Lambertian surface, n = 0 a uniform hemisphere; a spotlight with a
-beam angle of 30 degrees has n = 20.  The flux is 2 pi I0 / (n + 1).
+A lobe of exponent n has the intensity I(theta) = I0 cos^n(theta) up to 90 degrees from its axis and
+0 beyond.  n = 1 is a Lambertian surface, n = 0 a uniform hemisphere; a spotlight with a beam angle
+of 30 degrees has n = 20.  The flux is 2 pi I0 / (n + 1).
 
-`exponent` and `angle` convert a beam angle (share 1/2 of the peak) or a field angle (share 1/10)
-into n and back; `part` is the share of the flux within an angle from the axis.
-
-Angles are in radians; arguments are floats or NumPy arrays, which are broadcast together.
+Angles are in radians; arguments are floats or NumPy arrays, broadcast together.
 """
 
 import math
@@ -47,8 +44,6 @@ def ln_cos(angle: Number) -> Number:
 
     Examples
     --------
-    For a small angle it tends to -x^2/2:
-
     >>> ln_cos(1e-9)
     -5e-19
     """
@@ -63,10 +58,9 @@ def exponent(full_angle: Number, share: float) -> Number:
     Parameters
     ----------
     full_angle : float or ndarray [rad]
-        Full angle between the two directions with that share, above 0 and below pi: for a
-        `share` of 1/2 the beam angle.
+        Full angle between the two directions with that share, above 0 and below pi.
     share : float [1]
-        Share of the peak intensity in those directions, above 0 and below 1.
+        Share of the peak, above 0 and below 1: 1/2 for the beam angle, 1/10 for the field angle.
 
     Returns
     -------
@@ -95,12 +89,6 @@ def exponent(full_angle: Number, share: float) -> Number:
 
     >>> round(exponent(math.radians(120), 0.5), 12)
     1.0
-
-    A lamp of 1000 cd with a beam angle of 30 degrees sends 299 lm:
-
-    >>> n = exponent(math.radians(30), 0.5)
-    >>> round(n, 2), round(2 * math.pi * 1000 / (n + 1))
-    (19.99, 299)
     """
     _check_share(share)
     bad = (full_angle <= SMALLEST) | (full_angle >= math.pi)
@@ -121,12 +109,12 @@ def angle(exponent: Number, share: float) -> Number:
     exponent : float or ndarray [1]
         Exponent n of the lobe, 0 or more.
     share : float [1]
-        Share of the peak intensity, above 0 and below 1: 1/2 for the beam angle.
+        As in `exponent`.
 
     Returns
     -------
     float or ndarray [rad]
-        From 0 to pi; pi for n = 0, whose intensity is uniform up to the edge of the hemisphere.
+        From 0 to pi; pi for n = 0.
 
     Raises
     ------
@@ -138,7 +126,7 @@ def angle(exponent: Number, share: float) -> Number:
 
         full_angle = 2 arccos(share^(1/n)) = 4 arcsin(sqrt((1 - share^(1/n)) / 2))
 
-    The second form is computed, with expm1 for the difference: it keeps the digits of narrow lobes.
+    The second form is computed, with expm1 for the difference.
 
     References
     ----------
@@ -148,8 +136,6 @@ def angle(exponent: Number, share: float) -> Number:
     --------
     >>> round(math.degrees(angle(1.0, 0.5)), 10)
     120.0
-    >>> round(math.degrees(angle(0.0, 0.5)), 10)
-    180.0
     """
     _check_share(share)
     _check_exponent(exponent)
@@ -192,8 +178,6 @@ def part(exponent: Number, within: Number) -> Number:
 
     >>> round(part(1.0, math.radians(30)), 12)
     0.25
-    >>> part(1.0, math.pi / 2)
-    1.0
     """
     _check_exponent(exponent)
     bad = (within < 0) | (within > math.pi * (1 + SLACK))
@@ -230,12 +214,8 @@ def solid_angle(exponent: Number) -> Number:
 
         Omega = Phi / I0 = 2 pi / (n + 1)
 
-    The integral of cos^n(theta) over the hemisphere.
-
     Examples
     --------
-    A Lambertian surface, of exponent 1, has pi sr:
-
     >>> round(solid_angle(1.0), 6)
     3.141593
     """

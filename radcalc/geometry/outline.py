@@ -1,9 +1,7 @@
 """Checks of polygons that a user typed.
 
-`read` refuses vertices that are not those of a plane polygon (too few, sides that cross, vertices
-off one plane) or a viewpoint in its plane, and returns an `Outline` for
-`radcalc.geometry.polygons` and `radcalc.geometry.projected`.  Lengths are in any one unit; floats
-only.
+`read` refuses vertices that are not those of a plane polygon, or a viewpoint in its plane.  Lengths
+are in any one unit; floats only.
 """
 
 import math
@@ -26,12 +24,12 @@ class Outline:
     Parameters
     ----------
     vertices : list of tuples of 3 floats
-        Vertices in order, from the observer.  `read` scales them by a power of two so that no
-        square of a length overflows: they serve for solid angles, not for lengths.
+        Vertices in order, from the observer.  `read` scales them by a power of two, so they serve
+        for solid angles, not for lengths.
     normal : tuple of 3 floats [1]
         Normal of the polygon's plane, of length 1, on the side away from the observer.
     notes : list of str
-        Notes for the user, such as that the vertices are not exactly in one plane.
+        Notes for the user.
 
     Attributes
     ----------
@@ -79,10 +77,10 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     Parameters
     ----------
     points : sequence of tuples of 3 floats [m]
-        The vertices in order round the polygon, from 3 to 1000, without the first one again at
-        the end; in any one unit of length.
+        The vertices in order, from 3 to 1000, without the first one again at the end; in any one
+        unit of length.
     viewpoint : tuple of 3 floats [m]
-        Position of the observer, in the same coordinates.
+        Position of the observer.
 
     Returns
     -------
@@ -99,8 +97,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
 
     Notes
     -----
-    The normal is Newell's: the sum of the vector products of successive vertices, which is twice
-    the vector area and depends on all vertices equally.
+    The normal is Newell's: the sum of the vector products of successive vertices.
 
     References
     ----------

@@ -2,7 +2,7 @@
 
 The 15 types of the CIE standard general sky, and the traditional overcast sky.  Polar angles are
 counted from the zenith, azimuths from any one direction, in radians.  The luminance below the
-horizon is 0.  Floats do not import NumPy.
+horizon is 0.
 """
 
 import math
@@ -159,7 +159,7 @@ def sky_type(name: str) -> SkyType:
     ----------
     name : str
         overcast (the traditional one), uniform (5), intermediate (7), clear (12), turbid (13), or
-        the number of a type of the CIE standard general sky, "1" (the other overcast sky) to "15".
+        the number of a CIE type, "1" (the other overcast sky) to "15".
 
     Returns
     -------
@@ -279,9 +279,8 @@ def projected_sky(
     With the tilt T of the plane from the horizontal, a uniform sky gives pi (1 + cos(T)) / 2, the
     traditional overcast sky a third of that plus 4/9 ((pi - T) cos(T) + sin(T)).
 
-    The others are integrated in polar coordinates about the sun, where the luminance has a peak
-    with a kink: for each angle from the sun, along the one or two arcs of that circle above both
-    horizons.  The range of angles is split where these arcs begin and end.
+    The others are integrated in polar coordinates about the sun, where the luminance has a kink,
+    along the arcs of each circle about it above both horizons.
 
     Examples
     --------
@@ -442,7 +441,7 @@ def _graded(
 ) -> float:
     """Return the integral over arcs of exp(b / height) times the cosine to the normal.
 
-    If NumPy is loaded, as for lists, it computes all points at once.
+    If NumPy is loaded, it computes all points at once.
     """
     numpy = sys.modules.get("numpy")
     if numpy is None:

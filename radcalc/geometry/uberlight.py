@@ -10,7 +10,7 @@ point is multiplied by four attenuations:
 - `falloff`: a power of the distance, limited to a maximum close to the light
 
 They follow Barzel's paper [1]_ in the version of Gritz's shader [2]_.  Lengths are in one unit;
-arguments are floats or NumPy arrays, which are broadcast together.
+arguments are floats or NumPy arrays, broadcast together.
 
 References
 ----------
@@ -175,7 +175,7 @@ def superellipse_scale(
 
         ((|x| / a)^(2/R) + (|y| / b)^(2/R))^(R/2)
 
-    Computed with the larger term factored out, so that no power overflows.
+    Computed so that no power overflows.
 
     Examples
     --------
@@ -288,8 +288,6 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
 
     Examples
     --------
-    At 60 degrees off the axis:
-
     >>> round(beam(3**0.5, 0.0, 1.0, 2.0), 12), beam(0.0, 0.0, -1.0, 2.0)
     (0.25, 0.0)
     """
@@ -337,8 +335,7 @@ def falloff(
         (L / d)^N                                    beyond L, and everywhere without a maximum
         M exp(s (d / L)^beta), s = ln(1/M), beta = -N / s       within L
 
-    Both have the value 1 and the slope -N / L at L.  For M = 1 the limit is 1 everywhere within L;
-    for rising M the second tends to the first.
+    Both have the value 1 and the slope -N / L at L.  For M = 1 the limit is 1 everywhere within L.
 
     Examples
     --------

@@ -83,7 +83,7 @@ UNIT, WORD = "unit", "word"
 class Symbol(NamedTuple):
     """A symbol: its names, its quantity and its allowed values.
 
-    `dimensions` are those in which it can be given, its own first; `unit` is the unit of display. A
+    `dimensions` are those in which it can be given, its own first; `unit` is the unit of display.  A
     light quantity has a geometry, and a kind if its name fixes the kind.
     """
 
