@@ -119,7 +119,6 @@ class Value(NamedTuple):
 
     @property
     def is_absent(self) -> bool:
-        """Return whether the inputs do not give the result."""
         return self.lacking is not None or self.because is not None
 
 

@@ -85,7 +85,6 @@ def _is_quantity(column: Any) -> bool:
 
 
 def _unit_of(key: str, given: Any) -> Unit | None:
-    """Return the unit of a column; None for bare numbers."""
     column = magnitude_of(given)
     if stated := _stated_unit(given):
         _refuse_other(column, stated)

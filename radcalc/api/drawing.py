@@ -22,7 +22,6 @@ class Drawing:
 
     @cached_property
     def figure(self) -> Any:
-        """Return the Matplotlib figure, for further changes."""
         from radcalc.plots.figure import figure
 
         return figure(self.picture)

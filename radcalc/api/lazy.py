@@ -147,7 +147,6 @@ def _by_name(answer: Any) -> dict[str, Any]:
 
 
 def _arrays(key: str, value: Any) -> list[Any]:
-    """Return the arrays of an argument as Dask arrays; none for a single value."""
     array = magnitude_of(value)
     symbol = SYMBOLS.get(symbol_name(key))
     if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):

@@ -211,7 +211,6 @@ class Result(Mapping[str, Quantity]):
 
     @property
     def question(self) -> "Question":
-        """Return the question for `radcalc.check`."""
         if self._ask is None:
             problem = "check takes one answer, but there are several"
             raise ConditionError(problem, "one value of each")
@@ -222,15 +221,12 @@ class Result(Mapping[str, Quantity]):
         return self._every
 
     def in_columns(self, columns: "Columns | None") -> "Result":
-        """Return the result with columns instead of arrays, if columns were given."""
         if columns is None:
             return self
         every = {name: columns.result(name, value) for name, value in self._every.items()}
         return Result(self.command, self._show, every, self._names, None, self._solved)
 
     def waiting(self, results: Mapping[str, Any]) -> "Result":
-        """Return the result with Dask arrays that are not computed yet."""
-
         def show() -> answer.Result:
             result = self._renderable
             rows = [_with_value(row, results) for row in result.rows]
@@ -243,7 +239,6 @@ class Result(Mapping[str, Quantity]):
 
 
 def _is_same(first: Any, second: Any) -> bool:
-    """Compare two quantities, or two columns, element by element."""
     if hasattr(first, "equals"):  # a column of pandas, Polars or xarray
         return type(first) is type(second) and bool(first.equals(second))
     sizes = (getattr(magnitude_of(value), "shape", ()) for value in (first, second))
@@ -327,7 +322,6 @@ def of_answer(
 
 
 def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:
-    """Return the rows of several answers as one, with arrays as values."""
     if len(tables) == 1:
         return tuple(tables[0])
     import numpy

@@ -104,7 +104,6 @@ def _joined(parts: Sequence[Value]) -> Value:
 
 
 def _rows(sources: Any) -> str | list[Any]:
-    """Return the path of a file, or the rows of a scene, with quantities as numbers with units."""
     if isinstance(sources, (str, os.PathLike)):
         return os.fspath(sources)
     if not isinstance(sources, Iterable) or isinstance(sources, bytes):

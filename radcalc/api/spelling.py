@@ -58,7 +58,6 @@ class Python:
 
     @staticmethod
     def result(text: str) -> str:
-        """Return `.photon_energy.to("eV")`."""
         name, _, unit = text.partition(":")
         return f".{keyword(name)}" + (f'.to("{unit}")' if unit else "")
 

@@ -147,7 +147,6 @@ def _is_at_pole(x: Number, y: Number) -> Any:
 
 
 def _from_angles(given: Inputs) -> tuple[Number, Number, Vector, Step]:
-    """Return polar angle, azimuth and unit vector, with the derivation of the vector."""
     given_angle = one_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = one_of(given, "the azimuth", "azimuth").value
     polar = given_angle.value if given_angle.name == "polar" else math.pi / 2 - given_angle.value
@@ -247,7 +246,6 @@ def _of_ball(place: Input) -> Answer:
 
 
 def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer:
-    """Add the place on a mirror ball that shows the direction, and the normal there."""
     coordinates = {item.name: item.si for item in answer.values}
     x, y, z = (coordinates[name] for name in "xyz")
     u, v = given or place_of(MIRROR_BALL, z, x, y)

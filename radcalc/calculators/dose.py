@@ -118,7 +118,6 @@ class Period:
         self.peak, self.when = -inf, start
 
     def take(self, times: list[Any], values: list[float], steps: list[Any]) -> None:
-        """Add the light between samples; the first may have been counted before."""
         highest = max(values)
         if highest > self.peak:
             self.peak, self.when = highest, times[values.index(highest)]
@@ -159,7 +158,6 @@ class Dose:
         self.is_broken = not self.bridges
 
     def add(self, times: list[Any], values: list[float]) -> None:
-        """Add one or more samples in the order of their times."""
         self._watch(times, values)
         counted = 0  # samples of the run that were counted before
         if self.first is None:
@@ -313,7 +311,6 @@ class SummedLog(NamedTuple):
         return notes
 
     def _between(self, mean: float, longest: float) -> str:
-        """Return the geometric mean of two durations, as typed."""
         return _duration_text(self.seconds(mean) ** 0.5 * self.seconds(longest) ** 0.5)
 
     def _describe(self, step: SampleStep) -> str:
@@ -401,7 +398,6 @@ class SummedLog(NamedTuple):
 
 
 def _sum(values: list[float], steps: list[Any]) -> float:
-    """Return the area under straight lines between values."""
     try:
         return fsum(map(mul, map(add, values[1:], values), steps)) / 2
     except (OverflowError, ValueError):  # too large for a float, or infinities of both signs
@@ -435,7 +431,6 @@ def _exact(number: float, *ratios: tuple[int, int]) -> float:
 
 
 def _duration(seconds: float) -> str:
-    """Return a duration as text, in a suitable unit."""
     size, unit = _unit_of_time(seconds)
     return f"{format_number(seconds / size)} {unit}"
 
@@ -449,7 +444,6 @@ def _duration_text(seconds: float) -> str:
 
 
 def _unit_of_time(seconds: float) -> tuple[int, str]:
-    """Return a suitable unit of a duration, as its seconds and its name."""
     for least, size, unit in ((172800, 86400, "d"), (3600, 3600, "h"), (60, 60, "min")):
         if seconds >= least:
             return size, unit

@@ -162,7 +162,6 @@ def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
 
 
 def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
-    """Return a sky, scaled by a light quantity or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment
     from radcalc.distributions.sky import Sky
@@ -388,7 +387,6 @@ class _Surroundings:
         return RenderedMap(picture, pixels, unit, what, answer)
 
     def _show_light(self, amounts: dict[str, float]) -> kinds.LightResults:
-        """Return light quantities as results in every linked kind, or relative ones."""
         if not self.kind:
             rows = {name: [_relative(name, amount)] for name, amount in amounts.items()}
             return kinds.LightResults(rows, (), (), ())

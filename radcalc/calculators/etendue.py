@@ -164,7 +164,6 @@ def _with_receiver(sheet: Worksheet) -> Placed:
 
 
 def _refuse_near(solved: Solved) -> None:
-    """Refuse patches that are too large for their distance, and add the far-field assumption."""
     if not solved.has("cosine") or not solved.has("area"):
         return
     if not solved.has("receiver-area") or not solved.has("distance"):
@@ -197,7 +196,6 @@ def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:
 
 
 def _note_far_field(solved: Solved) -> None:
-    """Note the ratio of the far field to the exact etendue of two discs."""
     if solved.has("far-field-etendue"):
         ratio = solved.value("far-field-etendue") / solved.value("etendue")
         away = format_number(solved.value("distance"))

@@ -222,7 +222,6 @@ def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
 
 
 def _refuse_idle_refinements(links: Inputs) -> None:
-    """Refuse refinements without a link to refine."""
     for name in REFINEMENTS:
         useful = LINKS if name == "observer" else ("spectrum",)
         if name in links and not set(useful) & set(links):

@@ -168,7 +168,6 @@ def lambertian(shape: str, given: Inputs) -> Answer:
 
 
 def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> Answer:
-    """Return the answer for a shape and its position; refuse a small patch that is too near."""
     accepts = (*SHAPES[shape].takes, "reflectance", "time")
     sheet = worksheet(PAGE._replace(title=f"a {shape}"), given, accepts=accepts)
     _refuse_dark(given, sheet.lit)
@@ -281,7 +280,6 @@ def _length(name: str, size: float) -> Input:
 
 
 def _check_far(solved: Solved) -> tuple[str, ...]:
-    """Return the far-field assumptions for a patch; refuse one that is too near or cut."""
     if not solved.has("distance"):
         return ()
     if not solved.has("area"):

@@ -111,7 +111,6 @@ def laser(given: Inputs) -> Answer:
 
 
 def _note_diffraction(solved: Solved, profile: str) -> None:
-    """Note a divergence below the limit of diffraction."""
     wave = solved.lit.links.get("wavelength")
     if wave is None or profile != GAUSSIAN or not solved.has("diameter"):
         return

@@ -161,7 +161,6 @@ class _Luminaire:
         self.bearing = atan2(offset_of(given, "offset-y"), offset_of(given))
 
     def _make_shape(self, shape: str) -> "Photometry":
-        """Return an isotropic source, a cone or a lobe as a function of direction."""
         from radcalc.distributions import shapes
         from radcalc.distributions.photometry import Photometry
 
@@ -187,7 +186,6 @@ class _Luminaire:
         return Photometry(shapes.of_shape(shape, width), shape)
 
     def answer(self) -> Answer:
-        """Return the answer, with further ones if several fit."""
         self._place_figures()
         self._place_receiver()
         self._place_scale()
@@ -434,7 +432,6 @@ class _Luminaire:
     # -- facts about the source -----------------------------------------------------------------
 
     def _facts(self, solved: Solved) -> Iterator[Value]:
-        """Yield results about the distribution: flux error, peak, beam angles, declared values."""
         flux = self.figures.flux
         if isinstance(flux, ConditionError):
             yield absent("flux", flux.message, flux.hint)
@@ -491,7 +488,6 @@ class _Luminaire:
         return row
 
     def _declared(self, solved: Solved) -> Iterator[Value]:
-        """Yield the values that a file declares, unless the distribution is scaled."""
         declared = {} if self.is_scaled else self.photometry.declared
         flux = solved.value("flux") if solved.has("flux") else None
         lamps, watts = declared.get("lamp-flux"), declared.get("input-power")
@@ -510,7 +506,6 @@ class _Luminaire:
 
     @property
     def _not_declared(self) -> tuple[str, str]:
-        """Return the reason why declared values are missing, and a hint."""
         if self.photometry.declared and self.is_scaled:
             scaling = options([item.name for item in self.sheet.lit.values.values()], " and ")
             problem = "declared values do not apply to a scaled distribution"

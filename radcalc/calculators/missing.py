@@ -56,7 +56,6 @@ class Search(NamedTuple):
         raise Idle(f"{option(item.name, item.text)} {problem}", hint)
 
     def lacking(self, name: str) -> str:
-        """Return one or two inputs that would give a result."""
         light = self.sheet.page.light
         candidates = [
             candidate
@@ -93,7 +92,6 @@ class Search(NamedTuple):
         return min(helpful, key=len, default=[])
 
     def _inputs(self) -> Iterable[str]:
-        """Return the accepted symbols, light quantities by generic names."""
         hints = self.sheet.hints  # may have light quantities, in the order of the hint
         light = [n for n in self.sheet.page.light if SYMBOLS[n].help and n not in hints]
         return (*light, *hints)

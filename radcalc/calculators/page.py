@@ -29,7 +29,6 @@ class Operand(NamedTuple):
     default: str = ""
 
     def choice(self, word: str) -> str:
-        """Return the choice for a word; ignore case."""
         if word.lower() in self.choices:
             return word.lower()
         near = nearest(word.lower(), self.choices, 1) or self.choices
@@ -99,7 +98,6 @@ class Page(NamedTuple):
 
     @property
     def intervals(self) -> tuple[str, ...]:
-        """Return the symbols that are given as A:B on this page."""
         return tuple(
             name
             for name in self.texts

@@ -270,7 +270,6 @@ def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
 
 
 def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
-    """Place a receiver off the source's axis; its offset or height may be unknown."""
     given, laws = sheet.given, placed.laws
     _place_incidence(given, placed)
     laws.append(AXIS)
@@ -320,7 +319,6 @@ def _compare_cone(solved: Solved) -> None:
 
 
 def _judge_receiver(solved: Solved, shape: str) -> None:
-    """Add the assumptions about the receiver, and note uneven light on it."""
     solved.assume("the receiver is a disc of that area")
     area, away, off = solved.value("receiver-area"), solved.value("distance"), 0.0
     if solved.has("off-axis"):

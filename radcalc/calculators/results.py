@@ -106,7 +106,6 @@ def measured_in(text: str, *names: str) -> Unit:
 
 
 def _unit_of(text: str, name: str, values: Sequence[Value]) -> Unit:
-    """Return the unit of a result, or a scale with the light meter's constants."""
     unit = measured_in(text, name)
     if not unit.is_scale:
         return unit
@@ -143,7 +142,6 @@ def _in_shown_unit(value: Value, text: str) -> Any:
 
 
 def _refuse_absent(value: Value, case: str = "") -> None:
-    """Refuse a result that does not follow, with its missing inputs."""
     of_case = f"{case}: " if case else ""
     if (because := value.because) is not None:
         raise because.reworded(f"{of_case}{because.message}")

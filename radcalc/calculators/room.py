@@ -20,7 +20,6 @@ LOSSES = ("utilance", "maintenance")
 
 
 def _side(other: Any, height: Any, index: Any) -> Any:
-    """Return one side of a room from the other."""
     least = index * height
     problem = "no room with that side and height has that room index"
     cones.refuse(other <= least, problem, "less height, or a smaller index")

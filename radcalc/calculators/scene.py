@@ -87,7 +87,6 @@ class Survey:
             self.assumptions.append("the receivers face up")
 
     def fields(self, blocks: Iterable[Vector]) -> Iterator[Field]:
-        """Yield the irradiances at each block of points, and add them to the statistics."""
         sources = [placed.source for placed in self.scene.sources]
         for points in blocks:
             irradiances = field(sources, points, self.normal, self.with_shares)

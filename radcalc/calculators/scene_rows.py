@@ -159,7 +159,6 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
 
 
 def _check_marks(row: Row, line: int, decimals: columns.Decimals) -> None:
-    """Refuse a number whose decimal mark differs from that of earlier rows."""
     for column, cell in row.cells.items():
         for number in MARKED.findall(cell) if column in COLUMNS else ():
             if problem := decimals.conflict(number, line):
@@ -185,7 +184,6 @@ def _in_unit(value: Any, unit: Unit | None) -> Any:
 
 
 def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str, Unit]]:
-    """Return the title of each column by its name, and the units in the titles."""
     names: dict[str, str] = {}
     units: dict[str, Unit] = {}
     for number, title in enumerate(titles, 1):
@@ -355,7 +353,6 @@ class Reader:
         return x, y, z
 
     def pose(self, row: Row, given: Inputs, place: Vector, is_aimed: bool) -> Pose:
-        """Return the pose of the source: aimed at a point, in a direction, or straight down."""
         aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
         if len(aims) > 1:
             raise ConditionError(
@@ -465,7 +462,6 @@ class Reader:
         return self.amount(row, strength) / unscaled
 
     def flux(self, row: Row, distribution: Distribution) -> float:
-        """Return the flux of a distribution, computed once."""
         if distribution not in self.fluxes:
             try:
                 self.fluxes[distribution] = distribution.flux().value
@@ -522,7 +518,6 @@ class Reader:
 
 
 def _is_bare(value: Any) -> bool:
-    """Return whether a number has no unit."""
     if not isinstance(value, str):
         return not isinstance(value, tuple)
     try:

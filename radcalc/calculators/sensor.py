@@ -238,7 +238,6 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
 
 
 def _place_lens(sheet: Worksheet, placed: Placed, laws: list[AnyLaw]) -> None:
-    """Add the defaults of a lens, as assumptions."""
     given = sheet.given
     if "off-axis-angle" in given:
         placed.assume("off the axis: the fourth power of the cosine, without vignetting")

@@ -177,7 +177,6 @@ def _without_height(name: str) -> MissingInput:
 
 
 def _without_size(given: Inputs, *laws: AnyLaw) -> tuple[AnyLaw, ...]:
-    """Return the laws unless a size is given."""
     return () if set(SIZES) & set(given) else laws
 
 

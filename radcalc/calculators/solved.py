@@ -48,7 +48,6 @@ def solve_all(sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed) -> list[
 def _solutions(
     sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed, steps: dict[str, float]
 ) -> list[Solution]:
-    """Solve the laws; report a contradiction in the units typed."""
     try:
         return solver.solve_all(laws, sheet.known_with(placed), steps, LIGHT)
     except Disagreement as error:
@@ -81,7 +80,6 @@ class Solved(Remarks):
         return f"{article(SYMBOLS[name].label)} of {size}"
 
     def refuse_impossible(self, *names: str, because: str = "", hint: str = "") -> None:
-        """Refuse results outside the limits of their symbols, with the reason."""
         for name in names:
             limits = SYMBOLS[name].limits
             if not self.has(name):

@@ -95,7 +95,6 @@ def spectrum(given: Inputs) -> Answer:
 
 
 def _nanometres(name: str, size: float) -> Value:
-    """Return a wavelength [nm] as a result."""
     return value(name, size * 1e-9)._replace(exact=size)
 
 
@@ -117,7 +116,6 @@ def _shape(counts: Counts) -> list[Value]:
 
 
 def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
-    """Return lumens per watt for the observer and for scotopic vision."""
     eye, lumens, dark = counts.eye, counts.amount(LUMINOUS), by_night.amount(LUMINOUS)
     results = [
         *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficiency", eye.maximum),
@@ -157,7 +155,6 @@ def _photons(counts: Counts) -> list[Value]:
 
 
 def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
-    """Return chromaticity, colour temperature and colour rendering, or reasons, and notes."""
     light = source.moments(*colorimetry.AT)
     tristimulus = colorimetry.tristimulus(light)
     total = sum(tristimulus)

@@ -167,7 +167,6 @@ def uberlight(given: Inputs) -> Answer:
 
 
 def _refuse_useless(given: Inputs, is_omni: bool) -> None:
-    """Refuse unused settings and invalid superellipses."""
     useless = [name for name in OF_SPOTS if name in given]
     if is_omni and useless:
         raise Unused(
@@ -219,7 +218,6 @@ def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
 
 
 def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
-    """Add the incidence, as given or from the normal."""
     given = sheet.given
     if "normal" in given and "incidence" in given:
         raise Exclusive(("normal", "incidence"), "both give the incidence")
@@ -241,7 +239,6 @@ def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
 
 
 def _attenuate(settings: Settings, sheet: Worksheet) -> Placed:
-    """Compute the four attenuations, with a step for each."""
     at = {**settings, **{name: item.value for name, item in sheet.given.items()}}
     placed = Placed()
     placed.use(*NUMBERS)
@@ -306,7 +303,6 @@ def _by_superellipse(at: Settings, placed: Placed) -> None:
 
 
 def _sizes(at: Settings) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the semi-axes of the inner and the outer superellipse."""
     a, b, outer_a, outer_b = at["superellipse"]
     return (a, b), (outer_a, outer_b)
 

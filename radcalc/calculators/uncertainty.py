@@ -326,7 +326,6 @@ def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
 
 
 def _numbers(answer: Answer) -> Numbers:
-    """Return all numbers of an answer: each result in SI units, as typed, and in other kinds."""
     numbers: dict[Key, float] = {}
     for k, alternative in enumerate((answer, *answer.more)):
         for key, value in _keys(alternative, k):

@@ -129,7 +129,6 @@ class Placed(Remarks):
         self.steps: list[Step] = []
 
     def add(self, name: str, value: Any, *inputs: Input) -> None:
-        """Add a value [SI], with the inputs that it follows from."""
         self.known[name] = known_by(value, *inputs)
 
     def default(

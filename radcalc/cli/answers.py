@@ -151,7 +151,6 @@ def every_answer(
 
 
 def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
-    """Yield the answers, with those of a long range one by one."""
     for answered in answers:
         answer, long = answered.answer, answered.long
         if long is None:

@@ -120,7 +120,6 @@ def at_points(given_cases: Sequence[Case], name: str, words: Sequence[str]) -> l
 def _stream(
     typed: dict[str, Any], intervals: Sequence[str], bare: Mapping[str, str]
 ) -> "Source | None":
-    """Return the option given as - or '- UNIT', and the reader of its lines."""
     streams = [name for name, text in typed.items() if str(text)[:1] in "- " and is_stream(text)]
     sources = [name for name in streams if SYMBOLS[name].form in READERS_OF_STDIN]
     line_streams = [name for name in streams if name not in sources]

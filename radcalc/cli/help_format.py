@@ -103,7 +103,6 @@ def narrowed(line: str, width: int) -> list[str]:
 
 
 def _example(indent: str, command: str, remark: str, width: int) -> list[str]:
-    """Fold a command as a shell takes it; its remark gets its own line."""
     lines = [indent]
     for part in AT_OPTIONS.split(command):
         room = width - len(" \\")

@@ -110,7 +110,6 @@ def _lines() -> Iterator[str]:
 
 
 def _converse(session: Session) -> int:
-    """Ask for lines on the terminal and answer them until the user exits."""
     asking = _asking(session)
     terminal.say([f"radcalc {__version__}: type help for help, exit to quit"])
     while True:

@@ -141,7 +141,6 @@ class Session:
         return any(self._is_name(name) for name in NAME.findall(text))
 
     def read(self, line: str) -> list[str]:
-        """Return the words of a line as the command line takes them."""
         self.used: set[int] = set()  # origins of the uncertainties in it
         words = split(line)
         if words[:1] == ["radcalc"]:
@@ -161,7 +160,6 @@ class Session:
         return name.partition(".")[0] == ANS or name in self.variables
 
     def _filled(self, called: str, words: list[str]) -> list[str]:
-        """Return the words after a command, with names replaced by amounts."""
         takers = _takers(called)
         operands: list[str] = []
         filled: list[str] = []
@@ -234,7 +232,6 @@ class Session:
         )
 
     def _operands(self, words: list[str]) -> list[str]:
-        """Return the words of a conversion, with those of an arithmetic value joined."""
         if words[:1] == ["-"]:
             return words
         words = _closed(words)

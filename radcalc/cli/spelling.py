@@ -27,7 +27,6 @@ class Shell:
 
     @staticmethod
     def manual(name: str) -> str:
-        """Return the call that describes the command."""
         return f"radcalc {name} --help"
 
     @staticmethod

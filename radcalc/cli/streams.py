@@ -79,7 +79,6 @@ class _Work:
             terminal.say(list(map(spelled, texts)))
 
     def line_of(self, result: Result, line: int, field: int | None, column: str = "") -> str:
-        """Return the JSON of the answer to a number, with its place in standard input."""
         from radcalc.render import json
 
         place = {"line": line, "field": field, "column": column}
@@ -157,7 +156,6 @@ class _Conversion(_Work):
         return texts, self.target
 
     def _remark(self, assumptions: Sequence[str], notes: Sequence[str]) -> None:
-        """Write assumptions and notes, each once."""
         texts = terminal.remarks(assumptions, notes)
         self.say([text for text in dict.fromkeys(texts) if text not in self.already_said])
         self.already_said.update(texts)
@@ -342,7 +340,6 @@ def _likely(source: Source, of_line: Callable[[Input], Answer]) -> Sequence[Valu
 
 
 def _refuse_format(output: Output) -> None:
-    """Refuse a requested format with a header or borders."""
     if output.is_chosen and output.format in (TABLE, CSV):
         raise UsageError(
             f"--format {output.format} cannot be used with a stream", "--format plain or json"
@@ -405,7 +402,6 @@ class Layout(NamedTuple):
 
 
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
-    """Refuse options that exclude each other, or need another one."""
     if options.field is not None and options.column is not None:
         raise UsageError("--field cannot be used with --column", "one of them")
     if options.add is not None and options.rename is not None:

@@ -46,7 +46,6 @@ def _candidates(words: list[str], incomplete: str) -> list[Completion]:
 
 
 def _first(incomplete: str) -> list[Completion]:
-    """Return a command, an option of radcalc itself, or the value of a conversion."""
     if incomplete == "-" or is_option(incomplete):
         return _options(map(Option, RADCALC), incomplete)
     if is_sentence([incomplete]):

@@ -143,7 +143,6 @@ class Typed:
 
 
 def _bash(typed: Typed) -> list[str]:
-    """Return the part of the word that readline replaces, as typed."""
     lines = []
     for candidate in typed.completions():
         text = candidate.text[typed.cut :]

@@ -94,7 +94,6 @@ def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
 
 
 def _conditions(given: "Mapping[str, str]") -> list[Input]:
-    """Return the conditions as typed; for an incomplete value or a file, its example."""
     conditions = []
     for option, text in given.items():
         name = option.lstrip("-")

@@ -102,7 +102,6 @@ def _claims(results: Results, incomplete: str) -> list[Completion]:
 
 
 def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Return the kinds with parameters, the names of sources, and files."""
     kind, colon, parameters = incomplete.partition(":")
     if colon and kind in FORMS:
         head, number, typed = split_number(parameters)

@@ -70,7 +70,6 @@ class Chain:
 
 
 def _single(value: Any) -> float:
-    """Return the one solution of a law; several solutions are an error."""
     if isinstance(value, Several):
         raise ValueError("several values")
     return float(value)

@@ -114,7 +114,6 @@ def _label(name: str) -> str:
 
 
 def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
-    """Yield the wrong values from an edited power in a law that is a product of powers."""
     power_of_target = dict(law.powers).get(target, -1.0)
     start = p.chain.values[target]
     for name, power in law.powers:

@@ -93,7 +93,6 @@ def _angles(p: Problem) -> Found:
 
 
 def _in_radians(p: Problem) -> Found:
-    """Use degrees in radian mode."""
     name = "degrees-as-radians"
     for quantity in _numbers(p):
         if quantity.dimension != ANGLE or quantity.unit_text == "rad":
@@ -131,7 +130,6 @@ def _in_other_units(p: Problem) -> Found:
 
 
 def _in_neighbouring_units(p: Problem, quantity: Input) -> Found:
-    """Use a length, an area or a time in another unit."""
     if quantity.dimension not in NEIGHBOURS or not quantity.unit:
         return
     mistake, other_units = NEIGHBOURS[quantity.dimension]

@@ -68,7 +68,6 @@ class Problem:
         return self.target.name in names or (symbol is not None and symbol.generic in names)
 
     def amount(self, name: str) -> float | None:
-        """Return a number [SI] of the inputs, the derivation or the results."""
         if name in self.given:
             value = self.given[name].value
             return float(value) if isinstance(value, (int, float)) else None
@@ -80,7 +79,6 @@ class Problem:
             return None
 
     def radius(self) -> float | None:
-        """Return the radius of the source [m]."""
         diameter = self.amount("diameter")
         return diameter / 2 if diameter else self.amount("radius")
 

@@ -160,7 +160,6 @@ def _explained(
 
 
 def _stands_for(claim: Claim, scale: ScaleUnit) -> Claim:
-    """Convert a reading on a scale to its quantity, with its rounding and uncertainty."""
     slope = abs(scale.slope(claim.value))
     return claim._replace(
         value=scale.quantity(claim.value),
@@ -281,7 +280,6 @@ def _named(question: Question, claim: Claim) -> list[Value]:
 
 
 def _unnamed(question: Question) -> list[Value]:
-    """Return the results that an answer without a name may be for; inputs come last."""
     present = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
     if not present:
         raise ConditionError(f"{option('check')}: a result is missing", "less of it given")

@@ -89,7 +89,6 @@ AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without:
 
 
 def _read_angle(text: str, direction: str, what: str) -> float:
-    """Read one of the angles of a direction [rad]."""
     if ":" in text:
         raise ConditionError(
             f"{what} '{quote(direction)}' has a range, not a single angle",
@@ -278,7 +277,6 @@ def _axis(part: list[str], coordinates: Iterator[float], what: str) -> tuple[flo
 
 
 def _count(text: str, what: str) -> int:
-    """Read the number of points along an axis of a grid."""
     if not (text.isascii() and text.isdecimal() and 1 < int(text[:12]) <= MOST_POINTS):
         raise ConditionError(
             f"{what}: '{quote(text)}' is not a number of points (2 or more)", AS_GRID

@@ -139,7 +139,6 @@ def _python_amount(symbol: Symbol, value: Any) -> tuple[Amount, Any]:
 
 
 def _check_unit(symbol: Symbol, amount: Amount) -> None:
-    """Refuse a scale that does not suit the symbol, and % for numbers that do not take it."""
     scale, unit = amount.scale, amount.unit
     refused = None
     if scale:
@@ -236,7 +235,6 @@ def _density(text: str) -> Amount | None:
 
 
 def _without_mark(text: str) -> str:
-    """Return a filter's number without ND before or after it, and without the x of a factor."""
     number = text[:-1] if text[-1:] in ("X", "x") else text
     if number[:2].upper() == "ND":
         number = number[2:]

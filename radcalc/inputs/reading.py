@@ -48,7 +48,6 @@ def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
 
 
 def _quantities(name: str, text: str, arrays: bool) -> Sequence[Any]:
-    """Split a list or a range of quantities; a long range may become an array."""
     has_unit = NUMBER not in SYMBOLS[name].dimensions
     if arrays and name not in LINKS and (values := read_array(text, has_unit)):
         return [values]
@@ -140,7 +139,6 @@ def read_interval(name: str, text: str) -> Input:
 
 
 def _read_interval(symbol: Symbol, value: Any) -> Input:
-    """Read A:B; both ends may be the same."""
     text = " ".join(str(value).split())
     low, high = _ends(symbol, text)
     if low.value > high.value:
@@ -166,7 +164,6 @@ def _ends(symbol: Symbol, text: str) -> tuple[Input, Input]:
 
 
 def _read_distribution(symbol: Symbol, value: Any) -> Input:
-    """Read a named distribution, or the photometry of a file or an expression."""
     name = value.strip().lower() if isinstance(value, str) else ""
     if name in symbol.choices:
         return Input(symbol, name, name)

@@ -101,14 +101,12 @@ class Calculated:
         return line.encode().replace(POINT, self.mark)
 
     def lines(self, block: bytes) -> bytes | None:
-        """Calculate a block of lines, each of one text; return None if any is unusual."""
         texts = block.split(b"\n")
         texts.pop()
         converted = self._format(texts)
         return None if converted is None else converted + b"\n"
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
-        """Calculate many texts; return None if any is unusual."""
         converted = self._format(texts)
         return None if converted is None else converted.split(b"\n")
 
@@ -126,7 +124,6 @@ class Calculated:
         return lines if self.mark == POINT else lines.replace(POINT, self.mark)
 
     def _columns(self, texts: list[bytes]) -> "list[list[float]] | None":
-        """Return the results of each text in columns, one unit at a time."""
         if len(texts) < self.fewest:
             return None
         if self.source.unit:
@@ -168,7 +165,6 @@ class Calculated:
         return [numpy.broadcast_to(row.value, count).tolist() for row in result.rows]
 
     def _first(self, unit: bytes, text: bytes, line: int) -> Input:
-        """Answer the first text of a unit, alone."""
         if unit not in self.units:
             if len(self.units) >= MOST_UNITS:
                 self.units.clear()

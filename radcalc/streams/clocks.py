@@ -201,7 +201,6 @@ class Calendar:
 
     @property
     def shown_in(self) -> tzinfo:
-        """Return the zone of days, hours and messages."""
         if self.zone:
             return self.zone
         return _fixed(next(iter(self.offsets))) if len(self.offsets) == 1 else UTC
@@ -268,7 +267,6 @@ class Unix(Calendar):
         self.is_utc = zone is None
 
     def many(self, texts: list[str]) -> list[int]:
-        """Return the ticks of many texts in order."""
         _refuse_odd_digits(texts)
         try:
             ticks = [int(text) * self.ticks for text in texts]

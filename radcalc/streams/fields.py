@@ -28,7 +28,6 @@ class Fields:
         return self.ranges == [(self.last, self.last)]
 
     def of(self, count: int) -> Iterator[int]:
-        """Return the indices of the selected fields, in order, of a line with `count` fields."""
         if count < self.last:
             raise NumberError(f"field {self.last} is missing", f"a line of {self.last} fields")
         chosen, done = [], 0

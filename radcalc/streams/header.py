@@ -96,7 +96,6 @@ class Header:
         return bytes(out), len(titles) if self.cut else 0
 
     def title_of(self, title: Title | None = None) -> str:
-        """Return the new title of a column, or of the only one."""
         unit = self.target.text
         if self.cut and not self.cut.delimiter:
             unit = unit.replace(" ", ".")  # one word if fields are separated by blanks
@@ -139,7 +138,6 @@ class Header:
         return names if len(names) == count > 1 else []
 
     def _check_units(self, titles: list[Title]) -> None:
-        """Compare the units in the titles with the typed one, or take theirs."""
         first = next((title for title in titles if title.unit), None)
         if first is None or first.unit is None:
             if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):

@@ -195,7 +195,6 @@ class Head:
         )
 
     def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> LineError:
-        """Return the error of data with more or fewer columns than titles."""
         number, line = row
         count = len(columns.cells(line, delimiter))
         return self.error(
@@ -221,7 +220,6 @@ class Head:
         return LogLayout(delimiter, len(cells), times, place, clock, unit)
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
-        """Return the column of the times, or those of dates and times of day."""
         if self.settings.times:
             return tuple([self._place(name, names, len(cells)) for name in self.settings.times])
         stamps = [k for k, cell in enumerate(cells) if self._is_stamp(cell)]

@@ -132,7 +132,6 @@ class Quantities:
         return None if converted is None else b"\n".join(converted) + b"\n"
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
-        """Convert many texts, one unit at a time; return None if any is unusual."""
         converted = texts[:]
         for unit, having in by_unit(texts, self.mark).items():
             bulk = self._bulk(unit, texts[having[0]])

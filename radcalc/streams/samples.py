@@ -100,7 +100,6 @@ class Log:
             yield from self._of(lines[middle:], number + middle)
 
     def _at_once(self, lines: list[str], number: int) -> Samples | None:
-        """Return the samples of lines without anything unusual, or None."""
         layout = self.layout
         try:
             cells = _columns_of(lines, layout.delimiter, layout.width)
@@ -227,7 +226,6 @@ class Log:
         return Sample(time, value, number, stamp)
 
     def _check_order(self, time: Any, number: int) -> None:
-        """Refuse a time that is not after the one before."""
         if self.last is None or time > self.last:
             return
         say = self.clock.say

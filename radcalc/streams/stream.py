@@ -140,7 +140,6 @@ class Stream:
         return self.cut.joint(body) if self.cut else b"\t"
 
     def _check_width(self, count: int) -> None:
-        """Refuse a line with more or fewer fields than the header, or the first good line."""
         if self.width and count != self.width:
             place = ", and lines before have" if self.is_counted else " under a header of"
             hint = "as many in every line"
