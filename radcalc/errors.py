@@ -253,7 +253,7 @@ class Unused(ConditionError):
         names = options(symbols, " and ")
         super().__init__(
             f"{names} {'does' if len(symbols) == 1 else 'do'} not apply {where}",
-            hint or f"the same without {names}",
+            hint or f"leave out {names}",
         )
         self.symbols = tuple(symbols)
 
@@ -321,7 +321,7 @@ class Exclusive(ConditionError):
     """Inputs that exclude each other."""
 
     def __init__(
-        self, symbols: "Sequence[str]", because: str = "", hint: str = "one of them"
+        self, symbols: "Sequence[str]", because: str = "", hint: str = "only one of them"
     ) -> None:
         first, *others = symbols
         reason = f": {because}" if because else ""

@@ -39,8 +39,8 @@ PROSE = (
     r"another spectrum or range", r"a reflectance above 0, and .* below 90 deg",
     r"(less|more) .*, or (less|more) .*", r"a receiver in the light", r"(the path of )?a file",
     r"a (wavelength|temperature) from \S+ to \S+", r"from \S+ to \S+( sr)?", r"one value.*",
-    r"it once, or a list of values", r"it is a (number|logarithmic scale).*",
-    r"vertices that are not on one line", r"its triangles, each for itself", r"each once, .*",
+    r"give it once, or .*", r"it is a (number|logarithmic scale).*",
+    r"vertices that are not on one line", r"its triangles, one by one", r"each once, .*",
     r"from 3 to 1000, as X,Y,Z", r"the vertices in order round it", r"a viewpoint off that plane",
     r"a vector that is not zero", r"a part of the sphere where it is not", r"a function that .*",
     r"numbers, \+ - .*", r"an expression such as .*", r"\w+\(.*\)", r"polar angles from .*",
@@ -48,8 +48,9 @@ PROSE = (
     r"a distance to the centre above the radius.*", r"the chromaticity: x and y",
     r"more of the quantities", r"a line with the names of the columns", r"one source a call",
     r"a whole number", r"wavelengths from \S+ to \S+", r"one of the two", r"one exponent",
-    r"one of them", r"the same unit.*", r"terms of one quantity", r".* \* \(1 [+-] .*\)",
-    r".* is read as .*", r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
+    r"only one of them", r"one of them", r"the same unit.*", r"terms of one quantity",
+    r".* \* \(1 [+-] .*\)", r"leave it out.*", r".* is read as .*",
+    r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
     r"a line of \d+ fields", r"- once, and files",
     r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K: a step .*",
     r"an intensity behind it, .*",
@@ -204,11 +205,11 @@ def candidates(words: Words, error: RadcalcError) -> list[list[Words]] | None:
         words = _joined(words, tokens[0])
     if isinstance(error, Impossible) and "<" not in text:
         return [list(put(words, Option(f"--{error.symbol}", "")))]
-    if re.match("(the same|two discs) without <", text):
+    if re.match("leave out <|two discs without <", text):
         return [[without(words, *mentioned)]]
-    if text.startswith("without one of"):
+    if text.startswith("leave out one of"):
         return [[without(words, name) for name in mentioned]]
-    if text in ("one of them", "fewer of them") and told:
+    if text in ("only one of them", "fewer of them") and told:
         return [[without(words, *(set(told) - {name}))] for name in told]
     if text.startswith("one of <"):
         return [list(put(without(words, *mentioned), one)) for one in tokens]  # type: ignore[arg-type]

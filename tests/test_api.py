@@ -348,7 +348,7 @@ def test_a_factor_is_a_single_multiplier(source, target, conditions, expected):
         ),
         ("degC", "K", {}, "'degC' is not accepted as a unit", "K: a step of"),
         ("lm", "cd", {}, "a solid angle is missing", "isotropic=True"),
-        ("lx", "fc", {"distance": "2 m"}, "distance does not apply", "without distance"),
+        ("lx", "fc", {"distance": "2 m"}, "distance does not apply", "leave out distance"),
         ("cd", "lx", {"distance": Q([1, 2], "m")}, "distance is an array", "one value of each"),
         ("lm", "cd", {"exponent": [1, 2]}, "exponent is an array", "one value of each"),
         ("cd", "lx", {"distance": "2±0.1 m"}, "an uncertainty, which a factor", "alone"),

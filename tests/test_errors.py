@@ -166,20 +166,20 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ('the unit of distance="2" is missing', 'distance="2 m"')),
     "an option that does not apply is left out": (
         lambda: Unused(("off-axis",), "to a disc"),
-        ("--off-axis does not apply to a disc", "the same without --off-axis"),
-        ("off-axis does not apply to a disc", "the same without off-axis"),
-        ("off_axis does not apply to a disc", "the same without off_axis")),
+        ("--off-axis does not apply to a disc", "leave out --off-axis"),
+        ("off-axis does not apply to a disc", "leave out off-axis"),
+        ("off_axis does not apply to a disc", "leave out off_axis")),
     "two options that do not apply are left out": (
         lambda: Unused(("time", "width"), "here"),
-        ("--time and --width do not apply here", "the same without --time and --width"),
-        ("time and width do not apply here", "the same without time and width"),
-        ("time and width do not apply here", "the same without time and width")),
+        ("--time and --width do not apply here", "leave out --time and --width"),
+        ("time and width do not apply here", "leave out time and width"),
+        ("time and width do not apply here", "leave out time and width")),
     "an input that is not enough alone gets the inputs to add": (
         lambda: Idle(f"{option('half-angle', '30deg')} alone is not enough",
-                     f"with it, {options(('flux', 'off-axis'))}"),
-        ("--half-angle 30deg alone is not enough", "with it, --flux or --off-axis"),
-        ("half-angle 30deg alone is not enough", "with it, flux or off-axis"),
-        ('half_angle="30 deg" alone is not enough', "with it, flux or off_axis")),
+                     f"add {options(('flux', 'off-axis'))}"),
+        ("--half-angle 30deg alone is not enough", "add --flux or --off-axis"),
+        ("half-angle 30deg alone is not enough", "add flux or off-axis"),
+        ('half_angle="30 deg" alone is not enough', "add flux or off_axis")),
     "a value out of range gets its limits": (
         lambda: Impossible("half-angle", "181deg", "at most 180 deg", "a turn"),
         ("--half-angle 181deg is out of range: a turn", "at most 180 deg"),
@@ -192,16 +192,16 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("more than any light gives", "a wider photon_range")),
     "one of two exclusive options is enough": (
         lambda: Exclusive(("na", "f-number")),
-        ("--na cannot be used with --f-number", "one of them"),
-        ("na cannot be used with f-number", "one of them"),
-        ("na cannot be used with f_number", "one of them")),
+        ("--na cannot be used with --f-number", "only one of them"),
+        ("na cannot be used with f-number", "only one of them"),
+        ("na cannot be used with f_number", "only one of them")),
     "a contradiction names the inputs": (
         lambda: Contradiction(f"{option('flux', '800lm')} contradicts the rest",
-                              f"without one of {options(('flux', 'intensity'), ', ')}",
+                              f"leave out one of {options(('flux', 'intensity'), ', ')}",
                               "flux", 800.0, 900.0),
-        ("--flux 800lm contradicts the rest", "without one of --flux, --intensity"),
-        ("flux 800lm contradicts the rest", "without one of flux, intensity"),
-        ('flux="800 lm" contradicts the rest', "without one of flux, intensity")),
+        ("--flux 800lm contradicts the rest", "leave out one of --flux, --intensity"),
+        ("flux 800lm contradicts the rest", "leave out one of flux, intensity"),
+        ('flux="800 lm" contradicts the rest', "leave out one of flux, intensity")),
 }  # fmt: skip
 
 

@@ -66,9 +66,9 @@ CONVERSIONS = {
     "a reflectance does not apply between lumens and candelas": (
         "lm", "cd", {"reflectance": "0.5"}, "--reflectance does not apply", "--isotropic"),
     "a distance does not apply from isotropic lumens to candelas": (
-        "lm", "cd", {"isotropic": True, "distance": "2m"}, "--distance does not apply", "without"),
+        "lm", "cd", {"isotropic": True, "distance": "2m"}, "--distance does not apply", "leave"),
     "a time does not apply between metres and feet": (
-        "m", "ft", {"time": "1h"}, "--time does not apply", "without --time"),
+        "m", "ft", {"time": "1h"}, "--time does not apply", "leave out --time"),
     "an incidence without a distance is refused": (
         "cd", "lx", {"incidence": "45deg"}, "a distance is missing", "--distance"),
     "an observer does not apply between watts and photons": (
@@ -149,11 +149,11 @@ CONVERSIONS = {
         "cd", "lm", {"radius": "1m", "distance": "9m", "incidence": "9deg"},
         "size of the receiver (2 m)", "more distance"),
     "an incidence does not apply to a surface that a flux is spread over": (
-        "lm", "lx", {"area": "1m2", "incidence": "60deg"}, "--incidence does not apply", "without"),
+        "lm", "lx", {"area": "1m2", "incidence": "60deg"}, "--incidence does not apply", "leave"),
     "an incidence does not apply to a luminous surface": (
-        "radlux", "radlux", {"incidence": "60deg"}, "--incidence does not apply", "without"),
+        "radlux", "radlux", {"incidence": "60deg"}, "--incidence does not apply", "leave"),
     "a tilt does not apply to a small source": (
-        "cd", "lx", {"distance": "1m", "tilt": "60deg"}, "--tilt does not apply", "without"),
+        "cd", "lx", {"distance": "1m", "tilt": "60deg"}, "--tilt does not apply", "leave out"),
     "a tilt of 90 degrees is refused": (
         "cd", "nit", {"area": "1m2", "tilt": "90deg"}, "no light arrives", "below 90"),
     "a wide solid angle has no single angle from the normal": (
@@ -180,7 +180,7 @@ CONVERSIONS = {
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "-94deg"}, "horizon",
         "--radius 0.56419m in place"),
     "a wavelength does not apply between hertz and kaysers": (
-        "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength does not apply", "without"),
+        "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength does not apply", "leave out"),
     "an efficacy of 149 lumens per micromole per second is refused": (
         "umol/s", "lm", {"efficacy": "149lm.s/umol"}, "out of range: no light gives more", "147"),
     "a bandwidth of metres is out of range": (
@@ -270,7 +270,7 @@ COMMANDS = {
     "an angle with only an illuminance needs further inputs": (
         "point-source --illuminance 100lx --half-angle 30deg --time 1h",
         "--half-angle 30deg needs further inputs", "--flux"),
-    "a mass alone is unused": ("calorimeter --mass 10g", "--mass 10g", "with it, --specific-heat"),
+    "a mass alone is unused": ("calorimeter --mass 10g", "--mass 10g", "add --specific-heat"),
     # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
     "an illuminance that contradicts a flux at its distance is refused with the ratio": (
         "point-source --flux 800lm --distance 2m --illuminance 20lx", "--illuminance 20lx",
@@ -316,10 +316,10 @@ COMMANDS = {
         "point-source --intensity 1cd --distance -1m", "more than 0"),
     "a tilted receiver that a lobe lights unevenly is refused": (
         "point-source --intensity 1cd --beam-angle 9deg --distance 1m --receiver-area 1m2 "
-        "--incidence 5deg", "varies by more than 1 %", "without --incidence"),
+        "--incidence 5deg", "varies by more than 1 %", "leave out --incidence"),
     "a tilted receiver that the cone's edge may cross is refused": (
         "point-source --flux 9lm --half-angle 5deg --distance 1m --receiver-area 1m2 "
-        "--incidence 5deg", "edge may cross", "without --incidence"),
+        "--incidence 5deg", "edge may cross", "leave out --incidence"),
     "a source that is too near for its size is refused with the size": (
         "lambertian --luminance 1cd/m2 --area 1m2 --distance 1m", "five times", "1.12838 m"),
     "a receiver inside a sphere is refused": (
@@ -520,9 +520,9 @@ COMMANDS = {
     "a scale in small letters is refused with its spelling": (
         "convert 10 dbm W", "unknown unit", "dBm"),
     "a meter's constant does not apply to the other kind of light": (
-        "convert 15 EV lx --k 14cd.s/m2", "--k does not apply to the conversion of", "without --k"),
+        "convert 15 EV lx --k 14cd.s/m2", "--k does not apply to the conversion", "leave out --k"),
     "a meter's constant does not apply between units": (
-        "convert 15 lx fc --c 320lx.s", "--c does not apply", "without --c"),
+        "convert 15 lx fc --c 320lx.s", "--c does not apply", "leave out --c"),
     "a magnitude is not a power": (
         "convert 5 mag dBm", "illuminance (lx) to radiant flux", "--area"),
     "a range of readings needs steps in the scale": (
@@ -625,7 +625,7 @@ STREAMS = {
     "a title of two words between blanks is refused": (
         ("lx", "fc", "--field", "1", "--add", "a b"), "blanks, at which the lines are cut"),
     "a column that becomes another quantity is refused": (
-        ("lx", "W/m2", "--spectrum", "D65", "--header"), "under a header would become"),
+        ("lx", "W/m2", "--spectrum", "D65", "--header"), "under the header would change from"),
     "decimal commas exclude commas as delimiters": (
         ("lx", "fc", "-d", "comma", "--decimal", ","), "cannot be used with"),
     "a decimal mark is a point or a comma": (("lx", "fc", "--decimal", "x"), "--decimal"),

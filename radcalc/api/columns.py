@@ -127,7 +127,7 @@ def _refuse_other(column: Any, unit: Unit) -> None:
     if title.unit and not is_same(title.unit, unit):
         titled = quote(title.unit.text)
         problem = f"the column '{quote(title.text)}' is in {titled}, and in {quote(unit.text)}"
-        raise UnitError(f"{problem} by its units", "one of them")
+        raise UnitError(f"{problem} by its units", "only one of them")
     refuse_misnamed(title, unit)
 
 

@@ -45,7 +45,7 @@ def solid_angle(shape: Shape, vertices: Sequence[Vector] = (), **given: Any) -> 
     corners = _corners(vertices)
     points = [read_point(corner, "the vertex") for corner in corners]
     if points and name != "polygon":
-        raise ConditionError(f"vertices do not apply to a {name}", "the same without vertices")
+        raise ConditionError(f"vertices do not apply to a {name}", "leave out vertices")
     work_out = of_pixel if name == "pixel" else partial(of_shape, name, points=points)
     operands = {"shape": name, "vertices": " ".join(corners)}
     return calculate("solid-angle", given, work_out, operands)
@@ -73,7 +73,7 @@ def direction(vector: Points | None = None, *, on_ball: bool = False, **given: A
     angle_names = ("polar", "azimuth", "elevation", "mirror_ball")
     angles = [name for name in angle_names if given.get(name) is not None]
     if place and angles:
-        raise ConditionError(f"a vector cannot be used with {angles[0]}", "one of them")
+        raise ConditionError(f"a vector cannot be used with {angles[0]}", "only one of them")
     text = vector if isinstance(vector, str) else ",".join(map(str, place or ()))
     work_out = partial(of_direction, vector=place, unit=unit, with_ball=on_ball)
     return calculate("direction", given, work_out, {"vector": text})

@@ -59,7 +59,7 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
     value = _gathered(name, value)
     if isinstance(value, (list, tuple)) and any(map(is_quantity, value)):
         if form not in (DIRECTION, POINT, VECTOR, NUMBERS):
-            raise ConditionError(f"{keyword} is a list of quantities", "one of them")
+            raise ConditionError(f"{keyword} is a list of quantities", "only one of them")
         value = ",".join(map(as_text, value))
     if form == INTERVAL:
         value = as_interval(value)

@@ -161,9 +161,7 @@ def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Source, dict[str,
         return Source(os.fspath(source), is_path=True), given
     if is_quantity(source):
         if given.get("unit") is not None:
-            raise ConditionError(
-                "unit cannot be used with a map that has a unit", "the same without unit"
-            )
+            raise ConditionError("unit cannot be used with a map that has a unit", "leave out unit")
         given = {**given, "unit": unit_of(source)}
         source = source.magnitude
     refuse_column(source, "the map")

@@ -14,7 +14,7 @@ from radcalc.errors import ConditionError, Exclusive, UsageError, command, menti
 from radcalc.geometry.directions import cartesian, mirror_normal, reflected, spherical
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, unit
 from radcalc.geometry.projections import direction_at, is_outside, place_of
-from radcalc.inputs.given import Input, Inputs, one_of
+from radcalc.inputs.given import Input, Inputs, at_most_one, one_of
 from radcalc.inputs.places import read_coordinates
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin, sqrt
 from radcalc.quantities.symbols import MIRROR_BALL
@@ -75,7 +75,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
         names = [name for name in given if name not in MIRRORS]
         if vector and names:
             what = option("mirror-ball") if "mirror-ball" in names else "angles"
-            raise ConditionError(f"a vector cannot be used with {what}", "one of them")
+            raise ConditionError(f"a vector cannot be used with {what}", "only one of them")
         if not vector and not names:
             hint = mention("X Y Z, or {polar=45deg} {azimuth=30deg}")
             raise UsageError("a direction is missing", hint)
@@ -147,6 +147,7 @@ def _is_at_pole(x: Number, y: Number) -> Any:
 
 
 def _from_angles(given: Inputs) -> tuple[Number, Number, Vector, Step]:
+    at_most_one(given, "the same angle", "polar", "elevation")
     given_angle = one_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = one_of(given, "the azimuth", "azimuth").value
     polar = given_angle.value if given_angle.name == "polar" else math.pi / 2 - given_angle.value

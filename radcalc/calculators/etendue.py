@@ -70,7 +70,7 @@ def etendue(given: Inputs) -> Answer:
     has_receiver |= "distance" in given and not has_cone
     if has_receiver and has_cone:
         raise ConditionError(
-            "a receiver cannot be used with a cone: both limit the light", "one of them"
+            "a receiver cannot be used with a cone: both limit the light", "only one of them"
         )
     takes = WITH_RECEIVER if has_receiver else WITH_CONE
     named = f"a source and a {'receiver' if has_receiver else 'cone'}"
@@ -106,7 +106,7 @@ def _unlimited(given: Inputs) -> MissingInput:
 def _source(given: Inputs) -> list[AnyLaw]:
     if "width" in given or "length" in given:
         if set(given) & {"area", *ROUND}:
-            raise ConditionError("the size of the source is given twice", "one of them")
+            raise ConditionError("the size of the source is given twice", "only one of them")
         return [RECTANGLE]
     size = at_most_one(given, "the size of the source", "area", *ROUND)
     return [*round_sizes(given), CIRCLE] if size and size.name in ROUND else []
@@ -184,7 +184,7 @@ def _refuse_near(solved: Solved) -> None:
     off = far_field.error(source, away, tilt, incidence, bool(sides))
     off += far_field.error(receiver, away, incidence, tilt)
     good = far_field.percent(off)
-    solved.assume(f"patches small compared to their distance: A1 A2 cos cos / d^2 is {good}")
+    solved.assume(f"patches small compared to their distance: A1 A2 cos cos / d^2 {good}")
 
 
 def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:

@@ -9,7 +9,7 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import Step, Value
-from radcalc.calculators.results import LINKS_HINT
+from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
 from radcalc.derivation import format_number, format_value, letter_of
 from radcalc.errors import (
     ConditionError,
@@ -94,13 +94,13 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     for name, twin in given_in_two_kinds.items():
         if linking:
             names = (given[name].name, twin.name, linking[0])
-            raise Exclusive(names, "the kinds are linked twice")
+            raise Exclusive(names, "radiant, luminous and photon quantities are linked twice")
         ratio = Ratio.of(given[name], twin)
         links = {**links, "efficacy": ratio.link()}
         steps.append(ratio.step())
         _refuse_impossible(ratio, links)
     if len(linking) > 1:
-        raise Exclusive(linking[:2], "both link the kinds")
+        raise Exclusive(linking[:2], "both link radiant, luminous and photon quantities")
     _refuse_idle_refinements(links)
     first = next(iter(given), "")
     kind = kind_of(given[first]) if first else preferred or RADIANT
@@ -118,7 +118,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
                 first_name = option(given[first].name)
                 raise MissingInput(
                     f"{option(item.name)} is {KIND_NAMES[of_kind]}, "
-                    f"{first_name} {KIND_NAMES[kind]}: a link between them is missing",
+                    f"{first_name} {KIND_NAMES[kind]}: {MISSING_LINK}",
                     LINKS_HINT,
                 )
             amounts[name] = item.value * factor.value
@@ -227,7 +227,7 @@ def _refuse_idle_refinements(links: Inputs) -> None:
         if name in links and not set(useful) & set(links):
             raise ConditionError(
                 f"{option(name)} does not apply without {options(useful)}",
-                f"{options(useful)} with it, or neither",
+                f"add {options(useful)}, or use neither",
             )
 
 

@@ -229,14 +229,15 @@ def _compare(solved: Solved, far: Number, exact: Number) -> None:
     differs = (ratio < SHOWN_AS_1[0]) | (ratio > SHOWN_AS_1[1])
     law = "the inverse square law, applied at the centre,"
     if any_true(differs & (far == 0)):
-        solved.note(f"{law} gives no light")
+        solved.note(f"{law} would give no light")
     nearest, away = far_field.FAR * solved.value("extent"), solved.value("distance")
     if any_true(is_near := differs & (far != 0) & (away < nearest)):
         times, least = (format_number(chosen(x, is_near)) for x in (ratio, nearest))
-        validity = f"it holds from {least} m on, five times the size"
-        solved.note(f"{law} gives {times} times the irradiance; {validity}")
+        validity = f"it holds from {least} m (five times the size)"
+        solved.note(f"{law} would give {times} times this irradiance; {validity}")
     if any_true(is_far := differs & (far != 0) & (away >= nearest)):
-        solved.note(f"{law} gives {format_number(chosen(ratio, is_far))} times the irradiance")
+        times = format_number(chosen(ratio, is_far))
+        solved.note(f"{law} would give {times} times this irradiance")
 
 
 def _exact_call(given: Inputs) -> str:
@@ -271,8 +272,8 @@ def _exact_call(given: Inputs) -> str:
     except RadcalcError:
         return ""
     texts = {name: quote(item.text) for name, item in inputs.items()}
-    circle = ", for a circle" if "area" in given and not sides else ""
-    return f"{command('lambertian', shape, **texts)}{circle}, which is exact"
+    circle = " if the patch is a circle" if "area" in given and not sides else ""
+    return f"{command('lambertian', shape, **texts)}, which is exact{circle}"
 
 
 def _length(name: str, size: float) -> Input:
@@ -302,4 +303,4 @@ def _check_far(solved: Solved) -> tuple[str, ...]:
         if "incidence" not in given:  # parallel planes do not cut each other
             incidence = tilt
     good = far_field.percent(far_field.error(longest, away, tilt, incidence, bool(sides)))
-    return (f"a source small compared to its distance: the inverse square law is {good}",)
+    return (f"a source small compared to its distance: the inverse square law {good}",)

@@ -24,7 +24,7 @@ from radcalc.calculators.point_laws import (
     solve_facing,
     spread,
 )
-from radcalc.calculators.results import LINKS_HINT, absent, value
+from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, absent, value
 from radcalc.calculators.solved import Solved, contradiction
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.derivation import format_angle, format_number, format_value
@@ -175,7 +175,10 @@ class _Luminaire:
         except Disagreement as error:
             raise contradiction(self.sheet, error, {}) from None
         if name not in values:
-            raise MissingInput(f"the width of the {shape} is missing", options(SHAPED[shape]))
+            raise MissingInput(
+                f"the {'shape' if shape == LOBED else 'width'} of the {shape} is missing",
+                options(SHAPED[shape]),
+            )
         width = values[name].value
         for measure in SHAPED[shape]:
             if measure in values and measure not in known:
@@ -243,7 +246,7 @@ class _Luminaire:
         sheet, kind = self.sheet, self.source.kind
         if not sheet.lit.values and not kind:
             raise MissingInput(
-                "the distribution is relative: a light quantity to scale it is missing",
+                "the distribution is relative: a quantity that scales it is missing",
                 mention("{flux}, {intensity} or {peak-intensity}") + self._unit_hint,
             )
         known = {*sheet.known_with(self.placed)}
@@ -256,7 +259,7 @@ class _Luminaire:
             name = option(next(iter(sheet.lit.values.values())).name)
             raise MissingInput(
                 f"the distribution is in {light_unit('intensity', kind)}, {name} is of another "
-                "kind: a link between them is missing",
+                f"kind: {MISSING_LINK}",
                 LINKS_HINT,
             )
         self.placed.add("scale", 1.0)
@@ -315,7 +318,7 @@ class _Luminaire:
         if "aim" in given:
             placed.assume(
                 f"aimed at {quote(given['aim'].text)}; heights are vertical, and offsets are "
-                "counted from the vertical through the source"
+                "measured from the vertical through the source"
             )
             if "incidence" not in given:
                 placed.assume("the receiver is horizontal")
@@ -325,7 +328,7 @@ class _Luminaire:
                 placed.assume(LYING)
         if not self.source.is_axial or "rotate" in given:
             placed.assume(
-                "an offset is towards C0, an offset along y towards C90"
+                mention("{offset} is towards C0, {offset-y} towards C90")
                 if not self.rotate
                 else f"C0 is turned by {format_angle(self.rotate)} from x towards y"
             )
@@ -386,7 +389,7 @@ class _Luminaire:
         if self.of_shape:
             yield ASSUMED[source.format].partition(";")[0]
         elif source.format == EXPRESSION:
-            yield f"the intensity is {quote(source.name)}; theta is counted from the source's axis"
+            yield f"the intensity is {quote(source.name)}; theta is measured from the source's axis"
         else:
             yield f"distribution: {source.format}" + f": {quote(source.name)}" * bool(source.name)
         yield from source.assumptions
@@ -425,7 +428,7 @@ class _Luminaire:
             raise ConditionError(
                 f"the light varies by {format_number(100 * uneven, 2)} % over the receiver, and "
                 "the axis of its incidence is not known",
-                mention("a smaller {receiver-area}, or the same without {incidence}"),
+                mention("a smaller {receiver-area}, or leave out {incidence}"),
             )
         solved.assume(f"the light varies by {format_number(100 * uneven, 2)} % over the receiver")
 
@@ -509,7 +512,7 @@ class _Luminaire:
         if self.photometry.declared and self.is_scaled:
             scaling = options([item.name for item in self.sheet.lit.values.values()], " and ")
             problem = "declared values do not apply to a scaled distribution"
-            return problem, f"the same without {scaling}"
+            return problem, f"leave out {scaling}"
         return "it is not declared", "a file with the flux of its lamps and their power"
 
 
@@ -522,7 +525,7 @@ def _refuse_idle(given: Inputs) -> None:
         raise Unused(
             ("rotate",),
             "without a receiver off the axis",
-            mention("{height=3m} and {offset=1m} with it"),
+            mention("add {height=3m} and {offset=1m}"),
         )
 
 

@@ -45,12 +45,12 @@ class Search(NamedTuple):
         useful = (useful or [other for other, symbols in lively.items() if name in symbols])[:4]
         problem = "needs further inputs"
         if useful:
-            hint = f"with it, {options(useful)}"
+            hint = f"add {options(useful)}"
         elif partners := self._partners(name):
-            hint = f"with it, {options(partners, ' and ')}"
+            hint = f"add {options(partners, ' and ')}"
         else:
             problem = "does not apply to the other inputs"
-            hint = f"the same without {option(item.name)}"
+            hint = f"leave out {option(item.name)}"
         if len(inputs) == 1:
             problem = "alone is not enough"
         raise Idle(f"{option(item.name, item.text)} {problem}", hint)

@@ -99,14 +99,15 @@ def spread(given: Inputs) -> str:
     for name, other in further:
         if other != shape:
             raise ConditionError(
-                f"{option(first)} describes {OF[shape]}, {option(name)} {OF[other]}", "one of them"
+                f"{option(first)} describes {OF[shape]}, {option(name)} {OF[other]}",
+                "only one of them",
             )
         if name in FLAGS:
             raise Exclusive([first, name], "both give the cone")
     if chosen not in (None, shape):
         distribution = option("distribution", quote(given["distribution"].text))
         message = f"{option(first)} cannot be used with {distribution}: it describes {OF[shape]}"
-        raise ConditionError(message, "one of them")
+        raise ConditionError(message, "only one of them")
     return shape
 
 

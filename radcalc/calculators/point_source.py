@@ -209,7 +209,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     is_explicit = not given.keys().isdisjoint(("distribution", "isotropic"))
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_explicit:
         placed.note(
-            mention("the flux is that of an isotropic source; {beam-angle} gives that of a beam")
+            mention("this is the flux of an isotropic source; for a beam, give {beam-angle}")
         )
     solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
     if is_aside:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
+MISSING_LINK = "a wavelength, a spectrum or an efficacy that links them is missing"
+NEEDS_LINK = "needs a link between radiant, luminous and photon quantities"
 
 
 def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") -> Value:
@@ -71,7 +73,7 @@ def in_unit(value: Value, unit: Unit) -> Any:
     if amount is None:
         own_grid, wanted_grid = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
         if own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]:
-            message = f"{value.name} in {quote(unit.text)} needs a link between the kinds of light"
+            message = f"{value.name} in {quote(unit.text)} {NEEDS_LINK}"
             raise MissingInput(message, LINKS_HINT)
         raise UsageError(
             f"{value.name} is not measured in {describe(unit)}",
@@ -217,9 +219,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
     if generic in names:
-        raise MissingInput(
-            f"{name} needs a link between the kinds of light", f"{LINKS_HINT}, or {generic}"
-        )
+        raise MissingInput(f"{name} {NEEDS_LINK}", f"{LINKS_HINT}, or {generic}")
     of_case = f"{case}: " if case else ""
     hint = _right_names(name, values, names)
     raise UsageError(f"{of_case}unknown result '{quote(name)}'", hint)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from radcalc.calculators import kinds
 from radcalc.calculators.point_laws import CONE, LOBE, SHAPED
-from radcalc.calculators.results import LINKS_HINT
+from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
 from radcalc.distributions.distribution import Distribution
 from radcalc.distributions.files import read_lines
 from radcalc.distributions.photometry import Photometry
@@ -94,7 +94,7 @@ class Row(NamedTuple):
 
     def both(self, first: str, second: str) -> ConditionError:
         message = f"{self.where}: {typed(first)} cannot be used with {typed(second)}"
-        return ConditionError(message, "one of them")
+        return ConditionError(message, "only one of them")
 
 
 class NamedSource(NamedTuple):
@@ -380,7 +380,8 @@ class Reader:
         if text is None:
             if len(shapes) > 1:
                 raise ConditionError(
-                    f"{row.where}: it has columns for {' and for '.join(shapes)}", "one of them"
+                    f"{row.where}: it has columns for {' and for '.join(shapes)}",
+                    "only one of them",
                 )
             shape = shapes[0] if shapes else ISOTROPIC
             if not shapes:
@@ -423,8 +424,9 @@ class Reader:
         if len(matches) > 1:
             raise row.both(*matches[:2])
         if not matches:
+            what = "shape" if shape == LOBED else "width"
             raise ConditionError(
-                f"{row.where}: the width of the {shape} is missing", " or ".join(map(typed, names))
+                f"{row.where}: the {what} of the {shape} is missing", " or ".join(map(typed, names))
             )
         return given[matches[0]]
 
@@ -484,7 +486,7 @@ class Reader:
             raise row.error(
                 column,
                 f"it is {KIND_NAMES[kind]}, other sources are {KIND_NAMES[self.kind]}: "
-                "a link between them is missing",
+                + MISSING_LINK,
                 LINKS_HINT,
             )
         self.assumptions[factor.assumption] = None

@@ -5,7 +5,7 @@ from typing import Any
 from radcalc.answer import FRACTION, Answer
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
-from radcalc.calculators.results import LINKS_HINT
+from radcalc.calculators.results import LINKS_HINT, NEEDS_LINK
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import MissingInput, mention, option
@@ -233,7 +233,7 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
     for name in lacking:
         if name in sheet.given and sheet.lit.values:
             option_text = option(name, sheet.given[name].text)
-            problem = f"{option_text} needs a link between the kinds of light"
+            problem = f"{option_text} {NEEDS_LINK}"
             raise MissingInput(problem, LINKS_HINT)
 
 

@@ -81,7 +81,7 @@ class Seen(Placed):
         """Add the position of the source's centre, seen by a receiver with this tilt."""
         self.use(*POSITION)
         if "incidence" in self.given:
-            self.assume("the incidence is counted from the line to the centre, away from the axis")
+            self.assume("the incidence is measured from the line to the centre, away from the axis")
         else:
             self.assume("the receiver faces the source's plane")
         distance = hypot(height, lateral)
@@ -132,7 +132,7 @@ def _patch(sheet: Worksheet) -> Placed:
         turned = [name for name in ("incidence", "tilt") if name in given]
         if turned:
             message = f"{option(turned[0])} does not apply without a distance"
-            raise MissingInput(message, mention("{distance=2m} with it"))
+            raise MissingInput(message, mention("add {distance=2m}"))
     return placed
 
 
@@ -173,7 +173,7 @@ def _small(given: Inputs) -> list[AnyLaw]:
 
 def _without_height(name: str) -> MissingInput:
     message = f"{option(name)} does not apply without a height"
-    return MissingInput(message, mention("{height=1.5m} with it"))
+    return MissingInput(message, mention("add {height=1.5m}"))
 
 
 def _without_size(given: Inputs, *laws: AnyLaw) -> tuple[AnyLaw, ...]:
@@ -340,7 +340,7 @@ def _corner(given: Inputs) -> tuple[Any, Any]:
     """Return the offsets of a rectangle's corner; refuse other offsets and a distance."""
     if {*OFFSETS, "distance"} & set(given):
         message = mention("{corner} with {height} already places the receiver")
-        raise ConditionError(message, "one of them")
+        raise ConditionError(message, "only one of them")
     return given["width"].value / 2, given["length"].value / 2
 
 

@@ -339,7 +339,7 @@ class _Sky:
             if "normal" in given and other in given:
                 raise Exclusive(("normal", other), "both turn the plane")
         if "azimuth" in given and "tilt" not in given:
-            raise Unused(("azimuth",), "without a tilt", mention("{tilt=90deg} with it"))
+            raise Unused(("azimuth",), "without a tilt", mention("add {tilt=90deg}"))
         if "irradiance" in lit and not self.has_plane:
             option_text = option(lit["irradiance"].name)
             hint = mention("{tilt=90deg} or {normal}, or {horizontal-irradiance} of the ground")
@@ -372,7 +372,7 @@ class _Sky:
         # one plane of a list may be level, and one direction the zenith
         needs_azimuth = self.has_plane or (self.type.follows_sun and "toward" in given)
         if "sun-azimuth" in given and not (needs_azimuth or for_map or is_drawn):
-            hint = mention("{tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}, with it")
+            hint = mention("add {tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}")
             raise Unused(("sun-azimuth",), "without a plane or a direction", hint)
         if "sun-azimuth" not in given and (turned or is_off_zenith or for_map):
             raise MissingInput(*MISSING_AZIMUTH)
@@ -448,9 +448,9 @@ class _Sky:
                 "toward" in given and given["toward"].text.count(",") == 2
             )
             solved.assume(
-                "azimuths are counted from +x towards +y"
+                "azimuths are measured from +x towards +y"
                 if is_vector
-                else "all azimuths are counted from the same direction and in the same sense"
+                else "all azimuths are measured from the same direction and in the same sense"
             )
         if self.is_sunlit:
             self._say_disc(solved)

@@ -251,7 +251,7 @@ def _sphere(sheet: Worksheet) -> Placed:
             raise MissingInput("an input is missing: a sphere takes two", missing)
         given = [name for name in sheet.given if name != "solid-angle" or len(sizes) > 2]
         raise MissingInput(
-            "too many inputs: a sphere takes two", f"without one of {options(given, ', ')}"
+            "too many inputs: a sphere takes two", f"leave out one of {options(given, ', ')}"
         )
     laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
     return _onto("a plane whose normal points to the sphere's centre", *laws)
@@ -366,7 +366,7 @@ def _patch(sheet: Worksheet) -> Placed:
         if any_true(solved.value("solid-angle") == 0):
             placed.note("the patch is seen from its edge or from behind")
         good = far_field.percent(far_field.error(far_field.size(area), away, tilt))
-        placed.assume(f"a patch small compared to its distance: A cos(theta) / d^2 is {good}")
+        placed.assume(f"a patch small compared to its distance: A cos(theta) / d^2 {good}")
     return placed
 
 
@@ -398,14 +398,16 @@ def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
     size = far_field.size(area)
     if far_field.is_near(away, size):
         tilt = angle_of(solved.given, "tilt")
-        place = (
-            {"height": away * cos(tilt), "offset": away * sin(tilt)} if any_true(tilt != 0) else {}
-        )
-        sizes = {"radius": size / 2, **(place or {"distance": away})}
-        disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
-        exact = f"{command('solid-angle', 'disc', **disc)}, if it is a circle, which is exact"
+        hint = far_field.MORE_ROOM
+        if not any_true(tilt >= math.pi / 2):  # a disc is seen from its front, above its plane
+            is_tilted = any_true(tilt != 0)
+            place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if is_tilted else {}
+            sizes = {"radius": size / 2, **(place or {"distance": away})}
+            disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
+            call = command("solid-angle", "disc", **disc)
+            hint = f"{call}, which is exact if the patch is a circle"
         law = "A cos(theta) / d^2"
-        raise TooNear(solved.describe("distance"), "source", format_number(size), exact, law)
+        raise TooNear(solved.describe("distance"), "source", format_number(size), hint, law)
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:

@@ -41,7 +41,7 @@ def solve_all(sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed) -> list[
     answers = [Solved(sheet, placed, laws, solution) for solution in solutions]
     if len(answers) > 1:
         for solved in answers:
-            solved.note(f"{len(answers)} answers fit what is given")
+            solved.note(f"{len(answers)} solutions fit the inputs")
     return answers
 
 
@@ -174,13 +174,13 @@ def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]
         first = option(item.name, item.text)
     ratio = ""
     if error.name in steps:
-        ratio = f" ({format_number(error.given - error.implied)} apart)"
+        ratio = f" (difference {format_number(error.given - error.implied)})"
     elif isinstance(error.implied, float) and error.implied:
         ratio = f" (ratio {format_number(error.given / error.implied, digits)})"
     second = format_value(error.implied, unit, digits)
     return Contradiction(
         f"{first} contradicts the rest, which gives {second}{ratio}",
-        f"without one of {options(names, ', ')}",
+        f"leave out one of {options(names, ', ')}",
         error.name,
         error.given,
         error.implied,

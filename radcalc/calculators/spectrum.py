@@ -125,7 +125,7 @@ def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
         results += _ratio(by_night, LUMINOUS, RADIANT, "scotopic-luminous-efficacy")
     if eye is not OBSERVERS["photopic"]:
         reason = f"it is defined for {OBSERVERS['photopic'].label}"
-        results.append(absent("sp-ratio", reason, f"the same without {option('observer')}"))
+        results.append(absent("sp-ratio", reason, f"leave out {option('observer')}"))
     elif lumens:
         results.append(value("sp-ratio", dark / lumens))
     else:

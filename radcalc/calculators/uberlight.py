@@ -169,9 +169,7 @@ def uberlight(given: Inputs) -> Answer:
 def _refuse_useless(given: Inputs, is_omni: bool) -> None:
     useless = [name for name in OF_SPOTS if name in given]
     if is_omni and useless:
-        raise Unused(
-            useless, "to a light that shines everywhere", mention("the same without {omni}")
-        )
+        raise Unused(useless, "to a light that shines everywhere", mention("leave out {omni}"))
     if "superellipse" not in given:
         useless = [name for name in ("roundness", "shear") if name in given]
         if useless:
@@ -227,7 +225,7 @@ def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
         if not sheet.lit.values:
             raise Idle(
                 f"{option('normal', given['normal'].text)} needs further inputs",
-                f"with it, {options(('intensity', 'irradiance'))}",
+                f"add {options(('intensity', 'irradiance'))}",
             )
         normal = unit(given["normal"].value)
         to_light = times(given["point"].value, -1 / placed.known["distance"].value)

@@ -267,7 +267,7 @@ class _Run:
                 return float(end - self.nominal[key]) / side
         why = f": {self.refused.message}" if self.refused else ""
         problem = f"the uncertainty of {_option_text(self.input)} cannot be propagated{why}"
-        raise ConditionError(problem, "the same without it")
+        raise ConditionError(problem, "leave it out")
 
     def bends(self, numbers: Numbers) -> Iterator[Bend]:
         """Yield the bends of results within the uncertainty of the input."""

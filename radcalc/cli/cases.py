@@ -124,8 +124,9 @@ def _stream(
     sources = [name for name in streams if SYMBOLS[name].form in READERS_OF_STDIN]
     line_streams = [name for name in streams if name not in sources]
     if len(streams) > 1:
+        all_ = "both" if len(streams) == 2 else "all"
         listed = " and ".join(option(name, quote(typed[name].strip())) for name in streams)
-        raise UsageError(f"{listed}: there is one standard input", "one -")
+        raise UsageError(f"{listed} cannot {all_} read standard input", "one -")
     if not line_streams:
         return None
     (name,) = line_streams

@@ -56,7 +56,7 @@ def judge(
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
-    output.refuse_auto("--check compares it with the answer given", "the same without --auto")
+    output.refuse_auto("--check compares it with the answer given", "leave out --auto")
     verdict = check(question, claim, tolerance)
     answer = question.answer
     right = next(value for value in answer.values if value.name == verdict.name)

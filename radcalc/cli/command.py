@@ -214,7 +214,9 @@ class SectionedCommand(Helped):
         for word in args[: args.index("--")] if "--" in args else args:
             name = word.partition("=")[0]
             if word.startswith("--") and name in seen - several:
-                raise UsageError(f"{quote(name)} is given twice", "it once, or a list of values")
+                raise UsageError(
+                    f"{quote(name)} is given twice", "give it once, or give a list of values"
+                )
             seen.add(name)
         remaining = super().parse_args(ctx, self._with_long_names(args, end))
         for parameter in self.params:

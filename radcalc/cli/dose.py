@@ -124,7 +124,9 @@ def command(
     all_cases = cases(typed, arrays=False)
     gap = _gap(all_cases)
     if by and len(all_cases) > 1:
-        raise UsageError("--by cannot be used with a list of conditions", "one of them, and a loop")
+        raise UsageError(
+            "--by cannot be used with a list of conditions", "only one of them, and a loop"
+        )
     clock = TimeSettings(time_zone or "", time_unit or "", time_format or "")
     cut = read_delimiter(delimiter) if delimiter is not None else ""
     settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)

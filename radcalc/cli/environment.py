@@ -78,22 +78,22 @@ def command(
     for name in ("normal", "toward"):
         if name in typed:
             problem = f"--{name} does not apply when a map is written"
-            raise UsageError(problem, f"the same without --{name}")
+            raise UsageError(problem, f"leave out --{name}")
     _refuse_source(path, operands["source"])
     given = one_case(typed, request)
     if irradiance_map:
         if reproject:
             message = "--irradiance-map cannot be used with --reproject: each makes a file"
-            raise UsageError(message, "one of them")
+            raise UsageError(message, "only one of them")
         if to:
-            raise UsageError("--to does not apply to --irradiance-map", "the same without --to")
+            raise UsageError("--to does not apply to --irradiance-map", "leave out --to")
         make = partial(page.irradiance_map, source, given, 2 if order else None)
         inputs = texts_of({**operands, "irradiance-map": path, "order": order or ""})
         return write_map(
             path, "irradiance map", make, request, output, (*inputs, *shown_inputs(given))
         )
     if order:
-        raise UsageError("--order does not apply to --reproject", "the same without --order")
+        raise UsageError("--order does not apply to --reproject", "leave out --order")
     if not to:
         ways = " or ".join(f"--to {name}" for name in PROJECTIONS)
         raise UsageError("the projection to write is missing", ways)

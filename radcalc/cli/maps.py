@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 def one_case(typed: dict[str, str], request: Request) -> Inputs:
     """Return the inputs of the only map of a call."""
     if request.check is not None:
-        raise UsageError("--check does not apply when a map is written", "the same without --check")
+        raise UsageError("--check does not apply when a map is written", "leave out --check")
     if request.plot:
-        raise UsageError("--plot does not apply when a map is written", "the same without --plot")
+        raise UsageError("--plot does not apply when a map is written", "leave out --plot")
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1 or all_cases[0].stream:
         raise UsageError("one map is written at a time", "one value of everything")

@@ -190,12 +190,12 @@ def decide(
 ) -> Output:
     """Choose the format from the options and the kind of standard output."""
     if json_ and format_ not in (None, JSON):
-        raise UsageError(f"--json cannot be used with --format {format_}", "one of them")
+        raise UsageError(f"--json cannot be used with --format {format_}", "only one of them")
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number cannot be used with another format than plain", "-n alone")
     if number and auto:
         raise UsageError(
-            "--number cannot be used with --auto: it prints no unit", "the same without --auto"
+            "--number cannot be used with --auto: it prints no unit", "leave out --auto"
         )
     asked = JSON if json_ else PLAIN if number else format_
     is_terminal = terminal.is_terminal()

@@ -24,7 +24,7 @@ IN_A_FILE = "--plot FILE.svg, which leaves the numbers alone"
 def refuse(request: Request, output: Output) -> None:
     """Refuse an impossible picture before anything is calculated."""
     if request.check is not None:
-        raise UsageError("--plot cannot be used with --check", "the same without --plot")
+        raise UsageError("--plot cannot be used with --check", "leave out --plot")
     if request.plot != TO_TERMINAL:
         from radcalc.plots.figure import check_place
 

@@ -90,7 +90,7 @@ def command(
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1:
         raise UsageError(
-            "a list of conditions cannot be used with a scene", "one of them, and a loop"
+            "a list of conditions cannot be used with a scene", "only one of them, and a loop"
         )
     given = all_cases[0].given
     refuse_uncertain(given.values(), "a scene")
@@ -268,7 +268,7 @@ def _points(at: tuple[str, ...], grid: Input | None) -> Points:
     from radcalc.distributions import scene
 
     if at and grid:
-        raise UsageError("--at cannot be used with --grid", "one of them")
+        raise UsageError("--at cannot be used with --grid", "only one of them")
     if grid:
         axes = [scene.Axis(*axis) for axis in grid.value]
         size = math.prod(axis.size for axis in axes)

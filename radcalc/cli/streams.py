@@ -170,7 +170,7 @@ def calculate(
     """
     source = case.stream
     assert source is not None
-    output.refuse_auto("a stream has one unit for all lines", "the same without --auto")
+    output.refuse_auto("a stream has one unit for all lines", "leave out --auto")
     _refuse_format(output)
     refuse_uncertain(case.given.values(), "a stream")
     layout = Layout.of(options, source.is_bare)
@@ -300,10 +300,10 @@ def _in_units(
     values = _likely(source, of_line)
     if not wanted and not as_json:
         names = names_of([value for value in values if value.given is None]) or ["NAME:UNIT"]
-        stream_option = option(source.name, "-")
-        raise UsageError(
-            f"{stream_option} takes a result for every line", f"-g with {', '.join(names)}"
-        )
+        *others, last = names
+        listing = f"{', '.join(others)} or {last}" if others else last
+        problem = f"with {option(source.name, '-')}, -g must name a result"
+        raise UsageError(problem, f"-g with {listing}")
     names_in_units = list(wanted)
     for k, name in enumerate(wanted if values else ()):
         try:
@@ -403,9 +403,9 @@ class Layout(NamedTuple):
 
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
     if options.field is not None and options.column is not None:
-        raise UsageError("--field cannot be used with --column", "one of them")
+        raise UsageError("--field cannot be used with --column", "only one of them")
     if options.add is not None and options.rename is not None:
-        raise UsageError("--add cannot be used with --rename", "one of them")
+        raise UsageError("--add cannot be used with --rename", "only one of them")
     if options.rename is not None and not lines:
         raise UsageError("--rename needs a header", "--header, or --column NAME")
     if not has_unit and options.delimiter is None and options.field is not None and not lines:

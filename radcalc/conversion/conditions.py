@@ -10,6 +10,7 @@ from radcalc.tuples import NamedTuple
 
 # Slots of conditions; two conditions in one slot contradict each other.
 LINK, TIME, AREA, CONE, DISTANCE = "link of kinds", "time", "area", "solid angle", "distance"
+SUPPLIES = {LINK: "link radiant, luminous and photon quantities"}
 BAND, REFLECTANCE, PUPIL = "bandwidth", "reflectance", "pupil"
 RESPONSIVITY = "responsivity"
 REFINES = "refines"  # a condition that refines another one has its own slot
@@ -69,7 +70,7 @@ class Conditions:
             slot = condition.name if about == REFINES else about
             if slot in self.given:
                 names = (self.given[slot].name, condition.name)
-                raise Exclusive(names, f"both supply the {slot}")
+                raise Exclusive(names, f"both {SUPPLIES.get(slot, f'give the {slot}')}")
             self.given[slot] = condition
 
     def use(self, slot: str) -> Input | None:

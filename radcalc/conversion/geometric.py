@@ -103,7 +103,7 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
     if given.name not in PROJECTED:
         hint = f"{option('half-angle', 'ANGLE')} or {option('hemisphere')}"
         if given.name == "solid-angle":
-            hint += f", or {option('tilt', '0deg')} with it"
+            hint += f", or add {option('tilt', '0deg')}"
         raise ConditionError(
             f"{option(given.name)} does not link a radiance: it needs the projected solid angle",
             hint,
@@ -146,7 +146,7 @@ def _slanting(given: Input, turn: Input) -> Factor:
             )
         omega = given.value * cosine
         good = far_field.percent(maths.square(maths.tan(half / 2)))
-        assumption = f"a small solid angle of {given.text}, {where} (Omega cos(theta) is {good})"
+        assumption = f"a small solid angle of {given.text}, {where} (Omega cos(theta) {good})"
         formula = Formula("small solid angle", "{projected-solid-angle} = {solid-angle} cos(theta)")
         step = formula.step({"solid-angle": given.value}, f"{format_number(omega)} sr")
         return Factor("Omega_p", omega, "sr", assumption, (step,), notes)
@@ -191,7 +191,7 @@ def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
         raise TooNear(distance_text, "receiver", format_number(size), hint, "A / d^2")
     angle = abs(incidence.value) if incidence else 0.0
     good = far_field.percent(far_field.error(size, distance.value, angle))
-    return factor._replace(assumption=f"{factor.assumption} of a receiver (A / d^2 is {good})")
+    return factor._replace(assumption=f"{factor.assumption} of a receiver (A / d^2 {good})")
 
 
 def inverse_square(given: Input, incidence: Input | None) -> Factor:
@@ -264,7 +264,7 @@ def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Inpu
         raise HorizonCuts("incidence", incidence.text, "", hint)
     good = far_field.percent(far_field.error(size, distance.value, slope, angle))
     facing = "" if tilt else ", which faces the receiver"
-    return factor._replace(assumption=f"{factor.assumption}{facing} (A / d^2 is {good})")
+    return factor._replace(assumption=f"{factor.assumption}{facing} (A / d^2 {good})")
 
 
 def reflector(given: Input) -> Factor:

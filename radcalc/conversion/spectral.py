@@ -132,8 +132,8 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     if not forward:
         if maths.any_true(value == 0):
             raise ConditionError(
-                f"{quote(given.text)} is invisible: a luminous quantity does not determine "
-                "the light",
+                f"{quote(given.text)} is invisible: a luminous quantity does not determine its "
+                "watts or photons",
                 f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
             )
         symbol, value = f"(1/{symbol})", 1 / value

@@ -256,14 +256,14 @@ def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
     if numbers.remaining() == needed:
         return
     problem = (
-        f"{numbers.remaining()} numbers follow, but {vertical} vertical and {horizontal} "
-        f"horizontal angles with their intensities need {needed}"
+        f"{vertical} vertical and {horizontal} horizontal angles with their intensities need "
+        f"{needed} numbers, and there are {numbers.remaining()}"
     )
     place, ends = numbers.place, set(numbers.ends)
     for count, what in _records(vertical, horizontal):
         if place + count > len(numbers.values):
             raise numbers.error(
-                place + count, f"the file ends within {what}: {problem}", "all of them"
+                place + count, f"the file ends within {what}: {problem}", "the complete file"
             )
         if place + count not in ends:
             begun = f"{what} that begin here do not end at the end of a line: {problem}"

@@ -263,7 +263,7 @@ def steepest(reach: Number, distance: Number) -> str:
 
 
 def percent(bound: Number) -> str:
-    """Return a bound of an error as a text.
+    """Return a bound of an error as the predicate of a sentence.
 
     Parameters
     ----------
@@ -278,6 +278,7 @@ def percent(bound: Number) -> str:
     Examples
     --------
     >>> percent(0.022)
-    'within 2.2 %'
+    'has an error of at most 2.2 %'
     """
-    return f"within {100 * (float(bound.max(initial=0.0)) if is_array(bound) else bound):.2g} %"
+    most = float(bound.max(initial=0.0)) if is_array(bound) else bound
+    return f"has an error of at most {100 * most:.2g} %"

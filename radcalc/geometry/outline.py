@@ -145,8 +145,8 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     off = max(abs(dot(unit, side)) for side in sides)
     if off > FLAT * size:
         raise ConditionError(
-            f"the polygon is not flat: its vertices are up to {off / scale:.3g} off one plane",
-            "its triangles, each for itself",
+            f"the polygon is not flat: its vertices are up to {off / scale:.3g} away from a plane",
+            "its triangles, one by one",
         )
     _refuse_crossing(sides, unit)
     away = minus(first, viewpoint)
@@ -157,7 +157,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
         )
     notes = []
     if off > NOTED * size:
-        notes = [f"the vertices are up to {off / scale:.2g} off one plane"]
+        notes = [f"the vertices are up to {off / scale:.2g} away from a plane"]
     normal = times(unit, math.copysign(1.0, height))
     return Outline([plus(away, side) for side in sides], normal, notes)
 

@@ -21,7 +21,7 @@ from radcalc.maths import Number, each
 
 UNEVEN = 0.01  # [1] largest variation of a lobe over a tilted receiver
 TURNED = mention(  # hint if the axis of a receiver's tilt would matter
-    "the same without {incidence}: a receiver in a plane across the axis, or a smaller one"
+    "leave out {incidence}: a receiver in a plane across the axis, or a smaller one"
 )
 FAINT = 1e-18  # [1] relative intensity of a lobe below which it is not integrated
 

@@ -8,7 +8,8 @@ dropped, doubled or inverted).
 USUAL: dict[str, tuple[float, str, str]] = {
     # --- pi, and other constants
     "pi-forgotten": (1, "pi was forgotten, or added by mistake", ""),
-    "two-pi-for-pi": (1, "2 pi was used for pi: the cosine in the integral over the hemisphere",
+    "two-pi-for-pi": (1,
+        "2 pi was used for pi: the cosine in the integral over the hemisphere was forgotten",
         "M = pi L Omega0, because each direction counts with its cosine"),
     "wrong-sphere": (2, "pi, 2 pi and 4 pi were mixed up, or forgotten", ""),
     "pi-upside-down": (3, "pi was a factor instead of a divisor, or vice versa", ""),

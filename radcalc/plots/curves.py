@@ -68,7 +68,7 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     lines, rows = _lines(solved, wanted or [_usual(solved, along)], along, other_lists)
     if len({row.unit for row in rows}) > 1:
         several = " and ".join(dict.fromkeys(f"{row.name} in {row.unit}" for row in rows))
-        raise UsageError(f"{several}: an axis has one unit", "one of them")
+        raise UsageError(f"{several}: an axis has one unit", "only one of them")
     _refuse_many(lines)
     is_log = all(_is_wide([line[k] for line in lines.values()]) for k in (0, 1))
     x_axis = Axis(*_axis_name(solved[0].given[along]), is_log=is_log)

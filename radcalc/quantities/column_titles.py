@@ -142,12 +142,12 @@ def refuse_altered(title: Title) -> None:
     hint = f"numbers in {quote(unit.text)}" if unit else "numbers in their unit"
     in_parts = unit and len(unit.atoms) > 1 and any(name in PARTS for name, _ in unit.atoms)
     if in_parts or FACTOR.search(masked) or (unit and SCALED_BEFORE.search(before)):
-        raise UnitError(f"the title '{quote(text)}' scales its numbers", hint)
+        raise UnitError(f"the title '{quote(text)}' scales its numbers", f"{hint} without a factor")
     if FUNCTION.search(masked):
         raise UnitError(f"the title '{quote(text)}' has a function of its numbers", hint)
     if unit and (other_unit := _other_unit(f"{before} {after}", unit)):
         units = f"{quote(unit.text)} and {quote(other_unit.text)}"
-        raise UnitError(f"the title '{quote(text)}' has two units, {units}", "one of them")
+        raise UnitError(f"the title '{quote(text)}' has two units, {units}", "only one of them")
 
 
 def refuse_misnamed(title: Title, unit: Unit) -> None:

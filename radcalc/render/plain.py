@@ -97,7 +97,7 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
         nearer = "".join(f"; {diagnosis.right}" for diagnosis in verdict.diagnoses)
         return f"right ({verdict.tolerance}): {right}{nearer}\n"
     times = "1" if verdict.ratio is None else number(verdict.ratio + 0.0, RATIO_DIGITS)
-    ratio = f" ({times} times that)" if times != "1" else ""
+    ratio = f" ({times} times the right value)" if times != "1" else ""
     claimed = uncertain(verdict.claimed, verdict.claimed_uncertainty, digits)  # as typed
     claimed += unit_behind(verdict.claimed_unit)
     lines = [f"wrong ({verdict.tolerance}): {right}, not {claimed}{ratio}"]

@@ -131,7 +131,7 @@ def values(title: str) -> Meaning:
     title = _with_short_units(title)
     text = plain(title).replace("_", " ").replace("photon counts", "photons")
     if NO_LIGHT.search(text):
-        raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
+        raise ConditionError(f"'{quote(title)}' is not a calibrated quantity of light", KNOWN)
     if SCALED.search(text):
         raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
     try:

@@ -387,7 +387,7 @@ class _Reader:
                 raise self.error(
                     second,
                     f"the wavelength {grid[after]:g} nm is also in line {first}",
-                    "each once",
+                    "each wavelength once",
                 )
         self.notes.append("the wavelengths are not in order; the rows are sorted")
         return array("d", [grid[i] for i in order]), array("d", [values[i] for i in order])

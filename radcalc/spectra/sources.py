@@ -141,7 +141,7 @@ def _of_list(text: str) -> RadcalcError | None:
     if len(wrong) == len(parts):
         return None
     if not wrong:
-        return ConditionError(f"'{quote(text)}' is a list of spectra", "one of them here")
+        return ConditionError(f"'{quote(text)}' is a list of spectra", "only one of them here")
     if wrong[0] in ("", "-"):
         what = "standard input is not allowed" if wrong[0] else "a spectrum is missing"
         right = ",".join(part for part in parts if part not in wrong)

@@ -28,7 +28,7 @@ def begins(lines: Sequence[str]) -> bool:
 def read(lines: Sequence[str], name: str, column: str) -> Contents:
     """Return the rows of a file, which has one spectrum, so that no column can be chosen."""
     if column:
-        raise refusal(name, 0, "a file of TM-27 has no columns", "the same without the column")
+        raise refusal(name, 0, "a file of TM-27 has no columns", "leave out the column")
     document = _Document(name)
     document.read("\n".join(lines))
     quantity = document.quantity

@@ -324,14 +324,14 @@ def clock_for(first: str, settings: TimeSettings) -> Clock:
     if settings.format:
         if settings.unit:
             raise ConditionError(
-                mention("{time-unit} cannot be used with {time-format}"), "one of them"
+                mention("{time-unit} cannot be used with {time-format}"), "only one of them"
             )
         return Calendar(zone, pattern_of_format(settings.format), first, offset_in(settings.title))
     if columns.is_number(first, comma=True):
         return _of_numbers(first, settings, zone)
     if settings.unit:
         problem = f"{option('time-unit', quote(settings.unit))} applies to numbers, not to"
-        raise ConditionError(f"{problem} '{quote(first)}'", "the same without it")
+        raise ConditionError(f"{problem} '{quote(first)}'", "leave it out")
     pattern = pattern_of(first, settings.title)
     return Calendar(zone, pattern, first, offset_in(settings.title))
 
@@ -347,7 +347,7 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
             raise ConditionError(problem, "s, ms, min, h")
         if unit and (unit.top, unit.bottom) != (declared.top, declared.bottom):
             problem = f"{option('time-unit', quote(settings.unit))} contradicts the title"
-            raise ConditionError(f"{problem} '{quote(settings.title)}'", "the same without it")
+            raise ConditionError(f"{problem} '{quote(settings.title)}'", "leave it out")
         unit = declared
     ticks = (
         UNIX.get(len(integer_part)) if integer_part.isdigit() and integer_part[0] != "0" else None
@@ -357,7 +357,7 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
     if unit:
         if zone:
             problem = f"{option('time-zone')} does not apply: the times have no date"
-            raise ConditionError(problem, "the same without it")
+            raise ConditionError(problem, "leave it out")
         return Elapsed(unit)
     if re.fullmatch(r"(?:19|20)\d{6}", first):
         return Calendar(zone, Pattern(re.compile(YEAR_FIRST, re.ASCII), None, " ", ""))

@@ -209,9 +209,8 @@ class Header:
 def refuse_change(source: Unit, target: Unit) -> None:
     """Refuse numbers of another quantity under the title of the first."""
     if source.dimension != target.dimension or source.is_exitance != target.is_exitance:
-        raise UsageError(
-            f"{describe(source)} under a header would become {describe(target)}", NEW_NAME
-        )
+        change = f"{describe(source)} to {describe(target)}"
+        raise UsageError(f"the numbers under the header would change from {change}", NEW_NAME)
 
 
 def _refuse_other(name: str, target: Unit) -> None:

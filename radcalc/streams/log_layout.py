@@ -289,7 +289,7 @@ class Head:
             raise UsageError(
                 f"{option('unit', quote(unit.text))} contradicts the title '{quote(title)}', "
                 f"which has {describe(declared)}",
-                "the same without it, or another column",
+                "leave it out, or use another column",
             )
         return unit
 
@@ -308,7 +308,7 @@ class Head:
         for unit in units[1:]:
             if not is_same(unit, units[0]):
                 problem = f"the titles '{quote(' '.join(texts))}' have two units"
-                raise self.error(0, problem, "one of them")
+                raise self.error(0, problem, "only one of them")
         if units:
             return units[0]
         for title in texts:

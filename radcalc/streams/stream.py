@@ -141,10 +141,10 @@ class Stream:
 
     def _check_width(self, count: int) -> None:
         if self.width and count != self.width:
-            place = ", and lines before have" if self.is_counted else " under a header of"
-            hint = "as many in every line"
+            place = ", but the lines before have" if self.is_counted else " under a header of"
+            hint = "as many fields in every line"
             if self.cut and self.cut.delimiter == b",":
-                hint += "; quotes around one with a comma in it"
+                hint += "; quotes around a field with a comma"
             elif self.cut and not self.cut.delimiter:
                 hint += f"; {option('delimiter', 'X')} if a field may have blanks"
             fields = "1 field" if count == 1 else f"{count} fields"

@@ -120,11 +120,11 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
     if not words:
         raise UsageError("a value is missing", EXAMPLE)
     if words[1:] and words[-1] in ("-", "="):
-        shell = "to in its place, or '->' in quotes: without them > is the shell's"
-        raise UsageError(f"a unit is missing after {words[-1]}", shell)
+        shell = "'to' instead, or '->' in quotes: without them > is the shell's"
+        raise UsageError(f"a unit is missing after '{words[-1]}'", shell)
     amount, separator, rest = read_value(words)
     if separator and not rest:
-        raise UsageError(f"a unit is missing after {separator}", EXAMPLE)
+        raise UsageError(f"a unit is missing after '{separator}'", EXAMPLE)
     if not separator and amount.unit is None and rest and rest[0] in OPERATORS:
         raise _too_many(quote(words[0]), rest)
     if not separator and amount.unit is None and rest and rest[0].strip():
@@ -219,7 +219,7 @@ def _too_many(unit: str, rest: list[str]) -> UsageError:
         return UsageError(
             f"'{quote(rest[0])}' does not separate units", f"{quote(unit)} to {quote(rest[1])}"
         )
-    hint = "quotes around a unit of several words, or to between the units"
+    hint = "quotes around a unit of several words, or 'to' between the units"
     if any(word in OPERATORS for word in rest):
         hint = "quotes around a value that is calculated"
     return UsageError(f"too many words: '{quote(' '.join([unit, *rest]))}'", hint)

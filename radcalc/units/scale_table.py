@@ -11,7 +11,7 @@ from radcalc.units.unit import lookup
 
 K, C = 12.5, 250.0  # cd s/m2 and lx s: the constants of most makers of light meters
 CONSTANTS = {  # the assumed constants of a light meter, and values of other meters
-    "k": ("K = 12.5 cd s/m2", "some makers have 14"),
+    "k": ("K = 12.5 cd s/m2", "some makers use 14"),
     "c": ("C = 250 lx s", "320 to 340 with a dome"),
 }
 
@@ -95,15 +95,15 @@ def _power(spellings: str, unit: str) -> Scale:
 # The zero point of magnitudes; per square second of arc it is 1.0806e5 cd/m2.
 MAGNITUDE = Scale(
     ("mag", "Vmag", "vmag", "magnitude", "magnitudes"), "E", "lx", 2.54e-6, 10, -2.5, 0,
-    "V band, above the atmosphere; zero points in print differ by up to a third",
+    "V band, above the atmosphere; published zero points differ by up to a third",
     "Allen, Astrophysical Quantities",
 )  # fmt: skip
 LUMINANCE_EV = Scale(
     ("EV", "EV100"), "L", "cd/m2", K / 100, 2, 1, 0,
-    "of the luminance, at ISO 100", "ISO 2720", "k",
+    "for the luminance, at ISO 100", "ISO 2720", "k",
 )  # fmt: skip
 ILLUMINANCE_EV = LUMINANCE_EV._replace(
-    letter="E", unit="lx", size=C / 100, meaning="of the illuminance, at ISO 100", constant="c",
+    letter="E", unit="lx", size=C / 100, meaning="for the illuminance, at ISO 100", constant="c",
 )  # fmt: skip
 SCALES = (
     _power("dBm dB(mW) dB(1mW) dBmW дБм", "mW"),
@@ -112,7 +112,7 @@ SCALES = (
     MAGNITUDE,
     MAGNITUDE._replace(
         spellings=("mag/arcsec2", "mpsas"),
-        meaning="V band; zero points in print differ by up to a third", letter="L", unit="cd/m2",
+        meaning="V band; published zero points differ by up to a third", letter="L", unit="cd/m2",
         size=MAGNITUDE.size * (180 * 3600 / math.pi) ** 2,
     ),
     LUMINANCE_EV,

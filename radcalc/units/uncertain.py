@@ -257,7 +257,7 @@ def _part(
         problem = (
             f"the uncertainty of '{quote(leaf_text)}' cannot be propagated through '{quote(text)}'"
         )
-        raise NumberError(f"{problem}{why}", "the same without it")
+        raise NumberError(f"{problem}{why}", "leave it out")
     return Part(leaf_text, float(f"{slope * off:.7g}"), lambda times: at(times * off).get(""))
 
 

@@ -151,7 +151,7 @@ def test_less_divergence_than_diffraction_is_noted():
         ("--divergence 1mrad --distance 10m --spot-diameter 10mm", "even of a beam without width"),
         ("--divergence 0.3mrad --distance 10m --spot-diameter 3mm", "even of a beam without width"),
         (f"{POINTER} --irradiance 10kW/m2", "the beam would become narrower"),
-        (f"{POINTER} --limit 25lx", "a link between them"),
+        (f"{POINTER} --limit 25lx", "an efficacy that links them"),
     ],
 )
 def test_impossible_beams_are_refused(words, message):

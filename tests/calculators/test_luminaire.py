@@ -345,7 +345,7 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"distribution": "cos(theta)^2"}, "relative: a light quantity to scale it is missing"),
+        ({"distribution": "cos(theta)^2"}, "relative: a quantity that scales it is missing"),
         ({"distribution": "1 cd", "half_angle": "30deg"}, "half_angle cannot be used with"),
         ({"distribution": "1 cd", "exponent": 3}, "exponent cannot be used with"),
         ({"distribution": "theta cd", "intensity": "5cd"}, "which is 0 in this distribution"),
@@ -354,7 +354,7 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "cos(theta) cd"}, "has a negative value"),
         ({"distribution": "1 cd", "toward": "3deg", "height": "3m"}, "both place the receiver"),
         ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "apply without a receiver"),
-        ({"distribution": "1 cd", "irradiance": "3W/m2"}, "a link between them is missing"),
+        ({"distribution": "1 cd", "irradiance": "3W/m2"}, "an efficacy that links them is missing"),
         ({"distribution": "1 cd", "illuminance": "3lx", "offset": "9m"}, "no height gives exactly"),
         ({"distribution": "1 cd", "offset": "9m"}, "offset alone is not enough: height is missing"),
         ({"distribution": "lamp.ies"}, "cannot read 'lamp.ies': no such file"),

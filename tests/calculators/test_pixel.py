@@ -73,7 +73,7 @@ def test_a_pixel_within_the_circle_is_not_noted():
          "--size 32x32"),
         ("--size 64x32 --pixel 0,0 --projection mirror-ball", "not square, as a mirror-ball map is",
          "--size 32x32"),
-        ("--size 64x32 --pixel 0,0 --radius 2m", "--radius does not apply to a pixel", "without"),
+        ("--size 64x32 --pixel 0,0 --radius 2m", "--radius does not apply to a pixel", "leave out"),
         ("--size 64x64 --pixel 0,0 --projection angular -g polar", "there is no polar",
          "a pixel further inside"),
     ],

@@ -85,7 +85,7 @@ def test_assumptions_are_stated():
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 5klx",
          "another value of --flux or --illuminance"),
         ("--width 6m --length 9m --illuminance 500lx", "--illuminance 500lx needs further inputs"),
-        ("--area 54m2 --illuminance 500lx --flux 30W --utilance 0.6", "a link between them"),
+        ("--area 54m2 --illuminance 500lx --flux 30W --utilance 0.6", "efficacy that links them"),
     ],
 )  # fmt: skip
 def test_impossible_rooms_are_refused(words, message):

@@ -131,8 +131,14 @@ def test_assumptions_are_stated():
         (f"{LENS} --transmittance 1.2", "out of range"),
         (f"{PIXEL} --responsivity 0.4A/W", "--responsivity 0.4A/W contradicts the rest"),
         ("--responsivity 0.6A/W --wavelength 400nm", "a quantum efficiency of 1.8"),
-        ("--illuminance 5lx --pixel-pitch 3um --quantum-efficiency 0.5", "link between the kinds"),
-        ("--irradiance 5W/m2 --pixel-pitch 3um --quantum-efficiency 0.5", "link between the kinds"),
+        (
+            "--illuminance 5lx --pixel-pitch 3um --quantum-efficiency 0.5",
+            "link between radiant,",
+        ),
+        (
+            "--irradiance 5W/m2 --pixel-pitch 3um --quantum-efficiency 0.5",
+            "link between radiant,",
+        ),
         ("--photon-irradiance 5umol/m2/s --pixel-pitch 3um --responsivity 0.5A/W", "link between"),
         ("--luminance 5cd/m2 --f-number 2 --quantum-efficiency 60 --wavelength 550nm", "from 0"),
         ("--illuminance 5lx --time 1s -g electrons", "--wavelength, --spectrum"),

@@ -160,7 +160,7 @@ def test_every_command_refuses_such_a_title(title, command):
     data = f"{first};{title}\n400;1\n500;2\n600;1\n"
     done = run(command, *told[command], input=data)
     assert (done.returncode, done.stdout) == (2, "")
-    assert re.search(r"scales its|a function of|two units|unknown unit|not light", done.stderr)
+    assert re.search(r"scales its|a function of|two units|unknown unit|calibrated", done.stderr)
 
 
 # Quantities, and what ISO 80000-7 measures them in; PAR is given in W/m2, too (FAO 56), and PPF was

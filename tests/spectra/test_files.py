@@ -59,7 +59,7 @@ def test_a_column_is_chosen_by_its_title_without_what_is_in_brackets(column, tmp
     path.write_text(f"{head}400;7;1\n700;8;2\n", encoding="utf-8")
     table = read_file(str(path), column)
     assert list(table.values) == pytest.approx([0.01, 0.02])
-    with pytest.raises(RadcalcError, match="not light"):
+    with pytest.raises(RadcalcError, match="not a calibrated"):
         read_file(str(path), "sample")
 
 
@@ -234,20 +234,23 @@ BROKEN = {
     "not per wavelength": ("nm,umol/m2/s\n400,1\n700,1\n", "not power or photons per wavelength"),
     "lumens": ("nm,lm/nm\n400,1\n700,1\n", "not power or photons per wavelength"),
     "a luminous word": ("nm,illuminance\n400,1\n700,1\n", "not power or photons"),
-    "absorbance": ("nm,absorbance\n400,1\n700,1\n", "'absorbance' is not light"),
-    "a transmittance": ("nm,Transmittance (%)\n400,1\n700,1\n", "is not light"),
-    "a reflectance": ("nm,reflectance_1\n400,1\n700,1\n", "is not light"),
-    "a responsivity": ("nm,Responsivity (A/W)\n400,1\n700,1\n", "is not light"),
+    "absorbance": ("nm,absorbance\n400,1\n700,1\n", "'absorbance' is not a calibrated"),
+    "a transmittance": ("nm,Transmittance (%)\n400,1\n700,1\n", "is not a calibrated"),
+    "a reflectance": ("nm,reflectance_1\n400,1\n700,1\n", "is not a calibrated"),
+    "a responsivity": ("nm,Responsivity (A/W)\n400,1\n700,1\n", "is not a calibrated"),
     "a responsivity in its unit": ("nm,R [A/W]\n400,1\n700,1\n", "A/W are not light"),
     "a responsivity without brackets": ("nm,R A/W\n400,1\n700,1\n", "A/W are not light"),
-    "a responsivity in a comment": ("# R [mA/W]\nnm,R\n400,1\n700,1\n", "'R [mA/W]' is not light"),
+    "a responsivity in a comment": (
+        "# R [mA/W]\nnm,R\n400,1\n700,1\n",
+        "'R [mA/W]' is not a calibrated",
+    ),
     "volts": ("nm,x [mV]\n400,1\n700,1\n", "mV are not light"),
     "an unknown ratio": ("nm,E [J/m²·nm]\n400,1\n700,1\n", "or in an unknown unit"),
     "an unknown unit of light": ("nm,E [mW/m²·nm]\n400,1\n700,1\n", "unknown unit"),
     "two units": ("nm,E [uW/cm2/nm] and [uW/m2/nm]\n400,1\n700,1\n", "has two units"),
-    "an efficiency": ("nm,quantum efficiency\n400,1\n700,1\n", "is not light"),
-    "counts": ("nm,Intensity (counts)\n400,1\n700,1\n", "is not light, or not calibrated"),
-    "titles in a comment": ("# nm, absorbance\n400,1\n700,1\n", "'absorbance' is not light"),
+    "an efficiency": ("nm,quantum efficiency\n400,1\n700,1\n", "is not a calibrated"),
+    "counts": ("nm,Intensity (counts)\n400,1\n700,1\n", "is not a calibrated quantity of light"),
+    "titles in a comment": ("# nm, absorbance\n400,1\n700,1\n", "'absorbance' is not a calibrated"),
     "very many columns": ("1," * 9999 + "1\n", "there are 9999 columns of values"),
     "an endless line": (b"0" * (1 << 23), "line 1: the line has more than 4194304 bytes"),
     "dark light": ("400,1\n550,-0.5\n700,1\n", "too far below 0 for noise"),

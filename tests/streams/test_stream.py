@@ -217,7 +217,7 @@ def test_a_comma_in_a_number_does_not_make_two_of_it():
         False,
         [
             "stdin, line 1: field 2 is missing",
-            "stdin, line 3: 3 fields, and lines before have 2",
+            "stdin, line 3: 3 fields, but the lines before have 2",
         ],
     )
     out, good, _ = stream(b"1;500\n2;5;ok\n", Stream(Numbers(LX_FC), Cut(b";"), Fields("2")))

@@ -86,7 +86,7 @@ def read_picture(path: str, channel: str = "") -> Picture:
         pixels; also the errors of the format's reader.
     """
     if path == "-":
-        raise ConditionError("a picture cannot be read from standard input", "its file")
+        raise ConditionError("a picture cannot be read from standard input", "the name of its file")
     name = quote_path(path)
     with contents.opened(path, MOST_BYTES, KNOWN) as file:
         head = file.read(1000)
