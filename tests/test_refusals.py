@@ -382,6 +382,13 @@ COMMANDS = {
     "a solid angle alone is not a disc": ("solid-angle disc --solid-angle 1sr", "takes two"),
     "a solid angle alone is not a sphere": ("solid-angle sphere --solid-angle 1sr", "takes two"),
     "a solid angle alone is not a patch": ("solid-angle patch --solid-angle 1msr", "takes two"),
+    "a tilted patch that is too near has the disc as its hint": (
+        "solid-angle patch --area 1m2 --distance 2m --tilt 80deg", "does not hold",
+        "--height 0.347296m --offset 1.96962m, which is exact if the patch is a circle"),
+    "a patch seen from its edge has no disc as its hint": (
+        "solid-angle patch --area 1m2 --distance 2m --tilt 90deg", "does not hold", "less area"),
+    "a patch seen from behind has no disc as its hint": (
+        "solid-angle patch --area 1m2 --distance 2m --tilt 100deg", "does not hold", "less area"),
     "a disc is solved on its axis only": (
         "solid-angle disc --radius 1m --height 1m --offset 1m --solid-angle 1sr", "axis"),
     "two vertices are not a polygon": ("solid-angle polygon 0,0,1 1,0,1", "vertices"),

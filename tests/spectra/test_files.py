@@ -242,7 +242,7 @@ BROKEN = {
     "a responsivity without brackets": ("nm,R A/W\n400,1\n700,1\n", "A/W are not light"),
     "a responsivity in a comment": (
         "# R [mA/W]\nnm,R\n400,1\n700,1\n",
-        "'R [mA/W]' is not a calibrated",
+        "'R [mA/W]' is not light",
     ),
     "volts": ("nm,x [mV]\n400,1\n700,1\n", "mV are not light"),
     "an unknown ratio": ("nm,E [J/m²·nm]\n400,1\n700,1\n", "or in an unknown unit"),
