@@ -83,8 +83,8 @@ UNIT, WORD = "unit", "word"
 class Symbol(NamedTuple):
     """A symbol: its names, its quantity and its allowed values.
 
-    `dimensions` are those in which it can be given, its own first; `unit` is the unit of display.  A
-    light quantity has a geometry, and a kind if its name fixes the kind.
+    `dimensions` are those in which it can be given, its own first; `unit` is for display.  A light
+    quantity has a geometry, and a kind if its name fixes the kind.
     """
 
     name: str
