@@ -1,4 +1,4 @@
-"""A value that was given is shown with the number and the unit typed, in every command."""
+"""Inputs are shown with the number and unit that were typed, in every command."""
 
 import re
 import shlex
@@ -8,10 +8,10 @@ from helpers import answers, for_each
 from render.test_schema import ANSWERS
 
 NUMBER = re.compile(r"(\d+(?:\.\d+)?)([^\d].*)?")
-FACTORS = (1.0, 1.00370, 0.98765)  # of each number typed, to five digits
+FACTORS = (1.0, 1.00370, 0.98765)  # of each typed number, to five digits
 CHOSEN = {"-g", "--get", "-n", "--check", "--tolerance", "--precision", "--steps"}
 
-# Symbols and units that no transcript has.
+# Symbols and units that are not in the transcripts.
 MORE = """
 point-source --luminous-flux 812.3lm --radiant-flux 3.17W
 point-source --radiant-flux 3.17W --distance 7.3ft
@@ -102,7 +102,7 @@ CALLS += MORE.replace("\\\n", "").strip().splitlines()
 
 
 def moved(text: str, factor: float) -> str:
-    """A value with its number made another one."""
+    """Return a value with its number changed."""
     found = NUMBER.fullmatch(text)
     if found is None or factor == 1:
         return text
@@ -110,7 +110,7 @@ def moved(text: str, factor: float) -> str:
 
 
 def given_of(words):
-    """Each input of every answer that is a number, with the result that shows it."""
+    """Yield each numeric input of every answer, with the result that shows it."""
     done = call([*words, "--json"])
     if done.status:
         return
@@ -123,7 +123,7 @@ def given_of(words):
 
 
 @for_each(CALLS)
-def test_what_is_given_is_shown_as_typed(text):
+def test_inputs_are_shown_as_typed(text):
     first, *rest = shlex.split(text)
     for factor in FACTORS:
         words = [first, *(moved(word, factor) for word in rest)]
@@ -132,14 +132,14 @@ def test_what_is_given_is_shown_as_typed(text):
             assert shown == (told["value"], told["unit"], True), (name, words)
 
 
-def test_most_of_what_can_be_given_is_a_result_too():
+def test_most_inputs_are_also_results():
     texts = MORE.replace("\\\n", "").strip().splitlines()
     told = [pair for text in texts for pair in given_of(shlex.split(text))]
     assert len({name for name, *_ in told}) > 60
 
 
 @for_each([f"{number / 10}" for number in range(3601, 8300, 97)])
-def test_the_wavelength_of_a_line_is_its_peak(nanometres):
+def test_the_peak_of_a_line_is_its_wavelength_as_typed(nanometres):
     done = call(["spectrum", f"line:{nanometres}nm", "--json"])
     (answer,) = answers(done.output)
     assert answer["results"]["peak-wavelength"]["value"] == float(nanometres)

@@ -12,7 +12,7 @@ from radcalc.homework.answer import read_claim
 
 
 class Said:
-    """What a command wrote, and its exit status."""
+    """Output of a command and its exit status."""
 
     def __init__(self, capsys: Any, *words: str) -> None:
         capsys.readouterr()
@@ -22,14 +22,14 @@ class Said:
 
 @pytest.fixture
 def said(capsys):
-    """Run a command in this process: its words, and others that are not split."""
+    """Run a command in this process: words to split, and further words."""
     return lambda words, *others: Said(capsys, *words.split(), *others)
 
 
 @pytest.mark.parametrize(
     ("words", "claim"), [(POINT, "24.6"), (CONE, "0.589"), ("direction 1 2 3", "0.8")]
 )
-def test_an_ambiguous_claim_is_refused_with_what_would_do(said, words, claim):
+def test_an_ambiguous_claim_is_refused_with_a_correction(said, words, claim):
     found = said(words, "--check", claim)
     assert found.status == 2
     assert found.out == ""
@@ -93,7 +93,7 @@ def test_exit_statuses_of_the_installed_command():
         ("direction 1 0 0.3", "azimuth=7deg", False, None),
     ],
 )
-def test_json_says_right_ratio_and_diagnoses(said, words, claim, is_right, first):
+def test_json_has_right_ratio_and_diagnoses(said, words, claim, is_right, first):
     found = said(words, "--check", claim, "--json")
     assert found.status == (0 if is_right else 1)
     assert found.err == ""
@@ -107,7 +107,7 @@ def test_json_says_right_ratio_and_diagnoses(said, words, claim, is_right, first
     assert (result["value"], result["unit"]) == (one["value"], one["unit"])
     assert one["claimed"] == read_claim(claim).value
     if first == "wrong-unit":
-        assert one["ratio"] is None  # of two quantities there is none
+        assert one["ratio"] is None  # none for two quantities
     elif one["value"]:
         assert one["ratio"] == pytest.approx(one["claimed"] / one["value"], rel=1e-12)
     else:
@@ -119,7 +119,7 @@ def test_json_says_right_ratio_and_diagnoses(said, words, claim, is_right, first
     assert found.out == json.dumps(answer, ensure_ascii=False) + "\n"
 
 
-def test_words_say_right_or_wrong_and_what_would_be_right(said):
+def test_the_answer_in_words_is_right_or_wrong_with_the_right_value(said):
     found = said(LUX, "--check", "111")
     assert found.out.startswith("right (within 1%): ")
     assert "111.408" in found.out
@@ -137,7 +137,7 @@ def test_words_say_right_or_wrong_and_what_would_be_right(said):
     assert "6.974 times" in found.out
 
 
-def test_quiet_says_no_assumptions(said):
+def test_quiet_leaves_out_assumptions(said):
     assert "assumed: a Lambertian reflector" in said(LUX, "--check", "350").err
     found = said(LUX, "--check", "350", "-q")
     assert found.err == ""

@@ -1,4 +1,4 @@
-"""What a Tab offers: units in reach, options and their values, results, files, in three shells."""
+"""Completion: units in reach, options and their values, results and files, in three shells."""
 
 from itertools import product
 
@@ -25,7 +25,7 @@ if not COMMANDS:  # the sources have changed
 
 
 def complete(line: str) -> list[Completion]:
-    """What is offered at the end of a line, which has no quotes."""
+    """Return the suggestions at the end of a line without quotes."""
     *words, last = line.split(" ")
     return completions(words, last)
 
@@ -95,7 +95,7 @@ def test_units_of_the_quantity_come_before_those_with_a_condition(line):
         ("100 lx ", "lm/ft2", "illuminance"),
     ],
 )
-def test_what_a_target_takes_is_said(line, target, condition):
+def test_a_target_is_described_with_its_conditions(line, target, condition):
     assert said(line, target) == condition
 
 
@@ -103,7 +103,7 @@ SOURCES = ["lx", "W", "cd/m2", "umol/m2/s", "lm.s", "W/m2/nm", "nm", "dBm", "EV"
 
 
 @for_each(product(SOURCES, ["", "l", "m", "W/m", "p"]))
-def test_what_is_offered_converts_or_lacks_just_that(source, typed):
+def test_a_suggested_target_converts_or_lacks_the_condition_described(source, typed):
     unit = resolve_any(source)
     for one in complete(f"1 {source} {typed}"):
         is_free = "with --" not in one.description
@@ -157,7 +157,7 @@ def test_scales_are_units_too():
     assert texts("point-source --flux 10dB") == ["10dBm", "10dBW", "10dBu(W)"]
 
 
-def test_an_expression_has_the_unit_that_it_comes_to():
+def test_an_expression_has_the_targets_of_its_unit():
     assert texts("500lx*20m2/0.48 k")[0] == "klm"
     assert next(one.text for one in completions(["500 lx * 20 m2 / (0.6*0.8)"], "kl")) == "klm"
     assert texts("10**10**10 lx k") == []
@@ -170,7 +170,7 @@ def test_an_expression_has_the_unit_that_it_comes_to():
         "100+-3,200+-5 lx", "100+-3lx,200+-5lx",
     ],
 )  # fmt: skip
-def test_what_is_uncertain_has_targets(value):
+def test_an_uncertain_value_has_targets(value):
     assert texts(f"{value} k")[0] == texts(f"{value} to k")[0] == "klx"
     assert texts(f"{value} fc ") == texts("100 lx fc ")
 
@@ -183,7 +183,7 @@ def test_lists_complete_at_their_ends():
     assert texts("100 lx fc,cd ") == ["--distance"]
 
 
-def test_an_operand_that_is_no_target():
+def test_operands_other_than_targets():
     assert texts("100l")[:2] == ["100lm", "100lx"]
     assert "cd/m2" in texts("convert 250 c")
     assert texts("convert - lx f")[0] == "fc"
@@ -202,7 +202,7 @@ def test_options_that_a_conversion_lacks_are_offered_first():
 # Commands, options and their values
 
 
-def test_commands_have_their_lines():
+def test_commands_have_their_descriptions():
     assert texts("conv") == ["convert"]
     assert said("", "spectrum") == "Peak, efficacies and colour of a spectrum."
     assert texts("help sp") == ["spectrum"]
@@ -212,7 +212,7 @@ def test_commands_have_their_lines():
     assert texts("-5")[:1] == []
 
 
-def test_a_hidden_name_completes_where_only_it_fits():
+def test_a_hidden_name_completes_if_no_other_fits():
     assert texts("lambertian --lum")[0] == "--luminance"
     assert "--luminous-flux" in texts("lambertian --lum")
     assert not {"--luminance", "--illuminance"} & set(texts("lambertian --"))
@@ -266,20 +266,20 @@ def test_values(line, first):
     assert texts(line)[: len(first)] == first
 
 
-def test_the_words_of_typical_values_find_some():
+def test_the_words_of_typical_values_find_values():
     found = texts("typical ")
     assert {"moon", "illuminance", "jas", "освещённость"} <= set(found)
     assert texts("typical moo") == ["moon"]
     assert all(typical.search(text) for text in found)
 
 
-def test_named_spectra_say_what_they_are():
-    """CIE 15:2018 has 4103 K for LED-B3 and 2856 K for A."""
+def test_named_spectra_have_descriptions():
+    """CIE 15:2018 lists 4103 K for LED-B3 and 2856 K for A."""
     assert said("spectrum LED-B3", "LED-B3") == "4102 K, LED, blue and phosphor"
     assert said("spectrum A", "A") == "2856 K, incandescent"
 
 
-def test_files_of_the_kind_come_alone_and_else_all(tmp_path, monkeypatch):
+def test_only_files_of_the_kind_are_offered_or_all_if_there_are_none(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name in ("lamp.ies", "lamp.csv", "notes.md", ".hidden.csv", "map.hdr"):
         (tmp_path / name).touch()
@@ -295,7 +295,7 @@ def test_files_of_the_kind_come_alone_and_else_all(tmp_path, monkeypatch):
     assert texts("scene nosuch/") == []
 
 
-def test_behind_plot_come_figures_folders_and_operands(tmp_path, monkeypatch):
+def test_after_plot_come_figures_folders_and_operands(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name in ("day.svg", "day.png", "D65.txt", "notes.md"):
         (tmp_path / name).touch()
@@ -329,7 +329,7 @@ def test_the_units_of_a_quantity_measure_it(quantity):
 # ---------------------------------------------------------------------------------------------
 # The line of a shell
 
-BREAKS = " \t\n\"'><=;|&(:"  # as bash has them
+BREAKS = " \t\n\"'><=;|&(:"  # as bash splits them
 
 
 @pytest.mark.parametrize(
@@ -357,7 +357,7 @@ def test_the_words_of_a_line(line, words, word, cut):
 
 @pytest.fixture
 def ask(monkeypatch, capfd):
-    """What a shell gets for a line; radcalc never complains."""
+    """Return the completion that a shell gets for a line; radcalc prints no errors."""
 
     def answered(shell: str, line: str) -> str:
         monkeypatch.setenv("COMP_LINE", line)
@@ -377,7 +377,7 @@ def test_the_installed_command_answers_a_shell(monkeypatch):
     assert (done.returncode, done.stdout, done.stderr) == (0, "convert \n", "")
 
 
-def test_bash_gets_what_it_replaces_with_the_blank_behind_it(ask):
+def test_bash_gets_the_replacement_with_a_trailing_blank(ask):
     assert ask("bash", "radcalc point-source -g illuminance:klx") == "klx \n"
     assert ask("bash", "radcalc spectrum ISO\\ 7589\\ Ph").splitlines() == [
         "ISO\\ 7589\\ Photographic\\ Daylight ",
@@ -386,7 +386,7 @@ def test_bash_gets_what_it_replaces_with_the_blank_behind_it(ask):
     assert ask("bash", "radcalc spectrum 'ISO 7589 Photog") == "ISO 7589 Photographic Daylight\n"
 
 
-def test_zsh_and_fish_get_the_description_whole(ask):
+def test_zsh_and_fish_get_the_full_description(ask):
     line = "Convert units, and quantities under a condition."
     assert ask("zsh", "radcalc conv") == f" convert\tconvert  -- {line}\n"
     assert ask("fish", "radcalc conv") == f"convert\t{line}\n"
@@ -427,5 +427,5 @@ def test_zsh_and_fish_get_the_description_whole(ask):
         "radcalc lambertian --spectrum \x1b[",
     ],
 )
-def test_whatever_is_typed_a_tab_says_nothing_of_it(shell, line, ask):
+def test_completion_never_prints_an_error(shell, line, ask):
     ask(shell, line)

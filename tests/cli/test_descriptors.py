@@ -1,6 +1,6 @@
-"""Descriptors that take or give a part at a time: an answer is whole, or the status says not.
+"""Descriptors that transfer a part at a time: an answer is complete or the status is an error.
 
-Some ways out are also tried without Python's buffer (PYTHONUNBUFFERED, usual in containers).
+Some outputs are also tested without Python's buffer (PYTHONUNBUFFERED, usual in containers).
 """
 
 import fcntl
@@ -32,7 +32,7 @@ UNBUFFERED = [SMALL[0], LARGE[0], LARGE[3]]  # a word, a stream and a table
 
 
 def in_both_ways(calls: list[tuple[str, ...]]) -> pytest.MarkDecorator:
-    """Every call with Python's buffer, and some of them without."""
+    """Parametrise with every call, and with some of them unbuffered."""
     rows = [(words, "") for words in calls] + [
         (words, "1") for words in UNBUFFERED if words in calls
     ]
@@ -47,19 +47,19 @@ def unbuffered(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.fixture
 def lines(tmp_path) -> Iterator[object]:
-    """A file of numbers, for what reads any."""
+    """File of numbers, for calls that read standard input."""
     (tmp_path / "lines").write_text(LINES)
     with (tmp_path / "lines").open() as file:
         yield file
 
 
 def waiting(reader: int) -> int:
-    """How many bytes stand in a pipe."""
+    """Return the number of bytes in a pipe."""
     return int.from_bytes(fcntl.ioctl(reader, termios.FIONREAD, b"\0" * 4), "little")
 
 
 def whole(reader: int) -> bytes:
-    """All that comes, in small parts."""
+    """Read everything, in small parts."""
     return b"".join(iter(lambda: os.read(reader, 5000), b""))
 
 
@@ -81,7 +81,7 @@ def test_a_full_device_is_never_an_answer(words, unbuffered, lines):
 
 @in_both_ways(LARGE)
 def test_a_file_that_may_not_grow_is_an_error(words, unbuffered, tmp_path):
-    # Python would also cut the modules that it compiles, which later starts then read.
+    # Otherwise Python would write truncated compiled modules, which later starts would read.
     limited = f'export PYTHONDONTWRITEBYTECODE=1; ulimit -f 8; exec "$@" > "{tmp_path / "out"}"'
     command = ["sh", "-c", limited, "sh", entry_point(), *words]
     done = subprocess.run(command, input=LINES, capture_output=True, text=True)
@@ -97,7 +97,7 @@ def test_a_full_pipe_that_does_not_block_is_waited_for(words, unbuffered, lines)
     command = (entry_point(), *words)
     with started(*command, stdin=lines, stdout=writer, stderr=subprocess.DEVNULL) as process:
         os.close(writer)
-        time.sleep(0.5)  # until it stands before the full pipe
+        time.sleep(0.5)  # until it waits for the full pipe
         assert process.poll() is None
         out = whole(reader)
         process.wait(60)
@@ -113,7 +113,7 @@ def test_a_process_that_is_stopped_and_continued_loses_nothing(words, unbuffered
     command = (entry_point(), *words)
     with started(*command, stdin=lines, stdout=writer, stderr=subprocess.DEVNULL) as process:
         os.close(writer)
-        while waiting(reader) < size and process.poll() is None:  # until it is amid its answer
+        while waiting(reader) < size and process.poll() is None:  # until it is writing
             time.sleep(0.01)
         process.send_signal(signal.SIGSTOP)
         os.waitid(os.P_PID, process.pid, os.WSTOPPED)
@@ -125,7 +125,7 @@ def test_a_process_that_is_stopped_and_continued_loses_nothing(words, unbuffered
     assert out == expected(words)
 
 
-def test_what_is_wrong_is_said_on_a_full_pipe_that_does_not_block():
+def test_an_error_is_printed_on_a_full_pipe_that_does_not_block():
     reader, writer = os.pipe()
     os.set_blocking(writer, False)
     filled = os.write(writer, b"." * (1 << 20))
@@ -156,7 +156,7 @@ def test_an_input_that_does_not_block_is_read_to_its_end(words, text):
     streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     with started(*command, stdin=reader, **streams) as process:
         for part in (text[:half], text[half:]):
-            time.sleep(0.3)  # nothing there is not the end
+            time.sleep(0.3)  # an empty pipe is not the end
             os.write(writer, part.encode())
             while waiting(reader):
                 time.sleep(0.01)

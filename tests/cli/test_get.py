@@ -1,4 +1,4 @@
-"""`-g NAME` prints what the listing shows first under that name, in that unit."""
+"""`-g NAME` prints the first result of that name in the listing, in the same unit."""
 
 import re
 import shlex
@@ -27,7 +27,7 @@ TAKING = {"-g", "--get", "--format", "--precision", "--tolerance", "--color"}
 
 
 def listing_of(command, output):
-    """The words of a transcript that lists all results of a calculator, if it is one."""
+    """Return the words of a transcript if it lists all results of a calculator, else None."""
     if not output or output.startswith("radcalc: ") or output.endswith("]\n"):
         return None
     try:
@@ -76,7 +76,7 @@ def test_a_bare_name_is_in_the_unit_of_the_listing(text):
                 assert found == number or is_near(found, number), name
 
 
-def test_a_result_is_in_its_own_unit_where_the_first_is_of_another_kind():
+def test_a_result_is_in_its_own_unit_if_the_first_is_of_another_kind():
     """E = Phi / (4 pi d^2): 800 / (16 pi) = 15.9155 lx, and 900 / (16 pi) = 17.9049 W/m2."""
     lamps = ["point-source", "--flux", "800lm,900W", "--distance", "2m", "-g", "irradiance", "-q"]
     done = run(*lamps, "--format", "csv", "--precision", "6", check=True)
@@ -86,6 +86,6 @@ def test_a_result_is_in_its_own_unit_where_the_first_is_of_another_kind():
 
 
 def is_near(found, uncertain):
-    """Whether a number is within an uncertain one: 63.7 ± 1.6, or (3.77 ± 0.12)e-05."""
+    """Return whether a number is within an uncertain one: 63.7 ± 1.6, or (3.77 ± 0.12)e-05."""
     size, off, power = re.fullmatch(r"\(?(\S+) ± ([^)]+?)\)?(e\S+)?", uncertain).groups("")
     return abs(float(found) - float(size + power)) <= float(off + power)

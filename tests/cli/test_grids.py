@@ -1,4 +1,4 @@
-"""Lists in several inputs: a grid, the last list fastest, each answer as that of a single call."""
+"""Lists in several inputs: a grid with the last list fastest; answers equal single calls."""
 
 import random
 from itertools import product
@@ -29,7 +29,7 @@ def answers(words: list[str], capfd: pytest.CaptureFixture[str]) -> list[str]:
 
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("command", COMMANDS)
-def test_a_grid_is_the_single_calls_in_the_order_typed(command, seed, capfd):
+def test_a_grid_equals_the_single_calls_in_the_order_typed(command, seed, capfd):
     draw = random.Random(seed)
     options = list(VALUES)
     if command.startswith("convert"):
@@ -48,7 +48,7 @@ def test_a_grid_is_the_single_calls_in_the_order_typed(command, seed, capfd):
     assert grid == [line for case in product(*lists) for line in answers(typed(case), capfd)]
 
 
-def test_a_long_range_behind_a_list_is_the_single_ranges_one_after_the_other(capfd):
+def test_a_long_range_after_a_list_equals_the_single_ranges_in_turn(capfd):
     options = "--flux 800lm --distance 1m:2m:0.5mm -q -g irradiance:lx -g flux"
     words = ["point-source", *options.split()]
     several = [words[0], "--half-angle", "10deg,20deg,30deg", *words[1:]]

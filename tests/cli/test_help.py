@@ -1,4 +1,4 @@
-"""The help in narrow and wide terminals, and messages on them."""
+"""Help and messages in narrow and wide terminals."""
 
 import re
 import shlex
@@ -44,7 +44,7 @@ def test_the_words_are_the_same_in_every_width(name, width):
 
 
 @for_each(COMMANDS)
-def test_every_option_that_is_shown_stands_in_one_piece(name):
+def test_every_option_shown_is_on_one_line(name):
     text = help_of(name, 60).split()
     for option in command_of(name).params:
         if isinstance(option, click.Option) and not option.hidden:
@@ -88,7 +88,7 @@ def test_a_message_on_a_terminal_is_folded_between_its_words(typed, width):
     assert all(len(line.split()) == 1 for line in lines)  # a word is not cut
 
 
-def test_what_fits_is_left_as_it_is():
+def test_a_message_that_fits_is_unchanged():
     line = "    a line  with   blanks"
     assert fold(line, 25) == [line]
     assert fold("note: one two", 9, 4) == ["note: one", "    two"]

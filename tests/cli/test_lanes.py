@@ -1,4 +1,4 @@
-"""The quick lane and Click print the same bytes, or the quick lane stands aside."""
+"""The quick lane prints the same bytes as Click, or leaves the call to Click."""
 
 import pytest
 
@@ -85,7 +85,7 @@ def test_the_sentence_is_convert_on_the_slow_lane(operands, piped):
 
 
 @pytest.mark.parametrize("words", [[], ["units"], ["--version"], ["konvert", "1", "lx", "fc"]])
-def test_the_quick_lane_knows_convert_only(words, piped):
+def test_the_quick_lane_is_for_convert_only(words, piped):
     assert __main__.quick_lane(words) is None
 
 

@@ -1,4 +1,4 @@
-"""The manual's pages and the command line say the same, and what the pages show is what happens."""
+"""The manual's pages agree with the command line, and their examples run as shown."""
 
 import re
 import subprocess
@@ -23,7 +23,7 @@ PAGES = {f"{path.stem}({path.suffix[1:]})": path for path in manual.pages(MAN)}
 SOURCES = {name: path.read_text(encoding="utf-8") for name, path in PAGES.items()}
 MAIN, STREAMS = "radcalc(1)", "radcalc-streams(7)"
 ELSEWHERE = {"numfmt(1)", "qalc(1)", "units(1)"}
-# The messages in the DIAGNOSTICS of the pages, and what brings them forth.
+# Messages in the DIAGNOSTICS of the pages, with calls that produce them.
 PRODUCED = {
     "cannot convert radiant flux": "convert 5 W lm",
     "cannot convert luminous flux": "convert 5 lm kg",
@@ -71,14 +71,14 @@ def mandoc(path: Path, *words: str) -> subprocess.CompletedProcess[str]:
 
 @cache
 def rendered(name: str, width: int = 500) -> str:
-    """A page without overstrikes; by default too wide for a word to be broken."""
+    """Return a page without overstrikes, by default so wide that no word is broken."""
     done = mandoc(PAGES[name], "-T", "utf8", "-O", f"width={width}")
     assert done.returncode == 0, done.stderr
     return re.sub(".\b", "", done.stdout)
 
 
 def contexts() -> dict[str, click.Context]:
-    """Each command by its page, `radcalc` itself included."""
+    """Return the context of each command under the name of its page, with `radcalc` itself."""
     top = click.Context(commands, info_name="radcalc", **commands.context_settings)
     found = {MAIN: top}
     for name in commands.list_commands(top):
@@ -141,7 +141,7 @@ def test_a_page_has_the_sections_of_its_kind(name):
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_what_is_generated_is_up_to_date(name):
+def test_the_generated_parts_are_up_to_date(name):
     assert manual.rewritten(SOURCES[name]) == SOURCES[name]  # python -m radcalc.cli.manual man
 
 
@@ -166,7 +166,7 @@ def test_the_main_page_leads_to_every_other():
 
 
 def described(name: str) -> set[str]:
-    """The options that are items of the lists in a page's OPTIONS."""
+    """Return the options that are list items in a page's OPTIONS."""
     section = re.search(r"^OPTIONS\n(.*?)^\S", rendered(name), re.M | re.S)
     assert section
     items = re.findall(r"^ {5}((?:--?[\w-]+(?:, )?)+)", section[1], re.M)
@@ -175,7 +175,7 @@ def described(name: str) -> set[str]:
 
 @for_each(CONTEXTS)
 def test_a_page_describes_every_option_of_its_command_and_no_other(name):
-    of_all = {"-n", "--number", "--auto", "--precision"}  # which lists of units and names refuse
+    of_all = {"-n", "--number", "--auto", "--precision"}  # refused by lists of units and names
     if name == MAIN:
         shared = spellings(CONTEXTS["radcalc-units(1)"])
         assert described(name) == spellings(CONTEXTS[name]) | shared
@@ -209,7 +209,7 @@ def test_the_options_of_a_command_have_the_titles_of_its_help():
     ]
 
 
-def test_the_parts_of_an_argument_are_told_apart():
+def test_the_parts_of_an_argument_are_distinguished():
     source = SOURCES["radcalc-ev(1)"]
     assert ".It Fl g , Fl -get Ar NAME Ns Oo : Ns Ar UNIT Oc\n" in source
     assert ".It Fl -check Oo Ar NAME Ns = Oc Ns Ar VALUE Ns Oo Ar UNIT Oc\n" in source
@@ -226,7 +226,7 @@ def test_the_pages_have_every_quantity_unit_and_prefix():
         assert re.search(rf"^ {{5}}{name} .* 10\^{power}$", units, re.M), name
 
 
-# What is lm and what leads to cd or lx is in CIE's vocabulary: I = dPhi/dOmega, E = dPhi/dA.
+# From CIE's vocabulary: I = dPhi/dOmega and E = dPhi/dA link lm with cd and lx.
 @pytest.mark.parametrize(
     ("quantity", "line"),
     [
@@ -236,7 +236,7 @@ def test_the_pages_have_every_quantity_unit_and_prefix():
         ("luminance", "with the pupil's diameter: retinal illuminance"),
     ],
 )
-def test_a_quantity_says_what_leads_to_another(quantity, line):
+def test_a_quantity_names_the_conditions_that_lead_to_another(quantity, line):
     item = rendered("radcalc-quantities(7)").partition(f"\n     {quantity} (")[2]
     assert f"- {line}\n" in re.sub(r"- +", "- ", item.partition("\n\n")[0] + "\n")
 
@@ -258,7 +258,7 @@ def test_a_page_has_the_laws_of_its_command(name, law):
     assert law in section[1]
 
 
-def test_what_reaches_a_surface_is_not_one_step_from_what_leaves_another():
+def test_incident_light_is_not_one_step_from_light_that_leaves_another_surface():
     item = rendered("radcalc-quantities(7)").partition("\n     radiant exposure (")[2]
     leads = item.partition("\n\n")[0]
     assert "irradiance" in leads
@@ -274,7 +274,7 @@ TRANSCRIPTS = [
 
 @pytest.mark.parametrize(("command", "output"), TRANSCRIPTS)
 def test_an_example_prints_what_the_page_shows(command, output):
-    """Word for word: the page folds long lines, and has blanks for tabs."""
+    """Compare words: the page folds long lines and has blanks instead of tabs."""
     printed, status = answered(command.replace("\\\n", " "))
     assert [*printed.split(), *([f"[{status}]"] if status else [])] == output.split()
 
@@ -309,14 +309,14 @@ DIAGNOSTICS = [
 
 
 @for_each(DIAGNOSTICS)
-def test_a_refusal_in_the_manual_is_what_is_said(message):
+def test_a_message_in_the_manual_is_the_one_printed(message):
     (words,) = [words for start, words in PRODUCED.items() if message.startswith(start)]
     printed, status = answered(words if words.startswith("printf") else f"radcalc {words}")
     assert status == 2
     assert f"radcalc: {message}" in printed
 
 
-def test_a_mark_that_is_none_is_refused():
+def test_an_unknown_mark_is_refused():
     with pytest.raises(KeyError):
         manual.rewritten('.\\" generated: nothing\n.\\" end of generated\n')
     with pytest.raises(KeyError):

@@ -1,4 +1,4 @@
-"""radcalc as a process: pipes, full disks, bytes that are no text, signals."""
+"""radcalc as a process: pipes, full disks, bytes that are not text, signals."""
 
 import os
 import signal
@@ -36,7 +36,7 @@ def test_a_closed_pipe_ends_quietly(words):
 
 
 @pytest.mark.parametrize("words", ["100 lx fc", "100 lx fc --json"])
-def test_no_standard_output_at_all_is_an_error(words):
+def test_a_missing_standard_output_is_an_error(words):
     done = subprocess.run(
         ["sh", "-c", f'exec "$@" convert {words} >&-', "sh", entry_point()],
         capture_output=True,
@@ -46,7 +46,7 @@ def test_no_standard_output_at_all_is_an_error(words):
     assert "standard output is closed" in done.stderr
 
 
-def test_no_standard_error_is_no_failure():
+def test_a_missing_standard_error_is_not_a_failure():
     done = subprocess.run(
         ["sh", "-c", 'exec "$@" convert 800 lm cd --isotropic 2>&-', "sh", entry_point()],
         capture_output=True,
@@ -56,7 +56,7 @@ def test_no_standard_error_is_no_failure():
 
 
 HOSTILE = {
-    "bytes that are no UTF-8": b"lx\xff\xfe",
+    "bytes that are not UTF-8": b"lx\xff\xfe",
     "control characters": b"lx\x1b[31m\x07",
     "a newline": b"lx\nfc",
     "100 kB of letters": b"x" * 100_000,
@@ -95,13 +95,13 @@ def test_whatever_is_typed_gets_one_clear_message(text, place):
     assert all(c.isprintable() or c == "\n" for c in message)
 
 
-def test_bytes_of_another_process_are_no_text():
+def test_bytes_of_another_process_may_not_be_text():
     done = subprocess.run([entry_point(), b"1", b"lx\xff\xfe", b"fc"], capture_output=True)
     assert (done.returncode, done.stdout) == (2, b"")
     assert done.stderr.startswith(rb"radcalc: the unit 'lx\udcff\udcfe' has ")
 
 
-def test_a_bug_is_reported_as_one(monkeypatch, capsys):
+def test_a_bug_is_reported_as_a_bug(monkeypatch, capsys):
     from radcalc import cli
 
     def broken(*args, **kwargs):
@@ -117,7 +117,7 @@ def test_a_bug_is_reported_as_one(monkeypatch, capsys):
     assert "Traceback" in capsys.readouterr().err
 
 
-def test_memory_that_is_not_there_is_no_bug(monkeypatch, capsys):
+def test_a_lack_of_memory_is_not_reported_as_a_bug(monkeypatch, capsys):
     from radcalc import cli
 
     def greedy(*args, **kwargs):
@@ -129,7 +129,7 @@ def test_memory_that_is_not_there_is_no_bug(monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("asked", ["nonsense", "bash", "bash_nonsense", "bash_complete"])
-def test_a_completion_that_there_is_not_is_refused(asked, monkeypatch):
+def test_an_unknown_completion_is_refused(asked, monkeypatch):
     monkeypatch.setenv("_RADCALC_COMPLETE", asked)
     done = process()
     assert (done.returncode, done.stdout) == (2, "")
@@ -149,14 +149,14 @@ def test_an_interrupt_exits_130_without_a_traceback():
     with started(*words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
-        time.sleep(0.1)  # asleep, as a user who interrupts it finds it
+        time.sleep(0.1)  # asleep, as when a user interrupts it
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
     assert (process.returncode, err) == (130, "")
 
 
 def heed_interrupts() -> None:
-    """What a process in the background of a shell is started without."""
+    """Restore the default action of SIGINT, which shells disable for background processes."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
@@ -186,13 +186,13 @@ def test_an_interrupted_stream_ends_quietly_on_a_terminal():
         assert os.read(leader, 1000).strip() in (b"", b"^C")
 
 
-# The terminal is the one that a Ctrl-C comes from.
+# It must be the controlling terminal to send Ctrl-C.
 ON_A_TERMINAL = """
 import fcntl, os, sys, termios
 fcntl.ioctl(0, termios.TIOCSCTTY, 0)
 os.execv(sys.argv[1], sys.argv[1:])
 """
-LAUNCHER = str(ROOT / "bin" / "radcalc")  # hatch_build.py says where it is installed
+LAUNCHER = str(ROOT / "bin" / "radcalc")  # hatch_build.py installs it there
 
 
 def launched(*words: str) -> subprocess.CompletedProcess[str]:
@@ -223,7 +223,7 @@ def test_the_launcher_answers_without_the_modules_that_start_slowly():
         ("--help", 0),
     ],
 )
-def test_the_launcher_passes_the_exit_status_on(words, status):
+def test_the_launcher_returns_the_exit_status(words, status):
     done = subprocess.run([sys.executable, LAUNCHER, *words.split()], capture_output=True)
     assert done.returncode == status
     assert b"Traceback" not in done.stderr

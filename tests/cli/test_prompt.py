@@ -25,11 +25,11 @@ def test_the_lines_of_a_pipe_are_answered_one_by_one():
 
 
 @pytest.mark.parametrize("text", ["\ufeff100 lx fc\nans klx\n", "100 lx fc\r\nans klx\r\n"])
-def test_lines_of_other_systems_are_lines(text):
+def test_line_ends_of_other_systems_are_accepted(text):
     assert lines(text).stdout == ANSWERS
 
 
-def test_the_last_line_needs_no_end():
+def test_the_last_line_needs_no_newline():
     assert lines("100 lx fc\nans klx").stdout == ANSWERS
 
 
@@ -38,60 +38,60 @@ def test_the_last_line_needs_no_end():
     [("", 0), ("100 lx fc\nexit\n100 lm cd\n", 0), ("100 lm cd\n100 lx fc\n", 2),
      ("100 lx fc --check 9\n100 lx fc\n", 1), ("100 lx fc --check 9\nzork\n", 2)],
 )  # fmt: skip
-def test_the_status_of_lines_is_the_worst(text, status):
+def test_the_exit_status_is_the_worst_of_the_lines(text, status):
     assert lines(text).returncode == status
 
 
-def test_a_refusal_names_its_line_and_the_rest_is_answered():
+def test_a_refusal_names_its_line_and_the_other_lines_are_answered():
     done = lines("100 lm cd\n100 lx fc\n")
     assert done.stdout == "9.290304\tfc\n"
     assert done.stderr.startswith("radcalc: line 1: cannot convert luminous flux (lm)")
 
 
-def test_lines_that_are_no_text_are_refused():
+def test_lines_that_are_not_text_are_refused():
     more = {"text": False, "encoding": None}
     done = process("prompt", input=b"100 lx\xff fc\n100 lx fc\n", **more)
     assert done.stdout == b"9.290304\tfc\n"
     assert done.stderr.startswith(b"radcalc: line 1: ")
 
 
-def test_no_line_reads_the_lines_behind_it():
+def test_a_line_does_not_read_the_lines_after_it():
     done = lines("convert - lx fc\n100\n")
     assert done.returncode == 2
     assert "line 1: - cannot be used at the prompt, which reads standard input" in done.stderr
 
 
-def test_a_line_without_an_end_is_not_kept_whole():
+def test_an_endless_line_is_not_kept_in_memory():
     done = lines("9" * (prompt.LONGEST + 2 * prompt.BLOCK))
     assert done.returncode == 2
     assert len(done.stderr) < 600
 
 
-def test_options_are_for_every_line():
+def test_options_apply_to_every_line():
     assert lines("100 lx fc\n1 klx lx\n", "-n").stdout == "9.290304\n1000\n"
     assert lines("100 lx fc\n", "--json", "-n").returncode == 2
 
 
-def test_without_a_terminal_radcalc_alone_is_no_prompt():
+def test_without_a_terminal_radcalc_alone_is_not_a_prompt():
     done = run(input="100 lx fc\n")
     assert (done.returncode, done.stdout) == (2, "")
 
 
 class Screen:
-    """What a terminal was sent, without what steers it."""
+    """Text sent to a terminal, without control sequences."""
 
     def __init__(self, leader):
         self.leader = leader
         self.text = self.raw = ""
 
     def read(self, wanted):
-        """Read on until the text has come; it counts no more after that."""
+        """Read until the text appears; drop everything up to its end."""
         while wanted not in self.text:
             ready, _, _ = select.select([self.leader], [], [], 60)
             assert ready, (wanted, self.text)
             sent = os.read(self.leader, 65536).decode(errors="replace")
             self.raw += sent
-            if "\x1b[6n" in sent:  # where the cursor is
+            if "\x1b[6n" in sent:  # a request for the cursor's position
                 os.write(self.leader, b"\x1b[1;1R")
             self.text += re.sub(r"\x1b(\[[0-9;?]*[A-Za-z]|[=>])", "", sent)
         _, _, self.text = self.text.partition(wanted)
@@ -103,10 +103,10 @@ class Screen:
         """Type a line and read its answer, and the next prompt."""
         self.type(f"{line}\r")
         self.read(wanted)
-        self.read(">")  # keys that come before it are the terminal's
+        self.read(">")  # before the prompt, the terminal driver handles keys
 
 
-# The terminal is the one that a Ctrl-C comes from.
+# It must be the controlling terminal to send Ctrl-C.
 OWN_TERMINAL = """
 import fcntl, os, sys, termios
 fcntl.ioctl(0, termios.TIOCSCTTY, 0)
@@ -116,7 +116,7 @@ os.execv(sys.argv[1], sys.argv[1:])
 
 @pytest.fixture
 def terminal(tmp_path, monkeypatch):
-    """The prompt on a terminal, with an empty history."""
+    """Prompt on a terminal, with an empty history."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     monkeypatch.delenv("RADCALC_HISTORY", raising=False)
     words = (sys.executable, "-c", OWN_TERMINAL, entry_point())
@@ -128,7 +128,7 @@ def terminal(tmp_path, monkeypatch):
         process.kill()
 
 
-def test_radcalc_alone_on_a_terminal_asks_and_answers(terminal, tmp_path):
+def test_radcalc_alone_on_a_terminal_starts_a_prompt(terminal, tmp_path):
     screen, process = terminal
     screen.answer("100 lx fc", "9.2903 fc   (illuminance)")
     screen.answer("ans klx", "0.1 klx   (illuminance)")
@@ -170,7 +170,7 @@ def test_tab_completes_a_command(terminal):
     assert process.wait(60) == 0
 
 
-def test_the_arrow_finds_the_lines_of_the_last_session(tmp_path, monkeypatch):
+def test_the_arrow_key_recalls_the_lines_of_the_last_session(tmp_path, monkeypatch):
     kept = tmp_path / "lines"
     kept.write_text("250 cd/m2 nit\n")
     monkeypatch.setenv("RADCALC_HISTORY", str(kept))
@@ -181,11 +181,11 @@ def test_the_arrow_finds_the_lines_of_the_last_session(tmp_path, monkeypatch):
         screen.answer("\x1b[A", "250 nit")
         screen.type("\x04")
         assert process.wait(60) == 0
-    assert kept.read_text() == "250 cd/m2 nit\n"  # which is kept once
+    assert kept.read_text() == "250 cd/m2 nit\n"  # a repeated line is kept once
 
 
 @pytest.mark.parametrize("place", ["", "/dev/null/history", "/proc/none/history"])
-def test_a_history_that_cannot_be_kept_stops_nothing(place, monkeypatch, tmp_path):
+def test_the_prompt_works_if_the_history_cannot_be_kept(place, monkeypatch, tmp_path):
     monkeypatch.setenv("RADCALC_HISTORY", place)
     monkeypatch.setenv("HOME", str(tmp_path))
     with on_terminal(entry_point(), "prompt") as (process, leader):
@@ -224,14 +224,14 @@ def test_a_plain_terminal_gets_no_colours(name, monkeypatch):
     assert not re.findall(r"\x1b\[(?!0m)[0-9;]+m", screen.raw)
 
 
-OFFERED = {  # what is typed: a word that is offered, and what it says
+OFFERED = {  # what is typed: a suggestion and its description
     "": ("convert", "Convert units"),
     "va": ("vars", "The variables"),
     "ex": ("exit", "Leave"),
     "help ca": ("calorimeter", "Radiant flux"),
     "100 lx k": ("klx", "kilolux"),
     "radcalc 100 lx k": ("klx", "kilolux"),
-    "ans m": ("mfc", "millifootcandle"),  # of an answer in foot-candles
+    "ans m": ("mfc", "millifootcandle"),  # for an answer in foot-candles
     "source m": ("mlm", "millilumen"),
     "point-source --flux so": ("source", "800 lm"),
     "point-source --spectrum D6": ("D65", "6503 K"),
@@ -242,7 +242,7 @@ OFFERED = {  # what is typed: a word that is offered, and what it says
 
 
 @pytest.mark.parametrize("line", OFFERED)
-def test_what_may_follow_is_offered_with_what_it_is(line, capsys):
+def test_suggestions_have_descriptions(line, capsys):
     session = prompt.Session()
     session.answer("source = 800 lm")
     session.answer("100 lx fc")
@@ -262,7 +262,7 @@ def test_the_results_of_the_last_answer_are_offered():
 
 
 @pytest.mark.parametrize("line", ["'", "exit ", "100 lx 'k", "x == ", "zork ", "ans.zork "])
-def test_whatever_is_typed_can_be_completed(line):
+def test_any_text_can_be_completed(line):
     assert isinstance(prompt.completions(prompt.Session(), line)[0], list)
 
 
@@ -281,10 +281,10 @@ def test_the_history_is_bounded(tmp_path):
     assert found[0] == f"{200_000 - len(found)} lx fc"
 
 
-def test_the_history_is_in_the_place_of_the_platform(monkeypatch, tmp_path):
+def test_the_history_is_in_the_platforms_folder(monkeypatch, tmp_path):
     monkeypatch.delenv("RADCALC_HISTORY", raising=False)
     monkeypatch.setenv("XDG_STATE_HOME", "/state")
     assert str(prompt.history_path()) == "/state/radcalc/history"
-    monkeypatch.setenv("XDG_STATE_HOME", "relative")  # which the specification has ignored
+    monkeypatch.setenv("XDG_STATE_HOME", "relative")  # the specification ignores relative paths
     monkeypatch.setenv("HOME", str(tmp_path))
     assert prompt.history_path() == tmp_path / ".local" / "state" / "radcalc" / "history"

@@ -3,7 +3,7 @@ import os
 from conftest import process, run
 
 
-def test_the_command_exits_2_where_nothing_is_found():
+def test_the_command_exits_2_if_nothing_is_found():
     done = run("quantities", "luminanse")
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.splitlines()[1].startswith("try: luminance")

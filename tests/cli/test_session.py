@@ -1,4 +1,4 @@
-"""The lines of a prompt: how they are read, the last answer, and the names of amounts."""
+"""Lines of a prompt: their syntax, the last answer, and names of amounts."""
 
 import re
 from pathlib import Path
@@ -24,7 +24,7 @@ def session(monkeypatch):
 
 @pytest.fixture
 def typed(session, capsys):
-    """Answer lines; return what the last one printed, and its complaint."""
+    """Answer lines; return the output and the error message of the last one."""
 
     def answer(*lines):
         for line in lines:
@@ -66,7 +66,7 @@ def test_a_line_is_answered_as_at_the_shell(path):
     for command, output in transcripts(path):
         if not command.startswith("radcalc ") or set("|<>;$&`\n") & set(command):
             continue
-        if command.split()[1] == "prompt" or NEEDS_QUOTES in output:  # where * is a list of files
+        if command.split()[1] == "prompt" or NEEDS_QUOTES in output:  # a shell expands *
             continue
         with standard_streams(b"", together=True) as (out, _):
             status = Session().answer(command)
@@ -82,14 +82,14 @@ def test_the_last_answer_is_not_rounded_as_it_was_shown(typed):
     assert typed("2 rad deg --precision 2", "ans rad --precision 17") == "2\trad\n"
 
 
-def test_the_last_answer_stands_in_options(typed):
+def test_the_last_answer_may_be_the_value_of_an_option(typed):
     # 800 lm / 4 pi sr / (2 m)2 = 50/pi lx
     typed("0.8 klm lm")
     assert typed("1 klm lx --isotropic --distance 2m") == "19.8943678865\tlx\n"
     assert typed("0.2 dam m", "1 klm lx --isotropic --distance ans") == "19.8943678865\tlx\n"
 
 
-def test_a_line_without_an_answer_leaves_the_last_one(typed):
+def test_a_line_without_an_answer_keeps_the_last_one(typed):
     assert typed("100 lx fc", "units lux", "vars", "100 zork fc", "help", "ans lx") == "100\tlx\n"
 
 
@@ -102,25 +102,25 @@ def test_a_line_without_an_answer_leaves_the_last_one(typed):
         ("point-source --intensity 100cd --distance 2m --check irradiance=3lx", "25\tlx\n"),
     ],
 )
-def test_the_right_value_of_what_is_checked_is_the_last_answer(session, capsys, claim, last):
+def test_the_right_value_of_a_check_is_the_last_answer(session, capsys, claim, last):
     for line in ("100 lx fc", claim, "ans lx"):
         capsys.readouterr()
         session.answer(line)
     assert capsys.readouterr().out == last
 
 
-def test_a_right_answer_is_kept_under_a_name(typed):
+def test_the_right_value_of_a_check_may_be_named(typed):
     assert typed("x = 200 lx fc --check 18.6", "x lx") == "200\tlx\n"
 
 
-def test_points_by_the_line_are_no_value(typed, tmp_path, monkeypatch):
+def test_points_one_per_line_are_not_a_value(typed, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("lamp.csv").write_text("x,y,z,intensity\n0,0,2,100cd\n")
     typed("100 lx fc", "scene lamp.csv --grid 0:1:2,0,0 -g irradiance")
     assert "ans is not a number" in typed("ans fc")
 
 
-def test_one_of_several_results_is_asked_for_by_its_name(typed):
+def test_one_of_several_results_is_selected_by_name(typed):
     typed("point-source --flux 800lm --distance 2m")
     assert "ans is one value, but the answer has several" in typed("ans fc")
     assert "ans.irradiance" in typed("ans fc")
@@ -128,7 +128,7 @@ def test_one_of_several_results_is_asked_for_by_its_name(typed):
     assert typed("ans.distance ft") == "6.56167979003\tft\n"  # 2 / 0.3048
 
 
-def test_several_answers_are_no_value(typed):
+def test_several_answers_are_not_a_value(typed):
     typed("800 lm lx --isotropic --distance 1m,2m")
     assert "there are 2" in typed("ans fc")
 
@@ -143,7 +143,7 @@ def test_a_name_keeps_an_amount_as_it_was_typed(typed):
     assert typed("y=2m", "vars") == "x = 100 lx\ny = 2m\nans = 2 m\n"
 
 
-def test_a_name_stands_in_the_options_of_a_calculator(typed):
+def test_a_name_may_be_the_value_of_a_calculators_option(typed):
     typed("source = 800 lm", "y = 2 m")
     # 800 lm / 4 pi sr / (2 m)2 = 50/pi lx
     line = "point-source --flux source --distance=y -g irradiance:lx"
@@ -203,7 +203,7 @@ def test_a_fraction_that_a_name_keeps_is_exact_in_arithmetic(typed, line):
     assert typed("vars").startswith("y = (1/3) m\n")
 
 
-def test_arithmetic_stands_in_options_and_names(typed):
+def test_arithmetic_is_accepted_in_options_and_names(typed):
     typed("side = 1 m + 1 m", "two = 2 * 400 lm")
     # 800 lm / 4 pi sr / (2 m)2 = 50/pi lx
     line = "point-source --flux two --distance side -g irradiance:lx"
@@ -228,20 +228,20 @@ def test_a_last_word_that_may_be_a_unit_or_the_target_is_refused_with_both(typed
     assert typed(first) != typed(second)
 
 
-def test_what_is_uncertain_may_be_a_part_of_arithmetic(typed):
+def test_an_uncertain_value_may_be_a_part_of_arithmetic(typed):
     typed("side = 2 ± 0.1 m")
     assert typed("2*side cm") == "400 ± 20\tcm\n"
     assert typed("twice = 2*side", "twice / 2") == "2.00 ± 0.10\tm\n"
 
 
-def test_a_scale_is_kept_as_it_was_typed(typed):
+def test_a_reading_on_a_scale_is_kept_as_typed(typed):
     assert typed("power_in = 10 dBm", "power_in mW") == "10\tmW\n"  # 1 mW * 10^(10/10)
     assert typed("10 mW dBm", "ans mW") == "10\tmW\n"
 
 
-def test_a_name_is_no_part_of_other_words(typed):
+def test_a_name_is_not_replaced_inside_other_words(typed):
     typed("x = 800 lm")
-    # CIE 15:2018, table 11.3: x of D65 is 0.31272, here over 380 nm to 780 nm
+    # CIE 15:2018, table 11.3: x of D65 is 0.31272, here from 380 nm to 780 nm
     assert typed("spectrum D65 -g x -q --precision 5") == "0.31273\n"
 
 
@@ -272,20 +272,20 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("line", REFUSED)
-def test_what_cannot_be_answered_says_why_and_what_would_do(typed, session, line):
+def test_a_line_that_cannot_be_answered_is_refused_with_a_reason_and_a_hint(typed, session, line):
     *_, message, hint = typed(line).splitlines()
     assert REFUSED[line][0] in message
     assert REFUSED[line][1] in hint
     assert session.variables == {}
 
 
-def test_a_conversion_into_every_unit_is_one_value(typed):
+def test_a_conversion_to_every_unit_is_one_value(typed):
     typed("250 cd/m2")
     # a footlambert is 1/pi cd/ft2
     assert typed("ans fL --precision 6") == "72.9659\tfL\n"
 
 
-def test_what_is_kept_is_shown_by_its_name(typed):
+def test_a_kept_value_is_shown_by_its_name(typed):
     assert typed("x = 100 lx", "x") == "100\tlx\n"
     assert typed("100 lx fc", "ans") == "9.290304\tfc\n"
 
@@ -299,8 +299,8 @@ def test_an_uncertain_value_needs_no_quotes(typed, line):
     assert typed("ans lx") == "100.0 ± 3.0\tlx\n"
 
 
-def test_what_is_uncertain_stands_in_a_line_once(typed):
-    """Two of one origin are off together, and would be carried as if each was off for itself."""
+def test_an_uncertain_name_is_used_once_in_a_line(typed):
+    """Two uses of one value are correlated but would be propagated as independent."""
     typed("side = 2 ± 0.1 m", "same = side ft", "other = 2 ± 0.1 m")
     line = "solid-angle rectangle --width side --length {} --height 1m -g solid-angle"
     assert "side is correlated with" in typed(line.format("side"))
@@ -310,7 +310,7 @@ def test_what_is_uncertain_stands_in_a_line_once(typed):
 
 @pytest.mark.parametrize("value", ["100+-3 lx", "100(3) lx", "100 lx +/- 3%", "100±3 lx"])
 @pytest.mark.parametrize("line", ["x + x", "x - x", "x + ans", "x + same", "same / x"])
-def test_in_arithmetic_too_however_it_is_written(typed, value, line):
+def test_an_uncertain_name_is_used_once_in_arithmetic_however_it_is_written(typed, value, line):
     typed(f"x = {value}", "same = 2*x", "x")
     assert "is correlated with" in typed(line)
 
@@ -326,7 +326,7 @@ def test_a_bug_is_reported_and_the_next_line_is_answered(session, monkeypatch, c
     assert session.answer("100 lx fc") == 0
 
 
-def test_an_interrupt_ends_the_line_alone(session, monkeypatch, capsys):
+def test_an_interrupt_ends_only_the_line(session, monkeypatch, capsys):
     def interrupted(*args, **kwargs):
         raise KeyboardInterrupt
 
@@ -338,18 +338,18 @@ def test_an_interrupt_ends_the_line_alone(session, monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("line", ["exit", "quit", " exit "])
-def test_leaving_is_the_end_of_the_lines(session, line):
+def test_exit_ends_the_lines(session, line):
     with pytest.raises(EOFError):
         session.answer(line)
 
 
-def test_options_of_output_are_for_every_line(capsys, monkeypatch):
+def test_output_options_apply_to_every_line(capsys, monkeypatch):
     monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: False)
     Session({"number": True, "precision": 3}).answer("100 lx fc")
     assert capsys.readouterr().out == "9.29\n"
 
 
-def test_a_single_value_is_a_line_on_a_terminal(monkeypatch, capsys):
+def test_a_single_value_is_one_line_on_a_terminal(monkeypatch, capsys):
     monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: True)
     monkeypatch.setenv("NO_COLOR", "1")
     session = Session()
@@ -361,7 +361,7 @@ def test_a_single_value_is_a_line_on_a_terminal(monkeypatch, capsys):
     assert len(capsys.readouterr().out.splitlines()) > 5
 
 
-def test_the_session_in_the_readme_is_what_is_printed(monkeypatch, capsys):
+def test_the_session_in_the_readme_is_printed_as_shown(monkeypatch, capsys):
     monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: True)
     monkeypatch.setenv("NO_COLOR", "1")
     found = re.search(r"```text\n(> .*?)```", (ROOT / "README.md").read_text("utf-8"), re.S)

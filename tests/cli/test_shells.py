@@ -1,4 +1,4 @@
-"""Completion in bash, zsh and fish themselves, each on a screen of tmux."""
+"""Completion in real shells (bash, zsh, fish), each in a tmux screen."""
 
 import os
 import subprocess
@@ -26,12 +26,12 @@ START = {
         "_RADCALC_COMPLETE=fish_source radcalc | source",
     ),
 }
-LONGEST = 30  # seconds, on the busiest machine
-PAUSE = 0.02  # seconds between two looks at the screen
+LONGEST = 30  # seconds, on a busy machine
+PAUSE = 0.02  # seconds between two reads of the screen
 
 
 class Screen:
-    """A shell with completion on a screen of its own."""
+    """Shell with completion in a separate tmux screen."""
 
     def __init__(self, shell: str, home: Path) -> None:
         self.shell, self.socket = shell, home / "socket"
@@ -66,7 +66,7 @@ class Screen:
             self.tmux("send-keys", *keys)
 
     def wait(self, is_there: Callable[[str], bool]) -> str:
-        """The text of the screen as soon as it is as it should be."""
+        """Wait until the screen has the expected text; return it."""
         text = ""
         for _ in range(round(LONGEST / PAUSE)):
             text = self.tmux("capture-pane", "-p", "-J")
@@ -76,19 +76,19 @@ class Screen:
         raise AssertionError(f"{self.shell} shows\n{text}")
 
     def clear(self) -> None:
-        """An empty line at the top of the screen."""
+        """Clear the screen and the line."""
         self.tmux("send-keys", "C-u", "C-l")
         self.wait(lambda text: text.strip() == ">")
 
     def completed(self, line: str, expected: str) -> None:
-        """A Tab behind `line` makes it what is expected, to its blank."""
+        """Check that a Tab after `line` completes it as expected, with its blank."""
         self.clear()
         self.type(line, "Tab")
         self.type("#")
         self.wait(lambda text: text.splitlines()[0].startswith(f"> {expected}#"))
 
     def listed(self, line: str, *expected: str) -> str:
-        """A Tab behind `line`, or two of them, shows what is expected."""
+        """Check that one or two Tabs after `line` list the expected words."""
         self.clear()
         self.type(line, "Tab", *(["Tab"] if self.shell == "bash" else []))
         return self.wait(lambda text: all(one in text for one in expected))
@@ -108,13 +108,13 @@ def screen(request, tmp_path_factory) -> Iterator[Screen]:
 
 
 def described(screen: Screen, text: str, description: str) -> tuple[str, ...]:
-    """What the shell shows of a word: bash shows words alone."""
+    """Return what the shell shows for a suggestion: bash shows only the word."""
     if screen.shell == "bash":
         return (text,)
     return text, description
 
 
-def test_the_units_in_reach_and_what_the_others_take(screen):
+def test_units_in_reach_are_listed_and_the_others_with_their_conditions(screen):
     text = screen.listed(
         "radcalc 100 lx ",
         *described(screen, "fc", "footcandle"),
@@ -130,14 +130,14 @@ def test_conditions_that_are_typed_count(screen):
     assert text.split("lm.s")[0].split().count("lx") >= 1
 
 
-def test_a_word_is_finished_with_its_blank(screen):
+def test_a_complete_word_gets_a_blank(screen):
     screen.completed("radcalc conv", "radcalc convert ")
     screen.completed("radcalc 100 lx umol/m2/da", "radcalc 100 lx umol/m2/day ")
     screen.completed("radcalc lambertian --lumina", "radcalc lambertian --luminance ")
     screen.completed("radcalc help photo", "radcalc help photon ")
 
 
-def test_a_word_that_goes_on_is_left_open(screen):
+def test_a_word_that_goes_on_gets_no_blank(screen):
     screen.completed("radcalc spectrum blackb", "radcalc spectrum blackbody:")
     screen.completed("radcalc environment fol", "radcalc environment folder/")
     screen.completed("radcalc point-source --check fl", "radcalc point-source --check flux")
@@ -170,7 +170,7 @@ def test_spectra_with_their_temperatures(screen):
     screen.listed("radcalc spectrum LED-B", *described(screen, "LED-B3", "4102 K"))
 
 
-def test_a_line_that_makes_no_sense_is_left_as_it_is(screen):
+def test_a_meaningless_line_is_unchanged(screen):
     for line in ("radcalc 'nosuch", "radcalc nosuch --", "radcalc 100 -- --x", "radcalc -g ((("):
         screen.clear()
         screen.type(line, "Tab")

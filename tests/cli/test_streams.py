@@ -1,4 +1,4 @@
-"""`radcalc convert -`: what is converted, and that every other byte that comes in goes out."""
+"""`radcalc convert -`: numbers are converted, and every other byte is copied unchanged."""
 
 import json
 import os
@@ -24,7 +24,7 @@ def answered(data: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
     return subprocess.CompletedProcess(words, done.returncode, *texts)
 
 
-# What goes in, the options, what comes out.
+# Input, options, output.
 EXACT = {
     "numbers": (b"100\n5e3\n", (), b"9.290304\n464.5152\n"),
     "every way to write a number": (
@@ -56,7 +56,7 @@ EXACT = {
     "blanks in fields": (b"a b\t1\n", ("-d", "tab", "--field", "2"), b"a b\t0.09290304\n"),
     "a delimiter of two bytes": ("a·1·b\n".encode(), ("-d", "·", "--field", "2"),
                                  "a·0.09290304·b\n".encode()),
-    "bytes that are no text": (
+    "bytes that are not text": (
         b"\xff\xfe,1,\x00\xc3\n",
         ("-d", ",", "--field", "2"),
         b"\xff\xfe,0.09290304,\x00\xc3\n",
@@ -89,7 +89,7 @@ EXACT = {
         ("-d", ",", "--column", 'e, "a"'),
         b'\xef\xbb\xbf"E, ""a"" [fc]",t\r\n0.09290304,2\r\n',
     ),
-    "a header that is no UTF-8": (
+    "a header that is not UTF-8": (
         b"t\xe9,E [lx],\xff\n0,1,2\n",
         ("-d", ",", "--column", "E"),
         b"t\xe9,E [fc],\xff\n0,0.09290304,2\n",
@@ -147,7 +147,7 @@ def test_lines_may_carry_their_own_units(data, words, wanted):
     assert (done.stdout, done.stderr, done.returncode) == (wanted, b"", 0)
 
 
-def test_conditions_work_and_what_they_assume_is_said_once():
+def test_conditions_work_and_their_assumptions_are_printed_once():
     done = convert(b"100\n200\n", "cd", "lx", "--distance", "2m")
     assert done.stdout == b"25\n50\n"
     assert done.stderr.count(b"assumed: a source small compared to its distance") == 1
@@ -157,7 +157,7 @@ def test_conditions_work_and_what_they_assume_is_said_once():
     assert convert(b"100\n", "cd", "lx", "--distance", "2m", "-q").stderr == b""
 
 
-def test_json_is_one_object_a_number():
+def test_json_is_one_object_per_number():
     done = convert(b"# c\n100,x,1\n2,x,3\n", "lx", "fc", "-d", ",", "--field", "1,3", "--json")
     found = [json.loads(line) for line in done.stdout.splitlines()]
     assert [(o["line"], o["field"], o["results"]["illuminance"]["value"]) for o in found] == [
@@ -167,7 +167,7 @@ def test_json_is_one_object_a_number():
         (3, 3, 0.27870912),
     ]
     alone = json.loads(run("convert", "2", "lx", "fc", "--json").stdout)
-    assert alone["inputs"]["value"].pop("text") == "2 lx"  # a stream's is in its line
+    assert alone["inputs"]["value"].pop("text") == "2 lx"  # in a stream, it names its line
     assert {**alone, "line": 3, "field": 1} == found[2]
     done = convert(b"2 W\nx\n\n1 W", "lm", "--efficacy", "93lm/W", "--json", "--invalid", "warn")
     found = [json.loads(line) for line in done.stdout.splitlines()]
@@ -192,7 +192,7 @@ BAD = b"1\nx\n3\n"
         ("ignore", b"0.09290304\nx\n0.27870912\n", 0, 0),
     ],
 )
-def test_a_bad_line_is_met_as_numfmt_meets_it(mode, out, status, complaints):
+def test_a_bad_line_is_treated_as_by_numfmt(mode, out, status, complaints):
     done = convert(BAD, "lx", "fc", "--invalid", mode)
     assert (done.stdout, done.returncode) == (out, status)
     said = done.stderr.decode().splitlines()
@@ -200,19 +200,19 @@ def test_a_bad_line_is_met_as_numfmt_meets_it(mode, out, status, complaints):
     assert all("stdin, line 2: 'x' is not a number" in line for line in said[:1])
 
 
-def test_a_bad_line_stops_the_stream_unless_told_otherwise():
+def test_a_bad_line_stops_the_stream_by_default():
     done = convert(BAD, "lx", "fc")
     assert (done.stdout, done.returncode) == (b"0.09290304\n", 2)
     assert b"Traceback" not in done.stderr
 
 
-def test_a_line_passes_unchanged_where_one_of_its_fields_is_bad():
+def test_a_line_with_a_bad_field_passes_unchanged():
     done = convert(b"1 2 3\n4 x 6\n", "lx", "fc", "--field", "1,2", "--invalid", "fail")
     assert done.stdout == b"0.09290304 0.18580608 3\n4 x 6\n"
     assert done.stderr == b"radcalc: stdin, line 2, field 2: 'x' is not a number\n"
 
 
-def test_a_field_that_is_not_there_is_no_number():
+def test_a_missing_field_is_refused():
     done = convert(b"1 2\n1\n", "lx", "fc", "--field", "2")
     assert (done.stdout, done.returncode) == (b"1 0.18580608\n", 2)
     assert done.stderr.startswith(b"radcalc: stdin, line 2: field 2 is missing\ntry: ")
@@ -225,7 +225,7 @@ def test_a_quote_that_is_not_closed_is_refused():
         assert b"a quoted field does not end on its line" in done.stderr
 
 
-def test_a_number_with_more_behind_it_is_no_bare_number():
+def test_a_number_with_more_after_it_is_not_a_bare_number():
     done = convert(b"100 lx\n", "lx", "fc")
     assert (done.stdout, done.returncode) == (b"", 2)
     assert b"radcalc convert - TARGET" in done.stderr
@@ -244,13 +244,13 @@ def test_a_number_with_more_behind_it_is_no_bare_number():
         ("--decimal", ","),
     ],
 )
-def test_options_for_streams_have_no_use_without_one(words):
+def test_options_for_streams_do_not_apply_without_one(words):
     done = answered(b"", "convert", "1", "lx", "fc", *words)
     assert (done.stdout, done.returncode) == (b"", 2)
     assert b"applies to lines of standard input" in done.stderr
 
 
-def test_a_column_must_be_there_once():
+def test_a_column_must_be_in_the_header_exactly_once():
     for header, message in (
         (b"a,a\n", "2 times"),
         (b"b,c\n", "has no column"),
@@ -261,7 +261,7 @@ def test_a_column_must_be_there_once():
         assert message in done.stderr.decode()
 
 
-def test_a_header_in_utf_16_is_told_from_one_without_the_column():
+def test_a_header_in_utf_16_is_not_refused_as_one_without_the_column():
     done = convert("t,E [lx]\n0,1\n".encode("utf-16"), "lx", "fc", "-d", ",", "--column", "E")
     assert (done.stdout, done.returncode) == (b"", 2)
     assert b"is not text in UTF-8\ntry: UTF-8 (iconv" in done.stderr
@@ -310,7 +310,7 @@ def test_no_standard_input_or_output_is_an_error():
         assert "Traceback" not in done.stderr
 
 
-def test_standard_input_is_left_alone_without_a_dash():
+def test_standard_input_is_not_read_without_a_dash():
     reader, writer = os.pipe()
     os.write(writer, b"1\n")
     os.close(writer)
@@ -324,7 +324,7 @@ def test_standard_input_is_left_alone_without_a_dash():
 
 
 def _read(descriptor: int, until: bytes) -> bytes:
-    """Read until a text has come."""
+    """Read until a text appears."""
     found = b""
     while until not in found:
         ready, _, _ = select.select([descriptor], [], [], 60)
@@ -334,7 +334,7 @@ def _read(descriptor: int, until: bytes) -> bytes:
 
 
 @pytest.mark.parametrize("words", [(), ("--field", "1"), ("--json",)])
-def test_a_terminal_sees_each_line_as_it_comes(words):
+def test_a_terminal_shows_each_line_as_it_comes(words):
     command = (entry_point(), "convert", "-", "lx", "fc", *words)
     with on_terminal(*command, stdin=subprocess.PIPE) as (process, leader):
         assert process.stdin is not None
@@ -366,7 +366,7 @@ CALCULATED = ("point-source", "--intensity", "100cd", "--distance", "- m", "-g",
 
 
 def calculate(data: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
-    """Run a calculator on bytes, in which the distances are."""
+    """Run a calculator on bytes that hold the distances."""
     return answered(data, *CALCULATED, "-q", *words)
 
 
@@ -410,15 +410,15 @@ def test_a_refused_value_is_a_bad_line(mode, out, status, complaints):
     assert all("stdin, line 2: --distance -1m is out of range" in line for line in said[:1])
 
 
-def test_every_other_byte_of_a_line_stays():
+def test_every_other_byte_of_a_line_is_unchanged():
     data = b'\xef\xbb\xbfa,"d [m]"\r\n"x, y"," 2 "\r\n\r\n# z\r\n\xff,10'
     done = calculate(data, "-d", ",", "--column", "d", "--rename", "E")
     wanted = b'\xef\xbb\xbfa,"E [lx]"\r\n"x, y"," 25 "\r\n\r\n# z\r\n\xff,1'
     assert (done.stdout, done.stderr, done.returncode) == (wanted, b"", 0)
 
 
-def test_a_long_stream_of_a_calculator_is_that_of_its_parts():
-    """Blocks of many lines, of which few are refused, and lines one by one give the same."""
+def test_a_long_stream_of_a_calculator_equals_its_parts():
+    """Blocks of many lines, a few of them refused, give the same as single lines."""
     lines = [b"-1" if k % 997 == 0 else b"%.3f" % (1 + k / 7) for k in range(20_000)]
     together = calculate(b"\n".join(lines) + b"\n", "--invalid", "ignore").stdout
     apart = calculate(b" x\n".join(lines) + b" x\n", "--invalid", "ignore", "--field", "1").stdout
@@ -430,7 +430,7 @@ def test_a_long_stream_of_a_calculator_is_that_of_its_parts():
         )
 
 
-def test_what_holds_for_some_lines_is_said_once_with_these_lines():
+def test_a_remark_on_some_lines_is_printed_once_with_these_lines():
     words = ("photon", "-", "nm", "-g", "luminous-efficacy")
     done = answered(b"500\n900\n950\n510\n", *words)
     said = done.stderr.decode().splitlines()

@@ -1,4 +1,4 @@
-"""Bytes that are no text, which Python has as lone surrogates, are refused like any other."""
+"""Bytes that are not text, lone surrogates in Python, are refused like other bad inputs."""
 
 from following import call
 from helpers import for_each
@@ -25,7 +25,7 @@ CALLS = (
 
 
 @for_each(CALLS)
-def test_bytes_that_are_no_text_are_refused(line):
+def test_bytes_that_are_not_text_are_refused(line):
     outcome = call(line.split(" "))
     assert outcome.status == terminal.FAILED
     assert outcome.output == ""
