@@ -1,6 +1,6 @@
-"""A calculator on a stream: every line is answered as a call of its own answers it.
+"""A calculator on a stream: every line has the answer of a single call.
 
-What a line has to be comes from the calculators themselves, called once for each value.
+The expected lines come from the calculators themselves, called once for each value.
 """
 
 import io
@@ -19,7 +19,7 @@ from radcalc.quantities.symbols import light_unit
 from radcalc.streams import calculated
 from radcalc.streams.calculated import Calculated
 
-# The call with {} for the input, the unit of its lines, from where to where they are, a result.
+# The call with {} for the input, the unit of its lines, their range, a result.
 CALLS = [
     ("point-source --intensity 100cd --distance {}", "m", 0.01, 1e4, "irradiance:lx"),
     ("point-source --intensity 100cd --distance {}", "ft", 0.01, 1e4, "irradiance:fc"),
@@ -95,7 +95,7 @@ CALLS = [
 
 
 class Process:
-    """What a command does to the process around it."""
+    """Process with captured streams: output and messages of a command."""
 
     def __init__(self, monkeypatch, data=b""):
         self.out, self.said = io.BytesIO(), []
@@ -115,7 +115,7 @@ def words_of(call, value, result):
 
 
 def single(monkeypatch, call, value, result):
-    """What a call of its own prints, or says is wrong."""
+    """Return the output of a single call, or its error message."""
     process = Process(monkeypatch)
     out = process.run(*words_of(call, value, result))
     said = [line.partition("radcalc: ")[2] for line in process.said if line.startswith("radcalc")]
@@ -123,7 +123,7 @@ def single(monkeypatch, call, value, result):
 
 
 @pytest.mark.parametrize(("call", "unit", "low", "high", "result"), CALLS)
-def test_a_line_is_answered_as_a_call_of_its_own(monkeypatch, call, unit, low, high, result):
+def test_a_line_is_answered_as_a_single_call(monkeypatch, call, unit, low, high, result):
     chance = random.Random(call + unit + result)
     values = [f"{chance.uniform(low, high):.4g}" for _ in range(5)]
     if low > 0:
@@ -147,8 +147,8 @@ def test_a_line_is_answered_as_a_call_of_its_own(monkeypatch, call, unit, low, h
 
 
 @pytest.mark.parametrize(("call", "unit", "low", "high", "result"), CALLS)
-def test_an_array_is_answered_as_its_lines(monkeypatch, call, unit, low, high, result):
-    """To the last bit, with bad lines among them, and in the same words."""
+def test_an_array_has_the_answers_of_its_lines(monkeypatch, call, unit, low, high, result):
+    """Answers agree to the last bit and messages word for word, with bad lines among them."""
     chance = random.Random(call + unit)
     values = [f"{low + (high - low) * chance.uniform(0.4, 0.6)!r}" for _ in range(50)]
     values += [f"{chance.uniform(low, high):.3g}" for _ in range(15)]
@@ -212,7 +212,7 @@ def test_a_short_stream_loads_no_numpy():
     assert "numpy" not in modules.split()
 
 
-# For every light quantity that calculators take, the call with {} for it.
+# For every light quantity that calculators take, a call with {} for it.
 OF_LIGHT = [
     ("flux", "point-source --flux {} --distance 2m"),
     ("intensity", "point-source --intensity {} --distance 2m"),
@@ -247,7 +247,7 @@ def test_a_title_has_the_unit_of_the_numbers(monkeypatch, name, call, kind):
         number = single(monkeypatch, call, f"7 {unit}", result)
         unit_of = own["results"][result]["unit"]
         said = f"result [{unit_of}]\n{number}" if unit_of != "1" else f"result\n{number}"
-        # the unit in the title, and with the first result also where it is typed
+        # the unit in the title, and for the first result also as typed
         told = [("-", f"P [{unit}]"), (f"- {unit}", "P"), (f"- {unit}", f"P [{unit}]")]
         for typed, title in told if result == found[0] else told[:1]:
             data = f"n,{title}\na,7\n".encode()

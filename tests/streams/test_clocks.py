@@ -1,6 +1,6 @@
-"""Times of logs: every way of writing them, zones that change their clocks, and what is refused.
+"""Times of logs: notations, time zones with clock changes, and refusals.
 
-What a stamp is in UTC is written beside it; the changes of clocks are those of Directive
+Each time stamp has its UTC next to it; the clock changes are those of Directive
 2000/84/EC, at 01:00 UTC of the last Sundays of March and October.
 """
 
@@ -20,7 +20,7 @@ PRAGUE = "Europe/Prague"
 
 
 def utc(text: str) -> int:
-    """A tick, from ISO 8601 in UTC."""
+    """Return a tick from ISO 8601 in UTC."""
     return round(datetime.fromisoformat(text).replace(tzinfo=UTC).timestamp()) * SECOND
 
 
@@ -53,7 +53,7 @@ READ = [
     ("20240601:1235", {"format": "%Y%m%d:%H%M"}, "2024-06-01T12:35"),
     ("2024 153 12:35", {"format": "%Y %j %H:%M"}, "2024-06-01T12:35"),
     ("1 Jun 2024", {"format": "%d %b %Y"}, "2024-06-01T00:00"),
-    # POSIX, strptime: 69 to 99 are of 1900, 00 to 68 of 2000
+    # POSIX, strptime: 69 to 99 are 1969 to 1999, 00 to 68 are 2000 to 2068
     ("01.06.69", {"format": "%d.%m.%y"}, "1969-06-01T00:00"),
     ("01.06.68", {"format": "%d.%m.%y"}, "2068-06-01T00:00"),
     ("01/06/2024 12:30 AM", {"format": "%d/%m/%Y %I:%M %p"}, "2024-06-01T00:30"),
@@ -71,7 +71,7 @@ def test_a_time_is_the_same_alone_and_among_many(text, told, expected):
     try:
         assert clock.many([text]) == [utc(expected)]
     except ValueError:
-        assert "format" in told  # where one pattern has the date and the time
+        assert "format" in told  # some patterns have both the date and the time
 
 
 def test_fractions_of_a_second_are_whole_nanoseconds():
@@ -93,7 +93,7 @@ def test_fractions_of_a_second_are_whole_nanoseconds():
         ("0.5", {"declared": resolve("d")}, 43200),
     ],
 )
-def test_what_has_passed_is_in_the_unit_told(text, told, seconds):
+def test_an_elapsed_time_is_in_the_unit_given(text, told, seconds):
     clock = clock_for(text, TimeSettings(**told))
     assert Fraction(str(clock.one(text))) * Fraction(*clock.tick) == seconds
 
@@ -132,20 +132,20 @@ def test_what_has_passed_is_in_the_unit_told(text, told, seconds):
         ("2024-10-27 02:30", {"zone": PRAGUE}, "comes twice"),
     ],
 )
-def test_what_is_no_time_or_may_be_two_is_refused(text, told, said):
+def test_a_malformed_or_ambiguous_time_is_refused(text, told, said):
     with pytest.raises(RadcalcError) as refused:
         clock_for(text, TimeSettings(**told)).one(text)
     assert said in refused.value.message
     assert refused.value.hint
 
 
-def test_an_offset_stands_in_all_stamps_or_in_none():
+def test_an_offset_is_in_all_stamps_or_in_none():
     clock = clock_for("2024-06-01T12:35Z", TimeSettings())
     with pytest.raises(RadcalcError, match="no offset"):
         clock.one("2024-06-01T12:36")
 
 
-def test_no_zone_data_is_told_with_what_helps(monkeypatch):
+def test_missing_zone_data_is_refused_with_a_remedy(monkeypatch):
     import zoneinfo
 
     monkeypatch.setattr(zoneinfo, "ZoneInfo", lambda name: {}[name])
@@ -155,8 +155,8 @@ def test_no_zone_data_is_told_with_what_helps(monkeypatch):
     assert "tzdata" in refused.value.hint
 
 
-def test_an_hour_that_comes_twice_is_told_by_the_order():
-    """01:30 is the last before the hour, in summer time; 02:00 CET is 01:00 UTC."""
+def test_the_order_of_lines_resolves_a_repeated_hour():
+    """01:30 is the last time before that hour, in summer time; 02:00 CET is 01:00 UTC."""
     clock = clock_for("2024-10-27 01:30", TimeSettings(zone=PRAGUE))
     texts = ["01:30", "02:00", "02:30", "02:00", "02:30", "03:00"]
     ticks = [clock.one(f"2024-10-27 {text}") for text in texts]
@@ -165,7 +165,7 @@ def test_an_hour_that_comes_twice_is_told_by_the_order():
     assert "2024-10-27 02:00" in " ".join(clock.assumptions)
 
 
-def test_a_log_that_ends_in_such_an_hour_is_taken_as_the_first():
+def test_a_log_that_ends_in_a_repeated_hour_is_read_as_the_first():
     clock = clock_for("2024-10-27 01:30", TimeSettings(zone=PRAGUE))
     assert clock.one("2024-10-27 01:30") < clock.one("2024-10-27 02:30")
     assert "taken as the first" in " ".join(clock.assumptions)
@@ -181,7 +181,7 @@ def test_a_log_that_ends_in_such_an_hour_is_taken_as_the_first():
         ("Africa/Cairo", "2024-04-26", 23),  # at midnight: the day begins at 01:00
     ],
 )
-def test_a_day_is_as_long_as_it_is_by_the_clock(zone, day, hours):
+def test_a_day_is_as_long_as_by_the_local_clock(zone, day, hours):
     clock = clock_for(f"{day} 12:00", TimeSettings(zone=zone))
     period = clock.period(clock.one(f"{day} 12:00"), PER_DAY)
     assert (period.label, (period.end - period.start) / 3600 / SECOND) == (day, hours)
@@ -196,7 +196,7 @@ def test_days_of_stamps_with_changing_offsets_need_a_zone():
 
 
 @given(st.integers(utc("1990-01-01T00:00") // SECOND, utc("2037-12-31T00:00") // SECOND))
-def test_periods_hold_their_time_and_follow_each_other(seconds):
+def test_periods_contain_their_time_and_follow_each_other(seconds):
     clock = clock_for("2024-06-01 12:00", TimeSettings(zone=PRAGUE))
     tick = seconds * SECOND
     for by in (PER_DAY, PER_HOUR):

@@ -7,7 +7,7 @@ from radcalc.streams.fields import Cut, Fields, read_delimiter
 def test_fields_and_delimiters_are_read_as_written():
     assert list(Fields("2,1").of(3)) == [0, 1]
     assert list(Fields("1-2,2-").of(4)) == [0, 1, 2, 3]
-    assert list(Fields("\u22122").of(3)) == [0, 1]  # a minus that was no option
+    assert list(Fields("\u22122").of(3)) == [0, 1]  # a minus sign, not an option
     assert [read_delimiter(d) for d in ("tab", "\\t", "comma", ",", "·")] == [
         "\t", "\t", ",", ",", "·",
     ]  # fmt: skip
@@ -15,7 +15,7 @@ def test_fields_and_delimiters_are_read_as_written():
         Fields("")
 
 
-def test_a_lone_quotation_mark_is_a_cell_and_no_quotes():
+def test_a_single_quotation_mark_is_a_cell_not_quotes():
     assert Cut(b",").inner(b'a,"', (2, 3)) == (2, 3)
     assert Cut(b",").inner(b'a,""', (2, 4)) == (3, 3)
 
@@ -36,5 +36,5 @@ def test_a_lone_quotation_mark_is_a_cell_and_no_quotes():
         (b"", b"", []),
     ],
 )
-def test_a_header_is_cut_into_titles(mark, line, titles):
+def test_a_header_is_split_into_titles(mark, line, titles):
     assert [line[start:end] for start, end in Cut(mark).titles(line)] == titles

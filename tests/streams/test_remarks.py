@@ -3,7 +3,7 @@
 from radcalc.streams.remarks import Remarks
 
 
-def test_a_remark_that_the_first_lines_lack_names_its_lines():
+def test_a_remark_missing_from_the_first_lines_names_its_lines():
     remarks = Remarks()
     remarks.hear([], range(1, 2))
     remarks.hear(["note: dark"], range(2, 3))
@@ -27,7 +27,7 @@ def lines_of(*heard):
     return remarks.not_yet_said()[0].removeprefix("note: ").removesuffix(": dark")
 
 
-def test_a_remark_names_the_lines_that_have_it_and_no_others():
+def test_a_remark_names_only_the_lines_that_have_it():
     assert lines_of([2], [4]) == "lines 2, 4"
     assert lines_of([2], [3], range(3, 8)) == "lines 2 to 7"
     assert lines_of([5], [2]) == "lines 2, 5"

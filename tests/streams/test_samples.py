@@ -1,4 +1,4 @@
-"""Logs of light: their layouts, by the descriptions of their makers, and what is wrong in them."""
+"""Logs of light: layouts as their makers describe them, and errors in them."""
 
 import io
 
@@ -14,7 +14,7 @@ from radcalc.streams.samples import Log
 
 
 def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Log]:
-    """Times in seconds from the first, with None for a skipped line; values; the log."""
+    """Return times in seconds from the first (None for a skipped line), values, and the log."""
     raw = io.BytesIO(data.encode() if isinstance(data, str) else data)
     clock = {key: told.pop(key) for key in ("zone", "format") if key in told}
     if "time_unit" in told:
@@ -30,15 +30,15 @@ def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Lo
     return [None if t is None else (t - first) * top / bottom for t in times], values, log
 
 
-# As Onset's HOBOware exports: a title of the plot, quoted titles with the logger's number, events
-# in lines without values.
+# As exported by Onset's HOBOware: a title of the plot, quoted titles with the logger's number, and
+# events in lines without values.
 HOBO = """"Plot Title: pond"
 "#","Date Time, GMT+01:00","Temp, °C (SEN S/N: 1)","Intensity, Lux (LGR S/N: 1)","Stopped"
 1,06/01/19 12:00:00 AM,20.1,0.0,
 2,06/01/19 12:10:00 PM,20.1,21500.4,
 3,06/01/19 12:20:00 PM,,,Logged
 """
-# As Campbell Scientific's TOA5: the logger, the titles, their units, how they were sampled.
+# Campbell Scientific's TOA5: lines for the logger, titles, units and kinds of sampling.
 TOA5 = """"TOA5","CR1000","CR1000","12345","CR1000.Std.27","CPU:par.CR1","1234","Table1"
 "TIMESTAMP","RECORD","BattV","PAR_Avg"
 "TS","RN","Volts","umol/s/m^2"
@@ -46,7 +46,7 @@ TOA5 = """"TOA5","CR1000","CR1000","12345","CR1000.Std.27","CPU:par.CR1","1234",
 "2024-06-01 12:00:00",0,12.6,1500
 "2024-06-01 12:10:00",1,12.6,1490.5
 """
-# As NREL's Measurement and Instrumentation Data Center: the date and the clock in two columns.
+# NREL's Measurement and Instrumentation Data Center: date and clock in two columns.
 MIDC = """DATE (MM/DD/YYYY),MST,Global CMP22 (vent/cor) [W/m^2],Zenith Angle [degrees]
 1/2/2019,00:00,-1.2,160
 1/2/2019,00:01,-1.1,160
@@ -79,7 +79,7 @@ LAYOUTS = {
 
 @pytest.mark.parametrize("name", LAYOUTS)
 @pytest.mark.parametrize("size", [1 << 20, 7])
-def test_a_layout_is_read_however_it_arrives(name, size):
+def test_a_layout_is_read_in_blocks_of_any_size(name, size):
     text, told, seconds, value, unit = LAYOUTS[name]
     times, values, log = read(text, size, **told)
     seen = [time for time in times if time is not None]
@@ -88,7 +88,7 @@ def test_a_layout_is_read_however_it_arrives(name, size):
 
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "utf-16-le", "utf-16-be"])
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
-def test_a_byte_order_mark_tells_the_encoding(encoding, end):
+def test_a_byte_order_mark_declares_the_encoding(encoding, end):
     text = f"time,E (lx){end}2024-06-01 00:00,1{end}2024-06-01 00:01,2{end}"
     data = text.encode(encoding)
     if encoding in ("utf-16-le", "utf-16-be"):
@@ -131,7 +131,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t,log E\ns,lx\n0,1\n1,2\n", {}, "has a function of its numbers"),
         ("t,E [W/m2]\ns,lx\n0,1\n1,2\n", {}, "have two units"),
         ("t_s,E (100 lx)\n0,1\n1,2\n", {}, "scales its numbers"),
-        # bad lines above the first good one are none of titles
+        # bad lines above the first good one are not lines of titles
         *[(f"time,E [lx]\n2024-06-01T11:00,{bad}\n2024-06-01T12:00,1\n", told, "line 2: ")
           for bad in ("OVER", "<1", "1.000.000", "\0") for told in ({}, {"column": "E"})],
         ("time,E [lx]\n2024-06-01T11:00\n2024-06-01T12:00,1\n", {}, "line 2: 1 cells"),
@@ -140,7 +140,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("a,b,c,E_lx\n12:00,2024-06-01,12:01,1\n", {}, "there are 2 columns of clocks"),
         ("time,E [lx]\n2024-06-01T12:00,1\n２０２４-06-01T13:00,1\n", {}, "line 3: "),
         ("time,E [lx]\n2024-06-01T12:00,1\n2024-06-01T１3:00,1\n", {}, "line 3: "),
-        # marks of decimals in times are held against each other, and against those of values
+        # decimal marks of times must agree with each other and with those of values
         ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' is ambiguous: a thousand"),
         ("t_s;E_lx\n0,5;1,5\n1.5;2,5\n", {}, "line 3: a decimal point"),
         ("t_s;E_lx\n0.5;1\n1.5;2,5\n", {}, "line 3: a decimal comma"),
@@ -148,7 +148,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
           for bad in ("1e-9999999999999999999", "1.7172453e9", "9" * 5000)],
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_refused_with_its_line(text, told, said):
+def test_an_error_is_refused_with_its_line(text, told, said):
     with pytest.raises(RadcalcError) as refused:
         read(text, **told)
     assert said in refused.value.message
@@ -158,14 +158,14 @@ def test_what_is_wrong_is_refused_with_its_line(text, told, said):
 @pytest.mark.parametrize(
     ("text", "seconds"),
     [
-        # sunrise is no time of a sample
+        # sunrise is not the time of a sample
         ("date,E [lx],rise\n2024-06-01,1,04:00\n2024-06-02,1,04:01\n", 86400),
         ("date,E [lx],time\n2024-06-01,1,04:00\n2024-06-02,1,04:01\n", 86460),
         ("date,MST,E [lx],rise\n2024-06-01,04:00,1,03:00\n2024-06-01,04:01,1,03:00\n", 60),
         ("rise,date,time,E [lx]\n03:00,2024-06-01,04:00,1\n03:00,2024-06-01,04:01,1\n", 60),
     ],
 )
-def test_the_clock_to_a_date_is_the_next_column_or_has_a_title_of_time(text, seconds):
+def test_the_clock_of_a_date_is_in_the_next_column_or_titled_as_a_time(text, seconds):
     times, _, log = read(text)
     assert times == [0, seconds]
     said = [one for one in log.assumptions if "the date and the clock" in one]
@@ -173,15 +173,15 @@ def test_the_clock_to_a_date_is_the_next_column_or_has_a_title_of_time(text, sec
 
 
 @pytest.mark.parametrize(("title", "is_doubtful"), [("PAR", True), ("ppfd", False)])
-def test_that_par_may_be_in_another_unit_is_told(title, is_doubtful):
+def test_the_doubtful_unit_of_par_is_noted(title, is_doubtful):
     _, _, log = read(f"time_s,{title}\n0,1\n1,2\n")
     (said,) = [one for one in log.assumptions if "umol/m2/s" in one]
     assert ("W/m2" in said) == is_doubtful
 
 
 @pytest.mark.parametrize("size", [1 << 20, 20])
-def test_of_times_that_come_twice_those_are_left_out_that_no_order_tells(size):
-    """01:30 is 23:30 UTC, 03:30 is 02:30 UTC, and 02:00 to 02:59 may be of two hours."""
+def test_ambiguous_times_that_the_order_does_not_resolve_are_left_out(size):
+    """01:30 is 23:30 UTC, 03:30 is 02:30 UTC, and 02:00 to 02:59 may be in either hour."""
     clocks = ["01:30", "02:10", "02:20", "02:30", "03:30", "04:30"]
     rows = [f"2024-10-27 {clock},{k}" for k, clock in enumerate(clocks)]
     rows[2] = "2024-10-27 02:20,--"
@@ -197,8 +197,8 @@ def test_of_times_that_come_twice_those_are_left_out_that_no_order_tells(size):
     assert [one.partition(":")[0] for one in said] == ["log, line 4", "log, line 3", "log, line 5"]
 
 
-def test_the_order_tells_the_hour_although_its_first_line_has_no_value():
-    """02:30 and 02:40 are before 02:10, and so of the first of the two hours."""
+def test_the_order_resolves_the_hour_although_its_first_line_has_no_value():
+    """02:30 and 02:40 come before 02:10, so they are in the first of the two hours."""
     rows = ["01:30,0", "02:20,--", "02:30,2", "02:40,3", "02:10,4", "03:30,5"]
     text = "time,E [lx]\n" + "".join(f"2024-10-27 {row}\n" for row in rows)
     times, values, _ = read(text, zone="Europe/Prague", invalid="ignore")
@@ -215,24 +215,24 @@ def test_the_order_tells_the_hour_although_its_first_line_has_no_value():
         ("Australia/Lord_Howe", "2024-04-07 01:45", "+10:30"),
     ],
 )
-def test_the_offset_that_helps_is_that_of_the_zone(zone, time, offset):
+def test_the_offset_in_the_hint_is_that_of_the_zone(zone, time, offset):
     with pytest.raises(RadcalcError) as refused:
         read(f"time,E [lx]\n{time},1\n{time[:10]} 05:30,1\n", zone=zone)
     assert offset in str(refused.value.hint)
 
 
-def test_decimal_commas_are_those_of_times_and_values():
+def test_decimal_commas_are_read_in_times_and_values():
     rows = [f"{k},5;{k},25" for k in range(100)]
     times, values, _ = read("t_s;E_lx\n" + "\n".join(rows))
     assert (times, values) == ([float(k) for k in range(100)], [k + 0.25 for k in range(100)])
 
 
-def test_a_long_preamble_of_comments_is_looked_over():
+def test_a_long_preamble_of_comments_is_skipped():
     times, values, _ = read("# site\n" * 1500 + "t_s,E_lx\n0,1\n1,2\n")
     assert (times, values) == ([0, 1], [1, 2])
 
 
-def test_a_line_too_long_fills_no_memory():
+def test_a_line_that_is_too_long_is_refused():
     with pytest.raises(RadcalcError, match="the line has more than"):
         read("t_s,E_lx\n0,1\n" + "1" * (text.LONGEST + 2))
 
@@ -240,15 +240,15 @@ def test_a_line_too_long_fills_no_memory():
 @pytest.mark.parametrize(
     ("invalid", "is_good"), [("fail", False), ("warn", True), ("ignore", True)]
 )
-def test_what_is_left_out_is_told_and_leaves_a_mark(invalid, is_good):
+def test_skipped_lines_are_noted_and_marked(invalid, is_good):
     times, values, log = read("t_s,E_lx\n0,1\n1,--\n2,3\n2,4\n3,5\n", invalid=invalid)
-    assert (times, values) == ([0, None, 2, 3], [1, 3, 5])  # a line twice hides no sample
+    assert (times, values) == ([0, None, 2, 3], [1, 3, 5])  # a repeated time is not a gap
     assert log.is_good is is_good
     assert "2 lines are skipped; the first: log, line 3" in log.notes[0]
 
 
 @pytest.mark.parametrize("mark", [".", ","])
-def test_lines_one_by_one_are_what_they_are_at_once(monkeypatch, mark):
+def test_single_lines_give_the_same_as_blocks(monkeypatch, mark):
     lines = [f"2024-06-{1 + k // 24:02} {k % 24:02}:30;{k * 0.1:.1f}" for k in range(500)]
     text = "time;E [lx]\n" + "\n".join(lines).replace(".", mark) + "\n"
     at_once = read(text, 999)[:2]
@@ -261,24 +261,24 @@ def test_lines_one_by_one_are_what_they_are_at_once(monkeypatch, mark):
     ("lines", "said"),
     [
         (["2024-06-01 2024-06-01 12:00,1", "12:01,1"], "line 42"),  # as many dates as lines
-        (["2024-06-01 12:00,1,2", "12:01"], "line 42"),  # as many cells as two lines have
+        (["2024-06-01 12:00,1,2", "12:01"], "line 42"),  # as many cells as in two lines
         (["2024-06-01 12:00,1 2", "2024-06-01 12:01,"], "line 42"),
     ],
 )
-def test_what_two_lines_have_together_makes_up_for_neither(lines, said):
+def test_surplus_in_one_line_does_not_hide_a_lack_in_the_next(lines, said):
     before = [f"2024-06-01 11:{k:02},1" for k in range(40)]
     with pytest.raises(RadcalcError, match=said):
         read("\n".join(["time,E [lx]", *before, *lines, ""]))
 
 
-def test_marks_of_decimals_are_held_against_each_other_however_far_apart():
+def test_decimal_marks_far_apart_must_agree():
     rows = [f"{k};{k},5" for k in range(5000)]
     with pytest.raises(RadcalcError, match="line 5002: a decimal point, but line 2"):
         read("t_s;E_lx\n" + "\n".join([*rows, "5000;1.5", ""]), 4096)
 
 
 @given(st.lists(st.integers(0, 299), max_size=40), st.integers(1, 400))
-def test_what_is_left_out_does_not_depend_on_the_blocks(bad, size):
+def test_skipped_lines_do_not_depend_on_the_blocks(bad, size):
     lines = [f"{k},{'x' if k in bad else k}" for k in range(300)]
     text = "t_s,E_lx\n0.5,1\n" + "\n".join(lines[1:]) + "\n"
     times, values, _ = read(text, size, invalid="ignore")

@@ -1,4 +1,4 @@
-"""Streams in this process: every line is converted by itself, and every other byte stays."""
+"""Streams in this process: lines are converted one by one, and other bytes are unchanged."""
 
 import io
 import re
@@ -22,14 +22,14 @@ LX_FC = plan(resolve("lx"), resolve("fc"))
 
 
 def stream(data: bytes, made: Stream, invalid: str = "abort") -> tuple[bytes, bool, list[str]]:
-    """Run a stream: what is written, whether all is well, and the complaints."""
+    """Run a stream; return the output, whether all lines were good, and the error messages."""
     out, said = io.BytesIO(), []
     good = run(made, io.BytesIO(data).read, out.write, invalid, lambda e: said.append(e.message))
     return out.getvalue(), good, said
 
 
 def single(text: str, source: str = "lx", target: str = "fc", precision: int = 12) -> bytes:
-    """What a single conversion prints with -n."""
+    """Return the output of a single conversion with -n."""
     amount, _ = read_operands([text + source, "to", target])
     return number(plan(amount.unit, resolve(target)).apply(amount.number), precision).encode()
 
@@ -39,7 +39,7 @@ def single(text: str, source: str = "lx", target: str = "fc", precision: int = 1
     ["1,5", "1_000", "nan", "inf", "-inf", "Infinity", "٣", "²", "0x10", "1e400", "1e-320", "1 2",
      "", "--1", "1e", "1/0", "9" * 1001, "1.5.2", "\u00a0", "1\r"],
 )  # fmt: skip
-def test_what_the_grammar_refuses_a_stream_refuses(text):
+def test_a_stream_refuses_the_numbers_that_the_grammar_refuses(text):
     cut = Cut(b";")
     data = f"1;a\n{text};b\n".encode()
     out, good, said = stream(data, Stream(Numbers(LX_FC), cut), "fail")
@@ -63,7 +63,7 @@ def test_a_huge_line_passes_and_an_endless_one_is_refused():
 
 
 @pytest.mark.parametrize("field", [b"1", b"1.5", b'"2"', b"1/3", b" 4 "])
-def test_a_line_of_many_fields_takes_a_small_multiple_of_its_memory(field):
+def test_a_line_of_many_fields_takes_a_small_multiple_of_its_size(field):
     count = 30_000 // (len(field) + 1)
     line = b",".join([field] * count) + b"\n"
     made = Stream(Numbers(LX_FC), Cut(b","), Fields("1-"))
@@ -89,14 +89,14 @@ NUMBERS = st.one_of(
     st.sampled_from(["0", "-0", "+5", ".5", "5.", "1/3", "4pi", "1e5", "-2.50E-3", "0.000", "00"]),
     st.sampled_from(["1,5", "1_000", "nan", "inf", "x", "", "1e400", "5 5", "1e-320"]),
 )
-# No cell is a mark of the byte order, which is none at the start of a stream.
+# Cells are not byte order marks, which a stream drops at its start.
 OTHERS = st.binary(max_size=6).map(lambda b: re.sub(rb'[\n\r"#]|\xef\xbb\xbf', b"", b))
 DELIMITERS = [b",", b";", b"\t", b" ", b"", "·".encode()]
 
 
 @st.composite
 def tables(draw):
-    """Lines with a column of numbers, as bytes; the delimiter, the column and the cells."""
+    """Draw a delimiter, the column of numbers, rows of cells, and whether the last line ends."""
     mark = draw(st.sampled_from(DELIMITERS))
     width = draw(st.integers(1, 4))
     column = draw(st.integers(0, width - 1))
@@ -118,7 +118,7 @@ def tables(draw):
 @given(tables(), st.sampled_from([("lx", "fc"), ("fc", "lx"), ("fL", "nit"), ("W", "mW")]),
        st.integers(1, 17))  # fmt: skip
 @example((b",", 1, [([b"\xff", b"1"], b"\n")] * 3, True), ("lx", "fc"), 12)
-def test_a_stream_is_its_lines_converted_by_themselves(table, units, precision):
+def test_the_lines_of_a_stream_are_converted_one_by_one(table, units, precision):
     mark, column, rows, ended = table
     made = plan(*map(resolve, units))
     data, wanted, bad = b"", b"", 0
@@ -157,7 +157,7 @@ CELLS = st.sampled_from(
 @example([[b"1"], [b"", b"# c", b"1"]], b"\t", "3", False, b".", False, 0)  # a comment, cut off
 @example([[b"1", b"2"]], b"", "1", False, b".", True, 2)
 @example([[b"1", b"2"]], b"", "1", False, b".", True, 3)
-def test_many_lines_at_once_are_the_same_as_one_by_one(
+def test_many_lines_at_once_give_the_same_as_one_by_one(
     rows, mark, fields, own, decimal, adds, width
 ):
     texts = _own(mark=decimal) if own else Numbers(LX_FC, mark=decimal)
@@ -169,12 +169,12 @@ def test_many_lines_at_once_are_the_same_as_one_by_one(
     singly = [stream(line, made, "warn") for line in lines * 2]
     assert together[0] == b"".join([out for out, _, _ in singly])
     assert len(together[2]) == sum([len(said) for _, _, said in singly])
-    shown = made.block(b"".join(lines))  # where it answers at all, the lines are all good
+    shown = made.block(b"".join(lines))  # a block is answered only if all lines are good
     assert shown in (None, b"".join([made.line(line, 1) for line in lines] if shown else [b""]))
 
 
 class _Held(Stream):
-    """A stream whose lines have so many fields, as if a header had said so."""
+    """Stream with a fixed number of fields, as a header would set it."""
 
     held = 0
     is_counted = False
@@ -189,7 +189,7 @@ class _Held(Stream):
 @given(st.lists(st.tuples(NUMBERS, st.sampled_from(["lx", " klx", " fc", "  ph", " lm m-2", " zork",
                                                     "", " cd", " mlx "])), max_size=12),
        st.sampled_from(["\n", "\r\n"]))  # fmt: skip
-def test_lines_with_their_own_units_are_converted_by_themselves(pairs, end):
+def test_lines_with_their_own_units_are_converted_one_by_one(pairs, end):
     wanted = b""
     for value, unit in pairs:
         text = value + unit
@@ -202,14 +202,14 @@ def test_lines_with_their_own_units_are_converted_by_themselves(pairs, end):
     assert stream(data, Stream(_own()), "ignore")[0] == wanted
 
 
-def test_what_came_before_a_bad_line_is_out_before_the_complaint():
+def test_output_before_a_bad_line_comes_before_the_error_message():
     events: list[object] = []
     run(Stream(Numbers(LX_FC)), io.BytesIO(b"1\nx\n2\n").read, events.append, "warn",
         lambda error: events.append(error.message))  # fmt: skip
     assert events == [b"0.09290304\n", "stdin, line 2: 'x' is not a number", b"x\n0.18580608\n"]
 
 
-def test_a_comma_in_a_number_does_not_make_two_of_it():
+def test_a_comma_in_a_number_does_not_split_it():
     made = Stream(Numbers(LX_FC), Cut(b","), Fields("2"))
     out, good, said = stream(b"x\n1,500\n2,1,000\n" + b"3,1\n" * 500, made, "fail")
     assert out == b"x\n1,46.45152\n2,1,000\n" + b"3,0.09290304\n" * 500
@@ -224,7 +224,7 @@ def test_a_comma_in_a_number_does_not_make_two_of_it():
     assert (out, good) == (b"1;46.45152\n2;0.4645152;ok\n", True)
 
 
-def test_lines_beyond_the_first_block_are_held_against_the_header():
+def test_lines_beyond_the_first_block_are_compared_with_the_header():
     header = Header(Cut(b","), resolve("lx"), resolve("fc"), lambda unit: Numbers(LX_FC), print)
     made = Stream(Numbers(LX_FC), header.cut, Fields("2"), 1, header)
     good_lines = b'a,5\n"b,c",7\n' * 30_000

@@ -1,4 +1,4 @@
-"""The compiled table agrees with Pint's reading of every spelling."""
+"""The compiled table of units agrees with Pint for every spelling."""
 
 from fractions import Fraction
 
@@ -27,13 +27,13 @@ def pint_registry():
     return exact_registry()
 
 
-def test_the_committed_table_is_what_pint_says_today():
+def test_the_committed_table_is_up_to_date():
     table, catalogue = compile_units(TEXT)
     assert (HERE / "compiled.py").read_text(encoding="utf-8") == table
     assert (HERE / "catalogue.py").read_text(encoding="utf-8") == catalogue
 
 
-def test_every_spelling_with_every_prefix_is_worth_what_pint_says(pint_registry):
+def test_every_spelling_with_every_prefix_has_pints_value(pint_registry):
     assert len(SPELLINGS) > 1500
     for spelling, [(prefix, unit)] in SPELLINGS.items():
         ours = resolve(spelling)
@@ -59,7 +59,7 @@ def test_no_two_spellings_collide():
     refuse_collisions(FOUND)
     assert all(len(readings) == 1 for readings in SPELLINGS.values())
     full = {prefix + n for u in FOUND.units for n in u.names for prefix in ("", *u.prefixes)}
-    for spelling in SPELLINGS:  # a symbol that is also a full name, which has no case
+    for spelling in SPELLINGS:  # a symbol may also be a full name, whose case does not matter
         if spelling.lower() in full:
             assert SPELLINGS[spelling.lower()] == SPELLINGS[spelling]
 

@@ -1,4 +1,4 @@
-"""Arithmetic with units, by definitions; `fuzz/expressions.py` holds it against Pint."""
+"""Arithmetic with units, from definitions; `fuzz/expressions.py` compares it with Pint."""
 
 import math
 import random
@@ -56,7 +56,7 @@ READ = {
     "1 m / 1 in": (1 / 0.0254, "1"),
     "500 lx * 80%": (400.0, "lx"),
     "50% + 30%": (80.0, "percent"),
-    "0.1 m + 0.2 m": (0.3, "m"),  # which floats make 0.30000000000000004
+    "0.1 m + 0.2 m": (0.3, "m"),  # floats give 0.30000000000000004
     "1/(500 nm)": (0.002, "nm-1"),
     "10 W / 5 cm-1": (2.0, "W/cm-1"),
     "0.5 cm-1 * 2 cm": (1.0, "1"),
@@ -88,13 +88,13 @@ READ = {
 
 
 @for_each(READ)
-def test_an_expression_is_worked_out_and_rounded_once(text):
+def test_an_expression_is_rounded_once(text):
     amount = read_amount(text)
     assert (amount.number, amount.unit.text if amount.unit else None) == READ[text]
     assert amount.text == text
 
 
-# Readings that a refusal offers are read.
+# Interpretations offered by refusals, and their values.
 OFFERED = {
     "100 lx * (1 + 10%)": (110.0, "lx"),
     "(1/2) m + (1/2) m": (1.0, "m"),
@@ -108,7 +108,7 @@ OFFERED = {
 
 
 @pytest.mark.parametrize("text", ["2pi^2 lx", "2π² lx", "3 lx * 4pi^2"])
-def test_a_power_behind_a_multiple_of_pi_has_two_readings(text):
+def test_a_power_after_a_multiple_of_pi_is_ambiguous(text):
     with pytest.raises(RadcalcError, match="ambiguous") as refused:
         read_amount(text)
     one, other = (read_amount(way).number for way in shell(refused.value)[1].split(" or "))
@@ -116,7 +116,7 @@ def test_a_power_behind_a_multiple_of_pi_has_two_readings(text):
     assert (one, other) == pytest.approx((factor**2 * math.pi**2, factor * math.pi**2))
 
 
-RATIOS = {  # a gain of 1000 is 30 dB, one of 2 a stop
+RATIOS = {  # a gain of 1000 is 30 dB, a gain of 2 is one stop
     ("1 W / 1 mW", "dB"): 30.0,
     ("100 lx / 50 lx", "stops"): 1.0,
     ("100 lx / 50 lx", "%"): 200.0,
@@ -135,12 +135,12 @@ def test_a_ratio_of_quantities_is_a_number_that_takes_no_unit(text, target, capf
 
 
 @pytest.mark.parametrize("text", OFFERED)
-def test_a_reading_that_a_refusal_offers_is_read(text):
+def test_an_interpretation_offered_by_a_refusal_is_read(text):
     amount = read_amount(text)
     assert (amount.number, amount.unit.text) == OFFERED[text]
 
 
-# What was read before there were expressions keeps its reading.
+# Plain values that contain an operator but are not expressions.
 PLAIN = {
     "1/2 m": (0.5, "m"),
     "100/2 m": (50.0, "m"),
@@ -157,7 +157,7 @@ PLAIN = {
 
 
 @pytest.mark.parametrize("text", PLAIN)
-def test_a_number_with_a_unit_is_no_expression(text):
+def test_a_number_with_a_unit_is_not_an_expression(text):
     amount = read_amount(text)
     assert (amount.number, amount.unit.text, amount.rounding) == (*PLAIN[text], None)
 
@@ -226,7 +226,7 @@ REFUSED = {
 
 
 @for_each(REFUSED)
-def test_what_has_no_value_or_two_is_refused(text):
+def test_a_meaningless_or_ambiguous_expression_is_refused(text):
     with pytest.raises(RadcalcError) as caught:
         read_amount(text)
     message, hint = shell(caught.value)
@@ -237,7 +237,7 @@ def test_what_has_no_value_or_two_is_refused(text):
 @pytest.mark.parametrize(
     "text", ["100 zork", "abc", "lx*2", "5 lx * (", "2 3 m", "1,5 lx", "5 W*m", "5 W/m2 sr"]
 )
-def test_what_is_no_arithmetic_has_the_error_of_a_number_or_a_unit(text):
+def test_a_text_without_arithmetic_has_the_error_of_a_number_or_a_unit(text):
     with pytest.raises(RadcalcError) as caught:
         read_amount(text)
     assert not isinstance(caught.value, ExpressionError)
@@ -246,20 +246,20 @@ def test_what_is_no_arithmetic_has_the_error_of_a_number_or_a_unit(text):
 @pytest.mark.parametrize(
     "text", ["((1" * 300, "2^" * 400 + "2", "9*" * 400 + "9", "1+" * 499 + "1"]
 )
-def test_a_long_text_is_soon_done_with(text):
-    """The steps grow with the letters, no faster."""
+def test_a_long_text_is_refused_quickly(text):
+    """The work grows in proportion to the length."""
     with pytest.raises(RadcalcError):
         read_amount(f"{text} lx")
 
 
-def test_a_decimal_in_an_expression_is_as_rounded_as_it_was_typed():
-    """Half a hundredth of 2.50, and of 4.00, relative to each; whole numbers are exact."""
+def test_the_rounding_of_an_expression_follows_from_its_decimals():
+    """0.005 relative to 2.50 and to 4.00; whole numbers are exact."""
     assert read("area", "5m*4m").rounding == pytest.approx(1e-9)
     assert read("area", "2.50m*4.00m").rounding == pytest.approx(0.005 / 2.5 + 0.005 / 4)
     assert read("distance", "2.50m + 7.5 m").rounding == pytest.approx((0.005 + 0.005) / 10)
 
 
-def test_expressions_are_read_wherever_a_value_is():
+def test_expressions_are_accepted_wherever_a_value_is():
     assert read("distance", "1 m + 2 ft").value == pytest.approx(1.6096)
     assert read("range", "300nm*2:1um - 300nm").value == (600.0, 700.0)
     assert [read("distance", one).value for one in read_series("1m+1m,3m")] == [2.0, 3.0]
@@ -289,17 +289,17 @@ def test_arithmetic_means_the_same_with_its_unit_in_one_word_or_two(number, unit
     assert outcome([number, unit, "fc"]) == outcome([f"{number} {unit}", "fc"])
 
 
-def test_a_reading_that_is_no_number_is_not_said_to_be_arithmetic():
+def test_a_reading_out_of_range_is_not_refused_as_arithmetic():
     with pytest.raises(RadcalcError, match="is out of range"):
         read_amount("756 mag")
 
 
-def test_a_product_is_the_quantity_that_it_measures():
+def test_a_product_has_the_quantity_of_its_unit():
     amount = read_amount("500 lx * 20 m2 / 0.5")
     assert plan(amount.unit, resolve("klm")).apply(amount.number) == 20.0
 
 
-# Each by its identity; floats make 7e-17 and the like of them.
+# Each is 0 by an identity; floats give values such as 7e-17.
 NOTHING = [
     "sin(45deg)^2 - 1/2",
     "sqrt(2)^2 - 2",
@@ -313,12 +313,12 @@ NOTHING = [
 
 
 @pytest.mark.parametrize("text", NOTHING)
-def test_what_is_0_by_an_identity_is_0(text):
+def test_an_expression_that_is_0_by_an_identity_is_0(text):
     assert read_amount(text).number == 0
 
 
 def a_function(chance):
-    """Return the text of a function of a number near or far from its 0 or 1, and mpmath's value."""
+    """Return the text and the value in mpmath of a function of a number near or far from 0 or 1."""
     digits = f"{chance.randint(1, 10 ** chance.randint(1, 12))}e{chance.randint(-40, 1)}"
     name = chance.choice(("sin", "cos", "tan", "exp", "ln", "log10", "sqrt"))
     x = mpmath.mpf(digits)
@@ -331,14 +331,14 @@ def a_function(chance):
 
 
 @for_each(range(200))
-def test_functions_are_right_though_most_of_them_is_taken_away(seed):
-    """By mpmath with 300 digits."""
+def test_functions_are_accurate_after_cancellation(seed):
+    """Compare with mpmath at 300 digits."""
     chance = random.Random(seed)
     with mpmath.workdps(300):
         text, true = a_function(chance)
         taken = chance.choice((0, 1, -1))
         true -= taken
-        if abs(true) < 1e-250:  # a multiple of 90 degrees, of which 300 digits leave a rest
+        if abs(true) < 1e-250:  # a multiple of 90 degrees: a rounding error at 300 digits
             true = mpmath.mpf(0)
         text = f"({text} - ({taken}))*1"
         if not 2.3e-308 < abs(true) < 1.7e308 and true:  # beyond a float
@@ -351,7 +351,7 @@ def test_functions_are_right_though_most_of_them_is_taken_away(seed):
 
 @for_each(range(-300, 301, 25))
 def test_a_root_of_a_tiny_or_huge_number_has_all_its_digits(power):
-    """By mpmath with 50 digits."""
+    """Compare with mpmath at 50 digits."""
     with mpmath.workdps(50):
         true = float(mpmath.sqrt(mpmath.mpf(f"2e{power}")))
     amount = read_amount(f"sqrt(2e{power} m2)")
@@ -363,7 +363,7 @@ UNITS = ("km", "lx", "W", "sr", "lm", "s")
 
 
 @for_each(range(60))
-def test_the_spelling_of_an_exponent_and_of_a_product_changes_nothing(seed):
+def test_spellings_of_exponents_and_products_are_equivalent(seed):
     """m-2, m^-2, m**-2 and m⁻², joined by a dot, a star or a blank, with more arithmetic."""
     chance = random.Random(seed)
     powers = {name: chance.choice((-3, -2, -1, 2, 3)) for name in chance.sample(UNITS, 3)}

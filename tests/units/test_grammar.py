@@ -35,7 +35,7 @@ SAME = [("W", 1), ("m", -2), ("sr", -1)]
         "(W/m2)/sr",
     ],
 )
-def test_every_spelling_is_one_unit(text):
+def test_every_spelling_is_read_as_the_same_unit(text):
     assert [(name, n) for name, n, _ in parse_unit(text)] == SAME
 
 
@@ -49,7 +49,7 @@ def test_every_spelling_is_one_unit(text):
         ("lm/(W/m2 nm)", "W/(m2 nm) or (W/m2) nm"),
     ],
 )
-def test_a_product_after_a_solidus_is_refused_with_both_readings(text, readings):
+def test_a_product_after_a_solidus_is_refused_with_both_interpretations(text, readings):
     with pytest.raises(UnitError, match="ambiguous") as caught:
         parse_unit(text)
     assert caught.value.hint == readings
@@ -73,7 +73,7 @@ def test_an_inverse_below_a_solidus_is_marked(text):
 
 
 @pytest.mark.parametrize("text", ["lm/(W/m)", "W/m2/(cycle/m)", "cm-1", "W m-2 nm-1"])
-def test_a_solidus_inside_brackets_is_no_inverse(text):
+def test_a_solidus_inside_brackets_is_not_an_inverse(text):
     assert not any(inverse for _, _, inverse in parse_unit(text))
 
 
@@ -83,7 +83,7 @@ def test_a_solidus_inside_brackets_is_no_inverse(text):
     "a\x00b", "\x1b[31m", "m;s", "m,s", "m⁻", "m⁻⁻²", "lx\udcff", "__import__('os')", "m--2",
     "(" * 17 + "m" + ")" * 17,
 ])  # fmt: skip
-def test_what_is_no_unit_is_refused(text):
+def test_a_malformed_unit_is_refused(text):
     with pytest.raises(UnitError) as caught:
         parse_unit(text)
     assert caught.value.message
@@ -122,7 +122,7 @@ def test_numbers_are_read(text, value):
     "1 000", "1..2", "pixel", "5²", "1e308*10", "9" * 2000, "1e400/1e400", "1e400*0",
     "1/1e400", "1e-200*1e-200", "1e-200/1e200", "1e308pi", "1/2pi", "2/3 pi", "pi/2π",
 ])  # fmt: skip
-def test_what_is_no_number_is_refused(text):
+def test_a_malformed_number_is_refused(text):
     with pytest.raises(NumberError) as caught:
         parse_number(text)
     assert caught.value.message
@@ -138,7 +138,7 @@ def test_what_is_no_number_is_refused(text):
         ("1_0 foot_lambert", "10 foot_lambert"),
     ],
 )  # fmt: skip
-def test_a_number_with_a_comma_or_an_underscore_is_refused_with_what_to_write(text, hint):
+def test_a_number_with_a_comma_or_an_underscore_is_refused_with_a_correction(text, hint):
     with pytest.raises(NumberError) as caught:
         split_quantity(text)
     assert caught.value.hint == hint
@@ -152,7 +152,7 @@ def test_a_number_with_a_comma_or_an_underscore_is_refused_with_what_to_write(te
         ("1/4 pi sr", "1pi/4 sr", "1/4/pi sr"), ("pi/2pi", "pi*pi/2", "pi/2/pi"),
     ],
 )  # fmt: skip
-def test_a_pi_behind_a_divisor_is_refused_with_both_its_readings(text, two_thirds, below):
+def test_a_pi_after_a_divisor_is_refused_with_both_interpretations(text, two_thirds, below):
     with pytest.raises(NumberError) as caught:
         split_quantity(text)
     assert caught.value.hint == f"{two_thirds} or {below}"
@@ -162,7 +162,7 @@ def test_a_pi_behind_a_divisor_is_refused_with_both_its_readings(text, two_third
 
 
 @pytest.mark.parametrize("text", ["град", "grad", "Grad", "pi"])
-def test_what_is_degrees_to_some_and_gons_to_others_is_refused(text):
+def test_a_unit_that_may_be_degrees_or_gons_is_refused(text):
     with pytest.raises(UnitError) as caught:
         resolve(text)
     assert caught.value.hint
@@ -181,7 +181,7 @@ def test_what_is_degrees_to_some_and_gons_to_others_is_refused(text):
         ("18000cm-1", 18000, "cm-1"),
     ],
 )
-def test_a_quantity_is_cut_into_number_and_unit(text, value, unit):
+def test_a_quantity_is_split_into_number_and_unit(text, value, unit):
     assert split_quantity(text) == (value, unit)
 
 
@@ -194,7 +194,7 @@ def test_any_text_is_read_or_refused(text):
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=False))
-def test_every_float_is_read_back_as_it_is_written(value):
+def test_every_float_is_read_back_exactly(value):
     assert parse_number(repr(value)) == value
 
 
@@ -202,7 +202,7 @@ def test_every_float_is_read_back_as_it_is_written(value):
     "hostile",
     ["m" * 10_000_000, "(" * 10_000_000, "9" * 10_000_000, "m/" * 5_000_000, "\0" * 10_000_000],
 )
-def test_ten_megabytes_are_refused_without_reading_them(hostile):
+def test_ten_megabytes_are_refused_without_parsing_them(hostile):
     with at_most(100):
         with pytest.raises(UnitError):
             parse_unit(hostile)
@@ -218,5 +218,5 @@ def test_ten_megabytes_are_refused_without_reading_them(hostile):
         ("1/3", 1e-9), ("4pi", 1e-9), ("0", 1e-9), ("2*3", 1e-9), ("\u22122", 0.005 / 2),
     ],
 )  # fmt: skip
-def test_a_number_may_be_off_by_half_its_last_digit_of_at_least_three(text, half_a_digit):
+def test_the_rounding_of_a_number_is_half_its_last_digit_of_at_least_three(text, half_a_digit):
     assert rounding(text) == pytest.approx(half_a_digit, rel=1e-14)

@@ -1,4 +1,4 @@
-"""Units by their Czech and Russian names, in the cases that follow numbers."""
+"""Units by their Czech and Russian names, in the grammatical cases used after numbers."""
 
 import unicodedata
 from itertools import product
@@ -11,7 +11,7 @@ from radcalc.units.languages import LANGUAGES, in_english
 from radcalc.units.table import resolve
 from radcalc.units.unit import lookup
 
-# Typed by hand: as the languages write it, and the unit in symbols.
+# Typed by hand: the name in the language, and the unit in symbols.
 WRITTEN = [
     ("люкс", "lx"),
     ("Люкс", "lx"),
@@ -88,7 +88,7 @@ WRITTEN = [
 
 
 @for_each(WRITTEN)
-def test_a_name_is_the_unit_that_its_symbol_is(name, symbols):
+def test_a_name_is_read_as_the_unit_of_its_symbol(name, symbols):
     expected = resolve(symbols)
     for text in (name, unicodedata.normalize("NFD", name), f" {name} "):
         unit = resolve(text)
@@ -97,7 +97,7 @@ def test_a_name_is_the_unit_that_its_symbol_is(name, symbols):
         assert unit.text == text.strip()
 
 
-def test_no_form_is_another_unit_in_english_or_in_the_other_language():
+def test_no_form_means_another_unit_in_english_or_in_the_other_language():
     readings: dict[str, set[str]] = {}
     for prefixes, units in LANGUAGES:
         for (prefix, power), (form, name) in product([("", ""), *prefixes.items()], units.items()):
@@ -113,7 +113,7 @@ def test_no_form_is_another_unit_in_english_or_in_the_other_language():
 @pytest.mark.parametrize(
     "text",
     [
-        "люмен квадратный метр",  # which of the two is squared
+        "люмен квадратный метр",  # either of the two may be squared
         "metr čtvereční steradián",
         "килоlux",
         "мегафотон",
@@ -126,7 +126,7 @@ def test_no_form_is_another_unit_in_english_or_in_the_other_language():
         "стоп",
     ],
 )
-def test_what_is_no_unit_in_any_language_is_refused(text):
+def test_a_text_that_is_not_a_unit_in_any_language_is_refused(text):
     with pytest.raises(UnitError) as refused:
         resolve(text)
     assert refused.value.hint
@@ -139,13 +139,13 @@ def test_a_candle_has_several_values_in_every_language(text):
     assert "candela" in refused.value.hint
 
 
-def test_a_misspelt_name_has_near_ones():
+def test_a_misspelt_name_is_refused_with_similar_ones():
     with pytest.raises(UnitError, match="unknown unit 'люменн'") as refused:
         resolve("люменн")
     assert "люмен" in refused.value.hint
 
 
-def test_english_is_left_as_it_is():
+def test_english_is_unchanged():
     for text in ("lm/m2", "photon", "W m-2", "lumen per square metre", "zork"):
         assert (
             in_english(text) == "" or resolve(text).dimension == resolve(in_english(text)).dimension

@@ -20,7 +20,7 @@ LISTS = {
     "1:3:1": ["1", "2", "3"],
     "3m:1m:-1m": ["3m", "2m", "1m"],
 }
-# What may be one number, by the decimal commas and the groups of thousands of several languages.
+# Texts that may be one number, with a decimal comma or groups of thousands.
 NUMBERS = (
     "1,5",
     "1,000",
@@ -39,25 +39,25 @@ NUMBERS = (
 
 
 @pytest.mark.parametrize("text", LISTS)
-def test_a_list_is_cut_into_its_values(text):
+def test_a_list_is_split_into_its_values(text):
     assert read_series(text) == LISTS[text]
     assert read_values(text) == LISTS[text]
 
 
 @pytest.mark.parametrize("text", NUMBERS)
-def test_what_may_be_one_number_is_no_list(text):
+def test_a_text_that_may_be_one_number_is_not_a_list(text):
     assert read_series(text) == [text]
     assert read_values(f"{text} lx") == [f"{text} lx"]
 
 
-def test_what_is_both_is_said():
+def test_a_list_that_may_be_one_number_is_noted():
     assert note_of("100,200 lx") == ("100,200 is read as 2 values, not as 100200",)
     assert note_of("100,200lx") == note_of("100,200")
     for text in LISTS:
         assert bool(note_of(text)) == text.startswith("100")
 
 
-def test_a_unit_at_the_end_is_that_of_all_values():
+def test_a_unit_at_the_end_applies_to_all_values():
     assert read_values("1,2,5 lx") == ["1 lx", "2 lx", "5 lx"]
     assert read_values("1:3:1m") == ["1m", "2m", "3m"]
     assert read_values("1e3,2e3 W/m2") == ["1e3 W/m2", "2e3 W/m2"]
@@ -66,7 +66,7 @@ def test_a_unit_at_the_end_is_that_of_all_values():
         read_values("1lx,2,3")
 
 
-def test_a_unit_at_the_end_is_that_of_uncertain_values_too():
+def test_a_unit_at_the_end_applies_to_uncertain_values_too():
     assert read_values("100±3,200±6 lx") == ["100±3 lx", "200±6 lx"]
     assert read_values("100±3%, 200±6% lx") == ["100±3% lx", "200±6% lx"]
     assert read_values("100(3),200(6) lx") == ["100(3) lx", "200(6) lx"]
@@ -102,14 +102,14 @@ def test_a_comma_before_a_unit_leads_to_the_list():
         (["1in,2in", "in", "cm"], ["1in", "2in"], ["cm"]),
     ],
 )
-def test_the_words_of_a_conversion_are_cut_into_those_of_each(words, values, targets):
+def test_the_words_of_a_conversion_are_split_into_single_conversions(words, values, targets):
     calls = read_lists(words)
     assert [call[0] for call, *_ in calls] == values
     assert [call[-1] for call in calls[0]] == targets
     assert all(len(each) == len(targets) for each in calls)
 
 
-LIKE_LISTS = {  # words of a value with a comma, and the list that its hint has beside the number
+LIKE_LISTS = {  # words of a value with a comma, and the list offered in its hint
     ("10,20", "dBm", "mW"): "10dBm,20dBm",
     ("7000,9000 lm", "klm"): "7000lm,9000lm",
     ("1,5", "W", "m-2", "to", "W/m2"): "1W.m-2,5W.m-2",
@@ -118,7 +118,7 @@ LIKE_LISTS = {  # words of a value with a comma, and the list that its hint has 
 
 
 @pytest.mark.parametrize("words", LIKE_LISTS)
-def test_what_may_be_one_number_is_refused_with_the_list_that_it_may_be(words):
+def test_a_value_that_may_be_a_list_is_refused_with_that_list(words):
     with pytest.raises(RadcalcError, match="comma in its number") as caught:
         read_lists(list(words))
     listed = LIKE_LISTS[words]
@@ -126,7 +126,7 @@ def test_what_may_be_one_number_is_refused_with_the_list_that_it_may_be(words):
     assert len(read_values(listed)) == 2
 
 
-def test_no_list_is_made_of_groups_of_thousands():
+def test_groups_of_thousands_are_not_offered_as_a_list():
     with pytest.raises(RadcalcError) as caught:
         read_lists(["1,000", "lx", "fc"])
     assert caught.value.hint == "1000 lx or 1.000 lx"

@@ -26,7 +26,7 @@ def convert(number: float, source: str, target: str) -> float:
 
 @pytest.mark.parametrize("row", ROWS)
 @given(st.floats(-300.0, 300.0))
-def test_a_reading_and_what_it_stands_for_are_inverse(row, number):
+def test_reading_and_value_are_inverse(row, number):
     scale = ROWS[row]
     if not scale.steps:
         number = abs(number) + 1e-3
@@ -66,7 +66,7 @@ def gnu_units(have: str, want: str) -> float:
         ("bril", "bril", "cd/m2", "cd/m^2"),
     ],
 )
-def test_gnu_units_reads_a_scale_so_too(scale, function, unit, theirs, reading):
+def test_gnu_units_agrees_on_a_scale(scale, function, unit, theirs, reading):
     quantity = gnu_units(f"{function}({reading})", theirs)
     assert convert(reading, scale, unit) == pytest.approx(quantity, rel=1e-12)
     back = gnu_units(f"{quantity!r} {theirs}", function)
@@ -74,7 +74,7 @@ def test_gnu_units_reads_a_scale_so_too(scale, function, unit, theirs, reading):
 
 
 @pytest.mark.parametrize("kelvins", [1667.0, 2856.0, 6504.0])
-def test_a_mired_is_one_of_a_reciprocal_megakelvin(kelvins):
+def test_a_mired_is_a_reciprocal_megakelvin(kelvins):
     """ANSI/IES LS-1: 10^6/T with T in kelvins; GNU units 2.22 is off by 1e12."""
     assert convert(kelvins, "K", "mired") == pytest.approx(1e6 / kelvins, rel=1e-15)
     assert convert(kelvins, "K", "MK-1") == pytest.approx(1e6 / kelvins, rel=1e-15)
@@ -85,7 +85,7 @@ def test_a_mired_is_one_of_a_reciprocal_megakelvin(kelvins):
 @pytest.mark.parametrize(
     ("number", "source", "target", "printed", "off"),
     [
-        # GNU units, definitions file: the sun's visual magnitude, and the moon's surface
+        # GNU units, definitions file: the visual magnitude of the sun, and the surface of the moon
         (-26.74, "mag", "lx", 126134.45, 1e-7),
         (3.3679199, "mag/arcsec2", "cd/m2", 4858.6546, 1e-8),
         # Unihedron, "Convert visual mags/arcsecond2 to cd/m2", with 10.8e4 for the reference
@@ -109,19 +109,19 @@ def test_a_mired_is_one_of_a_reciprocal_megakelvin(kelvins):
         (100.0, "bril", "lambert", 1.0, 1e-15),
     ],
 )
-def test_printed_values_are_found(number, source, target, printed, off):
+def test_published_values_are_found(number, source, target, printed, off):
     assert convert(number, source, target) == pytest.approx(printed, rel=off)
 
 
 @for_each(spellings())
-def test_no_spelling_of_a_scale_is_a_unit(spelling):
+def test_a_spelling_of_a_scale_is_not_a_unit(spelling):
     assert isinstance(find(spelling), ScaleUnit)
     with pytest.raises(UnitError):
         resolve(spelling)
 
 
 @pytest.mark.parametrize("unit", ["dBm/m2", "W/dB", "mag/m2", "OD.m-1", "EV s", "2 dBm", "mired2"])
-def test_a_scale_is_no_part_of_a_unit(unit):
+def test_a_scale_is_not_part_of_a_unit(unit):
     assert find(unit) is None
     with pytest.raises(UnitError):
         resolve_any(unit)
@@ -131,7 +131,7 @@ def test_a_scale_is_no_part_of_a_unit(unit):
     "text",
     ["mag/arcsec^2", "mag arcsec-2", "mag/arcsec²", "mag·arcsec⁻²", "mpsas", "mag/arcsecond**2"],
 )
-def test_magnitudes_per_square_second_of_arc_are_spelled_as_units_are(text):
+def test_magnitudes_per_square_second_of_arc_have_the_spellings_of_units(text):
     assert read_amount(f"21.5 {text}").reading == 21.5
     with pytest.raises(RadcalcError):
         read_amount(f"2*21.5 {text}")
@@ -147,7 +147,7 @@ def test_other_spellings_are_understood(text, scale):
     assert find(text).scale == find(scale).scale
 
 
-def test_an_amount_on_a_scale_is_what_it_stands_for_and_says_so():
+def test_an_amount_on_a_scale_is_converted_with_a_remark():
     amount = read_amount("-30 dBm")
     assert (amount.number, amount.unit.text) == (1e-3, "mW")
     assert (amount.reading, amount.scale.text) == (-30.0, "dBm")
@@ -160,7 +160,7 @@ def test_an_amount_on_a_scale_is_what_it_stands_for_and_says_so():
      (0.0, "mired", "K"), (-100.0, "mired", "K"), (math.inf, "stops", "1"), (3.0, "dB", "OD"),
      (1e9, "bril", "cd/m2"), (1e4, "mag", "lx"), (0.0, "%", "OD")],
 )  # fmt: skip
-def test_what_has_no_reading_or_stands_for_nothing_is_refused(number, source, target):
+def test_a_value_without_a_reading_or_a_reading_without_a_value_is_refused(number, source, target):
     with pytest.raises(RadcalcError) as caught:
         convert(number, source, target)
     assert caught.value.hint
@@ -175,7 +175,7 @@ def test_the_manual_describes_every_scale(name):
 
 
 def test_the_table_of_units_has_the_names_of_scales():
-    """They stand there once more, as the table is below the scales: each to where it may be cut."""
+    """The table repeats them, up to `/` or `(`, because it must not import the scales."""
     assert set(SCALE_NAMES) == {re.split(r"[/(]", scale.name)[0] for scale in SCALES}
 
 

@@ -28,10 +28,10 @@ def possible(function, holds=lambda t: True):
         (possible(lambda t: 3 * t + 1), (-2, 4)),
         (possible(lambda t: 5.0), (5, 5)),
         (possible(lambda t: t * t), (0, 1)),
-        # a plateau with the noise of an integration is no pole
+        # a plateau with numerical noise of an integration is not a pole
         (possible(lambda t: max(t, 0) + 1e-9 * math.sin(1e9 * t)), (0, 1)),
         (possible(abs), (0, 1)),
-        (possible(lambda t: t**3 - 0.75 * t), (-0.25, 0.25)),  # at both ends and at -+1/2
+        (possible(lambda t: t**3 - 0.75 * t), (-0.25, 0.25)),  # at both ends and at ±1/2
         (possible(math.exp), (math.exp(-1), math.exp(1))),
         (possible(math.log, lambda t: t > 0), (-INFINITE, 0)),
         (possible(math.sqrt, lambda t: t >= 0), (0, 1)),
@@ -41,7 +41,7 @@ def possible(function, holds=lambda t: True):
         (possible(math.acos, lambda t: t <= 0.5), (math.pi / 3, math.pi)),
     ],
 )
-def test_a_number_reaches_from_its_least_to_its_greatest(at, ends):
+def test_the_range_of_a_number_is_found(at, ends):
     assert reach(at) == pytest.approx(ends, rel=1e-7, abs=2e-9)
 
 

@@ -17,7 +17,7 @@ from radcalc.units.unit import lookup
     ["kinch", "kkg", "klumens", "millift", "lms", "LX", "Lm", "kлм", "лmм", "mfoot", "dd", "xlm",
      "kh", "W²m", "photonn", "mkm"],
 )  # fmt: skip
-def test_what_nobody_wrote_down_is_unknown(spelling):
+def test_an_undefined_spelling_is_unknown(spelling):
     assert lookup(spelling) is None
     with pytest.raises(UnitError) as caught:
         resolve(spelling)
@@ -36,7 +36,7 @@ def test_what_nobody_wrote_down_is_unknown(spelling):
         ("stearadian", "steradian"),
     ],
 )
-def test_a_misspelt_unit_is_answered_with_the_nearest(spelling, suggestion):
+def test_a_misspelt_unit_is_refused_with_the_nearest(spelling, suggestion):
     with pytest.raises(UnitError) as caught:
         resolve(spelling)
     assert suggestion in caught.value.hint
@@ -55,7 +55,7 @@ def test_a_disputed_name_is_refused_and_its_choices_exist(name):
     "unit",
     ["cal", "Btu", "cp", "ph", "L", "mL", "td", "sp", "year", "pyron", "finsen"],
 )
-def test_a_unit_with_more_than_one_meaning_says_which_it_took(unit):
+def test_a_unit_with_several_meanings_notes_the_one_assumed(unit):
     assert resolve(unit).notes
 
 
@@ -81,7 +81,7 @@ def test_spellings_of_one_unit_agree(words):
         assert one.dimension == other.dimension
 
 
-def test_a_wavenumber_is_told_from_a_length():
+def test_a_wavenumber_is_distinguished_from_a_length():
     per_kayser = resolve("W/m2/cm-1")
     assert per_kayser.dimension == resolve("W/m2/kayser").dimension
     assert per_kayser.dimension != resolve("W/m").dimension
@@ -109,7 +109,7 @@ def test_a_volt_times_an_ampere_is_a_watt():
     assert (power.factor, power.dimension) == (watt.factor, watt.dimension)
 
 
-def test_an_ampere_is_no_angstrom():
+def test_an_ampere_is_not_an_angstrom():
     assert resolve("A").dimension != resolve("angstrom").dimension
     with pytest.raises(UnitError, match="not accepted"):
         resolve("a")

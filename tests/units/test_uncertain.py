@@ -25,7 +25,7 @@ from radcalc.units.reading import read_amount, read_operands
         "0.10002147(35) kg",
     ],
 )
-def test_the_ways_of_the_guide_name_the_same_mass(text):
+def test_the_notations_of_the_guide_give_the_same_mass(text):
     """JCGM 100:2008, 7.2.2: a standard of mass of 100.02147 g, and 0.35 mg."""
     amount = read_amount(text)
     assert amount.number * float(amount.unit.factor) == pytest.approx(0.10002147, rel=1e-15)
@@ -45,8 +45,8 @@ def test_the_ways_of_the_guide_name_the_same_mass(text):
         "1234(56)",
     ],
 )
-def test_bare_numbers_are_those_of_the_uncertainties_package(number):
-    """Its `ufloat_fromstr`, another reader of the same notation."""
+def test_bare_numbers_are_read_as_by_the_uncertainties_package(number):
+    """Compare with its `ufloat_fromstr`, which reads the same notation."""
     other = ufloat_fromstr(number)
     amount = read_amount(number)
     assert (amount.number, amount.unit) == (other.nominal_value, None)
@@ -63,7 +63,7 @@ def test_bare_numbers_are_those_of_the_uncertainties_package(number):
         ("80(2)%", 80, 2),
         ("100+-0 lx", 100, 0),
         ("4pi±0.1 sr", 4 * math.pi, 0.1),
-        ("100+-3 lx", 100, 3),  # and not 97
+        ("100+-3 lx", 100, 3),  # not 97
     ],
 )
 def test_percents_and_fractions(text, number, uncertainty):
@@ -90,7 +90,7 @@ def test_percents_and_fractions(text, number, uncertainty):
         ("100±3±1 lx", ""),
     ],
 )
-def test_what_has_two_readings_or_none_is_refused(text, said):
+def test_a_meaningless_or_ambiguous_value_is_refused(text, said):
     with pytest.raises(RadcalcError) as refused:
         read_amount(text)
     assert said in str(refused.value)
@@ -110,7 +110,7 @@ def test_what_has_two_readings_or_none_is_refused(text, said):
         "100(3) lx to fc",
     ],
 )
-def test_nothing_needs_quotes(words):
+def test_uncertain_values_need_no_quotes(words):
     amount, target = read_operands(words.split())
     assert (amount.number, amount.uncertainty, amount.unit.text) == (100, 3, "lx")
     assert target == "fc"
@@ -129,21 +129,21 @@ def test_nothing_needs_quotes(words):
         (("50±5%", "lx"), 50, 2.5, "lx", ""),
     ],
 )
-def test_a_ratio_behind_percents_is_the_target(words, number, uncertainty, unit, target):
+def test_a_ratio_after_percents_is_the_target(words, number, uncertainty, unit, target):
     amount, found = read_operands([*words])
     assert (amount.number, amount.uncertainty, amount.unit.text) == (number, uncertainty, unit)
     assert found == target
 
 
 @pytest.mark.parametrize("words", ["50±5 %/1", "50±5%/percent", "50±5%/dB", "50 ±5%/OD"])
-def test_a_percentage_or_a_part_before_a_ratio_is_refused(words):
+def test_a_percentage_or_a_fraction_before_a_ratio_is_refused(words):
     with pytest.raises(RadcalcError, match="ambiguous") as refused:
         read_operands(words.split("/"))
     assert refused.value.hint == "(50±5)%, or 50±2.5"
 
 
 @pytest.mark.parametrize("text", ["10±5% dBm", "10 dBm ± 5%", "0.30±5% OD"])
-def test_no_reading_on_a_scale_has_a_part_of_it_for_its_uncertainty(text):
+def test_the_uncertainty_of_a_reading_on_a_scale_is_not_relative(text):
     with pytest.raises(RadcalcError, match="a percentage of a reading"):
         read_amount(text)
 
@@ -156,7 +156,8 @@ def test_a_target_is_not_taken_for_the_unit_of_the_uncertainty():
 FOOT = 0.3048
 
 
-# By JCGM 100:2008, 5.1.2: of a product the parts, and of a sum the sizes, add as squares.
+# By JCGM 100:2008, 5.1.2: relative uncertainties of factors and absolute ones of terms add in
+# quadrature.
 @pytest.mark.parametrize(
     ("text", "number", "uncertainty"),
     [
@@ -185,7 +186,7 @@ def test_numbers_of_expressions_may_be_uncertain(text, number, uncertainty):
     assert amount.uncertainty == pytest.approx(uncertainty, rel=1e-6)
 
 
-# How a text may be meant: its last number with the ± in brackets, or each side for itself.
+# Interpretations of a text: the ± of its last number alone, or the ± of the whole.
 @pytest.mark.parametrize(
     ("text", "ways"),
     [
@@ -207,7 +208,7 @@ def test_numbers_of_expressions_may_be_uncertain(text, number, uncertainty):
         ("100±3*2±1 lx", {"each number with its ± in brackets: 2 * (100±3) lx": None}),
     ],
 )
-def test_beside_arithmetic_it_needs_brackets(text, ways):
+def test_an_uncertain_number_in_arithmetic_needs_brackets(text, ways):
     with pytest.raises(RadcalcError, match="without brackets") as refused:
         read_amount(text)
     assert refused.value.hint.split(" or ") == list(ways)
@@ -217,18 +218,18 @@ def test_beside_arithmetic_it_needs_brackets(text, ways):
             assert (amount.number, amount.uncertainty) == pytest.approx(size, rel=1e-6)
 
 
-def test_two_readings_keep_the_uncertainty():
+def test_both_interpretations_keep_the_uncertainty():
     with pytest.raises(RadcalcError, match="ambiguous") as refused:
         read_amount("1/(2.0±0.1) m")
     assert refused.value.hint == "(1/(2.0±0.1)) m or 1/((2.0±0.1) m)"
 
 
-def test_a_hostile_text_is_refused_soon():
+def test_a_hostile_text_is_refused_quickly():
     with pytest.raises(RadcalcError, match="without brackets"):
         read_amount("*".join(["1"] * 240) + "±1" + "*1" * 240)
 
 
-def test_each_number_of_an_expression_has_its_part():
+def test_each_number_of_an_expression_contributes_to_the_uncertainty():
     amount = read_amount("(100±3) lx - 20(1) lx")
     sizes = {part.text: part.size for part in amount.parts}
     assert sizes == pytest.approx({"100±3": 3, "20(1)": -1}, rel=1e-6)
@@ -250,12 +251,12 @@ def test_each_number_of_an_expression_has_its_part():
         "(1e150±1e149)*(1e150±1e149) lx",
     ],
 )
-def test_an_uncertainty_whose_square_is_no_number_is_refused(text):
+def test_an_uncertainty_whose_square_is_out_of_range_is_refused(text):
     with pytest.raises(RadcalcError, match="is out of range"):
         read_amount(text)
 
 
-# Where the number is less and more by its uncertainty; a flat one adds nothing to the first order.
+# Values at the number minus and plus its uncertainty; at an extremum, the first order is 0.
 @pytest.mark.parametrize(
     ("text", "size", "ends"),
     [
@@ -271,7 +272,7 @@ def test_an_uncertainty_whose_square_is_no_number_is_refused(text):
         ("1±2 mired", -2e6, (None, 1e6 / 3)),
     ],
 )
-def test_the_parts_of_an_amount_have_their_ends(text, size, ends):
+def test_each_contribution_to_an_amount_has_its_ends(text, size, ends):
     amount = read_amount(text)
     assert amount.is_uncertain
     (part,) = amount.parts
@@ -280,7 +281,7 @@ def test_the_parts_of_an_amount_have_their_ends(text, size, ends):
         assert end == other or end == pytest.approx(other, rel=1e-12)
 
 
-def test_a_slope_without_limit_is_refused():
+def test_an_infinite_slope_is_refused():
     with pytest.raises(RadcalcError, match="cannot be propagated through 'sqrt"):
         read_amount("sqrt(0±1)*1m")
 
