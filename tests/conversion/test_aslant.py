@@ -15,7 +15,7 @@ def to(value: str, unit: str, **conditions: str) -> float:
 
 
 @pytest.mark.parametrize("angle", [0, 30, 60, 89, 90, 120, -60])
-def test_a_plane_that_is_turned_away_gets_the_cosine(angle):
+def test_irradiance_on_a_tilted_plane_follows_the_cosine(angle):
     part = max(0.0, math.cos(math.radians(angle)))
     turned = {"incidence": f"{angle}deg"}
     close = {"rel": 1e-12, "abs": 1e-9}
@@ -31,13 +31,13 @@ def test_a_plane_that_is_turned_away_gets_the_cosine(angle):
     assert to("500 lx", "radlux", reflectance="0.8", **turned) == pytest.approx(400 * part, **close)
 
 
-def test_what_is_lit_from_behind_is_told():
+def test_light_from_behind_is_noted():
     assert any("from the side or behind" in note for note in explain(
         "9 lx", "lx", incidence="91deg").notes)  # fmt: skip
 
 
 @pytest.mark.parametrize("tilt", [0, 45, 80])
-def test_a_surface_that_is_seen_aslant_has_less_intensity(tilt):
+def test_the_intensity_of_an_oblique_surface_follows_the_cosine(tilt):
     part = math.cos(math.radians(tilt))
     seen = {"area": "30cm2", "tilt": f"{tilt}deg"}
     assert to("7 W/m2/sr", "W/sr", **seen) == pytest.approx(0.021 * part, rel=1e-12)
@@ -51,12 +51,12 @@ def test_a_surface_that_is_seen_aslant_has_less_intensity(tilt):
 
 @pytest.mark.parametrize("tilt", [0, 20, 60, 80, 100])
 @pytest.mark.parametrize("half", [5, 30, 75])
-def test_a_cone_aslant_is_the_sum_over_its_directions(half, tilt):
-    """Return the integral of the positive part of the cosine over the cone's directions."""
+def test_an_oblique_cone_is_the_sum_over_its_directions(half, tilt):
+    """Compare with the integral of the positive part of the cosine over the cone."""
     a, t = math.radians(half), math.radians(tilt)
 
     def ring(p):
-        """Over the azimuth, of max(0, cos p cos t + sin p sin t cos phi) sin p."""
+        """Integrate max(0, cos p cos t + sin p sin t cos phi) sin p over the azimuth phi."""
         c, s = math.cos(p) * math.cos(t), math.sin(p) * math.sin(t)
         if s == 0:
             return 2 * PI * max(0, c) * math.sin(p)
@@ -70,7 +70,7 @@ def test_a_cone_aslant_is_the_sum_over_its_directions(half, tilt):
         assert found == pytest.approx(1000 * expected, rel=1e-9, abs=1e-9)
 
 
-def test_a_small_solid_angle_aslant_is_a_cone_within_what_is_said():
+def test_a_small_oblique_solid_angle_is_a_cone_within_the_stated_error():
     half = math.radians(2)
     small = to("1000 cd/m2", "lx", solid_angle=f"{2 * PI * (1 - math.cos(half))!r}sr", tilt="60deg")
     cone = PI * math.sin(half) ** 2 / 2 * 1000
@@ -81,14 +81,14 @@ def test_a_small_solid_angle_aslant_is_a_cone_within_what_is_said():
 
 @pytest.mark.parametrize("angle", [0, 50, 75])
 @pytest.mark.parametrize(("radius", "distance"), [(0.01, 0.101), (0.5, 7)])
-def test_a_small_receiver_gets_its_solid_angle_within_what_is_said(angle, radius, distance):
-    """Return the flux of one candela over a disc: cos / r^2, summed over its points."""
+def test_the_flux_on_a_small_receiver_is_within_the_stated_error(angle, radius, distance):
+    """Compare with the flux of one candela on a disc: cos / r^2, summed over its points."""
     t, total = math.radians(angle), 0.0
     for k in range(200):
         rho = radius * math.sqrt((k + 0.5) / 200)
         for m in range(200):
             u, v = rho * math.cos(2 * PI * m / 200), rho * math.sin(2 * PI * m / 200)
-            # across the disc u runs in the plane of the tilt
+            # on the disc, u is in the plane of the tilt
             square = (distance + u * math.sin(t)) ** 2 + (u * math.cos(t)) ** 2 + v * v
             total += distance * math.cos(t) / square**1.5
     expected = total / 200**2 * PI * radius**2
@@ -100,7 +100,7 @@ def test_a_small_receiver_gets_its_solid_angle_within_what_is_said(angle, radius
     assert to("1 lm", "cd", **place) == pytest.approx(1 / to("1 cd", "lm", **place), rel=1e-12)
 
 
-def test_siblings_of_a_small_receiver():
+def test_all_quantities_at_a_small_receiver():
     """1 W/sr into 20 mm2 at 1 m: 20 uW; and lumens, photons and joules."""
     place = {"area": "20mm2", "distance": "1m"}
     assert to("1 W/sr", "uW", **place) == pytest.approx(20, rel=1e-12)

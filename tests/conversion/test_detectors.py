@@ -26,7 +26,7 @@ def test_a_current_is_the_responsivity_times_the_radiant_flux(
     assert found.magnitude == pytest.approx(expected, rel=1e-12)
 
 
-def test_a_current_goes_through_the_other_conditions_as_its_watts_do():
+def test_a_current_converts_under_other_conditions_as_its_watts_do():
     conditions = {"wavelength": "555nm", "area": "1cm2"}
     watts = radcalc.convert("100lx", "W", **conditions).magnitude
     amperes = radcalc.convert("100lx", "A", responsivity="0.4A/W", **conditions).magnitude
@@ -38,7 +38,7 @@ def test_a_current_goes_through_the_other_conditions_as_its_watts_do():
 
 
 @pytest.mark.parametrize(("responsivity", "is_told"), [("4A/W", True), ("0.4A/W", False)])
-def test_more_than_one_electron_for_a_photon_is_told(responsivity, is_told):
+def test_more_than_one_electron_per_photon_is_noted(responsivity, is_told):
     # of 500 nm, h c / lambda = 1239.842 eV nm / 500 nm = 2.479684 eV: 4 A/W are 9.91874 electrons
     for call in ("1 lm mA", "1 mA lm"):
         words = (*call.split(), "--responsivity", responsivity, "--wavelength", "500nm")
@@ -60,7 +60,7 @@ def test_more_than_one_electron_for_a_photon_is_told(responsivity, is_told):
         ("5 W/m2 V/m --electric-field mean", "peak"),
     ],
 )
-def test_what_is_missing_or_idle_is_refused(words, said):
+def test_a_missing_or_unused_condition_is_refused(words, said):
     done = run("convert", *words.split())
     assert (done.returncode, done.stdout) == (2, "")
     assert said in done.stderr
@@ -78,12 +78,14 @@ def test_what_is_missing_or_idle_is_refused(words, said):
         ("2W/m2", "V/m", "peak", (4 / (8.8541878188e-12 * 299792458)) ** 0.5, 1e-10),
     ],
 )
-def test_a_field_goes_with_the_irradiance_of_a_plane_wave(source, target, kind, expected, digits):
+def test_a_field_corresponds_to_the_irradiance_of_a_plane_wave(
+    source, target, kind, expected, digits
+):
     found = radcalc.convert(source, target, electric_field=kind)
     assert found.magnitude == pytest.approx(expected, rel=digits)
 
 
-def test_fields_of_arrays_and_streams_are_those_of_single_values():
+def test_fields_of_arrays_and_streams_equal_those_of_single_values():
     found = radcalc.convert(Q(np.array([0.0, 1.0, 3.0]), "V/m"), "W/m2", electric_field="rms")
     assert found.magnitude == pytest.approx(np.array([0, 1, 9]) / 376.730313412, rel=1e-12)
     words = ("convert", "-", "W/m2", "V/m", "--electric-field", "peak")
@@ -91,6 +93,6 @@ def test_fields_of_arrays_and_streams_are_those_of_single_values():
     assert done.stdout.split() == ["0", "1019.69390751"]
 
 
-def test_the_slope_of_a_field_carries_its_uncertainty():
+def test_the_uncertainty_of_a_field_follows_its_slope():
     done = run("convert", "100+-1 V/m", "W/m2", "--electric-field", "rms")
-    assert done.stdout.startswith("26.54 ± 0.53\t")  # 2 u(E) / E of 100^2 / 376.73
+    assert done.stdout.startswith("26.54 ± 0.53\t")  # 2 u(E) / E times 100^2 / 376.73

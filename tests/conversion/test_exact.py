@@ -1,4 +1,4 @@
-"""Units of one quantity: the ratio of any two is exact, rounded once."""
+"""Units of one quantity: ratios are exact and rounded once."""
 
 import math
 from fractions import Fraction
@@ -137,14 +137,14 @@ def test_every_unit_has_a_value_from_its_definition():
 
 
 @for_each(EXACT)
-def test_a_unit_is_worth_its_definition(source, target, value):
+def test_a_unit_has_the_value_of_its_definition(source, target, value):
     assert plan(resolve(source), resolve(target)).factor == pytest.approx(float(value), rel=1e-15)
 
 
 def _by_quantity() -> list[list[str]]:
     groups: dict[tuple[int, ...], list[str]] = {}
     for name, (_, _, dimension, _) in compiled.UNITS.items():
-        # what leaves a surface is what arrives times a reflectance
+        # exitance is irradiance times a reflectance
         leaves = name.startswith("rad") and dimension == resolve("lx").dimension
         groups.setdefault((*dimension, leaves), []).append(name)
     return list(groups.values())
@@ -166,7 +166,7 @@ PAIRS = [(a, b) for names in _by_quantity() for a in names for b in names]
 
 
 @given(st.sampled_from(PAIRS), st.floats(min_value=1e-30, max_value=1e30))
-def test_there_and_back_is_where_one_was(pair, value):
+def test_a_conversion_there_and_back_returns_the_value(pair, value):
     there = plan(resolve(pair[0]), resolve(pair[1]))
     back = plan(resolve(pair[1]), resolve(pair[0]))
     assert back.apply(there.apply(value)) == pytest.approx(value, rel=1e-15)
@@ -185,7 +185,7 @@ def test_a_result_beyond_a_float_is_refused(value):
 
 
 @pytest.mark.parametrize(("source", "target"), [("lx", "fc"), ("mW", "dBm")])
-def test_what_is_no_number_is_refused_as_none(source, target):
+def test_nan_is_refused_as_not_a_number(source, target):
     with pytest.raises(ConversionError, match="not a number"):
         plan(resolve(source), resolve_any(target)).apply(math.nan)
 

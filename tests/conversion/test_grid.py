@@ -1,4 +1,4 @@
-"""One unit for each quantity of the grid: conversions between them need a condition."""
+"""Quantities of the grid, one unit for each: conversions between them need a condition."""
 
 import pytest
 from helpers import for_each, shell

@@ -11,7 +11,7 @@ from radcalc.errors import ConditionError
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 
-# Units of each geometry and kind, a spectral density, and the conditions that lead on from them.
+# Units of each geometry and kind, with a spectral density; conversions and their conditions.
 LIGHT = ("lm", "W", "umol/s", "lx.s", "cd", "W/m2", "nit", "td", "W/m2/nm", "photon/s/m2/sr")
 OTHERS = ("deg", "m", "K", "lm/W", "sr", "1")
 LEADING = [
@@ -32,17 +32,15 @@ def test_a_difference_of_light_keeps_its_quantity_and_is_noted(unit):
 
 
 @pytest.mark.parametrize("unit", OTHERS)
-def test_what_is_no_light_may_be_below_0(unit):
+def test_quantities_other_than_light_may_be_below_0(unit):
     assert not answer(plan(resolve(unit), resolve(unit)), -2.0).notes
 
 
 @pytest.mark.parametrize(("source", "target", "conditions"), LEADING)
-# What is smaller is refused because a number cannot hold it, in another unit.
+# Smaller values are refused as out of range in another unit.
 @given(value=st.just(0.0) | st.floats(-1e30, -1e-200) | st.floats(1e-200, 1e30))
 @settings(max_examples=10)
-def test_no_condition_leads_from_a_negative_light_to_another_quantity(
-    source, target, conditions, value
-):
+def test_a_negative_light_does_not_convert_to_another_quantity(source, target, conditions, value):
     made = plan(resolve(source), resolve(target), [read(n, v) for n, v in conditions.items()])
     if value >= 0:
         assert made.apply(value) >= 0

@@ -9,7 +9,7 @@ from radcalc.conversion.plan import answer, plan
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 
-# value, source, target, conditions, result, relative tolerance, where the result comes from
+# value, source, target, conditions, result, relative tolerance, source of the result
 WORKED = [
     (800, "lm", "cd", {"isotropic": True}, 800 / (4 * math.pi), 1e-15, "Phi = 4 pi I"),
     (800, "lm", "cd", {"hemisphere": True}, 800 / (2 * math.pi), 1e-15, "Phi = 2 pi I"),
@@ -95,7 +95,7 @@ def test_zero_lumens_are_an_answer_with_a_note():
     assert "300nm is invisible" in made.notes[0]
 
 
-def test_every_answer_says_what_it_assumed():
+def test_every_answer_states_its_assumptions():
     for _, source, target, conditions, *_ in WORKED:
         given_ = [read(name, text) for name, text in conditions.items()]
         assert plan(resolve(source), resolve(target), given_).assumptions, (source, target)
@@ -110,8 +110,8 @@ def test_steps_end_in_the_result():
     assert result.steps[-1].numbers == "800 lm / 3.14159 sr = 254.648 cd"
 
 
-def test_the_dimension_of_every_factor_is_what_pint_says():
-    """Omega0, 1 cycle and 1 photon written out: what a plan multiplies by, Pint multiplies out."""
+def test_the_dimension_of_every_factor_agrees_with_pint():
+    """The factors of a plan, with Omega0, 1 cycle and 1 photon, are multiplied by Pint."""
     from radcalc.quantities.light import coherent_unit
     from radcalc.units.registry import light_registry
 
@@ -140,7 +140,7 @@ def test_the_lobe_of_a_narrow_beam_keeps_its_digits(degrees):
     assert got == pytest.approx(float(expected), rel=1e-12)
 
 
-def test_a_disc_below_the_horizon_gives_nothing_and_says_so():
+def test_a_disc_below_the_horizon_gives_0_with_a_note():
     conditions = {"radius": "1m", "distance": "1m", "incidence": "136deg"}
     made = plan(resolve("nit"), resolve("lx"), [read(k, v) for k, v in conditions.items()])
     assert made.apply(1.0) == 0

@@ -1,4 +1,4 @@
-"""Several answers under common conditions: each equals the single answer with those it uses."""
+"""Several answers under common conditions: each equals a single one with those it uses."""
 
 import json
 from itertools import permutations
@@ -29,7 +29,7 @@ def results(one):
     return [row for found in each for row in (found if isinstance(found, list) else [found])]
 
 
-# what is converted, the targets with the conditions that each needs
+# value, targets with the conditions that each needs
 CALLS = {
     "100 lx": {
         "fc": "",
@@ -54,7 +54,7 @@ CALLS = {
 
 
 @pytest.mark.parametrize("value", CALLS)
-def test_each_target_has_the_answer_that_it_has_alone(value):
+def test_each_target_has_the_answer_of_a_single_call(value):
     needs = CALLS[value]
     for targets in permutations(needs, 2):
         given = {text.strip() for one in targets for text in needs[one].split("--")} - {""}
@@ -63,24 +63,24 @@ def test_each_target_has_the_answer_that_it_has_alone(value):
         assert values(f"{value} {','.join(targets)} {conditions}") == alone
 
 
-def test_what_is_left_of_idle_conditions_finds_its_use():
+def test_each_target_uses_the_conditions_that_apply_to_it():
     # 1000 W/m2 * cos(60 deg) * 2 m2 on the surface; 1000 W/m2 * (1 m)^2 / cos(60 deg) from a point
     turned = cos(radians(60))
     words = "1000 W/m2 W,W/sr --area 2m2 --distance 1m --incidence 60deg"
     assert values(words) == pytest.approx([1000 * turned * 2, 1000 / turned], rel=1e-14)
 
 
-def test_each_answer_tells_what_it_assumed():
+def test_each_answer_states_its_own_assumptions():
     plain, linked = answers("100lx,5W/m2 fc --spectrum D65")
     assert not plain["assumptions"]
     assert "spectrum D65" in linked["assumptions"][0]
 
 
-def test_an_uncertain_condition_is_of_those_that_use_it():
+def test_an_uncertain_condition_affects_only_answers_that_use_it():
     one = answers("100 lx fc,cd/m2 --reflectance 0.80+-0.08")[0]
     plain, reflected = results(one)
     assert "uncertainty" not in plain
-    assert reflected["uncertainty"] == pytest.approx(100 * 0.08 / pi, rel=1e-9)  # a slope
+    assert reflected["uncertainty"] == pytest.approx(100 * 0.08 / pi, rel=1e-9)  # by the slope
     certain = answers("100lx,5cd/m2 fc --reflectance 0.80+-0.08")[0]
     assert not certain["assumptions"]
 
@@ -95,7 +95,7 @@ def test_an_uncertain_condition_is_of_those_that_use_it():
         ("100 lx fc,kg --area 2m2", "they are different quantities"),
     ],
 )
-def test_what_no_answer_uses_is_refused(words, message):
+def test_a_condition_that_no_answer_uses_is_refused(words, message):
     told = run(*words.split())
     assert told.returncode == 2
     assert message in told.stderr

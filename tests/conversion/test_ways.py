@@ -1,7 +1,7 @@
-"""The table of ways between geometries, against a search for every way there could be.
+"""The table of ways between geometries, compared with a search for all possible ways.
 
-A way multiplies by some conditions and divides by others.  What each of them does to the powers
-of 1/area and 1/solid angle is known, so that every set of exponents can be tried.
+A way multiplies by some conditions and divides by others.  The change of the powers of 1/area
+and 1/solid angle by each condition is known, so all sets of exponents can be tried.
 """
 
 from itertools import permutations, product
@@ -14,17 +14,17 @@ from radcalc.conversion.ways import DISC, FLUX, INTENSITY, IRRADIANCE, RADIANCE,
 
 Geometry = tuple[int, int]
 GEOMETRIES = (FLUX, INTENSITY, IRRADIANCE, RADIANCE)
-# What multiplying by each condition does to the powers of 1/area and 1/solid angle.
+# Change of the powers of 1/area and 1/solid angle when multiplied by each condition.
 DOES = {AREA: (-1, 0), CONE: (0, -1), DISTANCE: (1, -1), REFLECTANCE: (0, 1)}
 SEEN_DISC = (0, -1)  # a disc seen from its axis is a solid angle
-# The conditions that somebody who gave none thinks of first.
+# The most obvious conditions, for a call without any.
 PLAIN = ({CONE}, {REFLECTANCE}, {AREA}, {DISTANCE}, {AREA, REFLECTANCE}, {DISTANCE, REFLECTANCE})
 
 
 def searched(start: Geometry, end: Geometry) -> list[dict[str, int]]:
     """Return every plausible set of exponents that leads from one geometry to another."""
     wanted = (end[0] - start[0], end[1] - start[1])
-    # a reflector turns irradiance into radiance, whatever else has that dimension
+    # only a reflector turns irradiance into radiance, although other conditions have the dimension
     reflects = (end == RADIANCE) - (start == RADIANCE)
     found = []
     for exponents in product((0, 1, -1), repeat=len(DOES)):
@@ -37,11 +37,11 @@ def searched(start: Geometry, end: Geometry) -> list[dict[str, int]]:
 
 
 def is_physical(slots: set[str], ends: set[Geometry]) -> bool:
-    """Whether the conditions mean together what their dimensions say.
+    """Return whether the conditions together have the meaning of their dimensions.
 
-    An area and a distance are a far field: of a source between radiance and irradiance, of a
-    receiver between intensity and flux, and nothing else.  A cone and a distance are a lamp's:
-    between radiance and intensity the one would be exact and the other a far field.
+    An area and a distance describe a far field only: of a source between radiance and irradiance,
+    of a receiver between intensity and flux.  A cone and a distance describe a lamp: with a
+    radiance, the cone would be exact but the distance a far field.
     """
     radiance = RADIANCE in ends
     if {AREA, DISTANCE} <= slots:
@@ -50,7 +50,7 @@ def is_physical(slots: set[str], ends: set[Geometry]) -> bool:
 
 
 @pytest.mark.parametrize(("start", "end"), list(permutations(GEOMETRIES, 2)))
-def test_the_table_has_exactly_the_ways_that_a_search_finds(start, end):
+def test_the_table_has_exactly_the_ways_found_by_the_search(start, end):
     rows, sign = ways_between(start, end)
     signed = [{slot: sign * power for slot, power in row.powers.items()} for row in rows]
     assert signed == searched(start, end)
@@ -70,7 +70,7 @@ def test_a_disc_leads_from_irradiance_to_radiance():
 
 
 @pytest.mark.parametrize("pair", WAYS)
-def test_a_cone_is_projected_beside_a_radiance_unless_a_reflector_makes_it(pair):
+def test_a_cone_is_projected_with_a_radiance_that_is_not_reflected(pair):
     for row in WAYS[pair]:
         slots = set(row.powers)
         projected = RADIANCE in pair and REFLECTANCE not in slots
@@ -85,7 +85,7 @@ def test_a_cone_is_projected_beside_a_radiance_unless_a_reflector_makes_it(pair)
 
 
 @pytest.mark.parametrize("pair", WAYS)
-def test_the_ways_that_people_think_of_are_suggested(pair):
+def test_obvious_ways_are_suggested(pair):
     both = {AREA, CONE} if RADIANCE in pair else {CONE, DISTANCE}
     far = {AREA, DISTANCE} if RADIANCE in pair or pair == (FLUX, INTENSITY) else both
     for row in WAYS[pair]:

@@ -1,4 +1,4 @@
-"""Results of `radcalc units`: by names of quantities in three languages, names of units, units."""
+"""Searches of `radcalc units`: by quantity in three languages, by unit's name, by unit."""
 
 import pytest
 from helpers import for_each
@@ -17,7 +17,7 @@ def found(text: str) -> list[str]:
     return [entry.name for entry in search(text)]
 
 
-# Typed by hand: what to search for, and units that must and must not be there.
+# Typed by hand: a search, a unit that must be found, and one that must not.
 FINDS = [
     ("ppfd", "umol/m2/s", "lux"),
     ("PPFD", "umol/m2/s", "lux"),
@@ -62,19 +62,19 @@ def test_a_search_finds_the_units_of_a_quantity_or_of_that_name(text, there, not
 @pytest.mark.parametrize(
     ("text", "said"), [("ppfd", "400 nm"), ("intensity", "physics"), ("osvětlení", "illuminance")]
 )
-def test_a_misnomer_is_explained_as_for_quantities(text, said):
+def test_a_misnomer_has_the_notes_of_the_quantities(text, said):
     notes = {entry.note for entry in search(text)} - {""}
     assert any(said in note for note in notes)
     assert {f.note for f in search_quantities(text) if f.note} <= notes
 
 
-def test_a_watt_per_metre_is_of_a_strip_and_of_a_spectrum():
+def test_a_watt_per_metre_is_per_length_or_per_wavelength():
     quantities = {entry.quantity for entry in search("W/m")}
     assert quantities == {"radiant flux per length", "spectral radiant flux (per wavelength)"}
     assert {"W/m", "W/nm"} <= set(found("W/m"))
 
 
-def test_without_a_search_every_named_unit_is_there():
+def test_without_a_search_every_named_unit_is_listed():
     assert found("") == [*UNITS, *(scale.name for scale in SCALES)]
 
 
@@ -88,13 +88,15 @@ def test_every_name_of_a_quantity_has_units_of_its_dimension(name):
 
 def test_a_product_is_defined_by_the_names_of_its_units():
     assert product("umol/m2/s", "").definition == "micromole / metre**2 / second"
-    assert product("cm-1", "").definition == "cycle / centimetre"  # as the kayser has it
+    assert (
+        product("cm-1", "").definition == "cycle / centimetre"
+    )  # as in the definition of the kayser
 
 
 @pytest.mark.parametrize(
     ("text", "near"), [("luminence", "luminance"), ("osvetlenst", "osvětlenost")]
 )
-def test_what_nothing_is_called_has_near_names(text, near):
+def test_an_unknown_name_has_similar_ones(text, near):
     with pytest.raises(UnitError, match="unknown unit or quantity") as refused:
         search(text)
     assert near in refused.value.hint

@@ -1,4 +1,4 @@
-"""The language of names, and the quantities with names in it."""
+"""The language of names, and quantities with their names in it."""
 
 import pytest
 from helpers import for_each
@@ -32,7 +32,7 @@ from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS
         ({"LANG": "C", "LC_CTYPE": "cs_CZ.UTF-8"}, "en"),
     ],
 )
-def test_the_language_is_that_of_the_locales_messages(variables, expected, monkeypatch):
+def test_the_language_follows_the_locale_of_messages(variables, expected, monkeypatch):
     for name in ("LC_ALL", "LC_MESSAGES", "LC_CTYPE", "LANG"):
         monkeypatch.delenv(name, raising=False)
     for name, value in variables.items():
@@ -65,11 +65,11 @@ def test_the_language_is_that_of_the_locales_messages(variables, expected, monke
         ("", "", ""),
     ],
 )
-def test_a_label_is_translated_where_there_is_a_name(label, cs, ru):
+def test_a_label_is_translated_if_there_is_a_name(label, cs, ru):
     assert [translate(label, one) for one in LANGUAGES] == [label, cs, ru]
 
 
-# Letters, and quantities that have no settled name.
+# Letters, and quantities without an established name.
 IN_ENGLISH = {"x", "y", "z", "photon exitance", "photon exposure"}
 SHOWN = sorted(
     {
@@ -81,7 +81,7 @@ SHOWN = sorted(
 
 
 @for_each(SHOWN)
-def test_what_is_shown_has_a_name_in_every_language(label):
+def test_every_label_shown_has_a_name_in_every_language(label):
     assert (translate(label, "ru") == label) == (label in IN_ENGLISH)
 
 

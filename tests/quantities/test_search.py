@@ -1,4 +1,4 @@
-"""The names of the quantities, and searches for them."""
+"""Names of quantities, and searches for them."""
 
 import unicodedata
 
@@ -36,7 +36,7 @@ GRID = [
     ("E_p", "photon irradiance", "fotonová ozářenost", "облучённость фотонов"),
     ("L_p", "photon radiance", "fotonová zář", "яркость фотонов"),
     ("Ω", "solid angle", "prostorový úhel", "телесный угол"),
-    # names beside the first ones
+    # names other than the first ones
     ("E_e", "irradiance", "iradiance", "энергетическая освещённость"),
     ("M_e", "radiant exitance", "radiozita", "энергетическая светимость"),
     ("M_e", "radiant exitance", "intenzita vyzáření", "энергетическая светимость"),
@@ -79,7 +79,7 @@ def test_every_quantity_is_found_by_each_of_its_names(symbol, language, name):
             assert symbol in symbols(text), text
 
 
-def test_no_name_stands_for_two_quantities():
+def test_no_name_is_shared_by_two_quantities():
     for one in LANGUAGES:
         names = [bare(name.casefold()) for _, known, name in NAMES if known == one]
         assert len(names) == len(set(names))
@@ -98,10 +98,10 @@ def test_a_quantity_is_found_by_its_symbol_and_its_unit(quantity):
 
 
 @for_each(QUANTITIES)
-def test_names_and_symbols_are_those_of_the_units(quantity):
+def test_names_and_symbols_agree_with_those_of_the_units(quantity):
     unit = resolve(quantity.unit)
     if quantity.symbol[0] in "MηV" or quantity.symbol == "Ω_p":
-        return  # they share the dimension of another quantity
+        return  # these share the dimension of another quantity
     axis = " (per wavelength)" if "λ" in quantity.symbol else ""
     assert name_of(unit) == quantity.name("en") + axis
     assert symbol_of(unit) == quantity.symbol
@@ -185,7 +185,7 @@ def test_a_search_finds_these(text, expected):
         ("spektrální světelná účinnost", "K", "lm/W"),
     ],
 )
-def test_a_misnomer_is_answered_with_the_right_term_and_a_note(text, right, said):
+def test_a_misnomer_finds_the_right_term_with_a_note(text, right, said):
     notes = {found.quantity.symbol: found.note for found in search(text)}
     assert said in notes[right]
 
@@ -200,7 +200,7 @@ def test_the_right_use_of_a_misnomer_comes_first():
 @pytest.mark.parametrize(
     ("text", "meant", "part"), [("výkon", "Φ_e", "η_v"), ("плотность потока", "E_e", "Φ_e,λ")]
 )
-def test_what_is_meant_comes_before_a_ratio_or_a_density_that_has_the_word(text, meant, part):
+def test_a_quantity_comes_before_a_ratio_or_a_density_with_the_same_word(text, meant, part):
     assert symbols(text)[0] == meant
     assert symbols(text)[-1] == part
 

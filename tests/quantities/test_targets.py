@@ -1,4 +1,4 @@
-"""The unit of a conversion to a quantity by its name."""
+"""Units of conversions whose target is the name of a quantity."""
 
 import unicodedata
 
@@ -13,7 +13,7 @@ from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.targets import names_starting
 from radcalc.units.table import resolve, unit_of
 
-# The SI's units by the SI Brochure, tables 2 to 6; umol/m2/s as horticulture has it (ASABE S640).
+# SI units from the SI Brochure, tables 2 to 6; umol/m2/s as in horticulture (ASABE S640).
 USUAL = [
     ("illuminance", "lx"),
     ("Illuminance", "lx"),
@@ -73,7 +73,7 @@ def test_a_name_stands_for_the_usual_unit(name, unit):
         ("irradiance", "cd", "lx"),
         ("irradiance", "mW", "W/m2"),
         ("irradiance", "mW/cm2", "W/m2"),
-        ("irradiance", "lx", "W/m2"),  # illuminance it is already
+        ("irradiance", "lx", "W/m2"),  # already an illuminance
         ("radiance", "nit", "W/m2/sr"),
         ("radiance", "lx", "cd/m2"),
         ("exposure", "lm", "lx s"),
@@ -86,7 +86,7 @@ def test_the_source_decides_the_kind_of_a_generic_name(name, source, unit):
 
 
 @pytest.mark.parametrize("text", ["lux", "candela", "photon", "quantum", "E", "L", "nit", "degree"])
-def test_a_units_own_name_wins(text):
+def test_the_name_of_a_unit_comes_first(text):
     assert target_of(text).text == text
 
 
@@ -116,14 +116,14 @@ def test_a_misnomer_has_its_note():
 @pytest.mark.parametrize(
     ("text", "near"), [("iluminance", "illuminance"), ("ozarenst", "ozářenost"), ("lumen flux", "")]
 )
-def test_an_unknown_name_has_near_ones(text, near):
+def test_an_unknown_name_is_refused_with_similar_ones(text, near):
     with pytest.raises(UnitError, match="unknown unit") as refused:
         target_of(text)
     assert near in refused.value.hint
 
 
 @pytest.mark.parametrize("text", ["projected solid angle", "luminous efficiency", "měrný výkon"])
-def test_a_quantity_that_no_unit_tells_from_another_is_no_target(text):
+def test_a_quantity_without_a_distinct_unit_is_not_a_target(text):
     with pytest.raises(UnitError, match="has no unit that distinguishes"):
         target_of(text)
 
@@ -137,13 +137,13 @@ def test_a_quantity_that_no_unit_tells_from_another_is_no_target(text):
         ("ppfd", {"spectrum": "D65", "photon_range": "300nm:800nm"}),
     ],
 )
-def test_ppfd_is_of_no_photons_beyond_400_and_700_nm(name, conditions):
+def test_ppfd_is_refused_for_photons_outside_400_to_700_nm(name, conditions):
     with pytest.raises(radcalc.errors.RadcalcError, match="400 nm to 700 nm only"):
         radcalc.convert("1 W/m2", name, **conditions)
     assert radcalc.convert("1 W/m2", "photon irradiance", **conditions).magnitude > 0
 
 
-def test_ppfd_of_a_wavelength_within_is_its_photons():
+def test_ppfd_of_a_wavelength_in_range_counts_its_photons():
     # E lambda / (h c N_A) = 1 * 600e-9 / (6.62607015e-34 * 299792458 * 6.02214076e23) mol/m2/s
     expected = 600e-9 / (6.62607015e-34 * 299792458 * 6.02214076e23) * 1e6
     found = radcalc.convert("1 W/m2", "ppfd", wavelength="600nm")
@@ -152,7 +152,7 @@ def test_ppfd_of_a_wavelength_within_is_its_photons():
     assert same == radcalc.convert("1 W/m2", "ppfd", spectrum="D65")
 
 
-def test_what_leaves_a_surface_is_not_what_arrives():
+def test_exitance_is_not_irradiance():
     # Half of 100 lm/m2 leaves a surface of reflectance 0.5; 1 W at 555 nm is 683 lm (SI, Kcd)
     assert name_of(target_of("radiant exitance")) == "radiant exitance"
     assert name_of(target_of("luminous exitance")) == "luminous exitance"

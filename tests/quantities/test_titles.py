@@ -1,4 +1,4 @@
-"""Common titles of columns, with their names and units."""
+"""Titles of columns: their names and units."""
 
 import re
 
@@ -12,7 +12,7 @@ from radcalc.errors import UnitError, UsageError
 from radcalc.quantities.column_titles import find, is_same, read_title, refuse_altered, unit_in
 from radcalc.units.scales import resolve_any
 
-# The title, the unit of the numbers or none, the name in it, its unit, and with fc in its place.
+# The title, the unit of the numbers or None, the name and the unit in it, and the title with fc.
 TITLES = {
     "square brackets": ("E [lx]", "lx", "E", "lx", "E [fc]"),
     "round ones": ("E (Lux)", "lx", "E", "Lux", "E (fc)"),
@@ -29,7 +29,7 @@ TITLES = {
     "a symbol before it in brackets": ("light (Ev, lx)", "lx", "light", "lx", "light (Ev, fc)"),
     "the unit alone": ("lux", "lx", "", "lux", "fc"),
     "the unit first": ("Lux desk", "lx", "desk", "Lux", "fc desk"),
-    "a number behind it": ("lux_1", "lx", "1", "lux", "fc_1"),
+    "a number after it": ("lux_1", "lx", "1", "lux", "fc_1"),
     "two brackets": ("E [lx] (north)", "lx", "E (north)", "lx", "E [fc] (north)"),
     "two brackets, the unit last": ("E (north) [lx]", "lx", "E (north)", "lx", "E (north) [fc]"),
     "brackets in a unit": ("PPFD umol/(m2 s)", "umol/m2/s", "PPFD", "umol/(m2 s)", "PPFD fc"),
@@ -43,7 +43,7 @@ TITLES = {
     "another quantity of light": ("mW", "lx", "", "mW", "fc"),
     "none typed": ("E [lx]", None, "E", "lx", "E [fc]"),
     "none typed, an underscore": ("E_lx", None, "E", "lx", "E_fc"),
-    "none typed, and E is no einstein": ("E lx", None, "E", "lx", "E fc"),
+    "none typed, and E is not an einstein": ("E lx", None, "E", "lx", "E fc"),
     "a symbol": ("E", "lx", "E", None, "E"),
     "a symbol with a subscript": ("E_v", "lx", "E_v", None, "E_v"),
     "a subscript that is a phot": ("E_ph", "umol/m2/s", "E_ph", None, "E_ph"),
@@ -61,7 +61,7 @@ TITLES = {
 
 
 @for_each(TITLES.values())
-def test_a_title_is_a_name_and_a_unit(text, like, name, unit, changed):
+def test_a_title_is_split_into_a_name_and_a_unit(text, like, name, unit, changed):
     title = read_title(text, resolve_any(like) if like else None)
     assert (title.name, title.unit and title.unit.text) == (name, unit)
     assert title.with_unit("fc") == changed
@@ -72,7 +72,7 @@ def test_a_title_is_a_name_and_a_unit(text, like, name, unit, changed):
     [("E [lx]", "N [fc]"), ("E_lx", "N_fc"), ("E / lx", "N / fc"), ("E, lx", "N, fc"),
      ("lux", "N [fc]"), ("lux desk", "N [fc]"), ("E", "N")],
 )  # fmt: skip
-def test_another_name_has_the_unit_as_the_first_had_it(text, renamed):
+def test_a_new_name_gets_the_unit_in_the_same_form(text, renamed):
     assert read_title(text, resolve_any("lx")).renamed("N", "fc") == renamed
 
 
@@ -81,7 +81,7 @@ UNKNOWN = ["E [klux]", "kLux", "E lx*10", "E (lx*)", "E [W/m2 x]", "x" * 200 + "
 
 
 @pytest.mark.parametrize("text", [*SCALED, *UNKNOWN])
-def test_what_scales_its_numbers_or_has_an_unknown_unit_is_refused(text):
+def test_a_title_with_a_factor_or_an_unknown_unit_is_refused(text):
     message = "scales its numbers" if text in SCALED else "unknown unit"
     with pytest.raises(UnitError, match=message):
         read_title(text, resolve_any("lx"))
@@ -93,7 +93,7 @@ NAMES = ["E", "E_v", "Ev", "desk", "room 7", "sensor-2", "x1 y2", "Osvětlenost 
          "room 3 E", "2 m E", "5 m"]  # fmt: skip
 SET_OFF = ["{0} [{1}]", "{0} ({1})", "{0}, {1}", "{0}_{1}", "{0} in {1}"]
 UNITS = ["lx", "klx", "W/m2", "umol/m2/s", "cd/m2"]
-# What makes other numbers of those in the unit: behind or before a title, or in its name.
+# Factors and functions of the numbers: after or before a title, or in its name.
 FACTORS = ["{} x1000", "{} *1000", "{}*1000", "{} /1000", "{}_x10", "{}, x10", "{} × 10³",
            "{} ·100", "{} %", "{} ÷10", "{} (x1000)", "1000 x {}", "1000*{}", "10^3 * {}", "1e3 {}",
            "thousands of {}"]  # fmt: skip
@@ -149,7 +149,7 @@ def test_two_units_in_a_title_are_refused(style, units):
      "E (W/m2/nm) (uW/cm2/nm)", "E [mW/m²·nm]"],
 )  # fmt: skip
 @pytest.mark.parametrize("command", ["convert", "dose", "spectrum"])
-def test_every_command_refuses_such_a_title(title, command):
+def test_every_command_refuses_an_altered_or_ambiguous_title(title, command):
     first = {"convert": "t", "dose": "t [s]", "spectrum": "nm"}[command]
     told = {
         "convert": ["-", "kW/m2/nm", "-d", ";", "--header", "--field", "2"],
@@ -163,8 +163,8 @@ def test_every_command_refuses_such_a_title(title, command):
     assert re.search(r"scales its|a function of|two units|unknown unit|calibrated", done.stderr)
 
 
-# Quantities, and what ISO 80000-7 measures them in; PAR is given in W/m2, too (FAO 56), and PPF was
-# what PPFD is now.  Of one unit and other names of its quantity, none is refused.
+# Names of quantities with units that they must accept: units of ISO 80000-7; PAR also in W/m2
+# (FAO 56), and PPF also in the units of PPFD, its newer name.
 NAMED = {
     "illuminance": ["lx", "klx", "fc", "lm/m2"],
     "Illuminance (desk)": ["lx"],
@@ -208,12 +208,12 @@ STYLES = ["{} [{}]", "{} ({})"]
 
 
 @for_each([(n, u, s) for n, units in NAMED.items() for u in units for s in STYLES])
-def test_a_name_of_what_the_unit_measures_is_none_of_another(name, unit, style):
+def test_a_name_of_the_quantity_of_the_unit_is_accepted(name, unit, style):
     assert read_title(style.format(name, unit)).unit.text == unit
 
 
 @for_each([(n, u, s) for n, units in MISNAMED.items() for u in units for s in STYLES])
-def test_a_name_of_another_quantity_than_the_units_is_refused(name, unit, style):
+def test_a_name_of_another_quantity_than_that_of_the_unit_is_refused(name, unit, style):
     with pytest.raises(UnitError, match=r" names [^,]+, not ") as caught:
         read_title(style.format(name, unit))
     assert f"({unit})" in caught.value.message
@@ -240,7 +240,7 @@ def test_every_command_refuses_numbers_under_the_name_of_another_quantity(words,
     assert re.search(r" names \w+.*, not \w+| would have ", done.stderr), done.stderr
 
 
-def test_a_unit_is_seen_whatever_else_the_title_says():
+def test_a_unit_is_found_whatever_else_is_in_the_title():
     assert unit_in("log E [lx]").text == "lx"
     assert unit_in("PAR_umol_m2_s", resolve_any("s")).text == "umol/m2/s"
 
@@ -251,7 +251,7 @@ def test_a_unit_is_seen_whatever_else_the_title_says():
      ("umol/m2/s", "µmol m-2 s-1", True), ("dBm", "dB(mW)", True), ("dBm", "dBW", False),
      ("dBm", "mW", False), ("lx", "cd/m2", False), ("lx", "klx", False)],
 )  # fmt: skip
-def test_units_are_the_same_where_their_numbers_are(one, other, wanted):
+def test_units_are_the_same_if_their_numbers_are(one, other, wanted):
     assert is_same(resolve_any(one), resolve_any(other)) is wanted
 
 
@@ -290,7 +290,7 @@ def test_a_column_is_found_by_its_title(titles, name, place):
         ([], "x", "it has no column 'x'", "a title for each column"),
     ],
 )
-def test_a_column_that_is_not_there_once_is_refused(titles, name, message, hint):
+def test_a_missing_or_repeated_column_is_refused(titles, name, message, hint):
     with pytest.raises(UsageError) as caught:
         find(titles, name, "it")
     assert message in caught.value.message

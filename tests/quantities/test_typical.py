@@ -1,4 +1,4 @@
-"""The typical values are readable and consistent."""
+"""Typical values: they can be read, and are consistent."""
 
 import json
 import math
@@ -41,7 +41,7 @@ def test_radcalc_reads_and_converts_every_value(entry):
     assert entry.source
 
 
-def test_every_value_has_a_name_of_its_own_in_each_language():
+def test_every_value_has_a_unique_name_in_each_language():
     for language in LANGUAGES:
         names = {value.what: value.name(language) for value in VALUES}
         assert len(set(names.values())) == len(names)
@@ -49,7 +49,7 @@ def test_every_value_has_a_name_of_its_own_in_each_language():
     assert len({(value.what, value.unit) for value in VALUES}) == len(VALUES)
 
 
-# value, unit, as they stand in the list of facts that the values are taken from
+# value, unit, as in the list of facts that is their source
 FACTS = [
     ("1361", "W/m2"), ("133", "klx"), ("2.0e7", "W/m2/sr"), ("2.0e9", "cd/m2"),
     ("852", "W/m2"), ("686", "W/m2"), ("1000", "W/m2"), ("100 to 110", "klx"),
@@ -75,7 +75,9 @@ def test_the_sun_agrees_with_itself():
     direct = value("sun at the ground, winter noon, direct, facing it", "W/m2").low
     apparent = value("sun at the ground, winter noon, disc", "W/m2/sr").low
     assert apparent * disc == pytest.approx(direct, rel=0.005)
-    assert 1.4e7 * disc == pytest.approx(951, abs=0.5)  # what the note says of the lectures' value
+    assert 1.4e7 * disc == pytest.approx(
+        951, abs=0.5
+    )  # the figure in the note on the lectures' value
     assert 5.670374e-8 * 6000**4 / math.pi == pytest.approx(2.3e7, rel=0.02)
     assert 2.3e7 * disc > 1.1 * 1367
 
@@ -115,10 +117,10 @@ def test_lamps_agree_with_the_inverse_square_law():
     lit = value("headlight, high beam, 25 m away", "lx")
     assert (lit.low, lit.high) == (beam.low / 25**2, beam.high / 25**2)
     moon, end = value("full moon", "lx"), value("torch, where its beam ends", "lx")
-    assert moon.low < end.low < moon.high  # by which the end of a beam is defined
+    assert moon.low < end.low < moon.high  # the full moon defines the end of a beam
 
 
-def test_what_is_seen_agrees_with_what_lights_it():
+def test_luminances_agree_with_the_illuminances_that_cause_them():
     desk = value("office desk, reading and writing", "lx").low
     paper = value("white paper on an office desk", "cd/m2").low
     assert paper == pytest.approx(0.8 * desk / math.pi, rel=3e-3)
@@ -127,7 +129,7 @@ def test_what_is_seen_agrees_with_what_lights_it():
     )  # 14 fL
 
     def scene(what: str) -> tuple[float, float]:
-        """The illuminances of a scene that reflects 18 %, as light meters count."""
+        """Return the illuminances of a scene of reflectance 18 %, as light meters assume."""
         entry = value(f"{what}, ISO 100", "EV")
         return tuple(0.125 * 2**ev * math.pi / 0.18 for ev in (entry.low, entry.high))
 
@@ -160,7 +162,7 @@ def test_plants_and_skin_agree_with_the_sun():
         assert burn * 1e-3 * 40 == pytest.approx(index)
 
 
-def test_from_night_to_noon_it_becomes_lighter():
+def test_illuminance_increases_from_night_to_noon():
     names = (
         "overcast night without moon", "starlight, clear night without moon",
         "nautical twilight, its end", "quarter moon", "full moon", "civil twilight, its end",
@@ -170,7 +172,7 @@ def test_from_night_to_noon_it_becomes_lighter():
     assert all(one.high < other.low for one, other in pairwise(lit))
 
 
-def test_radcalc_itself_gives_what_can_be_calculated(capsys):
+def test_values_that_can_be_calculated_agree_with_radcalc(capsys):
     def answer(*words: str) -> float:
         assert cli.run([*words, "-q"]) == 0
         return float(capsys.readouterr().out)
@@ -230,7 +232,7 @@ def test_a_search_finds_these(text, whats, quantities):
 
 
 @for_each(words())
-def test_what_completes_finds_something(word):
+def test_every_completed_word_finds_values(word):
     assert search(word)
 
 
@@ -255,7 +257,7 @@ def test_the_values_nearest_to_an_amount_come_first(text, first):
     assert search(text)[0].what == first
 
 
-def test_what_has_the_amount_in_its_name_comes_before_what_is_near():
+def test_values_named_after_an_amount_come_before_those_near_it():
     found = search("60W")
     assert [value.what for value in found[:3]] == [
         "incandescent bulb, 60 W", "incandescent bulb, 60 W, 1 m away", "LED bulb in place of 60 W"
@@ -264,12 +266,12 @@ def test_what_has_the_amount_in_its_name_comes_before_what_is_near():
     assert {value.quantity for value in search("dBm")} == {"radiant flux"}
 
 
-def test_a_number_that_cannot_be_read_is_told_as_everywhere():
+def test_a_malformed_number_has_the_usual_error():
     with pytest.raises(NumberError, match="'1,5lx' has a comma"):
         search("1,5lx")
 
 
-def test_what_is_near_is_sorted_by_the_ratio():
+def test_near_values_are_sorted_by_their_ratio():
     """By hand: 1 lx is 1; 0.25, 1/4; 2 to 3.5, 2; 2 to 15, 2; 0.1 to 0.3, 3.3 times."""
     found = [value.what for value in search("1 lx")]
     assert found[:3] == [
@@ -282,7 +284,7 @@ def test_what_is_near_is_sorted_by_the_ratio():
     }  # fmt: skip
 
 
-def test_what_is_of_a_day_stands_behind_what_is_of_a_moment_and_before_it_for_a_day():
+def test_rates_and_daily_doses_come_first_for_amounts_of_their_kind():
     for text, first in (("600 umol/m2/s", "s"), ("30 mol/m2/d", "day")):
         ends = [value.unit.rpartition("/")[2] for value in search(text)]
         assert ends[0] == first
@@ -290,8 +292,8 @@ def test_what_is_of_a_day_stands_behind_what_is_of_a_moment_and_before_it_for_a_
         assert ends == sorted(ends, key=lambda end: end != first)
 
 
-def test_how_far_the_nearest_is_is_told_where_none_is_near():
-    # the sun outside the atmosphere has 133 klx: 1e30/133e3 = 7.5e24; at night 1e-4 lx: 1e5
+def test_the_ratio_of_the_nearest_value_is_noted_if_none_is_near():
+    # sunlight outside the atmosphere has 133 klx: 1e30/133e3 = 7.5e24; night 1e-4 lx: 1e5
     for text, times in (("1e30lx", "7.5e+24"), ("1e-9 lx", "1e+05")):
         done = run("typical", text)
         assert f"the nearest of these differs from {text} by a factor of {times}" in done.stderr
@@ -312,7 +314,7 @@ def test_without_a_search_all_are_listed():
 @pytest.mark.parametrize(
     "text", ["zork", "moom", "%", "[/bold]", "kg", "5 kg", "5 zork", "x" * 100_000]
 )
-def test_what_is_not_found_is_refused_with_a_hint(text):
+def test_an_unknown_word_is_refused_with_a_hint(text):
     with pytest.raises(UsageError, match="no typical value") as refused:
         search(text)
     assert refused.value.hint

@@ -11,7 +11,7 @@ from radcalc.spectra.spectrum import Table
 PHOTOPIC = OBSERVERS["photopic"]
 
 
-def test_arrays_of_spectra_give_what_each_spectrum_gives():
+def test_arrays_of_spectra_give_the_same_as_single_spectra():
     grid = np.linspace(390, 720, 34)
     cube = np.random.default_rng(1).random((3, 4, 34))
     lumens = spectra.luminous(grid, cube)
@@ -24,7 +24,7 @@ def test_arrays_of_spectra_give_what_each_spectrum_gives():
         assert efficacies[index] == pytest.approx(seen / table.power((400, 700)), rel=1e-12)
 
 
-def test_dask_arrays_stay_lazy_and_give_the_same():
+def test_dask_arrays_stay_lazy_and_give_the_same_results():
     import dask.array
 
     grid = np.linspace(380, 780, 41)
@@ -46,6 +46,6 @@ def test_dask_arrays_stay_lazy_and_give_the_same():
         ([400.0, 500.0], (2,), "owl"),
     ],
 )
-def test_arrays_that_do_not_fit_are_refused(grid, shape, observer):
+def test_arrays_of_incompatible_shapes_are_refused(grid, shape, observer):
     with pytest.raises(RadcalcError):
         spectra.luminous(grid, np.ones(shape), observer)

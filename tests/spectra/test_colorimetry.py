@@ -1,4 +1,4 @@
-"""Colour temperature and colour rendering against definitions and colour-science."""
+"""Colour temperature and colour rendering, compared with definitions and colour-science."""
 
 import math
 import warnings
@@ -34,15 +34,15 @@ def test_a_black_body_is_the_reference_below_5000_k(temperature):
 
 @pytest.mark.parametrize("temperature", [5010, 5500, 6500, 10000, 24000])
 def test_a_daylight_is_the_reference_from_5000_k(temperature):
-    # CIE 15 rounds the polynomials of the daylight locus, so its colour temperature is 2 K off
+    # CIE 15 rounds the polynomials of the daylight locus, so the colour temperature is 2 K off
     found, distance = colorimetry.temperature_and_distance(light(f"daylight:{temperature}K"))
     assert found == pytest.approx(temperature, rel=1.5e-3)
     assert distance == pytest.approx(0.0032, abs=2e-4)
     assert rendering(f"daylight:{temperature}K") == pytest.approx(100, abs=0.03)
 
 
-def test_the_rendering_of_named_lamps_is_colour_sciences():
-    # its table of CIE 15's illuminants is linear between the points, as ours
+def test_the_rendering_of_named_lamps_agrees_with_colour_science():
+    # its tables of CIE 15's illuminants are interpolated linearly, like ours
     colour = load_colour()
     lamps = [f"FL{k}" for k in range(1, 13)] + ["FL3.1", "FL3.8", "FL3.15"]
     lamps += [*(f"HP{k}" for k in range(1, 6)), "A", "C", "D50", "D65", "LED-B3"]
@@ -50,13 +50,13 @@ def test_the_rendering_of_named_lamps_is_colour_sciences():
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             expected = colour.colour_rendering_index(colour.SDS_ILLUMINANTS[name])
-        # which takes the temperature of the reference from Robertson's table
+        # colour-science takes the temperature of the reference from Robertson's table
         assert rendering(name) == pytest.approx(expected, abs=0.03), name
 
 
 @pytest.mark.parametrize(
     ("name", "temperature", "index"),
-    [  # CIE 15, its table of illuminants, as colour-science's own tests and documents have them
+    [  # CIE 15, table of illuminants, as in the tests and documents of colour-science
         ("FL1", 6430, 76), ("FL2", 4230, 64), ("FL4", 2940, 51),
     ],
 )  # fmt: skip
@@ -66,8 +66,8 @@ def test_published_temperatures_and_indices(name, temperature, index):
     assert rendering(name) == pytest.approx(index, abs=0.5)
 
 
-def test_hp1_is_rendered_from_its_table_and_nothing_coarser():
-    assert rendering("HP1") == pytest.approx(8.498, abs=0.01)  # 8.07 from other interpolations
+def test_the_rendering_of_hp1_is_from_the_full_table():
+    assert rendering("HP1") == pytest.approx(8.498, abs=0.01)  # other interpolations give 8.07
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_hp1_is_rendered_from_its_table_and_nothing_coarser():
         ("line:400nm", "infinite"),
     ],
 )
-def test_what_has_no_colour_temperature_says_why(text, reason):
+def test_a_missing_colour_temperature_has_a_reason(text, reason):
     with pytest.raises(colorimetry.Undefined, match=reason):
         colorimetry.temperature_and_distance(light(text))
 

@@ -9,7 +9,7 @@ from radcalc.spectra.compile import (
 )
 
 
-def test_the_committed_tables_are_colour_sciences():
+def test_the_committed_tables_agree_with_colour_science():
     for file, text in (
         ("observers.py", compile_observers()),
         ("sources.py", compile_sources()),

@@ -34,7 +34,7 @@ FILES = {
 
 
 @pytest.mark.parametrize("text", FILES.values(), ids=FILES.keys())
-def test_a_spectrum_is_read_however_it_is_written(text, tmp_path):
+def test_a_spectrum_is_read_in_many_forms(text, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_bytes(text.encode())
     table = read_file(str(path))
@@ -53,7 +53,7 @@ def test_a_column_is_chosen_by_name_or_number(tmp_path):
 
 
 @pytest.mark.parametrize("column", ["Absolute Irradiance", "absolute irradiance", "3"])
-def test_a_column_is_chosen_by_its_title_without_what_is_in_brackets(column, tmp_path):
+def test_a_column_is_chosen_by_its_title_without_brackets(column, tmp_path):
     path = tmp_path / "lamp.txt"
     head = "Wave;Sample;Absolute Irradiance\n[nm];[counts];[µWatt/cm²/nm]\n"
     path.write_text(f"{head}400;7;1\n700;8;2\n", encoding="utf-8")
@@ -86,7 +86,7 @@ def test_text_is_read_in_any_usual_encoding(encoding, tmp_path):
 
 
 @pytest.mark.parametrize("cut", [1, 3, 501])
-def test_text_in_utf16_that_is_cut_short_is_refused(cut, tmp_path):
+def test_truncated_text_in_utf16_is_refused(cut, tmp_path):
     path = tmp_path / "lamp.csv"
     text = "\n".join(["nm,x", *(f"{k},1" for k in range(400, 701))])
     path.write_bytes(text.encode("utf-16")[:-cut])
@@ -110,7 +110,7 @@ HEADED = {
 @pytest.mark.parametrize("head", HEADED.values(), ids=HEADED.keys())
 @pytest.mark.parametrize("delimiter", [",", ";", "\t"])
 @pytest.mark.parametrize("tail", ["", "{}", "{}{}"])
-def test_what_stands_before_a_table_is_no_part_of_it(head, delimiter, tail, tmp_path):
+def test_lines_before_a_table_are_not_part_of_it(head, delimiter, tail, tmp_path):
     rows = "".join(f"{x},{y}{tail}\n" for x, y in ((400, 1), (500, 3), (700, 2)))
     tail = tail.replace("{}", ",")
     text = head + rows.replace("{}", ",")
@@ -139,7 +139,7 @@ def test_what_stands_before_a_table_is_no_part_of_it(head, delimiter, tail, tmp_
         ("Pixel,Wavelength\n0,1\n", "the wavelengths are not in the first column"),
     ],
 )
-def test_what_is_said_before_a_table_is_heard(head, message, tmp_path):
+def test_lines_before_a_table_are_taken_into_account(head, message, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{head}400,1\n500,3\n700,2\n", encoding="utf-8")
     with pytest.raises(RadcalcError) as caught:
@@ -156,7 +156,7 @@ def test_what_is_said_before_a_table_is_heard(head, message, tmp_path):
         ("flux of photons per nm", "may mean that the values are photons"),
     ],
 )
-def test_titles_between_blanks_are_no_text_that_is_passed_over(head, message, tmp_path):
+def test_titles_between_blanks_are_not_skipped_as_text(head, message, tmp_path):
     path = tmp_path / "lamp.txt"
     path.write_text(f"{head}\n400 1\n500 3\n700 2\n", encoding="utf-8")
     with pytest.raises(RadcalcError, match=message):
@@ -171,7 +171,7 @@ def test_a_line_before_the_table_declares_the_unit_of_wavelengths(tmp_path):
 
 @pytest.mark.parametrize("unit", ["umol/m2/s/nm", "[umol/m2/s/nm]", "in umol m-2 s-1 nm-1"])
 @pytest.mark.parametrize("place", ["Values {}\nnm,x\n", "# values {}\nnm,x\n", "nm,E {}\n"])
-def test_a_unit_of_photons_is_never_one_of_watts(unit, place, tmp_path):
+def test_a_unit_of_photons_is_never_read_as_watts(unit, place, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{place.format(unit)}400,1\n500,1\n700,1\n", encoding="utf-8")
     table = read_file(str(path))
@@ -181,13 +181,13 @@ def test_a_unit_of_photons_is_never_one_of_watts(unit, place, tmp_path):
     assert table.total() == pytest.approx(119.62656564 * 0.567857143, rel=1e-8)
 
 
-def test_wavelengths_behind_commas_and_blanks_are_in_columns(tmp_path):
+def test_a_comma_and_a_blank_separate_columns(tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text("400, 1.5\n500,-0.001\n700, 2\n", encoding="utf-8")
     assert list(read_file(str(path)).values) == [1.5, -0.001, 2]
 
 
-def test_a_row_that_may_be_missing_is_said(tmp_path):
+def test_a_row_that_may_be_missing_is_noted(tmp_path):
     path = tmp_path / "lamp.csv"
     rows = [f"{x},1" for x in range(400, 701, 10)]
     path.write_text("\n".join(rows[:9] + rows[10:]), encoding="utf-8")
@@ -198,7 +198,7 @@ def test_a_row_that_may_be_missing_is_said(tmp_path):
         assert not any("missing" in note for note in read_file(str(path)).notes)
 
 
-def test_noise_beyond_the_visible_is_said_with_its_share(tmp_path):
+def test_noise_outside_the_visible_range_is_noted_with_its_share(tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text("200,0\n210,-5\n220,0\n400,10\n700,10\n", encoding="utf-8")
     # by hand: the triangle of -50 over 180 x 10 / 2 + 300 x 10 = 3900
@@ -221,7 +221,7 @@ BROKEN = {
         "400 1\n500 2\n\n400 2\n",
         "line 4: the wavelength 400 nm is also in line 1",
     ),
-    # 1e300 W at 500 nm are 2.5e318 photons a second (h c = 1.986e-25 J m), which no number holds
+    # 1e300 W at 500 nm is 2.5e318 photons per second (h c = 1.986e-25 J m), too large for a float
     "a value beyond": ("400 1e300\n500 1\n", "a greatest value of 1e+300"),
     "nearly darkness": ("400 1e-320\n500 1e-320\n", "a greatest value of 9.99989e-321"),
     "a wavelength beyond": ("nm,E\n1e300,1\n1e301,2\n", "a wavelength of 1e+300 nm"),
@@ -298,7 +298,7 @@ BROKEN = {
 
 
 @pytest.mark.parametrize(("text", "message"), BROKEN.values(), ids=BROKEN.keys())
-def test_what_is_wrong_with_a_file_is_said_with_its_line(text, message, tmp_path):
+def test_an_error_in_a_file_is_refused_with_its_line(text, message, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(RadcalcError) as caught:
@@ -316,7 +316,7 @@ RULED = {
 
 
 @pytest.mark.parametrize("text", RULED.values(), ids=RULED.keys())
-def test_titles_hold_whatever_stands_about_them(text, tmp_path):
+def test_titles_are_used_whatever_lines_surround_them(text, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(text)
     assert read_file(str(path)).absolute == "irradiance"
@@ -332,14 +332,14 @@ def test_a_title_may_be_a_number(titles, tmp_path):
 @pytest.mark.parametrize(
     "line", ["# " + "a:" * 500_000, "# " + "percent " * 200_000, "a " * 500_000, "(" * 1_000_000]
 )
-def test_long_lines_before_a_table_do_not_hold_it_up(line, tmp_path):
-    """The work for each would grow with the square of its length, to hours."""
+def test_long_lines_before_a_table_are_read_quickly(line, tmp_path):
+    """An algorithm quadratic in the length of a line would take hours."""
     path = tmp_path / "lamp.csv"
     path.write_text(f"{line}\n" * 4 + "nm,E\n400,1\n500,2\n", encoding="utf-8")
     assert list(read_file(str(path)).values) == [1, 2]
 
 
-PHOTONS = [  # what the values are, and how they are said to be taken
+PHOTONS = [  # titles, quantity of the values, part of the description
     ("nm,umol/m2/s/nm", "irradiance", "photons turned into watts"),
     ("nm,PPFD (umol/m2/s/nm)", "irradiance", "photons turned into watts"),
     ("nm,photon flux density umol m-2 s-1 nm-1", "irradiance", "photons turned into watts"),
@@ -361,7 +361,7 @@ PHOTONS = [  # what the values are, and how they are said to be taken
         "(umol/m2/s/nm)\n400,1\n500,3\n700,2\n",
     ],
 )
-def test_a_unit_is_found_wherever_a_title_has_it(text, tmp_path):
+def test_a_unit_is_found_anywhere_in_a_title(text, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(text, encoding="utf-8")
     table = read_file(str(path))
@@ -373,7 +373,7 @@ def test_a_unit_is_found_wherever_a_title_has_it(text, tmp_path):
 @pytest.mark.parametrize(
     "title", ["E_W/m2/nm", "E_W_m2_nm", "E / W/(m2 nm)", "E at 2 m in W/m2/nm", "W/m2/nm of A"]
 )
-def test_a_title_of_a_spectrum_has_its_unit_as_one_of_a_stream_has(title, tmp_path):
+def test_the_unit_in_a_title_is_read_as_in_a_stream(title, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"nm;{title}\n400;1\n500;3\n700;2\n", encoding="utf-8")
     table = read_file(str(path))
@@ -396,13 +396,13 @@ def test_titles_that_do_not_fit_the_columns_are_refused(tmp_path):
 
 
 @pytest.mark.parametrize(("head", "absolute", "said"), PHOTONS)
-def test_photons_are_turned_into_watts(head, absolute, said, tmp_path):
+def test_photons_are_converted_to_watts(head, absolute, said, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{head}\n400,1\n500,1\n700,1\n", encoding="utf-8")
     table = read_file(str(path))
     assert table.absolute == absolute
     assert said in table.described
-    # the SI's h c N_A = 0.119626565... J m/mol: umol of 400 nm have 0.299 J
+    # h c N_A = 0.119626565... J m/mol in the SI: 1 umol at 400 nm is 0.299 J
     micromole = 0.11962656564 / 400e-9 * 1e-6
     assert table.values[0] == pytest.approx(micromole if absolute else 4.96611e-19, rel=1e-5)
     ratios = [value / table.values[0] for value in table.values]
@@ -410,7 +410,7 @@ def test_photons_are_turned_into_watts(head, absolute, said, tmp_path):
 
 
 @pytest.mark.parametrize("head", ["nm,value", "nm,Relative intensity (%)", "nm,LED-B3 1", "# lamp"])
-def test_relative_watts_are_said_to_be_assumed(head, tmp_path):
+def test_relative_watts_are_an_assumption(head, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{head}\n400,1\n700,2\n", encoding="utf-8")
     table = read_file(str(path))
@@ -421,7 +421,7 @@ def test_relative_watts_are_said_to_be_assumed(head, tmp_path):
 
 
 @pytest.mark.parametrize("head", ["nm,W/m2/nm", "nm,E uW/cm2/nm", "nm,I [W m-2 nm-1]"])
-def test_a_unit_without_brackets_is_a_unit(head, tmp_path):
+def test_a_unit_without_brackets_is_read(head, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{head}\n400,1\n700,2\n", encoding="utf-8")
     table = read_file(str(path))
@@ -429,7 +429,7 @@ def test_a_unit_without_brackets_is_a_unit(head, tmp_path):
     assert table.values[0] == pytest.approx(0.01 if "cm2" in head else 1, rel=1e-12)
 
 
-def test_an_unknown_column_is_told_the_nearest(tmp_path):
+def test_an_unknown_column_is_refused_with_the_nearest(tmp_path):
     path = tmp_path / "wide.csv"
     names = ",".join(f"column{k}" for k in range(5000))
     row = ",".join(["1"] * 5000)
@@ -442,7 +442,7 @@ def test_an_unknown_column_is_told_the_nearest(tmp_path):
 
 
 @pytest.mark.parametrize("words", ["spectrum -", "convert 1 W lm --spectrum -"])
-def test_what_has_no_end_or_no_beginning_is_refused(words):
+def test_an_endless_or_closed_input_is_refused(words):
     quoted = f"'{entry_point()}' {words}"
     for source in ("</dev/zero", "<&-"):
         done = subprocess.run(["sh", "-c", f"{quoted} {source}"], capture_output=True, text=True)
@@ -478,7 +478,7 @@ def test_the_unit_of_wavelengths_is_declared_in_many_ways(head, scale, tmp_path)
     assert any("wavelengths are" in note for note in table.notes)
 
 
-def test_repairs_are_said(tmp_path):
+def test_corrections_are_noted(tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text("500 3\n450 -0.1\n600 2\n", encoding="utf-8")
     notes = " ".join(read_file(str(path)).notes)
@@ -506,7 +506,7 @@ def test_a_file_of_many_blocks_is_read_line_by_line(extra, end, tmp_path, monkey
     assert f"line {number}:" in caught.value.message
 
 
-def test_a_large_file_gives_what_a_small_one_gives(tmp_path):
+def test_a_large_file_gives_the_same_as_a_small_one(tmp_path):
     grid = np.linspace(300, 1100, 20001)
     values = np.exp(-(((grid - 550) / 80) ** 2))
     path = tmp_path / "large.csv"
@@ -528,7 +528,7 @@ def test_a_large_file_gives_what_a_small_one_gives(tmp_path):
     [("nan,1", "'nan' is not a number"), ("300,1", "is also in line"), ("701", "1 columns"),
      ("701,x", "'x' is not a number"), ("701,1_0", "'1_0' is not a number")],
 )  # fmt: skip
-def test_what_is_wrong_with_a_large_file_is_said_with_its_line(line, message, tmp_path):
+def test_an_error_in_a_large_file_is_refused_with_its_line(line, message, tmp_path):
     path = tmp_path / "large.csv"
     rows = [f"{300 + i / 50},1.000000001" for i in range(20000)]
     path.write_text("\n".join([*rows, line]) + "\n", encoding="utf-8")
@@ -562,7 +562,7 @@ def test_a_unit_of_wavelengths_that_is_refused_is_shown_as_typed(title, tmp_path
 
 
 @pytest.mark.parametrize("title", ["relative power (%)", "E [W/m2/nm]", "W*m-2*nm-1", "lamp 2"])
-def test_what_only_looks_like_a_scale_is_read(title, tmp_path):
+def test_titles_that_only_look_scaled_are_read(title, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"nm,{title}\n400,1\n500,3\n700,2\n", encoding="utf-8")
     assert list(read_file(str(path)).values) == [1, 3, 2]

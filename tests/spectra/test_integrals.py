@@ -1,4 +1,4 @@
-"""Integrals of tables against the trapezoid rule on both grids."""
+"""Integrals of tables, compared with the trapezoid rule on both grids."""
 
 import math
 from bisect import bisect_right

@@ -1,8 +1,8 @@
-"""Files as meters write them, made here after descriptions of their formats.
+"""Files of meters, made here from descriptions of their formats.
 
-UPRtek and LI-COR: a row a figure, a tab, then 380nm and on; Sekonic: `Spectral Data 380[nm],` in
-steps of 5 nm and again of 1 nm; OceanView, SpectraSuite and Jaz: `>>>>>Begin Spectral Data<<<<<`;
-X-Rite: CGATS; IES TM-27-14: XML.
+UPRtek and LI-COR: one figure per row, a tab, then from 380nm; Sekonic: `Spectral Data 380[nm],`
+in steps of 5 nm and again of 1 nm; OceanView, SpectraSuite and Jaz:
+`>>>>>Begin Spectral Data<<<<<`; X-Rite: CGATS; IES TM-27-14: XML.
 """
 
 import pytest
@@ -11,8 +11,8 @@ from radcalc.errors import RadcalcError
 from radcalc.spectra.files import read_file
 
 KM = 683.002  # lm/W; h c N_A = 0.11962656564 J m/mol and Km of the SI
-# 1 W/m2/nm from 380 nm to 780 nm are 400 W/m2; their illuminance is Km times the 106.857 nm that
-# the 1 nm table of V(lambda) adds up to; from 400 nm to 700 nm they are 300 x 550e-9 / (h c N_A).
+# 1 W/m2/nm from 380 nm to 780 nm is 400 W/m2; the illuminance is Km times 106.857 nm, the sum of
+# the 1 nm table of V(lambda); from 400 nm to 700 nm there are 300 x 550e-9 / (h c N_A) mol/m2/s.
 FLAT_LUX = KM * 106.857
 FLAT_PPFD = 300 * 550e-9 / 0.11962656564 * 1e6
 GRID = range(380, 781)
@@ -53,7 +53,7 @@ def test_the_unit_of_a_meter_is_the_one_that_gives_its_illuminance(value, unit, 
     assert not table.notes
 
 
-def test_photons_of_a_meter_are_told_from_watts_by_its_illuminance(tmp_path):
+def test_photons_of_a_meter_are_distinguished_from_watts_by_its_illuminance(tmp_path):
     # 1 W/m2/nm at x nm is x 1e-9 / 0.11962656564 mol/m2/s/nm
     rows = "".join(f"{x}nm\t{x * 1e-3 / 0.11962656564:.9f}\n" for x in GRID)
     text = f"Model Name\tPG100N\nLUX\t{FLAT_LUX:.4f}\nPPFD\t{FLAT_PPFD:.4f}\n{rows}"
@@ -63,7 +63,7 @@ def test_photons_of_a_meter_are_told_from_watts_by_its_illuminance(tmp_path):
     assert not table.notes
 
 
-def test_a_spectrum_that_is_not_the_meters_is_relative_and_said(tmp_path):
+def test_a_spectrum_that_contradicts_the_meters_figures_is_relative_with_a_note(tmp_path):
     table = read_file(save(tmp_path, uprtek("1", LUX="12345.0")))
     assert table.absolute == ""
     assert "relative watts" in table.described
@@ -72,7 +72,7 @@ def test_a_spectrum_that_is_not_the_meters_is_relative_and_said(tmp_path):
     assert (without.absolute, without.notes) == ("", ())
 
 
-def test_other_figures_that_differ_are_noted(tmp_path):
+def test_differences_from_other_figures_are_noted(tmp_path):
     lux = f"{FLAT_LUX:.3f}"
     table = read_file(save(tmp_path, uprtek("1", LUX=lux, PPFD="1500.0", CCT="3000", IRR="402.0")))
     said = " ".join(table.notes)
@@ -82,7 +82,7 @@ def test_other_figures_that_differ_are_noted(tmp_path):
     assert f"{FLAT_PPFD:.6g}" in said
 
 
-def test_of_two_tables_the_finer_is_read(tmp_path):
+def test_the_finer_of_two_tables_is_read(tmp_path):
     table = read_file(save(tmp_path, sekonic("1", f"{FLAT_LUX:.0f}")))
     assert (len(table.grid), table.absolute) == (401, "irradiance")
     assert list(table.notes) == ["of its 2 tables the one of 401 rows is used"]
@@ -95,7 +95,10 @@ def replaced(text, old, new):
 
 DAMAGED = {
     "a row is missing": (replaced(uprtek(1), "450nm\t1\n", ""), "a step of 2 nm to 451 nm"),
-    "a row is no number": (replaced(uprtek(1), "450nm\t1\n", "450nm\tx\n"), "'x' is not a number"),
+    "a row is not a number": (
+        replaced(uprtek(1), "450nm\t1\n", "450nm\tx\n"),
+        "'x' is not a number",
+    ),
     "a wavelength is damaged": (replaced(uprtek(1), "450nm", "4?0nm"), "a step of 2 nm to 451 nm"),
     "a value is missing": (replaced(uprtek(1), "450nm\t1", "450nm\t"), "a value is missing"),
     "a table is cut short": (
@@ -115,7 +118,7 @@ def test_a_damaged_file_of_a_meter_is_refused(text, message, tmp_path):
 @pytest.mark.parametrize(
     "form", ["{}nm,{}", "{}nm;{}", "{}nm\t{}", '"{}nm","{}"', '"{}nm,{}"', "{}nm,{},,"]
 )
-def test_a_delimiter_of_a_meter_is_no_decimal_comma(form, tmp_path):
+def test_a_delimiter_of_a_meter_is_not_a_decimal_comma(form, tmp_path):
     text = "".join(form.format(x, f"{x / 200:.2f}") + "\n" for x in (400, 500, 600))
     assert list(read_file(save(tmp_path, text)).values) == [2, 2.5, 3]
     quoted = form if ";" in form or "\t" in form else '{}nm,"{}"'
@@ -158,12 +161,12 @@ JAZ = (
 @pytest.mark.parametrize("text", [OCEAN, SUITE, JAZ], ids=["OceanView", "SpectraSuite", "Jaz"])
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\n\r"])
 @pytest.mark.parametrize("decimal", [".", ","])
-def test_the_table_stands_behind_its_mark(text, end, decimal, tmp_path):
+def test_the_table_begins_after_its_mark(text, end, decimal, tmp_path):
     head, mark, table = text.partition("<<<<<\n")
     text = head + mark + table.replace(".", decimal)
     found = read_file(save(tmp_path, text.replace("\n", end)))
     assert list(found.grid) == [400, 500, 700]
-    watts = 0.01 if "Jaz" in text else 1  # uW/cm2 in W/m2
+    watts = 0.01 if "Jaz" in text else 1  # uW/cm2 to W/m2
     assert list(found.values) == pytest.approx([1 * watts, 3 * watts, 2 * watts], rel=1e-12)
     assert found.absolute == ("irradiance" if "Jaz" in text else "")
     assert any(note.startswith("the table begins in line") for note in found.notes)
@@ -180,13 +183,13 @@ def test_the_table_stands_behind_its_mark(text, end, decimal, tmp_path):
         ("lamp_12", "leaf_Transmission__0__12", "is a transmission, not light"),
     ],
 )
-def test_a_file_of_oceanview_that_is_no_whole_light_is_refused(old, new, message, tmp_path):
+def test_an_incomplete_or_unsuitable_file_of_oceanview_is_refused(old, new, message, tmp_path):
     with pytest.raises(RadcalcError) as caught:
         read_file(save(tmp_path, replaced(OCEAN, old, new)))
     assert message in caught.value.message
 
 
-def test_what_is_measured_against_a_reference_is_no_light(tmp_path):
+def test_a_measurement_against_a_reference_is_refused(tmp_path):
     text = JAZ.replace("Jaz Absolute Irradiance", "Jaz Data").replace("D\tS", "D\tR\tS")
     text = text.replace("\t9\t", "\t9\t7\t")
     with pytest.raises(RadcalcError, match="transmittance or reflectance"):
@@ -229,7 +232,9 @@ def test_tm27_is_read(old, new, absolute, encoding, tmp_path):
 
 @pytest.mark.parametrize("declared", ["UTF-16", "utf-16", "ISO-8859-1", "windows-1252", "UTF-8"])
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
-def test_the_bytes_tell_the_encoding_of_tm27_and_not_its_declaration(declared, encoding, tmp_path):
+def test_the_encoding_of_tm27_is_taken_from_the_bytes_not_the_declaration(
+    declared, encoding, tmp_path
+):
     text = f'<?xml version="1.0" encoding="{declared}"?>\n' + SPDX[SPDX.index("<IES") :]
     assert list(read_file(save(tmp_path, text, encoding)).values) == [1, 3, 2]
 
@@ -270,15 +275,15 @@ BAD_SPDX = {
 
 
 @pytest.mark.parametrize(("old", "new", "message"), BAD_SPDX.values(), ids=BAD_SPDX.keys())
-def test_xml_that_is_no_whole_light_is_refused(old, new, message, tmp_path):
+def test_incomplete_or_unsuitable_xml_is_refused(old, new, message, tmp_path):
     with pytest.raises(RadcalcError) as caught:
         read_file(save(tmp_path, replaced(SPDX, old, new)))
     assert message in caught.value.message
 
 
 @pytest.mark.parametrize("place", ["    <SpectralQ", "1</SpectralData>", "  <Header>"])
-def test_blank_lines_do_not_hold_tm27_up(place, tmp_path):
-    """The work for them would grow with the square of their number, to hours."""
+def test_blank_lines_in_tm27_are_read_quickly(place, tmp_path):
+    """An algorithm quadratic in their number would take hours."""
     text = replaced(SPDX, place, "\n" * 1_000_000 + place)
     assert list(read_file(save(tmp_path, text)).values) == [1, 3, 2]
 
@@ -328,9 +333,7 @@ def test_a_sample_of_cgats_is_chosen_by_name(tmp_path):
         ("nm400\tnm500\tnm700", "a\tb\tc", "warm", "no columns of wavelengths"),
     ],
 )
-def test_a_file_of_cgats_that_is_no_light_or_not_whole_is_refused(
-    old, new, column, message, tmp_path
-):
+def test_an_incomplete_or_unsuitable_file_of_cgats_is_refused(old, new, column, message, tmp_path):
     with pytest.raises(RadcalcError) as caught:
         read_file(save(tmp_path, replaced(CGATS, old, new)), column)
     assert message in caught.value.message

@@ -1,4 +1,4 @@
-"""Observers on, between and outside the points of their tables."""
+"""Observers at, between and outside the points of their tables."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
 
 @pytest.mark.parametrize(
     ("wavelength", "value"),
-    [  # CIE 1924, as colour-science 0.4.7 has it
+    [  # CIE 1924, from colour-science 0.4.7
         (555e-9, 1.0),
         (632e-9, 0.2448896),
         (633e-9, 0.2353344),
@@ -28,7 +28,7 @@ PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
         (10e-6, 0),
     ],
 )
-def test_v_of_lambda_on_between_and_outside_the_table(wavelength, value):
+def test_v_of_lambda_at_between_and_outside_points_of_the_table(wavelength, value):
     assert luminous_efficiency(wavelength, PHOTOPIC) == pytest.approx(value, rel=1e-9, abs=0)
 
 
@@ -38,7 +38,7 @@ def test_scotopic_vision_peaks_at_507_nm():
 
 
 @given(st.lists(st.floats(min_value=300e-9, max_value=900e-9), min_size=1, max_size=9))
-def test_an_array_gives_what_its_elements_give(wavelengths):
+def test_an_array_gives_the_same_as_its_elements(wavelengths):
     for observer in OBSERVERS.values():
         together = luminous_efficiency(np.array(wavelengths), observer)
         alone = [luminous_efficiency(w, observer) for w in wavelengths]
@@ -50,7 +50,7 @@ def test_an_array_gives_what_its_elements_give(wavelengths):
     [("cie1964", 683.60), ("cie2008-2", 683.36), ("cie2008-10", 683.15)],
 )
 def test_other_observers_follow_from_the_candela(name, maximum):
-    # 683 lm/W over V at 540 THz; the values of CIE 018:2019's rule, to two decimals
+    # 683 lm/W over V at 540 THz; values by the rule of CIE 018:2019, to two decimals
     assert OBSERVERS[name].maximum == pytest.approx(maximum, abs=5e-3)
 
 

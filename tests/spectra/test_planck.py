@@ -1,4 +1,4 @@
-"""Black bodies against quadrature and the constants of the SI."""
+"""Black bodies, compared with quadrature and the constants of the SI."""
 
 import mpmath
 import pytest
@@ -10,7 +10,7 @@ RANGES = [(400e-9, 700e-9), (555e-9, 556e-9), (1e-9, 1e-6), (5e-6, 20e-6), (1e-3
 
 @pytest.mark.parametrize("temperature", [300.0, 2000.0, 2856.0, 6000.0, 1e4, 1e6, 1e9])
 @pytest.mark.parametrize(("low", "high"), RANGES)
-def test_a_black_bodys_part_of_a_range_agrees_with_quadrature(temperature, low, high):
+def test_the_fraction_of_a_black_body_in_a_range_agrees_with_quadrature(temperature, low, high):
     with mpmath.workdps(30):
         h, c, k = mpmath.mpf("6.62607015e-34"), mpmath.mpf(299792458), mpmath.mpf("1.380649e-23")
         a, b = (h * c / (x * k * temperature) for x in (high, low))

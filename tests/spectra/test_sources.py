@@ -1,4 +1,4 @@
-"""Named sources against published values, and sources by their formulas."""
+"""Named sources, compared with published values, and sources given by formulas."""
 
 import math
 
@@ -18,7 +18,7 @@ def efficacy(text: str, limits=None) -> float:
     return PHOTOPIC.maximum * source.seen(PHOTOPIC) / source.power(limits or source.limits)
 
 
-# Published luminous efficacies of radiation [lm/W] and where the watts are counted [nm].
+# Published luminous efficacies of radiation [lm/W] and the range of the watts [nm].
 PUBLISHED = [
     ("A", (360, 830), 122.9, 0.05),
     ("A", (380, 780), 156.2, 0.05),
@@ -38,7 +38,7 @@ def test_published_luminous_efficacies(source, limits, value, within):
 
 
 def test_a_temperature_may_be_in_mired():
-    """A mired is one of a reciprocal megakelvin (ANSI/IES LS-1): 200 of them are 5000 K."""
+    """A mired is a reciprocal megakelvin (ANSI/IES LS-1): 200 mired are 5000 K."""
     for kind in ("blackbody", "daylight"):
         assert efficacy(f"{kind}:200mired") == efficacy(f"{kind}:5000K")
     with pytest.raises(RadcalcError, match="0 mired is not the reciprocal of a"):
@@ -71,7 +71,7 @@ def test_the_suns_of_astm_g173():
     assert "AM1.5G" in spectrum("sun").notes[0]
 
 
-def test_every_named_source_is_counted_in_watts_lumens_and_photons():
+def test_every_named_source_has_watts_lumens_and_photons():
     assert len(names()) == 59 + 56 + 3
     for name in names():
         light = spectrum(name)
@@ -91,7 +91,7 @@ def test_names_are_found_as_people_type_them(one, other):
 
 
 @pytest.mark.parametrize("text", ["D65!", "D65;", "D65-", "-D65", "D65,", "(D65", "'D65'", "D65/"])
-def test_a_name_with_other_signs_about_it_is_none(text):
+def test_a_name_with_other_signs_around_it_is_refused(text):
     with pytest.raises(ConditionError):
         spectrum(text)
 
@@ -116,13 +116,13 @@ def test_the_wrong_part_of_a_list_is_named(text, message, hint):
 
 
 @pytest.mark.parametrize("nanometres", ["0.5", "1.2", "1e3", "1e-6", "1e11"])
-def test_a_gaussian_as_wide_as_its_centre_is_cut_at_no_wavelength_above_0(nanometres):
+def test_a_gaussian_as_wide_as_its_centre_extends_to_0(nanometres):
     bell = spectrum(f"gaussian:{nanometres}nm,{nanometres}nm")
     peak, width = bell.peak()
     assert peak == pytest.approx(float(nanometres), rel=1e-12)
-    # a normal distribution above 0 alone, sigma 0.424661: 1 - cdf(-2.354820) = 0.990734
+    # a normal distribution above 0 only, sigma 0.424661: 1 - cdf(-2.354820) = 0.990734
     area = 0.990734 * math.sqrt(2 * math.pi) * 0.424661 * float(nanometres)
-    if peak > 1e-5:  # what is below the shortest wavelength, 1e-6 nm, is little
+    if peak > 1e-5:  # the part below the shortest wavelength, 1e-6 nm, is small
         assert bell.power(WHOLE) == pytest.approx(area, rel=1e-3)
         assert width == pytest.approx(float(nanometres), rel=1e-3)
 
@@ -143,8 +143,8 @@ def test_lines_bands_and_gaussians():
     assert spectrum("line:540THz").seen(PHOTOPIC) == pytest.approx(683 / 683.002, rel=1e-6)
 
 
-def test_a_wide_gaussian_that_begins_at_no_wavelength_is_told_from_0():
-    """150/21 standard deviations of 300 nm / (2 sqrt(2 ln 2)) above 555 nm are 909.99 nm."""
+def test_the_range_of_a_wide_gaussian_begins_at_0():
+    """150/21 standard deviations, each 300 nm / (2 sqrt(2 ln 2)), are 909.99 nm above 555 nm."""
     assert range_text(spectrum("gaussian:555nm,300nm").limits) == "0-1464.99 nm"
 
 
@@ -160,14 +160,14 @@ def test_daylight_6504_k_is_d65():
      "line:0nm", "line:555nm=0", "line:555nm=2W", "line:555nm=1e300", "blackbody:5m", "daylight:1K",
      "line:", "blackbody:", "band:1nm"],
 )  # fmt: skip
-def test_a_source_that_makes_no_sense_is_refused(text):
+def test_a_meaningless_source_is_refused(text):
     with pytest.raises(RadcalcError) as caught:
         spectrum(text)
     assert caught.value.hint
 
 
 @pytest.mark.parametrize("word", MEANT)
-def test_a_word_that_is_no_spectrum_is_told_spectra(word):
+def test_a_word_for_light_is_refused_with_spectra(word):
     with pytest.raises(ConditionError) as caught:
         spectrum(word)
     for name in caught.value.hint.split(", "):
@@ -178,12 +178,12 @@ def test_a_word_that_is_no_spectrum_is_told_spectra(word):
     ("text", "hint"),
     [
         ("5600K", "blackbody:5600K, daylight:5600K"),
-        ("2856K", "blackbody:2856K"),  # CIE 15 has daylight from 4000 K to 25 000 K
+        ("2856K", "blackbody:2856K"),  # CIE 15 defines daylight from 4000 K to 25 000 K
         ("532nm", "line:532nm"),
         ("580nm:630nm", "band:580nm:630nm"),
     ],
 )
-def test_parameters_alone_lead_to_the_kinds_that_take_them(text, hint):
+def test_parameters_alone_are_refused_with_kinds_that_take_them(text, hint):
     with pytest.raises(ConditionError) as caught:
         spectrum(text)
     assert caught.value.hint == hint
