@@ -6,7 +6,7 @@ command, by a mention (`option("height")`), which the shell and Python spell dif
 `--height 6m` and `height="6 m"`.
 """
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from typing import Any, TypeVar

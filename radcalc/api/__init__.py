@@ -7,7 +7,7 @@ invalid element raises its error when they are computed.
 from importlib import import_module
 from typing import Any
 
-# The public names by module; the other functions are made from the pages.
+# By module; the other functions are made from the pages.
 MODULES = {
     "radcalc.api.conversion": ("convert", "explain", "factor"),
     "radcalc.api.geometry": ("direction", "solid_angle"),

@@ -26,7 +26,7 @@ class Column(Protocol):
         """Its values alone."""
 
 
-# Unions with names, so that a signature shows the names.
+# A signature shows the names of these unions.
 Amount: TypeAlias = str | Quantity | Sequence[str] | Sequence[Quantity] | Column | None
 Number: TypeAlias = Amount | float | Sequence[float] | Array
 Direction: TypeAlias = str | Quantity | Sequence[Quantity] | Sequence[float] | Array | None

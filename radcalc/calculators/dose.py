@@ -45,7 +45,7 @@ SUM = {
 OF = {IRRADIANCE: ("exposure", "maximum-irradiance"),
       FLUX: ("energy", "maximum-flux")}  # fmt: skip
 MEANS, PEAKS = ("mean-irradiance", "mean-flux"), ("maximum-irradiance", "maximum-flux")
-# The problem and the hint for a period without samples.
+# Problem and hint for a period without samples.
 EMPTY = "no time is covered", mention("a longer {max-gap}, or all results, in which it is empty")
 PAGE = Page(
     "a dose",
@@ -159,7 +159,7 @@ class Dose:
 
     def add(self, times: list[Any], values: list[float]) -> None:
         self._watch(times, values)
-        counted = 0  # samples of the run that were counted before
+        counted = 0  # of the run, before
         if self.first is None:
             self.first, self.first_value = times[0], values[0]
         elif self.is_broken or times[0] - self.time > self.longest:

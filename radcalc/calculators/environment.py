@@ -190,11 +190,7 @@ def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
 
 
 def environment(source: Source, given: Inputs) -> Answer:
-    """Return the irradiance of a receiver and the mean and peak radiance of its surroundings.
-
-    `given` are the settings of a map, the brightness of a sky and the position of the sun, the
-    normal of the receiver, a direction, and links between kinds.
-    """
+    """Return the irradiance of a receiver and the mean and peak radiance of its surroundings."""
     return _surroundings(source, given, RECEIVER).answer()
 
 

@@ -108,10 +108,7 @@ def integrand(text: str) -> Integrand:
 
 
 def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
-    """Integrate an expression in theta, phi, x, y, z over a part of the sphere.
-
-    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy.
-    """
+    """Integrate an expression in theta, phi, x, y, z over a part of the sphere."""
     polar, azimuth = directions(given)
     accuracy = given["accuracy"].value if "accuracy" in given else USUAL
     check_zone(*polar, azimuth[1] - azimuth[0])

@@ -141,11 +141,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
 
 
 def lambertian(shape: str, given: Inputs) -> Answer:
-    """Return the answer for a Lambertian source of a shape of `SHAPES`.
-
-    `given` are light quantities (generic or specific names), sizes, the receiver's position, and
-    links between kinds.
-    """
+    """Return the answer for a Lambertian source of a shape of `SHAPES`."""
     try:
         return _answer(shape, SHAPES[shape].place, given)
     except (TooNear, HorizonCuts) as error:

@@ -50,7 +50,7 @@ class Page(NamedTuple):
 
     `examples` have NAME=VALUE for each symbol, NAME= for a flag, and may end in two or more blanks
     and a remark.  In `remarks` {name} mentions a symbol, and a paragraph that begins with a line of
-    `\b` keeps its lines.
+    `\\b` keeps its lines.
 
     `bare` are the units of numbers that are usually written without one; `labels` replace those
     of symbols, and `forms` are the forms of their numbers.

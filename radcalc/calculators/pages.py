@@ -3,7 +3,7 @@
 The page of a calculator is `PAGE` in the module of the same name, imported on demand.
 """
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from radcalc.calculators.page import Page
 

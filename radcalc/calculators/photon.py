@@ -45,10 +45,9 @@ def named(wave: Input) -> Input:
 
 
 def photon(given: Inputs) -> Answer:
-    """Return the answer for a wavelength, frequency, wavenumber or photon energy.
+    """Return the answer for a wavelength, frequency, wavenumber or photon energy in vacuum.
 
-    `given` may have an observer, too.  All are values in vacuum; the tables of the eye are for
-    standard air.
+    The tables of the eye are for standard air.
     """
     wave = given["wavelength"]
     solution = solve(LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})

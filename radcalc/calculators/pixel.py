@@ -47,10 +47,7 @@ FORMULAS = {
 
 
 def pixel(given: Inputs) -> Answer:
-    """Return the solid angle of a pixel of a map.
-
-    `given` are the map's size, the pixel, and the projection unless it is latlong.
-    """
+    """Return the solid angle of a pixel of a map."""
     refuse_foreign(given, TAKES, "a pixel")
     size = one_of(given, "the size of the map", "size")
     place = one_of(given, "the pixel", "pixel")

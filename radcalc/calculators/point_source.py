@@ -170,10 +170,9 @@ def task(words: Sequence[str], wants: Wants) -> Task:
 def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     """Return the answer for a point source.
 
-    Without a light quantity, one width of a cone or a lobe gives the others.  `given` are light
-    quantities (generic or specific names), the distribution, lengths, angles, times, and links
-    between kinds.  `any_incidence` solves for the incidence instead of assuming 0.  Without an
-    offset the receiver is on the axis, unless the other inputs contradict that.
+    Without a light quantity, one width of a cone or a lobe gives the others.  `any_incidence`
+    solves for the incidence instead of assuming 0.  Without an offset the receiver is on the axis,
+    unless the other inputs contradict that.
     """
     work_out = _answer
     shaped = "distribution" not in given or isinstance(given["distribution"].value, str)

@@ -216,8 +216,7 @@ NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
 def sky(name: str, given: Inputs, is_drawn: bool = False) -> Answer:
     """Return the light of a sky of `radcalc.geometry.sky.NAMES` and of the sun.
 
-    `given` are light quantities (generic or specific names), the sun's position, a direction, a
-    plane, and links between kinds.  A sky that `is_drawn` accepts the sun's azimuth alone.
+    A sky that `is_drawn` accepts the sun's azimuth alone.
     """
     sky = _Sky(name, given, is_drawn=is_drawn)
     return sky.answer(sky.solve())

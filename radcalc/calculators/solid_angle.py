@@ -109,7 +109,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
 def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answer:
     """Return the solid angle of a shape of `SHAPES`, with the equal cone and other results.
 
-    `given` are the inputs of the shape, `points` the vertices of a polygon.
+    `points` are the vertices of a polygon.
     """
     named = "all directions" if shape == "full" else f"a {shape}"
     takes = SHAPES[shape].takes

@@ -131,11 +131,7 @@ Settings = dict[str, Any]  # the settings and the point, by symbols
 
 
 def uberlight(given: Inputs) -> Answer:
-    """Return the light that a cinematographer's light sends to a point.
-
-    `given` are the point, the settings of the light, its intensity or irradiance, the receiver's
-    normal or incidence, and links between kinds.
-    """
+    """Return the light that a cinematographer's light sends to a point."""
     is_omni = "omni" in given
     _refuse_useless(given, is_omni)
     sheet, placed = worksheet(PAGE, given, defaults=("incidence",)), Placed()

@@ -149,9 +149,9 @@ class Placed(Remarks):
 
 
 def place(sheet: Worksheet, find: Callable[[Worksheet], Placed]) -> Placed:
-    """Return what `find` derives from the inputs, with the rounding errors of its values.
+    """Return what `find` derives from the inputs, with rounding errors of its values.
 
-    These errors follow from shifting each input by its own rounding error.
+    They follow from shifting each input by its own rounding error.
     """
     placed = find(sheet)
     for name, known in placed.known.items():

@@ -12,7 +12,7 @@ from radcalc.cli.spelling import Shell
 from radcalc.errors import MissingUnit, RadcalcError, UsageError
 from radcalc.errors import manual as mention_help
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Callable
 

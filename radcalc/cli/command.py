@@ -30,7 +30,7 @@ PLOT = click.Option(
 )
 # Endings of a word after --plot that is its file, not an operand.
 FIGURES = (".svg", ".png", ".pdf", ".ps", ".eps", ".jpg", ".jpeg", ".gif", ".webp", ".tif", "/")
-ALSO = "also --"  # before the names of the kinds, in the help of a light quantity
+ALSO = "also --"  # before the names of the kinds
 LINES = "Streams"
 Member = str | click.Option  # the name of a symbol, or another option
 

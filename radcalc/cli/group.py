@@ -7,7 +7,7 @@ from radcalc.cli.help import COMMANDS, HELP_NAMES, Helped
 from radcalc.errors import MINUS, UsageError, quote
 from radcalc.units.numbers import is_sentence
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from typing import Any
 

@@ -5,7 +5,7 @@ import click
 from radcalc import terminal
 from radcalc.calculators.pages import SUMMARIES
 
-# The commands in the order of the help, with their lines there.
+# In the order of the help.
 COMMANDS = {
     **SUMMARIES,
     "units": "Units, their definitions and sources.",

@@ -80,7 +80,7 @@ class Session:
         self.has_stdin = has_stdin
         self.variables: dict[str, str] = {}
         self.rows: list[Row] = []  # of the last line with any
-        self.origins: dict[str, set[int]] = {}  # origins of the uncertainty of names and ans
+        self.origins: dict[str, set[int]] = {}  # of the uncertainty of names and ans
         self.count = 0  # lines
 
     def names(self, with_words: bool = False) -> dict[str, str]:

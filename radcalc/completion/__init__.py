@@ -10,7 +10,7 @@ from radcalc.completion.line import HELP, Completion, Line, Option, is_option
 from radcalc.completion.table import COMMANDS, RADCALC
 from radcalc.units.numbers import is_sentence
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 

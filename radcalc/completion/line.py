@@ -3,7 +3,7 @@
 from radcalc.completion.table import COMMANDS
 from radcalc.units.numbers import is_sentence
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from typing import Any

@@ -13,7 +13,7 @@ from radcalc.completion.line import Completion
 from radcalc.completion.values import files
 from radcalc.errors import RadcalcError, UsageError, quote
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Callable
 

@@ -4,7 +4,7 @@ A wheel brings it as the module `built`.  Sources keep the one that `radcalc.cli
 them; after a change of the sources the table is empty until it is made again.
 """
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from typing import Any

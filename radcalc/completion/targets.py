@@ -21,7 +21,7 @@ from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import Exitance, Unit
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
 

@@ -6,7 +6,7 @@ from radcalc.completion.line import DIGITS, Completion
 from radcalc.completion.table import ENDINGS, NAMES, SPECTRA, UNITS
 from radcalc.spectra.kinds import FORMS
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
     from typing import Any

@@ -30,8 +30,8 @@ PAIRS = (("horizontal", "vertical"), ("width", "length"))  # both inputs are mis
 SIZES = ("radius", "diameter", "receiver-radius", "receiver-diameter", "pupil")
 FROM_NORMAL = ("incidence", "tilt", "polar", "elevation", "sun-elevation", "half-angle")
 FOOT, EV = resolve("ft").factor, resolve("eV").factor
-# Units [SI] that are mixed up with the SI unit, by dimension: centimetres are used as metres, or
-# metres are converted to centimetres and used as metres.
+# Units [SI] mixed up with the SI unit, by dimension: centimetres are used as metres, or metres
+# are converted to centimetres and used as metres.
 NEIGHBOURS = {
     LENGTH: ("length-unit", (1e-2, 1e-3)),
     AREA: ("area-unit", (1e-2, 1e-4, 1e-6)),

@@ -272,7 +272,7 @@ def _named(question: Question, claim: Claim) -> list[Value]:
     if present:
         return present
     if named:
-        pick(named, claim.name)  # raises an error that names the missing input
+        pick(named, claim.name)  # its error names the missing input
     names = dict.fromkeys(v.name for v in question.answer.values if not v.is_absent)
     raise ConditionError(
         f"{option('check')}: unknown result '{quote(claim.name)}'", ", ".join(names)

@@ -228,7 +228,7 @@ def _coordinate(text: str, number: float, unit_text: str, unit: Unit, first_unit
 def read_place(name: str, text: str, description: str = "") -> Input:
     """Read X,Y,Z, the position [m] of a symbol: three lengths, or bare numbers in metres.
 
-    `description` is the name in messages, by default that of the symbol.
+    `description` is its name in messages, by default that of the symbol.
     """
     parts = text.split(",")
     what = f"{description or f'the {name}'} '{quote(text)}'"

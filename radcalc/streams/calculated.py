@@ -159,7 +159,7 @@ class Calculated:
             with exactly(), numpy.errstate(all="raise", under="ignore"):
                 result = self.find(with_numbers(given, numpy.array(values)))
         except (ArithmeticError, ValueError, DigitsMatter, RadcalcError):
-            return None  # some of them fail, and are found in smaller parts
+            return None  # smaller parts show which of them fail
         self.hear(remarks_of(result.answer), lines)
         count = len(values)
         return [numpy.broadcast_to(row.value, count).tolist() for row in result.rows]

@@ -80,7 +80,7 @@ TITLE = re.compile(
 class Cut:
     """The division of a line into fields: at a delimiter, or at blanks if it is empty.
 
-    A field in double quotes, as in CSV, may contain a delimiter, but not blanks that separate.
+    A field in double quotes, as in CSV, may contain the delimiter; with blanks there are no quotes.
     """
 
     def __init__(self, delimiter: bytes = b"") -> None:

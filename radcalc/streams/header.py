@@ -195,7 +195,7 @@ class Header:
     def _is_quoted(self, line: bytes, start: int) -> bool:
         if self.cut is None or not self.cut.delimiter:
             return False
-        while start and line[start - 1] in BLANKS:  # avoids copies of the line before each title
+        while start and line[start - 1] in BLANKS:  # without copying the line
             start -= 1
         return line[start - 1 : start] == b'"'
 

@@ -14,7 +14,7 @@ from radcalc.streams.fields import BLANKS, Cut, Fields, Span
 from radcalc.streams.readers import Texts
 from radcalc.terminal import ABORT, FAIL, IGNORE
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from radcalc.streams.header import Header
 
