@@ -20,7 +20,7 @@ def test_a_right_answer_is_true_and_a_wrong_one_false():
     )
 
 
-def test_the_mistake_is_named_in_pythons_words():
+def test_a_mistake_is_named_with_python_keywords():
     """E = 500 lx of a diffuser of 0.8 is 500 * 0.8 / pi = 127.3 cd/m2, and 400 without the pi."""
     said = radcalc.check(radcalc.explain("500 lx", "cd/m2", reflectance=0.8), "400")
     assert [one.done for one in said.diagnoses] == ["pi was forgotten"]
@@ -39,7 +39,7 @@ def test_a_claim_names_the_result_with_hyphens_or_underscores(name):
 
 
 def test_an_answer_is_checked_at_one_point_but_not_at_several():
-    """100 cd at 2 m are 100/4 lx."""
+    """100 cd give 100/4 lx at 2 m."""
     assert radcalc.check(radcalc.uberlight((0, 0, 2), intensity="100 cd"), "irradiance=25 lx")
     with pytest.raises(radcalc.ConditionError, match="takes one answer, but there are several"):
         radcalc.check(radcalc.uberlight([(0, 0, 2), (0, 0, 3)], intensity="100 cd"), "25 lx")

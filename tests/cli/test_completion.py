@@ -115,7 +115,7 @@ def test_a_suggested_target_converts_or_lacks_the_condition_described(source, ty
             assert is_free, one
 
 
-def test_conditions_that_are_typed_count():
+def test_conditions_that_are_typed_are_taken_into_account():
     found = texts("800 lm --isotropic --distance 2m ")
     assert found[0] == "lx"
     assert said("800 lm --isotropic --distance 2m ", "lx") == "lux"
@@ -321,7 +321,7 @@ def test_every_form_has_a_reader():
 
 @for_each(UNITS)
 def test_the_units_of_a_quantity_measure_it(quantity):
-    units = [unit for text, _ in UNITS[quantity] if (unit := unit_of(text))]  # no scales
+    units = [unit for text, _ in UNITS[quantity] if (unit := unit_of(text))]  # except scales
     assert len({unit.dimension for unit in units}) <= 1
     assert {name_of(unit) for unit in units[:1]} <= {quantity}
 

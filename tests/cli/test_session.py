@@ -98,7 +98,7 @@ def test_a_line_without_an_answer_keeps_the_last_one(typed):
     [
         ("200 lx fc --check 3", "200\tlx\n"),
         ("200 lx fc --check 18.6", "200\tlx\n"),
-        # 100 cd at 2 m are 100 / 2^2 = 25 lx
+        # 100 cd give 100 / 2^2 = 25 lx at 2 m
         ("point-source --intensity 100cd --distance 2m --check irradiance=3lx", "25\tlx\n"),
     ],
 )

@@ -125,7 +125,7 @@ def test_units_in_reach_are_listed_and_the_others_with_their_conditions(screen):
     assert shown.index("klx") < shown.index("cd")
 
 
-def test_conditions_that_are_typed_count(screen):
+def test_conditions_that_are_typed_are_taken_into_account(screen):
     text = screen.listed("radcalc 800 lm --isotropic --distance 2m l", "lx", "lm.s")
     assert text.split("lm.s")[0].split().count("lx") >= 1
 

@@ -49,7 +49,7 @@ def test_halves_of_the_last_digit_are_rounded_as_in_a_single_conversion():
         assert ready.lines(b"\n".join(texts) + b"\n") == wanted
 
 
-def test_a_decimal_ratio_leaves_room_for_a_number_of_digits():
+def test_the_ratio_limits_the_digits_of_an_exact_product():
     assert Bulk(LX_FC, 12).digits == 8  # 9290304 = 2^6 * 145161 has 7 digits, 15 - 7
     assert Bulk(plan(resolve("fc"), resolve("lx")), 12).digits == 0
     assert Bulk(plan(resolve("W"), resolve("mW")), 12).digits == 11

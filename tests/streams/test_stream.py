@@ -89,7 +89,7 @@ NUMBERS = st.one_of(
     st.sampled_from(["0", "-0", "+5", ".5", "5.", "1/3", "4pi", "1e5", "-2.50E-3", "0.000", "00"]),
     st.sampled_from(["1,5", "1_000", "nan", "inf", "x", "", "1e400", "5 5", "1e-320"]),
 )
-# Cells are not byte order marks, which a stream drops at its start.
+# Cells are not byte order marks, which have a meaning at the start of a stream.
 OTHERS = st.binary(max_size=6).map(lambda b: re.sub(rb'[\n\r"#]|\xef\xbb\xbf', b"", b))
 DELIMITERS = [b",", b";", b"\t", b" ", b"", "·".encode()]
 

@@ -26,7 +26,7 @@ from radcalc.units.reading import read_amount, read_operands
     ],
 )
 def test_the_notations_of_the_guide_give_the_same_mass(text):
-    """JCGM 100:2008, 7.2.2: a standard of mass of 100.02147 g, and 0.35 mg."""
+    """JCGM 100:2008, 7.2.2: a mass standard of 100.02147 g with an uncertainty of 0.35 mg."""
     amount = read_amount(text)
     assert amount.number * float(amount.unit.factor) == pytest.approx(0.10002147, rel=1e-15)
     assert amount.uncertainty * float(amount.unit.factor) == pytest.approx(0.35e-6, rel=1e-12)
