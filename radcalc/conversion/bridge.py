@@ -67,7 +67,6 @@ class Bridge:
         self.lacking[what] = WANTED[what]
 
     def want_space(self, rows: Iterable[Way], given: set[str]) -> None:
-        """Record the missing spatial conditions, for at most two ways."""
         rows = tuple(rows)
         extending = [way for way in rows if way.extends and given and given < set(way.powers)]
         sensible = [way for way in rows if way.is_suggested] or list(rows)

@@ -53,7 +53,6 @@ class ScaledPlan(Plan):
         return target.reading(quantity)
 
     def derive(self, value: Any) -> list[Step]:
-        """Return the steps: the functions of the scales around those of the units."""
         source, target = self.ends
         steps = []
         if isinstance(source, ScaleUnit):

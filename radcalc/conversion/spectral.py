@@ -408,7 +408,6 @@ EXAMPLES = {
 
 
 def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -> Factor:
-    """Return the link by a whole spectrum, with the inputs that refine it."""
     if start.axis or end.axis:
         raise ConditionError(
             f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",

@@ -163,7 +163,7 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
     Parameters
     ----------
     other : float or ndarray [m]
-        Radius of the other disc, above 0.
+        Radius r2 of the other disc, above 0.
     distance : float or ndarray [m]
         Distance of their planes, above 0.
     etendue : float or ndarray [m2 sr]

@@ -120,17 +120,13 @@ def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]
 
     Parameters
     ----------
-    first : tuple of 3 floats or ndarrays [m]
-        The first vertex, from the observer.
-    sides : sequence of such tuples [m]
-        All vertices from the first one.
+    first, sides : tuple of 3 floats or ndarrays, sequence of such tuples [m]
+        The vertices, as `split` returns them.
 
     Returns
     -------
-    first : tuple of 3 floats or ndarrays [1]
-        The first vertex in the new unit; every coordinate is below 1.
-    sides : list of such tuples [1]
-        All vertices from the first one, in that unit.
+    first, sides : tuple of 3 floats or ndarrays, list of such tuples [1]
+        The same in the new unit; every coordinate of the first vertex is below 1.
 
     Notes
     -----
@@ -153,10 +149,8 @@ def fan(first: Vector, sides: Sequence[Vector]) -> Number:
 
     Parameters
     ----------
-    first : tuple of 3 floats or ndarrays [m]
-        The first vertex, from the observer.
-    sides : sequence of such tuples [m]
-        All vertices in order round the polygon, from the first one; the first of these is zero.
+    first, sides : tuple of 3 floats or ndarrays, sequence of such tuples [m]
+        The vertices, as `split` returns them.
 
     Returns
     -------
@@ -266,10 +260,8 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
 
     Parameters
     ----------
-    first : tuple of 3 floats or ndarrays [m]
-        The first vertex, from the observer.
-    sides : sequence of such tuples [m]
-        All vertices in order round the polygon, from the first one; the first of these is zero.
+    first, sides : tuple of 3 floats or ndarrays, sequence of such tuples [m]
+        The vertices, as `split` returns them.
     normal : tuple of 3 floats or ndarrays [1]
         The receiver's normal, of length 1.  The whole polygon must be above the receiver's horizon:
         `above` cuts off the rest.
@@ -378,20 +370,16 @@ def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vecto
 
     Parameters
     ----------
-    first : tuple of 3 floats [m]
-        The first vertex, from the observer.  Floats only: the number of vertices kept would differ
-        between the elements of an array.
-    sides : sequence of such tuples [m]
-        All vertices in order round the polygon, from the first one; the first of these is zero.
+    first, sides : tuple of 3 floats, sequence of such tuples [m]
+        The vertices, as `split` returns them.  Floats only: the number of vertices kept would
+        differ between the elements of an array.
     normal : tuple of 3 floats [1]
         The receiver's normal; its horizon is the plane through the observer perpendicular to it.
 
     Returns
     -------
-    first : tuple of 3 floats [m]
-        The first vertex of the part.
-    sides : list of such tuples [m]
-        All vertices of the part, from its first one; empty if the whole polygon is below.
+    first, sides : tuple of 3 floats, list of such tuples [m]
+        The part in the same form; `sides` is empty if the whole polygon is below.
 
     Notes
     -----

@@ -185,10 +185,8 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
     Parameters
     ----------
-    radius : float or ndarray [m]
-        Radius R of the sphere, 0 or more.
-    distance : float or ndarray [m]
-        Distance D from the receiver to the *centre* of the sphere, above `radius`.
+    radius, distance : float or ndarray [m]
+        As in `radcalc.geometry.spheres.angular_radius`.
     tilt : float or ndarray [rad], optional
         Angle t between the receiver's normal and the direction of the centre, from -pi to pi;
         0 (facing the sphere) by default.
@@ -225,12 +223,8 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
 
     Parameters
     ----------
-    radius : float or ndarray [m]
-        Radius R of the disc, 0 or more.
-    height : float or ndarray [m]
-        Distance h of the receiver from the disc's *plane*, above 0.
-    offset : float or ndarray [m], optional
-        Distance x of the receiver from the disc's axis; its sign does not matter.
+    radius, height, offset : float or ndarray [m]
+        As in `radcalc.geometry.solid.disc`.
     tilt : float or ndarray [rad], optional
         Rotation t of the receiver in the plane of the offset, from -pi to pi: 0 (the default)
         parallel to the disc, positive towards the disc's axis, negative away from it.
@@ -356,12 +350,8 @@ def rectangle(
 
     Parameters
     ----------
-    width, length : float or ndarray [m]
-        Whole sides along x and y, 0 or more.
-    height : float or ndarray [m]
-        Distance h of the receiver from the rectangle's *plane*, above 0.
-    offset, offset_y : float or ndarray [m], optional
-        Sideways distance of the receiver from the rectangle's axis, along x and y.
+    width, length, height, offset, offset_y : float or ndarray [m]
+        As in `radcalc.geometry.solid.rectangle`.
     normal : tuple of 3 floats or ndarrays, optional
         The receiver's normal: components along the width, along the length and towards the
         rectangle's plane, of any length except 0.  (0, 0, 1), facing the plane, by default.

@@ -151,10 +151,8 @@ def lobe(
         Exponent n of the lobe, 0 or more.
     radius, distance : float or ndarray [m]
         As in `isotropic`.
-    off_axis : float or ndarray [rad], optional
-        Angle gamma of the disc's centre from the lobe's axis, from 0 to below pi/2.
-    incidence : float or ndarray [rad], optional
-        As in `cone`, about the lobe's axis.
+    off_axis, incidence : float or ndarray [rad], optional
+        As in `cone`, with the lobe's axis.
 
     Returns
     -------
@@ -223,12 +221,8 @@ def unevenness(
 
     Parameters
     ----------
-    exponent : float or ndarray [1]
-        Exponent n of the lobe, 0 or more.
-    radius, distance : float or ndarray [m]
-        As in `isotropic`.
-    off_axis : float or ndarray [rad], optional
-        Angle gamma of its centre from the lobe's axis, from 0 to below pi/2.
+    exponent, radius, distance, off_axis
+        As in `lobe`.
 
     Returns
     -------

@@ -255,12 +255,10 @@ def projected_sky(
 
     Parameters
     ----------
-    sky : SkyType
-        One of `TYPES`.
+    sky, sun
+        As in `relative_luminance`.
     normal : tuple of 3 floats
         Normal of the plane, of any length except 0.
-    sun : tuple of 2 floats [rad], optional
-        Polar angle and azimuth of the sun, for a sky that follows it.
 
     Returns
     -------
@@ -309,10 +307,8 @@ def mean_sky(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[floa
 
     Parameters
     ----------
-    sky : SkyType
-        One of `TYPES`.
-    sun : tuple of 2 floats [rad], optional
-        Polar angle and azimuth of the sun, for a sky that follows it.
+    sky, sun
+        As in `relative_luminance`.
 
     Returns
     -------
@@ -335,10 +331,8 @@ def brightest(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[flo
 
     Parameters
     ----------
-    sky : SkyType
-        One of `TYPES`.
-    sun : tuple of 2 floats [rad], optional
-        Polar angle and azimuth of the sun, for a sky that follows it.
+    sky, sun
+        As in `relative_luminance`.
 
     Returns
     -------

@@ -343,12 +343,8 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
 
     Parameters
     ----------
-    width, length : float or ndarray [m]
-        Whole sides along x and y, 0 or more.
-    height : float or ndarray [m]
-        Distance of the observer from the rectangle's plane, which is at z = height; above 0.
-    offset, offset_y : float or ndarray [m]
-        Sideways distance of the observer from the rectangle's axis, along x and y.
+    width, length, height, offset, offset_y : float or ndarray [m]
+        As in `rectangle`, whose plane is at z = height.
 
     Returns
     -------

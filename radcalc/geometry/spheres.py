@@ -149,7 +149,7 @@ def radius_of(distance: Number, solid_angle: Number) -> Number:
     distance : float or ndarray [m]
         Distance D from the observer to the *centre* of the sphere, in any unit of length.
     solid_angle : float or ndarray [sr]
-        Solid angle Omega of the sphere, above 0 and below 2 pi.
+        As in `distance_of`.
 
     Returns
     -------

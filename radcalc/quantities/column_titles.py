@@ -269,7 +269,6 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
 
 
 def _similar(titles: Sequence[str], name: str, like: Unit | None) -> list[int]:
-    """Return the places of titles that match a name except for the unit or the case."""
     folded = name.casefold()
     near = [(k, title) for k, title in enumerate(titles) if folded in title.casefold()]
     bare = [(k, title, _read(title, like).name) for k, title in near[:COMPARED]]

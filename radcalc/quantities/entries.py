@@ -82,7 +82,6 @@ def search(text: str) -> list[Entry]:
 
 
 def _of_quantities(text: str) -> list[Entry]:
-    """Return the units of the quantities with that name or misnomer, with the note on it."""
     from radcalc.quantities.search import called, comparable, index, with_words
 
     measured = [(f.quantity.name(ENGLISH), resolve(f.quantity.unit), f.note) for f in called(text)]
@@ -117,7 +116,6 @@ def _products(quantity: str, unit: Unit) -> list[Entry]:
 
 
 def _of_name(text: str) -> list[Entry]:
-    """Return the units with that symbol, and those with the text in their names."""
     folded = text.lower().replace("-", "_")
     exact = [name for name in UNITS if text in CATALOGUE[name][0]]
     if exact and len(folded) < 3:

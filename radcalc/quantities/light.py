@@ -153,7 +153,6 @@ class Reading(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The quantity's name in the vocabulary of the CIE."""
         if self.retinal:
             return OTHERS[RETINAL_ILLUMINANCE][0]
         name = GEOMETRIES[self.geometry][0][KINDS.index(self.kind)]

@@ -23,7 +23,6 @@ class Quantity(NamedTuple):
     definition: str
 
     def names(self, language: str) -> list[str]:
-        """Return the names in one language, the preferred one first."""
         text: str = getattr(self, language)
         return text.split(", ") if text else []
 

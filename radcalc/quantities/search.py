@@ -205,7 +205,6 @@ def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
 def _by_words(
     text: str, alike: Callable[[str, str], bool], first: int | None = None
 ) -> list[Found]:
-    """Return the quantities with every word of the text in one of their (first) names or kinds."""
     words = comparable(text).split()
     matches = []
     for q in QUANTITIES:

@@ -104,7 +104,6 @@ class ArrayTable(Table):
 
 
 def _arrays(wavelengths: Any, spectra: Any) -> tuple[Any, Any]:
-    """Return the wavelengths and the spectra as arrays; raise if their shapes do not match."""
     spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
     grid = np.asarray(wavelengths, dtype=float)
     if (

@@ -50,7 +50,6 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
 
 
 def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[int, str]], int]:
-    """Return the lines of a section with their numbers, and the number of the first line."""
     stripped = [line.strip() for line in lines]
     end = start.replace("BEGIN", "END")
     for word in (start, end):

@@ -47,7 +47,6 @@ class Counts:
         return "" if self.source.is_whole else range_text(self.source.known)
 
     def notes(self, kinds: Iterable[str]) -> list[str]:
-        """Return notes on ranges beyond the data, and on lumens outside the ranges."""
         label, known = self.source.label, self.known
         notes = [
             f"{label} is known over {known}: {NAMES[kind]} are counted over {self.over(kind)}, "

@@ -95,7 +95,6 @@ class _Reader:
         return self.finish(1.0, contents.meanings, contents.figures)
 
     def rows(self, lines: Lines, number: int) -> Iterator[tuple[int, str]]:
-        """Return the lines with data, with their numbers; comments are collected separately."""
         for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
@@ -484,7 +483,6 @@ def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
 
 
 def _is_of_units(cells: Sequence[str]) -> bool:
-    """Return whether cells contain only units, as a row below the titles."""
     inner = [cell[1:-1].strip() if BRACKETED.fullmatch(cell) else cell for cell in cells]
     return any(inner) and all(
         not text or cell != text or columns.plain(text) in column_titles.NANOMETRES or unit_of(text)

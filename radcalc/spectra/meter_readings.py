@@ -12,21 +12,10 @@ UNITS = {"illuminance": "lx", "irradiance": "W/m2", "ppfd": "umol/m2/s", "cct": 
 
 
 def chosen(tables: Sequence[Table], figures: Mapping[str, Figure]) -> tuple[Table, tuple[str, ...]]:
-    """Return the table that fits the figures, and notes; the first, relative one if none fits.
+    """Return the table that fits the figures of the meter, and notes on figures that deviate.
 
-    Parameters
-    ----------
-    tables : sequence of Table
-        The same numbers with several meanings; a single one is returned.
-    figures : mapping
-        Figures of the meter, by the names and in the units of `UNITS`.
-
-    Returns
-    -------
-    table : Table
-        The first table whose illuminance agrees within 1 % and rounding, or the relative one.
-    notes : tuple of str
-        Figures that deviate more.
+    `tables` are the same numbers with several meanings.  The first whose illuminance agrees within
+    1 % and rounding is returned, or else the relative one; a single one in any case.
     """
     if len(tables) == 1:
         return tables[0], ()

@@ -75,7 +75,6 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
 
 
 def _value(name: str, number: int, text: str, delimiter: str) -> str:
-    """Return the single value after the name of a row."""
     cells = columns.cells(text.rstrip(f"{delimiter} "), delimiter)
     if len(cells) != 1:
         problem = f"{len(cells)} values at one wavelength"
@@ -94,7 +93,6 @@ def _refuse_gaps(table: list[Row], name: str) -> None:
 
 
 def _figures(lines: Sequence[str]) -> Mapping[str, Figure]:
-    """Return the meter's own results."""
     names = {spelling: name for name, spellings in FIGURES.items() for spelling in spellings}
     figures = {}
     for line in lines:

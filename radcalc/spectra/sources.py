@@ -96,7 +96,6 @@ class Parameter(NamedTuple):
     behind: str
 
     def source(self, number: float) -> Spectrum:
-        """Return the source with another number, in the parameter's unit."""
         unit = self.amount.unit.text if self.amount.unit else ""
         return spectrum(f"{self.before}{number!r}{unit}{self.behind}")
 

@@ -73,7 +73,6 @@ class Value:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
 
     def times(self, other: "Value", power: int = 1) -> "Value":
-        """Return this value times a power of another."""
         top, bottom = (other.top, other.bottom) if power > 0 else (other.bottom, other.top)
         if max(abs(top), bottom).bit_length() * abs(power) > MAX_BITS:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
@@ -216,7 +215,6 @@ class Calculator(Scanner):
         return self.wrong(f"cannot be read from '{quote(rest)}' on")
 
     def sum(self) -> Value:
-        """Read terms up to the end or a closing bracket."""
         self.skip_blanks()
         is_negative = self.peek() in MINUSES and bool(self.peek())
         if self.peek() and self.peek() in SIGNS:

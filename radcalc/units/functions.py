@@ -101,5 +101,4 @@ def _series(term: Decimal, x: Decimal, place: int) -> Decimal:
 
 
 def _ratio(result: Decimal, blur: Decimal) -> Ratio:
-    """Return a result, with the blur of the last computed digits added."""
     return (*result.as_integer_ratio(), float(blur + LAST.scaleb(-getcontext().prec)) + FINEST)

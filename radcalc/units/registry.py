@@ -94,7 +94,6 @@ def _reduced(measure: Any) -> tuple[Any, ...]:
 
 
 def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:
-    """Return a pickled quantity or unit in the registry of this process."""
     registry = light_registry()
     for name in powers:
         registry.get_name(name)  # defines a prefixed unit

@@ -92,7 +92,6 @@ class ScaleUnit(Unit):
         return next((scale for scale in (self, *self.others) if scale.dimension in wanted), self)
 
     def with_constants(self, values: dict[str, float]) -> "ScaleUnit":
-        """Return the scale of a light meter with other constants [SI]."""
         others = tuple([other.with_constants(values) for other in self.others])
         scale = self.scale
         if scale.constant in values:

@@ -154,7 +154,6 @@ def _multiplied_by_length(text: str, length: str) -> UnitError:
 
 
 def _in_another_language(text: str) -> Unit | str:
-    """Return the unit of a Czech or Russian text; '' for another text."""
     from radcalc.units.languages import in_english
 
     english = in_english(text)

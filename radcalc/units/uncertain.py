@@ -102,7 +102,6 @@ def _with_one(text: str) -> Reading | None:
 
 
 def _is_product(text: str) -> bool:
-    """Return whether the number at the start of a text is a product or a quotient."""
     return not {"*", "/"}.isdisjoint(text[: read_number(text)[1]])
 
 
