@@ -99,7 +99,7 @@ MEANT = [
     ("800 lm cd --angle 36deg", "--half-angle, --apex-angle, --beam-angle (see"),
     ("point-source --lumens 800lm", "--luminous-flux (see"),
     ("lamp", "point-source (see"),
-    ("point-source --f-number 2.8", "radcalc etendue --help; it is of etendue, ev"),
+    ("point-source --f-number 2.8", "radcalc etendue --help; commands with it: etendue, ev"),
     ("solid-angle cone --flux 5lm", "point-source, lambertian"),
     ("convert 1 cd lx --distance 1m:1e300m:2m", "at most 10000"),
     (f"convert 1 cd lx --distance {'1m,' * 10_000}2m", "at most 10000"),
