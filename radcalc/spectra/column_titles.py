@@ -72,7 +72,7 @@ class Meaning(NamedTuple):
 
     said: str
     are_photons: bool = False
-    absolute: str = ""
+    absolute: str = ""  # the radiant quantity, if there is a unit
     factor: float = 1.0  # to W/../nm or photon/s/../nm
 
 

@@ -23,7 +23,7 @@ MAX_LENGTH = 1000
 INFINITE = float("inf")
 SMALLEST = float_info.min  # smallest float with full precision
 
-EXACT = 1e-9  # of arithmetic with exact numbers
+EXACT = 1e-9  # relative error of arithmetic with exact numbers
 FEWEST_DIGITS = 3  # 2m is read as 2.00 m
 
 FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10")  # of expressions
