@@ -551,7 +551,7 @@ COMMANDS = {
         "spectrum gaussian:530+-1nm,30+-1nm", "'30+-1nm' has an uncertainty, which cannot be used",
         "the value alone"),
     "an exposure value has no reading on a scale": (
-        "ev --ev100 12 -g ev100:stops", "ev100 is not measured in stops", "ev100:1"),
+        "ev --ev100 12 -g ev100:stops", "ev100 cannot be in stops", "ev100:1"),
     "a difference of temperature has no reciprocal": (
         "calorimeter --mass 1kg --temperature-rise 200mired", "not mired", "--temperature-rise 2K"),
     "a level is not a distance": (

@@ -83,8 +83,8 @@ PAGE = Page(
     bare={**METER_UNITS, "time": "s", "unfiltered-time": "s"},
     labels={"time": "exposure time"},
     forms={"time": FRACTION, "unfiltered-time": FRACTION},
-    remarks="{ev} follows from the f-number and the time; {ev100} follows from the light, and is "
-    "{ev} at ISO 100.  {luminance} gives {illuminance} for an average scene; both together give "
+    remarks="{ev} follows from the f-number and the time; {ev100}, which follows from the light, "
+    "is {ev} at ISO 100.  {luminance} gives {illuminance} for an average scene; both together give "
     "the reflectance of the scene.  {f-number} may be written as f/2.8.  A fraction for {time} is "
     "in seconds.  A bare number for {k} or {c} is in its usual unit.  {nd} is a density (0.9 or "
     "ND0.9), or the factor of the filter (ND8).  For a flash, each of {guide-number}, {distance}, "
@@ -125,7 +125,7 @@ def _solve_exposure(given: Inputs) -> Answer:
         return solve(sheet, all_laws).answer()
     if not {*LIGHT, "ev", "f-number"} & set(given):
         hint = mention("{ev100}, {luminance}, {illuminance} or {f-number}")
-        raise MissingInput("the light is missing", hint)
+        raise MissingInput("the light or the setting of the camera is missing", hint)
     if "k" not in given:
         placed.add("k", K)
         placed.assume(usual("k", settable=True))

@@ -17,7 +17,7 @@ SUMMARIES = {
     "scene": "The light of many sources at points or over a grid.",
     "lambertian": "Diffuse sources and reflectors.",
     "sky": "The light of the sky and the sun.",
-    "uberlight": "The cinematographer's light of computer graphics (uberlight).",
+    "uberlight": "Uberlight, a light model of computer graphics.",
     "ev": "Exposure values and the light meter.",
     "calorimeter": "Radiant flux from the heat that it produces.",
     "screen": "The picture on a projection screen.",

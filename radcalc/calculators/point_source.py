@@ -137,15 +137,16 @@ PAGE = Page(
     remarks="""
     The source may be a lamp, a spot or the file of a luminaire.  Give any sufficient set of
     quantities; the others are calculated.  Redundant quantities are checked against each other, to
-    the digits typed.  The irradiance is that on the receiver.  Light arrives along the receiver's
-    normal, unless {incidence} is given or {get=incidence} asks for it; with a {height} the source
-    points straight down and the receiver is horizontal.  An offset, a height or an exponent can
-    follow from the light; if two values fit, both are shown.
+    the precision of the digits typed.  The irradiance is that on the receiver.  Light is assumed to
+    arrive along the receiver's normal, unless {incidence} is given or {get=incidence} requests the
+    angle; with a {height} the source points straight down and the receiver is horizontal.  An
+    offset, a height or an exponent can be calculated from the light; if two values fit, both are
+    shown.
 
     {distribution} also takes the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
     intensities (CSV), - for standard input, or an expression with a blank and a unit at its end.
     In the expression, theta is the angle from the source's axis and phi the azimuth around it.  A
-    light quantity scales such a source.  {offset} is towards C0, {offset-y} towards C90.
+    light quantity scales such a source.  {offset} is measured towards C0, {offset-y} towards C90.
 
     Several sources add up (see also radcalc scene):
 

@@ -10,7 +10,8 @@ from radcalc.errors import MissingInput, NumberError, UsageError, mention, neare
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities.light import GRID, describe
+from radcalc.quantities.light import GRID
+from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import unit_of
@@ -76,7 +77,7 @@ def in_unit(value: Value, unit: Unit) -> Any:
             message = f"{value.name} in {quote(unit.text)} {NEEDS_LINK}"
             raise MissingInput(message, LINKS_HINT)
         raise UsageError(
-            f"{value.name} is not measured in {describe(unit)}",
+            f"{value.name} cannot be in {_described(unit)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
     if value.in_first is not None and unit.text == value.units[0]:
@@ -87,13 +88,19 @@ def in_unit(value: Value, unit: Unit) -> Any:
     )
 
 
+def _described(unit: Unit) -> str:
+    name = unit_name(unit)
+    text = quote(unit.text)
+    return f"{text}, a unit of {name}" if name else f"'{text}'"
+
+
 def _on_scale(value: Value, unit: "ScaleUnit") -> Any:
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
     scale = unit.measures((*value.dimensions, *value.reach))
     if not takes_scale(value.name, scale):
         raise UsageError(
-            f"{value.name} is not measured in {quote(unit.text)}",
+            f"{value.name} cannot be in {quote(unit.text)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
     return scale.reading(in_unit(value, scale.unit))

@@ -132,7 +132,7 @@ def room(given: Inputs) -> Answer:
     solved = solve(sheet, laws, placed)
     solved.refuse_impossible(*LOSSES)
     if solved.has("room-index"):
-        solved.assume("room index: for the height of the luminaires above the working plane")
+        solved.assume("room index: the height is that of the luminaires above the working plane")
     if solved.has("luminaires", "irradiance"):
         solved.assume("evenly distributed luminaires; illuminance: the mean over the working plane")
     return solved.answer()

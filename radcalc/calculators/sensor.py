@@ -107,7 +107,7 @@ PAGE = Page(
     ("irradiance", "exposure", "flux", "energy", "radiance"),
     ("photons", *DETECTOR, "etendue", *LENS, *PIXEL),
     goal="electrons",
-    about="Give the light that a lens sends to a sensor, its photons, electrons and current.",
+    about="Calculate the light that a lens sends to a sensor, its photons, electrons and current.",
     sections={
         "Light": ("radiance", *ON_SENSOR),
         "Lens": (*LENS, "etendue"),
@@ -143,9 +143,9 @@ PAGE = Page(
     remarks="{radiance} is that of the scene; the other light quantities are those on the sensor.  "
     "The camera equation relates them.  {f-number} is the number N marked on the lens, for focus "
     "at infinity; {working-f-number} is N (1 + m), with the {magnification} m.  The area of a "
-    "pixel, or of another detector, is the area that collects light.  Electrons need photons: give "
-    "{wavelength} or {spectrum}, or light in photon units.  Give any sufficient set of quantities; "
-    "the others are calculated.",
+    "pixel, or of another detector, is the area that collects light.  Electrons follow from "
+    "photons: give {wavelength} or {spectrum}, or light in photon units.  Give any sufficient set "
+    "of quantities; the others are calculated.",
 )
 GOALS = {  # without light
     "responsivity": ("quantum-efficiency", "responsivity"),

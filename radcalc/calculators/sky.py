@@ -125,7 +125,7 @@ PAGE = Page(
     LIGHT,
     (SHARED, *ANGLES),
     goal=SHARED,
-    about="Give the light of the sky from a direction, on the ground and on a plane.",
+    about="Calculate the light of the sky from a direction, on the ground and on a plane.",
     operand=OPERAND,
     sections={
         "Light": ("zenith-radiance", "horizontal-irradiance", "radiance-toward", "irradiance"),
@@ -142,6 +142,7 @@ PAGE = Page(
         "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
+        "irradiance": "Irradiance on the plane.",
         "tilt": ("90deg", "Tilt of a plane from the horizontal: 90deg is a wall."),
         "azimuth": ("180deg", "Azimuth that the plane faces (with {tilt})."),
         "toward": "Point of the sky, as POLAR (from the zenith), POLAR,AZIMUTH or X,Y,Z (Z up).",

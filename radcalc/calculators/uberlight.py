@@ -55,7 +55,7 @@ PAGE = Page(
     ("intensity", "irradiance", "intensity-toward"),
     ("attenuation", *(f"{part}-attenuation" for part in PARTS), "distance", "incidence", *NUMBERS),
     goal="attenuation",
-    about='Give the light that a cinematographer\'s light ("uberlight") sends to points.',
+    about='Calculate the light that a cinematographer\'s light ("uberlight") sends to points.',
     operand=Operand("point", "X,Y,Z ..."),
     sections={
         "Light": ("intensity", "irradiance", "omni"),

@@ -87,8 +87,8 @@ class Plan:
             from radcalc.quantities.light import describe, name_of
 
             raise ConditionError(
-                f"a negative {name_of(self.source)} is not light but a difference, and no "
-                f"condition makes it {describe(self.target)}",
+                f"a negative {name_of(self.source)} is a difference, which cannot "
+                f"be converted to {describe(self.target)}",
                 "0 or more",
             )
 

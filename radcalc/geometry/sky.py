@@ -146,7 +146,7 @@ TYPES = {
 # Errors if a sky, or the light of its sun, depends on the sun's position.
 MISSING_SUN = "the sun's elevation is missing", mention("{sun-elevation=40deg}")
 MISSING_AZIMUTH = "the sun's azimuth is missing", mention("{sun-azimuth=180deg}")
-IS_EVEN = "to the sky {}, which is the same at every azimuth"  # of its name
+IS_EVEN = "to the sky type {}, which is the same at every azimuth"  # of its name
 # Other names of some types.
 ALSO = {"uniform": "5", "intermediate": "7", "clear": "12", "turbid": "13"}
 NAMES = ("overcast", *ALSO, *(name for name in TYPES if name != "overcast"))

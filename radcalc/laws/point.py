@@ -249,7 +249,8 @@ def _height_or_offset(distance: Any, other: Any, name: str) -> Any:
     cones.refuse(
         distance < other,
         f"the distance is less than the {name}",
-        f"{option('distance')} is the straight line to the source",
+        f"a {option('distance')} of at least the {option(name)}: it is "
+        "the straight line to the source",
     )
     return power(distance - other, 0.5) * power(distance + other, 0.5)
 

@@ -441,9 +441,9 @@ MISNOMERS = (
     (
         PPFD,
         "E_p",
-        "PPFD is the photon irradiance from 400 nm to 700 nm, mostly in umol/m2/s",
+        "PPFD is the photon irradiance from 400 nm to 700 nm, usually in umol/m2/s",
     ),
-    (PPF, "Φ_p", "PPF is the photon flux from 400 nm to 700 nm, mostly in umol/s"),
+    (PPF, "Φ_p", "PPF is the photon flux from 400 nm to 700 nm, usually in umol/s"),
     (("throughput", "geometrical extent"), "G", "that is the etendue of a beam"),
     (
         ("W m-1 sr-1", "W/m/sr", "Вт м-1 ср-1", "Вт/м/ср"),

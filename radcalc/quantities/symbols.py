@@ -407,7 +407,7 @@ _ROWS = (
     _symbol(RESPONSIVITY, "responsivity", "s", "0.4A/W",
         "Current of the detector per watt of incident light."),
     _text(CHOICE, "electric-field", "a choice", "rms",
-        "Electric field of the light, given as its peak or its root mean square.",
+        "Convert to or from the electric field: its peak or its root mean square.",
         ("peak", "rms")),
     _symbol(CURRENT, "current", "i", "1uA", "Photocurrent of the detector.",
         takes="a current"),

@@ -25,7 +25,7 @@ from radcalc.quantities.column_titles import (
     refuse_misnamed,
     unit_in,
 )
-from radcalc.quantities.light import PHOTON, describe
+from radcalc.quantities.light import PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
 from radcalc.quantities.symbols import light_unit
@@ -287,8 +287,8 @@ class Head:
             refuse_misnamed(read_title(title), unit)
         if declared and not is_same(declared, unit):
             raise UsageError(
-                f"{option('unit', quote(unit.text))} contradicts the title '{quote(title)}', "
-                f"which has {describe(declared)}",
+                f"{option('unit', quote(unit.text))} contradicts the unit "
+                f"{quote(declared.text)} of the title '{quote(title)}'",
                 "leave it out, or use another column",
             )
         return unit

@@ -141,7 +141,7 @@ class Stream:
 
     def _check_width(self, count: int) -> None:
         if self.width and count != self.width:
-            place = ", but the lines before have" if self.is_counted else " under a header of"
+            place = ", but the lines before have" if self.is_counted else ", but the header has"
             hint = "as many fields in every line"
             if self.cut and self.cut.delimiter == b",":
                 hint += "; quotes around a field with a comma"

@@ -47,7 +47,7 @@ def parse_unit(text: str) -> list[Atom]:
     if len(text) > MAX_LENGTH:
         raise UnitError(
             f"a text of {len(text)} characters is not a unit",
-            f"at most {MAX_LENGTH} characters are read",
+            f"at most {MAX_LENGTH} characters are accepted",
         )
     folded = text.translate(SAME).strip()  # as `plain` does, without the call
     folded = folded.replace("sq.", "sq ")  # W/sq.cm

@@ -47,7 +47,7 @@ def read_number(text: str) -> tuple[float, int]:
     if len(text) > MAX_LENGTH:
         raise NumberError(
             f"a text of {len(text)} characters is not a number",
-            f"at most {MAX_LENGTH} characters are read",
+            f"at most {MAX_LENGTH} characters are accepted",
         )
     at = 1 if text[:1] and text[0] in SIGNS else 0
     operator = ""

@@ -137,7 +137,7 @@ SCALES = (
     ),
     Scale(
         ("bril", "brils"), "L", "lambert", 1, 2, 1, 100,
-        "a step is twice the luminance; bril is also a name of 1e-7 lambert or of a sensation",
+        "a step is twice the luminance; bril is also used for 1e-7 lambert and for a sensation",
         "GNU units, bril",
     ),
 )  # fmt: skip

@@ -171,7 +171,11 @@ def test_assumptions_are_stated():
         ("clear --zenith-luminance 1cd/m2", "the sun's elevation is missing", "--sun-elevation"),
         ("clear clear", "unexpected argument 'clear'", "one type of sky"),
         ("5 --sun-illuminance 1klx", "the sun's elevation is missing", "--sun-elevation"),
-        ("3 --sun-elevation 3deg --zenith-luminance 1cd/m2", "not apply to the sky 3", "leave"),
+        (
+            "3 --sun-elevation 3deg --zenith-luminance 1cd/m2",
+            "not apply to the sky type 3",
+            "leave",
+        ),
         ("3 --tilt 3deg --azimuth 1deg", "the same at every azimuth", "leave out --azimuth"),
         ("clear --sun-elevation -1deg", "out of range", "above the horizon"),
         ("clear --sun-elevation 91deg", "out of range", "90 deg"),

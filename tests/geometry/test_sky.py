@@ -176,7 +176,7 @@ def test_names_of_skies():
         (("cleer",), ConditionError, "unknown sky 'cleer'\ntry: clear"),
         (("16",), ConditionError, "unknown sky '16'"),
         (("clear",), MissingInput, "the sun's elevation is missing"),
-        (("overcast", (0.5, 0.0)), Unused, "not apply to the sky overcast"),
+        (("overcast", (0.5, 0.0)), Unused, "not apply to the sky type overcast"),
         (("clear", (1.6, 0.0)), ConditionError, "below the horizon"),
     ],
 )

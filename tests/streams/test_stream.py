@@ -231,4 +231,4 @@ def test_lines_beyond_the_first_block_are_compared_with_the_header():
     out, good, said = stream(b"t,E [lx]\n" + good_lines + b"1,18,000\n", made, "fail")
     assert out.startswith(b"t,E [fc]\na,0.4645152\n")
     assert out.endswith(b'"b,c",0.65032128\n1,18,000\n')
-    assert (good, said) == (False, ["stdin, line 60002: 3 fields under a header of 2"])
+    assert (good, said) == (False, ["stdin, line 60002: 3 fields, but the header has 2"])
