@@ -16,7 +16,7 @@ PAGE = Page(
     (*BODY, "absorptance", "time", "receiver-area"),
     QUANTITIES,
     ("heat", *BODY, "absorptance", "time", "receiver-area"),
-    about="Give the radiant flux that heats a body, or the temperature rise that a flux causes.",
+    about="Calculate the radiant flux that heats a body, or the temperature rise from a flux.",
     sections={"Light": QUANTITIES, "Body": (*BODY, "absorptance", "receiver-area", "time")},
     texts={
         "receiver-area": "Area that the light falls on.",

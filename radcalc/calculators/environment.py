@@ -45,7 +45,7 @@ OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
 PAGE = Page(
-    about="Give the light that a receiver gets from a radiance map, a sky or an expression.",
+    about="Calculate the light that a receiver gets from a radiance map, a sky or an expression.",
     operand=Operand("source", "SOURCE", ENVIRONMENT, NAMES),
     sections={
         "Map": OF_MAP,

@@ -32,7 +32,7 @@ PAGE = Page(
     (),
     ("flux", "radiance"),
     goal="etendue",
-    about="Give the etendue of a source, and the flux that a radiance sends through it.",
+    about="Calculate the etendue of a source, and the flux that a radiance sends through it.",
     sections={
         "Source": (*SOURCES, "tilt"),
         "Cone of light": CONES,

@@ -58,7 +58,7 @@ PAGE = Page(
         "c",
     ),
     goal="ev100",
-    about="Give exposure values, and the luminance and illuminance that they correspond to.",
+    about="Calculate exposure values, and the luminance and illuminance that they correspond to.",
     sections={
         "Light": LIGHT,
         "Camera": ("ev", "f-number", "time", "iso"),

@@ -16,7 +16,7 @@ PAGE = Page(
     ("luminance", "sp-ratio", "spectrum", "mesopic-luminance", "scotopic-luminance"),
     others=RESULTS,
     goal="mesopic-luminance",
-    about="Give the mesopic luminance by CIE 191:2010, between scotopic and photopic vision.",
+    about="Calculate the mesopic luminance by CIE 191:2010, between scotopic and photopic vision.",
     sections={
         "Light": ("luminance", "sp-ratio", "spectrum"),
         "Other luminances": ("mesopic-luminance", "scotopic-luminance"),

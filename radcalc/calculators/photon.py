@@ -18,7 +18,7 @@ from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import LENGTH
 
 PAGE = Page(
-    about="Give the wavelength, frequency, wavenumber, energy and luminous efficacy of a photon.",
+    about="Calculate wavelength, frequency, wavenumber, energy and luminous efficacy of a photon.",
     operand=Operand("wavelength", "WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY", QUANTITY),
     sections={"Light": ("observer",)},
     texts={"observer": "Observer (eye response) of the luminous efficiency."},

@@ -29,7 +29,7 @@ PAGE = Page(
         "critical-angle",
     ),
     goal="index",
-    about="Give angles, reflectances and transmittances at a surface between two media.",
+    about="Calculate angles, reflectances and transmittances at a surface between two media.",
     sections={"Media": ("index",), "Angles": ANGLES},
     texts={"incidence": ("60deg", "Angle between the incident light and the normal.")},
     examples=(

@@ -84,7 +84,7 @@ PAGE = Page(
     ("irradiance", "installed-irradiance", "flux"),
     ("luminaires", "luminaires-to-install", "room-index", *SIZES, *LOSSES),
     goal="room-index",
-    about="Give the number of luminaires for a room, or the illuminance that they give.",
+    about="Calculate the number of luminaires for a room, or the illuminance that they give.",
     sections={
         "Room": (*SIZES, "room-index"),
         "Light": ("irradiance", "flux", "luminaires", *LOSSES),

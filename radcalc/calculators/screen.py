@@ -63,7 +63,7 @@ PAGE = Page(
     (*SIZES, "gain"),
     ("radiance", "irradiance", "flux"),
     ("gain", *SIZES),
-    about="Give the luminance and the illuminance of the picture on a projection screen.",
+    about="Calculate the luminance and the illuminance of the picture on a projection screen.",
     sections={
         "Light": ("flux", "irradiance", "radiance"),
         "Picture": (*SIZES, "gain"),

@@ -451,7 +451,7 @@ ALIASES = {"band": "zone", "triangle": "polygon"}
 NAMES = (*SHAPES, "pixel", *ALIASES)  # `pixel.py` has the pixel
 OPERAND = Operand("shape", "SHAPE [X,Y,Z ...]", CHOICE, NAMES)
 PAGE = Page(
-    about="Give the solid angle of a shape, and its projected solid angle.",
+    about="Calculate the solid angle of a shape, and its projected solid angle.",
     operand=OPERAND,
     sections={
         "Cone": ("half-angle", "apex-angle", "projected-solid-angle", "solid-angle"),
