@@ -168,6 +168,8 @@ class Compiler:
     def quantity(self, dimension: Dimension, symbol: Symbol) -> str:
         """Return the key of the units of a dimension; the displayed unit comes first."""
         name = full_name(Unit("", 1, 1, dimension, ()))
+        if name in self.units:
+            return name
         usual = resolve(symbol.unit or "1")
         usual_texts = (
             [symbol.unit.replace(" ", ".")] if usual.dimension == dimension and usual.atoms else []
@@ -176,7 +178,7 @@ class Compiler:
         called = {text: full_name(resolve(text)) for text in texts}
         if dimension not in (NUMBER, TEMPERATURE):  # few scales apply to these
             called.update({scale.name: scale.meaning for scale in on(dimension)})
-        self.units.setdefault(name, tuple(called.items()))
+        self.units[name] = tuple(called.items())
         return name
 
 
