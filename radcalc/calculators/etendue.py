@@ -32,7 +32,7 @@ PAGE = Page(
     (),
     ("flux", "radiance"),
     goal="etendue",
-    about="Calculate the etendue of a source, and the flux that a radiance sends through it.",
+    about="Calculate the etendue of a source, and the flux through it from a radiance.",
     sections={
         "Source": (*SOURCES, "tilt"),
         "Cone of light": CONES,
@@ -100,7 +100,7 @@ def _unlimited(given: Inputs) -> MissingInput:
         sizes = "{area=1cm2}, {radius=10cm}, {diameter=20cm}, or {width=2cm} with {length=1cm}"
         return MissingInput("the size of the source is missing", mention(sizes))
     limits = "{half-angle}, {apex-angle}, {na}, {f-number}, or {receiver-area} (-radius, -diameter)"
-    return MissingInput("a limit of the light is missing", mention(limits + " with {distance}"))
+    return MissingInput("a cone or a receiver is missing", mention(limits + " with {distance}"))
 
 
 def _source(given: Inputs) -> list[AnyLaw]:

@@ -31,9 +31,9 @@ PAGE = Page(
         "400nm:780nm:1nm get=luminous-efficacy plot=",
         "400nm:700nm:50nm get=wavelength:nm get=luminous-efficacy:lm/W",
     ),
-    remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  A "
-    "given wavelength is looked up unchanged in the tables of the eye; for a frequency, a "
-    "wavenumber or an energy, the wavelength in standard air is looked up.",
+    remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  The "
+    "luminous efficacy is that at the wavelength as given, or at the wavelength in standard air "
+    "of a frequency, a wavenumber or an energy.",
 )
 
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}

@@ -42,9 +42,9 @@ PAGE = Page(
     ),
     remarks="{index} is the refractive index after the surface divided by that before it: 1.52 "
     "into glass, 1/1.52 out of it.  s-polarised light has its electric field perpendicular to the "
-    "plane of incidence, p-polarised light parallel to it; {reflectance} is for unpolarised light. "
-    "The slab has the first medium on both sides; its transmittance includes all internal "
-    "reflections.",
+    "plane of incidence, p-polarised light parallel to it; the result reflectance is for "
+    "unpolarised light.  The slab is a plane layer of the second medium with the first medium on "
+    "both sides; its transmittance includes all internal reflections.",
 )
 
 

@@ -293,7 +293,7 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     if not all(map(math.isfinite, (*size, count))):
         raise TooMany(f"'{quote(text)}' has too many values", f"at most {most}")
     if step == 0 or count < 0:
-        problem = "has a step of 0" if step == 0 else "has a step away from its end"
+        problem = "has a step of 0" if step == 0 else "has a step that leads away from its end"
         raise ConditionError(f"'{quote(text)}' {problem}", "a step from START to STOP")
     values = math.floor(count * (1 + 1e-12) + 1e-9) + 1
     if values > most:
