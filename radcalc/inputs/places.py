@@ -40,7 +40,7 @@ Point = tuple[float, float, float]
 
 def read_point(text: str, what: str) -> Point:
     """Read X,Y,Z, three bare numbers in the same unit; `what` names the text in messages."""
-    hint = "X,Y,Z without units: 1,0,0.5"
+    hint = "X,Y,Z, in one unit that is omitted: 1,0,0.5"
     x, y, z = _read_bare(text, what, 3, "coordinate", hint)
     return x, y, z
 
@@ -85,7 +85,7 @@ def require_azimuth(given: Input, why: str) -> None:
         raise MissingInput(problem, option(given.name, f"{typed},90deg"))
 
 
-AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without units: 1,0,0.5"
+AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without: 1,0,0.5"
 
 
 def _read_angle(text: str, direction: str, what: str) -> float:
