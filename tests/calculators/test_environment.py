@@ -585,7 +585,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
         ),
         (
             "--irradiance-map {}.hdr --size 8x4 -g maximum-irradiance:lx",
-            "illuminance (lx)",
+            "cannot be in lx",
             "",
         ),
         ("--irradiance-map {}.hdr -n", "one number", "-g"),

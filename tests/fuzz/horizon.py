@@ -72,7 +72,7 @@ def drawn(dice: random.Random) -> tuple[tuple[float, ...], dict[str, str], float
 
 
 def percent(texts) -> float:
-    (found,) = [m for text in texts if (m := re.search(r"within ([\d.e-]+) %", text))]
+    (found,) = [m for text in texts if (m := re.search(r"at most ([\d.e-]+) %", text))]
     return float(found[1]) / 100 * 1.05  # two digits are shown
 
 
