@@ -30,6 +30,13 @@ def test_a_cone_that_the_horizon_cuts(angle, tilt):
         close(projected.sphere(1.0, distance, tilt), reference, 1e-9)
 
 
+@for_each([0.1, 0.5, 1.0, 1.5])
+def test_a_disc_directly_overhead_covers_a_quarter_of_the_sphere(tilt):
+    """The quarter above the receiver on the side of the disc: pi/2 for each of its two faces."""
+    want = math.pi / 2 * (math.cos(tilt) + math.sin(tilt))
+    close(projected.disc(0.5, 1e-100, 0.5, tilt), want, 1e-15)
+
+
 def tilted_discs():
     draw = random.Random(12)
     for _ in range(25):
