@@ -56,11 +56,12 @@ PAGE = Page(
         "exp(-(theta/(10*deg))**2) half-angle=60deg get=integral:deg2",
     ),
     remarks="""
-    EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
-    vector), numbers, pi, e, deg, + - * / **, brackets, sin cos tan asin acos atan atan2 sinh cosh
-    tanh exp log log10 sqrt abs min max, and comparisons with < <= > >= (1 if true,
-    0 if false).  An expression that starts with a minus needs brackets: '(-x)'.  The integral
-    is over solid angle, so it includes sin(theta).  An integral that does not converge is refused.
+    EXPRESSION is made of theta (polar angle) and phi (azimuth), x, y, z (the unit vector),
+    numbers, pi, e, the units deg and rad, + - * / **, brackets, sin cos tan asin acos atan atan2
+    sinh cosh tanh exp log log10 sqrt abs min max, and comparisons with < <= > >= (1 if true, 0 if
+    false).  An angle needs a unit: cos(45*deg), (theta<0.5*rad).  An expression that starts with a
+    minus needs brackets: '(-x)'.  The integral is over solid angle, so it includes sin(theta).  An
+    integral that does not converge is refused.
 
     With {unit} the integral of an intensity is a flux.  The integral of a radiance is the
     irradiance of a plane with the normal +z only if the expression has the factor cos(theta).

@@ -1,6 +1,6 @@
 """The conditions of a conversion: the symbols that can be given, and the slot of each."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from radcalc.answer import Step
@@ -47,7 +47,10 @@ CONDITIONS = {
 
 
 class Factor(NamedTuple):
-    """A factor or divisor of a quantity, with its letter."""
+    """A factor or divisor of a quantity, with its letter.
+
+    `check` raises for numbers in the source's unit that it does not convert.
+    """
 
     letter: str
     value: Any
@@ -55,6 +58,7 @@ class Factor(NamedTuple):
     assumption: str
     steps: tuple[Step, ...] = ()
     notes: tuple[str, ...] = ()
+    check: Callable[[Any], None] | None = None
 
 
 class Conditions:

@@ -47,7 +47,7 @@ class Plan:
             if value - value != 0:  # inf
                 raise self._not_held()
         if self.links:
-            self._refuse_negative(value)
+            self._check(value)
         if not (isinstance(value, float) and isinstance(self.factor, float)):
             from radcalc.maths import product
 
@@ -80,7 +80,11 @@ class Plan:
             "a result between 2.3e-308 and 1.7e308, by another value or unit",
         )
 
-    def _refuse_negative(self, value: "Any") -> None:
+    def _check(self, value: "Any") -> None:
+        """Refuse a number that the conditions do not convert."""
+        for factor, _ in self.links:
+            if factor.check:
+                factor.check(value)
         from radcalc.maths import any_true
 
         if any_true(value < 0):

@@ -35,10 +35,11 @@ from radcalc.spectra.observers import (
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER
-from radcalc.units.numbers import parse_number
 from radcalc.units.unit import Photosynthetic
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from radcalc.conversion.bridge import Bridge, Links
     from radcalc.spectra.spectrum import Spectrum
 
@@ -314,14 +315,27 @@ def width(bridge: "Bridge", given: Input) -> Factor | None:
         assumption += "; " + VACUUM.format(given.text)
     of = light(given, None)
     factor = jacobian(of, start, end)._replace(assumption=assumption)
-    size = parse_number(bridge.number) * float(bridge.source.factor)
-    if abs(size if start == PER_WAVELENGTH else size / factor.value) > NARROW * of.vacuum:
+
+    def check(value: Any) -> None:
+        def text_where(wide: Any) -> str:
+            return f"{format_number(maths.chosen(value, wide))}{quote(bridge.source.text)}"
+
+        _check_narrow(of, value * float(bridge.source.factor), start, text_where)
+
+    return factor._replace(check=check)
+
+
+def _check_narrow(of: Light, width: Any, axis: str, text_where: "Callable[[Any], str]") -> None:
+    """Raise unless the width of a band is small compared with the place of the band on its axis."""
+    frequency = LIGHT / of.vacuum
+    place = {PER_WAVELENGTH: of.vacuum, PER_FREQUENCY: frequency, PER_WAVENUMBER: 1 / of.vacuum}
+    if maths.any_true(wide := width > NARROW * place[axis]):
         raise ConditionError(
-            f"a width of {bridge.amount} is not small compared with "
-            f"{option(given.name, given.text)}: its ends are not at equal distances on both axes",
+            f"a width of {text_where(wide)} is not small compared with "
+            f"{option(of.given.name, of.given.text)}: its ends are not at equal distances on both "
+            "axes",
             f"the difference of its two ends, each by {command('photon', 'WAVELENGTH')}",
         )
-    return factor
 
 
 def _per_axis(start: str, end: str) -> str:
@@ -437,11 +451,11 @@ def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
     of_kind = bridge.conditions.given.get(LINK) if start.kind != end.kind else None
     width = bandwidth(band, of_kind)
     if end.axis == NONE:
-        return [*_jacobian(bridge, start.axis, band_axis(band)), (width, 1)]
-    return [(width, -1), *_jacobian(bridge, band_axis(band), end.axis)]
+        return [*_jacobian(bridge, start.axis, band_axis(band), band), (width, 1)]
+    return [(width, -1), *_jacobian(bridge, band_axis(band), end.axis, band)]
 
 
-def _jacobian(bridge: "Bridge", start: str, end: str) -> "Links":
+def _jacobian(bridge: "Bridge", start: str, end: str, band: Input | None = None) -> "Links":
     if start == end:
         return []
     if {start, end} == {PER_FREQUENCY, PER_WAVENUMBER}:
@@ -450,4 +464,6 @@ def _jacobian(bridge: "Bridge", start: str, end: str) -> "Links":
     if of is None:
         bridge.want("axis")
         return []
+    if band is not None:
+        _check_narrow(of, band.value, band_axis(band), band.text_where)
     return [(jacobian(of, start, end), 1)]

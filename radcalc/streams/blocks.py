@@ -34,6 +34,7 @@ class Bulk:
         self.factor = plan.factor
         self.line = b"%%.%dg\n" % precision
         able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
+        self.singly = not plan.is_linear or any(link.check for link, _ in plan.links)
         self.able = able or not plan.is_linear
         self.digits = LONGEST  # numbers of at most so many digits take a plain product
         if not plan.links and plan.is_linear:
@@ -66,7 +67,7 @@ class Bulk:
                 return None
             if exponents and not _in_range(texts):
                 return None
-            if not self.plan.is_linear:
+            if self.singly:
                 values = [self.plan.apply(value) for value in map(float, texts)]
             elif b"0" * (self.digits + 1) not in shape:
                 factor = self.factor

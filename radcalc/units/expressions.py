@@ -39,6 +39,8 @@ MAX_POWER = 1000  # of a number
 MAX_BITS = 40_000  # of a number's numerator or denominator: about 12 000 digits
 COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
 KEPT = 1e-12  # largest relative error of a sum by cancellation of digits
+OF_ANGLES = ("sin", "cos", "tan")
+NO_ANGLE, NOT_A_NUMBER = "has no angle in {}", "has {} in {}"  # also of functions of direction
 HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
 
 
@@ -608,15 +610,14 @@ class Calculator(Scanner):
         call = quote(self.slice(start, self.at))
         if name == "sqrt":
             return self.root(value, call)
-        dimension = ANGLE if name in ("sin", "cos", "tan") else NUMBER
+        dimension = ANGLE if name in OF_ANGLES else NUMBER
         if value.dimension != dimension and dimension == ANGLE:
             hint = f"{name}(30deg)" if value.dimension == NUMBER else "an angle"
-            raise self.wrong(f"has no angle in {call}", hint)
+            raise self.wrong(NO_ANGLE.format(call), hint)
         if value.dimension != dimension:
             unit = value.unit()
-            raise self.wrong(
-                f"has {measured(unit.text) if unit else 'a unit'} in {call}", "a bare number"
-            )
+            what = measured(unit.text) if unit else "a unit"
+            raise self.wrong(NOT_A_NUMBER.format(what, call), "a bare number")
         from radcalc.units import functions
 
         of, top, bottom = functions.of_number, value.top, value.bottom

@@ -350,7 +350,7 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "1 cd", "exponent": 3}, "exponent cannot be used with"),
         ({"distribution": "theta cd", "intensity": "5cd"}, "which is 0 in this distribution"),
         ({"distribution": "0 cd"}, "no intensity in the sampled"),
-        ({"distribution": "(abs(theta-1)<1e-5) cd"}, "narrower than 0.0"),
+        ({"distribution": "(abs(theta-1*rad)<1e-5*rad) cd"}, "narrower than 0.0"),
         ({"distribution": "cos(theta) cd"}, "has a negative value"),
         ({"distribution": "1 cd", "toward": "3deg", "height": "3m"}, "both place the receiver"),
         ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "apply without a receiver"),

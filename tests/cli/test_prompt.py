@@ -152,7 +152,7 @@ def test_ctrl_c_drops_the_line_and_ctrl_d_leaves(terminal):
 def test_ctrl_c_stops_an_answer_and_the_prompt_goes_on(terminal):
     screen, process = terminal
     screen.answer("x = 5 lm", "5 lm   (luminous flux)")
-    screen.type("integrate 'sin(1e9*theta*phi)' --sphere --accuracy 1e-14\r")
+    screen.type("integrate 'sin(1e9*theta*phi/rad)' --sphere --accuracy 1e-14\r")
     screen.read("1e-14")
     screen.read("\n")
     screen.type("\x03")

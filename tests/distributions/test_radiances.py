@@ -45,7 +45,7 @@ def test_overcast_sky():
 
 @pytest.mark.parametrize("normal", [(0, 0, -1), (1, 2, -2), (0, 1, 0), (-1, 0.2, 3)])
 def test_against_a_plain_sum(normal):
-    sky = radiances("exp(-3*acos(0.6*x + 0.8*z)) + max(y, 0)")
+    sky = radiances("exp(-3*acos(0.6*x + 0.8*z)/rad) + max(y, 0)")
 
     def function(theta, phi):
         x, y = numpy.sin(theta) * numpy.cos(phi), numpy.sin(theta) * numpy.sin(phi)

@@ -2,7 +2,7 @@
 
 Python parses the text but never evaluates it: the syntax tree is turned into NumPy calls, and only
 numbers, the names and functions below, + - * / **, comparisons and brackets are allowed.  Angles
-are in radians; ``30*deg`` is 30 degrees.
+have a unit: ``30*deg`` or ``0.5*rad``.
 """
 
 import ast
@@ -10,16 +10,16 @@ import math
 import re
 import warnings
 from collections.abc import Callable
-from itertools import pairwise
 from typing import Any
 
 import numpy
 
 from radcalc.errors import MINUS, ConditionError, RadcalcError, manual, nearest, quote
+from radcalc.geometry.numerics.angles import Angles
 from radcalc.maths import limit
 
 NAMES = ("theta", "phi", "x", "y", "z")  # polar angle, azimuth [rad], unit vector [1]
-CONSTANTS = {"pi": math.pi, "e": math.e, "deg": math.pi / 180}  # deg [rad]: 30*deg is 30 degrees
+CONSTANTS = {"pi": math.pi, "e": math.e, "deg": math.pi / 180, "rad": 1.0}  # 30*deg, 0.5*rad
 FUNCTIONS: dict[str, tuple[int, Callable[..., Any]]] = {
     "sin": (1, numpy.sin),
     "cos": (1, numpy.cos),
@@ -56,7 +56,6 @@ COMPARISONS: dict[type, Callable[..., Any]] = {
 }
 CHEAP = ("abs", "min", "max", "sqrt")  # cost as much as an addition
 COSTS = {"function": 10, "power": 30, "comparison": 5}  # [1] largest cost, in additions
-LARGEST = {"theta": math.pi, "phi": 2 * math.pi}  # [rad]
 EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
 GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
 SIGNS = {"^": "**", MINUS: "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
@@ -77,7 +76,7 @@ class Expression:
     ----------
     text : str
         The expression, of at most 1000 characters, in the names theta and phi [rad], x, y, z
-        (components of the unit vector), the constants pi, e and deg, and the functions in
+        (components of the unit vector), the constants pi, e, deg and rad, and the functions in
         `FUNCTIONS`.  ``^`` is read as ``**``, and the Greek letters for theta, phi and pi as names.
         A comparison by ``< <= > >=`` is 1 if it holds and 0 otherwise; it binds less tightly than
         arithmetic, and a chain (``10*deg < theta < 30*deg``) holds if all its comparisons do.
@@ -96,8 +95,8 @@ class Expression:
     Raises
     ------
     ConditionError
-        If the text is not an expression, contains an unknown name or an operation that is not
-        allowed, or is too long or nested too deeply.
+        If the text is not an expression, contains an unknown name, an operation that is not
+        allowed or an angle without a unit, or is too long or nested too deeply.
 
     Notes
     -----
@@ -139,6 +138,7 @@ class Expression:
         except (RecursionError, MemoryError, ValueError):
             raise ConditionError(f"'{quote(text)}' is not an expression", EXAMPLE) from None
         self._function = self._read(tree.body, DEEPEST)
+        Angles(text, self._source, tree.body)
 
     def __call__(self, at: dict[str, Any]) -> Any:
         """Return values of the function.
@@ -188,7 +188,7 @@ class Expression:
             case ast.Compare(ops=ops) if all(type(op) in COMPARISONS for op in ops):
                 return self._compare(node, depth)
             case ast.BoolOp():
-                hint = "a product of comparisons for both, (theta<1)*(phi<2); max(a, b) for either"
+                hint = "a product of comparisons for both, (x<1)*(y<0); max(a, b) for either"
                 raise ConditionError("'and' and 'or' is not allowed in an expression", hint)
         raise ConditionError(
             f"'{quote(self._part(node))}' is not allowed in an expression",
@@ -201,7 +201,6 @@ class Expression:
 
     def _compare(self, node: ast.Compare, depth: int) -> Function:
         """Return a function that is 1 if all comparisons of a chain hold, else 0; NaN gives NaN."""
-        self._refuse_degrees(node)
         self.comparisons.append(self._part(node))
         self.cost += COSTS["comparison"] * len(node.ops)
         tests = [COMPARISONS[type(op)] for op in node.ops]
@@ -219,19 +218,6 @@ class Expression:
 
         self._steps.append((inside, holds))
         return holds
-
-    def _refuse_degrees(self, node: ast.Compare) -> None:
-        """Refuse a comparison of an angle in radians with a number that can only be in degrees."""
-        sides = (node.left, *node.comparators)
-        for a, b in (*pairwise(sides), *pairwise(sides[::-1])):
-            match a, b:
-                case ast.Name(id="theta" | "phi" as name), ast.Constant(value=value):
-                    if isinstance(value, (int, float)) and value > LARGEST[name]:
-                        raise ConditionError(
-                            f"'{quote(self._part(node))}' is the same everywhere: {name} is in "
-                            "radians",
-                            f"{self._part(b)}*deg",
-                        )
 
     def steps(self, polar: Interval, azimuth: Interval) -> tuple[list[float], list[float]]:
         """Return the polar angles and azimuths at which comparisons of one angle change.
@@ -251,7 +237,7 @@ class Expression:
         --------
         >>> import math
         >>> from radcalc.geometry.numerics.expression import Expression
-        >>> step = Expression("(z > 0.5)*(phi < 1)*(x < y)")
+        >>> step = Expression("(z > 0.5)*(phi < 1*rad)*(x < y)")
         >>> [[round(x, 12) for x in of] for of in step.steps((0, math.pi), (0, 2 * math.pi))]
         [[1.047197551197], [1.0]]
         """

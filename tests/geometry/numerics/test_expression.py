@@ -39,12 +39,39 @@ def test_a_comparison_with_nan_is_nan():
 
 
 @pytest.mark.parametrize(("text", "hint"), [
-    ("theta == 1", "(theta<30*deg)*100"), ("theta < 1 and phi < 2", "(theta<1)*(phi<2)"),
+    ("theta == 1", "(theta<30*deg)*100"), ("x < 1 and y < 0", "(x<1)*(y<0)"),
 ])  # fmt: skip
 def test_a_forbidden_comparison_hints_at_an_allowed_one(text, hint):
     with pytest.raises(RadcalcError) as caught:
         Expression(text)
     assert hint in caught.value.hint
+
+
+@for_each([
+    ("cos(45)", "cos(45*deg) or cos(45*rad)"), ("tan(-x)", "tan((-x)*deg) or tan((-x)*rad)"),
+    ("sin(theta*phi)", "sin((theta*phi)/deg) or sin((theta*phi)/rad)"),
+    ("exp(-theta)", "(-theta)/deg or (-theta)/rad"), ("2**theta", "theta/deg or theta/rad"),
+    ("theta - 30", "30*deg or 30*rad"), ("min(1 < x, acos(z))", "(1 < x)*deg or (1 < x)*rad"),
+    ("acos(z) > 60", "60*deg or 60*rad"), ("1 - theta**2", "1*deg**2 or 1*rad**2"),
+    ("atan2(theta, 1)", "1*deg or 1*rad"), ("log(sqrt(phi))", "sqrt(phi)/deg**0.5 or "),
+])  # fmt: skip
+def test_an_angle_without_a_unit_is_refused(text, ways):
+    for whole in (text, f"0*({text}) + x"):
+        with pytest.raises(RadcalcError) as caught:
+            Expression(whole)
+        assert caught.value.message.startswith(f"'{whole}' has ")
+        assert ways in caught.value.hint
+
+
+@for_each([
+    ("cos(0.5*rad)", math.cos(0.5)), ("cos(60*deg)", 0.5), ("cos(pi/3)", 0.5), ("cos(0)", 1),
+    ("sin(theta)/theta", math.sin(0.3) / 0.3), ("sin(2*(theta - 10*deg))", math.sin(0.6 - PI / 9)),
+    ("max(theta, 0) < pi/2", 1), ("acos(z) < atan2(y, x)", 0), ("theta*180/pi < 30", 1),
+    ("exp(-(theta/(10*deg))**2)", math.exp(-((0.3 * 18 / PI) ** 2))), ("theta < phi", 0),
+    ("sqrt(theta**2 + phi**2) < 1*rad", 1), ("1 - theta/rad", 0.7), ("x**-y + pi", 0.3**-0.3 + PI),
+])  # fmt: skip
+def test_angles_with_units(text, value):
+    assert float(Expression(text)(dict.fromkeys(NAMES, 0.3))) == pytest.approx(value, rel=1e-14)
 
 
 NASTY = [
@@ -90,8 +117,8 @@ def test_no_text_breaks_the_reader(text):
     refused_or_numbers(text)
 
 
-TOKENS = [*NAMES, *FUNCTIONS, "pi", "deg", "1", "2.5", "1e400", "0", "+", "-", "*", "/", "**", "^",
-          "(", ")", "(", ")", ",", ".", " ", "<", ">=",
+TOKENS = [*NAMES, *FUNCTIONS, "pi", "deg", "rad", "1", "2.5", "1e400", "0", "+", "-", "*",
+          "/", "**", "^", "(", ")", "(", ")", ",", ".", " ", "<", ">=",
           "[", "]", "'", "lambda", ":", "if", "else", "not",
           "~", "%", "=", "_", "\n", "10**10**10"]  # fmt: skip
 
@@ -103,8 +130,8 @@ def test_no_jumble_of_tokens_breaks_the_reader(text):
 
 def test_the_cost_counts_functions_and_powers():
     assert Expression("1").cost == 1
-    assert Expression("x + y").cost < Expression("tan(x)").cost < Expression("x**y").cost
-    assert Expression("+".join(["tan(x)"] * 79)).cost == pytest.approx(79 * 11, abs=1)
+    assert Expression("x + y").cost < Expression("tan(x*rad)").cost < Expression("x**y").cost
+    assert Expression("+".join(["tan(x*rad)"] * 79)).cost == pytest.approx(79 * 12, abs=1)
 
 
 def test_the_sign_of_an_uncertainty_is_refused():
