@@ -35,7 +35,7 @@ def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") ->
         label or symbol.label,
         letter or symbol.letter,
         si,
-        symbol.dimensions,
+        symbol.measured,
         units or (symbol.unit,),
     )
 
@@ -63,23 +63,21 @@ def known(given: Input, *more_units: str) -> Value:
     return value(given.name, given.value, *units)._replace(given=given.number)
 
 
-def in_unit(value: Value, unit: Unit) -> Any:
-    """Return a value in a unit, or its reading on a scale."""
+def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
+    """Return a value in a unit, or its reading on a scale; `among` are results to suggest."""
     _refuse_absent(value)
     if unit.is_scale:
-        return _on_scale(value, cast("ScaleUnit", unit))
+        return _on_scale(value, cast("ScaleUnit", unit), among)
     amount = value.reach.get(unit.dimension)
     if unit.dimension in value.dimensions:
         amount = value.amount
     if amount is None:
         own_grid, wanted_grid = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
-        if own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]:
+        is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
+        if is_other_kind and not _results_in(unit.text, among):
             message = f"{value.name} in {quote(unit.text)} {NEEDS_LINK}"
             raise MissingInput(message, LINKS_HINT)
-        raise UsageError(
-            f"{value.name} cannot be in {_described(unit)}",
-            ", ".join(f"{value.name}:{text}" for text in value.units),
-        )
+        raise _wrong_unit(value, unit, among)
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
     ratio = exact_ratio(Unit("SI", 1, 1, unit.dimension, ()), unit)
@@ -88,22 +86,22 @@ def in_unit(value: Value, unit: Unit) -> Any:
     )
 
 
-def _described(unit: Unit) -> str:
-    name = unit_name(unit)
-    text = quote(unit.text)
-    return f"{text}, a unit of {name}" if name else f"'{text}'"
+def _wrong_unit(value: Value, unit: Unit, among: Sequence[Value]) -> UsageError:
+    described = quote(unit.text)
+    if not unit.is_scale:
+        name = unit_name(unit)
+        described = f"{described}, a unit of {name}" if name else f"'{described}'"
+    ways = [*_results_in(unit.text, among), *(f"{value.name}:{text}" for text in value.units)]
+    return UsageError(f"{value.name} cannot be in {described}", ", ".join(ways))
 
 
-def _on_scale(value: Value, unit: "ScaleUnit") -> Any:
+def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
     scale = unit.measures((*value.dimensions, *value.reach))
     if not takes_scale(value.name, scale):
-        raise UsageError(
-            f"{value.name} cannot be in {quote(unit.text)}",
-            ", ".join(f"{value.name}:{text}" for text in value.units),
-        )
-    return scale.reading(in_unit(value, scale.unit))
+        raise _wrong_unit(value, unit, among)
+    return scale.reading(in_unit(value, scale.unit, among))
 
 
 def measured_in(text: str, *names: str) -> Unit:
@@ -218,7 +216,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 number = _in_shown_unit(value, text)
             else:
                 unit = _unit_of(text, value.name, values)
-                number = in_unit(value, unit)
+                number = in_unit(value, unit, values)
                 if unit.dimension not in value.dimensions and not unit.is_scale:
                     label, letter = _of_kind(value, unit)
             row = Row(label, letter, number, text, case, name, is_given, form=value.form)
@@ -237,17 +235,22 @@ def names_of(values: Sequence[Value]) -> list[str]:
     return list(dict.fromkeys(value.name for value in values if not value.is_absent))
 
 
-def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> str:
+def _results_in(text: str, values: Sequence[Value]) -> list[str]:
+    """Return the results that can be in a unit or on a scale, with it; given ones if no others."""
     from radcalc.units.scales import find
 
-    scale = find(name)
-    if unit := scale or unit_of(name):
-        read = {entry.dimension for entry in (unit, *(scale.others if scale else ()))}
-        suitable = [v for v in values if not v.is_absent and read & {*v.dimensions, *v.reach}]
-        suitable = [v for v in suitable if v.given is None] or suitable
-        return ", ".join(f"{v.name}:{quote(name)}" for v in suitable[:MOST_OF_A_UNIT]) or ", ".join(
-            names
-        )
+    scale = find(text)
+    units = (scale, *scale.others) if scale else (unit_of(text),)
+    read = {unit.dimension for unit in units if unit}
+    suitable = [v for v in values if not v.is_absent and read & {*v.dimensions, *v.reach}]
+    suitable = [v for v in suitable if not scale or takes_scale(v.name, scale)]
+    suitable = [v for v in suitable if v.given is None] or suitable
+    return [f"{v.name}:{quote(text)}" for v in suitable[:MOST_OF_A_UNIT]]
+
+
+def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> str:
+    if ways := _results_in(name, values):
+        return ", ".join(ways)
     word = "-".join(name.lower().replace("_", " ").split())
     taken = [v.also for v in values if v.also and not v.is_absent]
     return word if word in (*names, *taken) else ", ".join(nearest(word, names) or names)

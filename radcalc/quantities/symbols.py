@@ -15,6 +15,7 @@ from radcalc.quantities.light import (
     LUMINOUS,
     OTHERS,
     PHOTON,
+    PHOTON_NAMES,
     RADIANT,
     RATIOS,
     light_dimension,
@@ -83,8 +84,9 @@ UNIT, WORD = "unit", "word"
 class Symbol(NamedTuple):
     """A symbol: its names, its quantity and its allowed values.
 
-    `dimensions` are those in which it can be given, its own first; `unit` is for display.  A light
-    quantity has a geometry, and a kind if its name fixes the kind.
+    `dimensions` are those in which it can be given, its own first; `measured` are those of its
+    units as a result: a wavelength can be given as a frequency, but has no unit of one.  `unit` is
+    for display.  A light quantity has a geometry, and a kind if its name fixes the kind.
     """
 
     name: str
@@ -101,6 +103,7 @@ class Symbol(NamedTuple):
     geometry: tuple[int, int, int] | None = None
     kind: str = ""
     generic: str = ""
+    measured: tuple[Dimension, ...] = ()
 
 
 def article(noun: str) -> str:
@@ -135,6 +138,8 @@ def _symbol(
         label or name.replace("-", " "),
         unit or ("deg" if dimension == ANGLE else COHERENT[dimension]),
         takes,
+        # the energy of a photon has the same number in J and in J/photon
+        measured=(dimension, *(d for d in also if PHOTON_NAMES.get(d) == name)),
     )
 
 
@@ -606,13 +611,14 @@ def _of_light(
     """Return the row of a light quantity, by its generic name (no kind) or its name of one kind."""
     _, geometry, letter, help_, _ = row
     unit = light_unit(generic, kind or LUMINOUS)
+    dimensions = tuple([light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)])
     label = name.replace("-", " ")
     if kind and help_:
         help_ = f"{help_}, as {label}"
     return Symbol(
         name,
         letter if "_" in letter or not kind else f"{letter}_{kind}",
-        tuple([light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)]),
+        dimensions,
         _EXAMPLES.get(name, f"100{unit}".replace(" ", ".")),
         f"{help_}." if help_ else "",
         POSITIVE,
@@ -622,6 +628,7 @@ def _of_light(
         geometry=geometry,
         kind=kind,
         generic=generic,
+        measured=dimensions[:1],
     )
 
 

@@ -1,13 +1,27 @@
-"""`-g NAME` prints the first result of that name in the listing, in the same unit."""
+"""`-g NAME` prints the first result of that name in the listing, in the same unit.
 
+`-g NAME:UNIT` prints the right number in a unit of every dimension, or is refused.
+"""
+
+import math
+import random
 import re
 import shlex
+from itertools import permutations
+from unittest import mock
 
-from conftest import run
-from helpers import for_each
+from conftest import ROOT, run
+from helpers import Q, for_each
 from test_cases import FILES, transcripts
 
+from radcalc.calculators.pages import SUMMARIES
+from radcalc.calculators.results import pick
+from radcalc.cli import answers
+from radcalc.errors import RadcalcError
+from radcalc.quantities.light import GRID, Reading, coherent_text
+from radcalc.quantities.symbols import EFFICACIES, SPECIFIC
 from radcalc.units.numbers import is_sentence
+from radcalc.units.table import spellings, unit_of
 
 OTHERS = {"convert", "units", "quantities", "typical"}
 ENDS = {
@@ -73,7 +87,7 @@ def test_a_bare_name_is_in_the_unit_of_the_listing(text):
         each = len(told) // len(lines)  # a result may have a line for each of several units
         for (number, unit), found in zip(told[::each], column, strict=True):
             if unit == told[0][1]:  # a list has one unit, that of the first
-                assert found == number or is_near(found, number), name
+                assert found == number or is_within(found, number), name
 
 
 def test_a_result_is_in_its_own_unit_if_the_first_is_of_another_kind():
@@ -85,7 +99,104 @@ def test_a_result_is_in_its_own_unit_if_the_first_is_of_another_kind():
     ]  # fmt: skip
 
 
-def is_near(found, uncertain):
+def is_within(found, uncertain):
     """Return whether a number is within an uncertain one: 63.7 ± 1.6, or (3.77 ± 0.12)e-05."""
     size, off, power = re.fullmatch(r"\(?(\S+) ± ([^)]+?)\)?(e\S+)?", uncertain).groups("")
     return abs(float(found) - float(size + power)) <= float(off + power)
+
+
+MORE = {  # calculators that no transcript lists, and links between the kinds of light
+    "dose - --efficacy 54lm.s/umol": "t_h,E_lx\n0,54e3\n10,54e3\n",
+    "scene examples/office.csv --at 2m,2m,0.75m --spectrum LED-B3": "",
+    "refraction --index 1.5 --incidence 30deg": "",
+    "point-source --flux 800lm --distance 2m --time 1h --wavelength 555nm": "",
+    "point-source --photon-flux 9umol/s --distance 3m --spectrum D65": "",
+    "lambertian disc --luminance 100cd/m2 --radius 1m --height 2m --efficacy 93lm/W": "",
+    "laser --flux 5mW --diameter 1mm --divergence 1mrad --distance 9m --wavelength 540THz": "",
+    "photon 2.2eV": "",
+    "photon 540THz": "",
+}
+COMPOSED = (
+    "lm/W", "umol/J", "lm.s/umol", "W/lm", "J/lm/s", "umol/lm/s", "m2.sr", "A/W", "V/m", "A.s",
+    "m/s", "m3", "J/kg/K", "cd.s/m2", "cm-1", "kJ/mol", "1/s", "lm/m", "kg.m", "cd.sr", "rad/s",
+)  # fmt: skip
+RATIOS = {name for name, _, _ in EFFICACIES}
+
+
+def test_a_result_is_in_each_unit_of_its_dimension_and_in_no_other():
+    """A unit of every dimension, and some of densities; dimensions and factors are from Pint."""
+    chance, listed, asked = random.Random(27), listed_results(), 0
+    units = by_dimension([*filter(unit_of, spellings()), *COMPOSED])
+    grid = {facts: coherent_text(Reading(*facts)) for facts in GRID.values()}
+    units += by_dimension(text for (*_, axis), text in grid.items() if not axis)
+    densities = by_dimension(text for (*_, axis), text in grid.items() if axis)
+    assert {command for command, _, _ in listed} == {*SUMMARIES} - {"convert"}
+    for (command, name, _), (values, shown) in listed.items():
+        rows = [(row.name, Q(row.value, row.unit)) for row in shown if unit_of(row.unit)]
+        for same in (*units, *chance.sample(densities, 5)):
+            text, unit = chance.choice(same)
+            asked += 1
+            try:
+                found = pick(values, f"{name}:{text}").value * unit
+            except RadcalcError:
+                found = None
+            assert is_right(name, found, unit, rows), (command, name, text, found)
+    assert asked > 20_000, asked
+
+
+def is_right(name, found, unit, rows):
+    """Compare a result in a unit, or its refusal, with the listing."""
+    own = [amount for other, amount in rows if other == name]
+    if name == "photon-energy":  # in J, or in J for each photon
+        own += [own[0] * Q(1, "photon"), own[0] / Q(1, "photon")]
+    for amount in own:
+        if amount.dimensionality == unit.dimensionality:
+            return found is not None and is_near(found, amount)
+    return found is None or any(is_near(found, amount) for amount in in_other_kinds(name, rows))
+
+
+def in_other_kinds(name, rows):
+    """Return the amounts of a light quantity by the ratios of kinds in the listing."""
+    by_name = {}
+    for other, amount in rows:
+        by_name.setdefault(generic(other), []).append(amount)
+    ratios = [amount for other, amount in rows if other in RATIOS]
+    ratios += [b / a for same in by_name.values() for a, b in permutations(same, 2) if a]
+    return [k for a in by_name[generic(name)] for r in ratios for k in (a, a * r, a / r)]
+
+
+def generic(name):
+    return SPECIFIC.get(name, (name.removeprefix("radiant-"), ""))[0]
+
+
+def is_near(found, amount):
+    if found.dimensionality != amount.dimensionality:
+        return False
+    return math.isclose(found.magnitude, amount.to(found.units).magnitude, rel_tol=1e-9)
+
+
+def by_dimension(texts):
+    """Return the units of each dimension in Pint, with their texts."""
+    found = {}
+    for text in texts:
+        unit = Q(1, text)
+        found.setdefault(unit.dimensionality, []).append((text, unit))
+    return [*found.values()]
+
+
+def listed_results():
+    """Return the results in the listings, by command, name and dimension, with their answers."""
+    found = {}
+
+    def rows(values, case="", listing=answers.rows):
+        shown = listing(values, case)
+        for row in shown:
+            if unit := unit_of(row.unit):  # no scale
+                found.setdefault((words[0], row.name, unit.dimension), (values, shown))
+        return shown
+
+    with mock.patch.object(answers, "rows", rows):
+        for text, lines in {**dict.fromkeys(LISTINGS, ""), **MORE}.items():
+            words = shlex.split(text)
+            run(*words, input=lines, cwd=ROOT, check=True)
+    return found
