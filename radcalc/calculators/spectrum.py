@@ -22,7 +22,7 @@ PAGE = Page(
     sections={"Light": ("observer", "range", "photon-range")},
     texts={
         "observer": "Observer (eye response) of the luminous efficacy.",
-        "range": ("LOW:HIGH", "Wavelengths over which watts are counted."),
+        "range": ("LOW:HIGH", "Wavelengths of the light that every result describes."),
         "photon-range": ("LOW:HIGH", "Wavelengths over which photons are counted."),
     },
     draws=True,
@@ -58,37 +58,45 @@ LIT = "a spectrum with light from 360 nm to 830 nm"
 
 
 def spectrum(given: Inputs) -> Answer:
-    """Return the results of a spectrum.
+    """Return the results of a spectrum, or of its part in the given range.
 
-    Watts are counted over the given range (default: the source's own), photons over the given
-    photon range (default: 400 nm to 700 nm; for lines, all).
+    Photons are counted over the given photon range (default: 400 nm to 700 nm; for lines, all).
     """
     source: Spectrum = given["spectrum"].value
     chosen = {name: item.value for name, item in given.items()}
     eye, night = OBSERVERS[chosen.get("observer", "photopic")], OBSERVERS["scotopic"]
     ranges = chosen.get("range"), chosen.get("photon-range")
-    counts = Counts(source, eye, *ranges)
-    known = f"; the data of {source.label} cover {counts.known}" if counts.known else ""
-    if not counts.amount(RADIANT) > 0:
-        problem = f"there is no power in {counts.over(RADIANT)}{known}"
+    whole = Counts(source, eye, *ranges)
+    known = f"; the data of {source.label} cover {whole.known}" if whole.known else ""
+    light = source.part(ranges[0]) if ranges[0] else source
+    if light is None or not whole.amount(RADIANT) > 0:
+        problem = f"there is no power in {whole.over(RADIANT)}{known}"
         raise ConditionError(problem, f"another {option('range')}")
-    colours, remarks = _colour(source)
+    counts = Counts(light, eye, *ranges)
+    colours, remarks = _colour(light)
     values = [
-        *_shape(counts),
-        *_efficacies(counts, Counts(source, night, *ranges)),
+        *_shape(counts, source.total()),
+        *_efficacies(counts, Counts(light, night, *ranges)),
         *_photons(counts),
         *colours,
         *_absolute(source, {kind: counts.amount(kind) for kind in (RADIANT, LUMINOUS, PHOTON)}),
     ]
-    shares = f"; range-fraction is relative to {counts.known}, all of the data" if known else ""
+    shares = f"; range-fraction is relative to {whole.known}, all of the data" if known else ""
+    watts = f"watts counted over {counts.over(RADIANT)}, photons"
+    if ranges[0]:
+        watts = f"all results are of the light in {counts.over(RADIANT)}; photons counted"
+        shares = shares or "; range-fraction is relative to all of the light"
     assumptions = [
-        f"{source.described}; watts counted over {counts.over(RADIANT)}, "
-        f"photons over {counts.over(PHOTON)}{shares}",
+        f"{source.described}; {watts} over {counts.over(PHOTON)}{shares}",
         eye.assumption,
     ]
-    notes = [*source.notes, *counts.notes((RADIANT, PHOTON, LUMINOUS)), *remarks]
-    if known and source.peak()[0] in source.known:
-        notes.append("the peak is at the end of the data: the peak of the source may be beyond")
+    notes = [*source.notes, *whole.notes((RADIANT, PHOTON)), *counts.notes((LUMINOUS, PHOTON))]
+    notes += remarks
+    peak = light.peak()[0]
+    is_last = known and peak in source.known
+    if is_last or (ranges[0] and peak in counts.ranges[RADIANT]):
+        ended = "data" if is_last else "range"
+        notes.append(f"the peak is at the end of the {ended}: the peak of the source may be beyond")
     if not counts.amount(LUMINOUS):
         notes.append(UNSEEN)
     return Answer(values, assumptions, notes, _steps(counts))
@@ -98,7 +106,7 @@ def _nanometres(name: str, size: float) -> Value:
     return value(name, size * 1e-9)._replace(exact=size)
 
 
-def _shape(counts: Counts) -> list[Value]:
+def _shape(counts: Counts, total: float) -> list[Value]:
     source, watts, limits = counts.source, counts.amount(RADIANT), counts.ranges[RADIANT]
     peak, width = source.peak()
     centroid = source.photons(limits) * PLANCK * LIGHT / watts * 1e9
@@ -107,12 +115,13 @@ def _shape(counts: Counts) -> list[Value]:
         results.append(_nanometres("fwhm", width))
     else:
         is_lines = isinstance(source, Lines)
-        why = "a line has no width" if is_lines else "the data end above half of the peak"
+        ends = "range ends" if counts.given[RADIANT] else "data end"
+        why = "a line has no width" if is_lines else f"the {ends} above half of the peak"
         results.append(absent("fwhm", why, "peak-wavelength and centroid-wavelength"))
     if limits != WHOLE:
         results.append(_nanometres("range-start", limits[0]))
         results.append(_nanometres("range-end", limits[1]))
-    return [*results, value("range-fraction", watts / source.total())]
+    return [*results, value("range-fraction", watts / total)]
 
 
 def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
@@ -162,7 +171,7 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
         return [absent(name, UNSEEN, LIT) for name in COLOURS], []
     results = [value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)]
     try:
-        if isinstance(source, BlackBody):  # the temperature, by definition
+        if isinstance(source, BlackBody) and source.known == WHOLE:  # by definition
             temperature, distance = source.temperature, 0.0
         else:
             temperature, distance = colorimetry.temperature_and_distance(light)

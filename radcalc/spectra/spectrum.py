@@ -172,7 +172,10 @@ class Lines(Spectrum):
 
     def part(self, limits: Range) -> Spectrum | None:
         inside = self._inside(limits)
-        return Lines(self.label, inside) if inside else None
+        part = Lines(self.label, inside) if inside else None
+        if part:
+            part.known = limits
+        return part
 
     def _inside(self, limits: Range) -> list[tuple[float, float]]:
         return [line for line in self.lines if limits[0] <= line[0] <= limits[1]]
@@ -206,29 +209,37 @@ class BlackBody(Spectrum):
 
     absolute = "exitance"
 
-    def __init__(self, temperature: float) -> None:
+    def __init__(self, temperature: float, limits: Range = WHOLE) -> None:
+        """The light between the limits, as behind a filter."""
         if not 1 <= temperature <= 1e9:
             raise ConditionError(
                 f"a black body of {temperature:g} K is out of range",
                 "from 1K to 1e9K",
             )
-        super().__init__(f"a black body of {temperature:.6g} K", WHOLE)
+        super().__init__(f"a black body of {temperature:.6g} K", limits)
         self.temperature = temperature
+        self.known = limits
 
     def part(self, limits: Range) -> Spectrum | None:
-        """Return a table of the visible nanometres, which is the purpose of parts."""
-        grid = [float(nanometre) for nanometre in range(360, 831)]
-        wavelengths = [x * 1e-9 for x in grid]
-        values = planck.spectral_exitances(wavelengths, self.temperature)
-        return Table(self.label, grid, [y * 1e-9 for y in values], is_whole=True).part(limits)
+        low, high = self._within(limits)
+        return BlackBody(self.temperature, (low, high)) if low < high else None
+
+    def _within(self, limits: Range) -> Range:
+        low, high = max(limits[0], self.known[0]), min(limits[1], self.known[1])
+        return low, max(low, high)
 
     def power(self, limits: Range) -> float:
-        return planck.exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)
+        low, high = self._within(limits)
+        return planck.exitance(self.temperature, low * 1e-9, high * 1e-9)
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
         """Use Planck's law at every nanometre, linear in between."""
         wavelengths = [(start + i) * 1e-9 for i in range(count)]
         weights = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
+        if self.known != WHOLE:
+            grid = [float(start + i) for i in range(count)]
+            grid, weights = clip(grid, weights, *self.known)
+            return moments(grid, weights, start, count) if grid else [0.0] * count
         weights[0] /= 2
         weights[-1] /= 2
         return weights
@@ -236,7 +247,11 @@ class BlackBody(Spectrum):
     def peak(self) -> tuple[float, float | None]:
         """Use Wien's law, and the roots of half the peak in x = c2/(lambda T)."""
         scale = planck.C2 / self.temperature * 1e9
-        return scale / planck.WIEN_X, scale / planck.HALF_X[0] - scale / planck.HALF_X[1]
+        peak, start, end = (scale / x for x in (planck.WIEN_X, *planck.HALF_X[::-1]))
+        low, high = self.known
+        width = end - start if low <= start and end <= high else None
+        return min(max(peak, low), high), width
 
     def photons(self, limits: Range) -> float:
-        return planck.photon_exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)
+        low, high = self._within(limits)
+        return planck.photon_exitance(self.temperature, low * 1e-9, high * 1e-9)

@@ -205,7 +205,7 @@ def test_a_notebook_shows_notes_arrays_uncertainties_and_texts():
 
 
 def test_a_users_text_is_escaped_in_a_notebook():
-    text = "3*(theta<1)*(phi>=0)*1 cd"
+    text = "3*(theta<1*rad)*(phi>=0)*1 cd"
     page = Page(radcalc.point_source(distribution=text)._repr_html_())
     assert ["distribution (given)", "", text, ""] in page.rows
 

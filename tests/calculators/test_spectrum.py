@@ -3,6 +3,7 @@
 import itertools
 import math
 
+import numpy
 import pytest
 from conftest import run
 from following import call
@@ -13,6 +14,8 @@ from radcalc.errors import RadcalcError
 from radcalc.inputs.reading import read
 from radcalc.spectra.data import suns
 from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.sources import spectrum
+from radcalc.spectra.spectrum import BlackBody, Lines
 
 
 def results(text: str, range_: str = "") -> dict[str, float]:
@@ -62,10 +65,6 @@ def test_no_power_in_the_range_is_refused():
 @pytest.mark.parametrize(
     ("words", "name"),
     [
-        ("spectrum D65 --range 600nm:610nm", "luminous-efficacy"),
-        ("spectrum D65 --range 600nm:610nm", "luminous-efficiency"),
-        ("spectrum D65 --range 600nm:610nm", "scotopic-luminous-efficacy"),
-        ("spectrum D65 --range 600nm:610nm", "photon-efficacy"),
         ("spectrum D65 --photon-range 600nm:610nm", "lux-per-ppfd"),
         ("point-source --flux 5W --spectrum D65 --range 600nm:610nm", "luminous-flux"),
     ],
@@ -88,6 +87,79 @@ def test_a_band_of_an_absolute_spectrum_has_its_irradiance():
     expected = sum((b - a) * (p + q) / 2 for (a, p), (b, q) in steps)
     assert expected == pytest.approx(139.24, abs=5e-3)
     assert band["irradiance"] == pytest.approx(expected, rel=1e-12)
+
+
+SOURCES = [
+    "D65", "F11", "HPS", "AM1.5G", "LED-B3", "band:400nm:700nm", "gaussian:530nm,30nm",
+    "daylight:6500K", "line:450nm=2,555nm=1,632.8nm=3", "blackbody:2856K", "blackbody:9000K",
+]  # fmt: skip
+ENDS = [200, 380, 421.5, 500, 554, 600.25, 700, 790, 1200]
+
+
+def summed(text: str, low: float, high: float, weight: str = "") -> float:
+    """Return the sum of a spectrum times an observer's table, in steps of 1/40 nm."""
+    source = spectrum(text)
+    if isinstance(source, Lines):
+        places, watts = map(numpy.array, zip(*source.lines, strict=True))
+        steps = watts * ((places >= low) & (places <= high))
+    else:
+        places = numpy.arange(low, high, 0.025) + 0.0125
+        if isinstance(source, BlackBody):  # CODATA 2022: c1 and c2 [W nm4/m2, nm K]
+            c1, c2 = 3.7417718521927573e20, 1.4387768775039337e7
+            heights = c1 / places**5 / numpy.expm1(c2 / places / source.temperature)
+        else:
+            heights = numpy.interp(places, source.grid, source.values, 0.0, 0.0)
+        steps = heights * 0.025
+    if weight:
+        eye = OBSERVERS[weight]
+        nodes = numpy.arange(eye.start, eye.end + 1)
+        steps = steps * eye.maximum * numpy.interp(places, nodes, eye.values, 0.0, 0.0)
+    return float(steps.sum())
+
+
+@pytest.mark.parametrize("text", SOURCES)
+def test_every_result_is_of_the_range(text):
+    """Watts, lumens of two eyes and photons, from sums over the range alone."""
+    answered = 0
+    for low, high in itertools.pairwise(ENDS):
+        watts = summed(text, low, high)
+        if not watts:
+            continue
+        found = results(text, f"{low}nm:{high}nm")
+        lumens, dark = (summed(text, low, high, eye) for eye in ("photopic", "scotopic"))
+        assert found["luminous-efficacy"] == pytest.approx(lumens / watts, rel=5e-3, abs=1e-5)
+        by_night = found["scotopic-luminous-efficacy"]
+        assert by_night == pytest.approx(dark / watts, rel=5e-3, abs=1e-5)
+        for name, amount in (("irradiance", watts), ("exitance", watts)):
+            assert found.get(name, amount) == pytest.approx(amount, rel=5e-3)
+        assert found.get("illuminance", lumens) == pytest.approx(lumens, rel=5e-3, abs=1e-3)
+        assert found.get("luminance", lumens / math.pi) == pytest.approx(lumens / math.pi, rel=5e-3)
+        assert low * 1e-9 <= found["peak-wavelength"] <= high * 1e-9
+        assert low * 1e-9 <= found["centroid-wavelength"] <= high * 1e-9
+        shortest = 6.62607015e-34 * 299792458 / (high * 1e-9)  # photons, if counted, are inside
+        assert shortest <= found.get("photon-energy", shortest) <= shortest * high / low
+        answered += 1
+    assert answered >= 3
+
+
+def test_parts_of_a_spectrum_add_up():
+    """The tristimulus values of two parts: x = X / (X + Y + Z), with Y from the lumens."""
+    for text in SOURCES:
+        whole, *parts = (results(text, part) for part in ("1nm:1mm", "1nm:580nm", "580nm:1mm"))
+        lumens = [part["range-fraction"] * part["luminous-efficacy"] for part in parts]
+        all_lumens = whole["luminous-efficacy"] * whole["range-fraction"]
+        assert sum(lumens) == pytest.approx(all_lumens, rel=1e-3)
+        for axis in "xy":
+            weights = [lm / part["y"] for lm, part in zip(lumens, parts, strict=True)]
+            sums = sum(w * part[axis] for w, part in zip(weights, parts, strict=True))
+            assert sums / sum(weights) == pytest.approx(whole[axis], abs=1e-3)
+
+
+def test_the_range_of_all_results_is_stated():
+    said = run("spectrum", "D65", "--range", "500nm:600nm", "-g", "luminous-efficacy").stderr
+    assert "all results are of the light in 500-600 nm" in said
+    said = run("spectrum", "D65", "--range", "600nm:700nm").stderr
+    assert "the peak is at the end of the range" in said
 
 
 RANGES = [

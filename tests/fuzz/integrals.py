@@ -78,15 +78,15 @@ def case(rng):
         low, high = math.cos(polar[1]), math.cos(polar[0])
         if rng.random() < 0.3:
             end = rng.uniform(*polar)
-            times, low = f"(theta<{end})", math.cos(end)
+            times, low = f"(theta<{end}*rad)", math.cos(end)
     if where == "wedge":
         azimuth = 0.0, rng.uniform(0.5, TURN)
         part, f = shape(rng)
         last = azimuth[1]
-        times += f"*{part}".replace("U", "((phi-1)/6)")
+        times += f"*{part}".replace("U", "((phi-1*rad)/(6*rad))")
         if rng.random() < 0.3:
             last = rng.uniform(*azimuth)
-            times += f"*({last}>=phi)"
+            times += f"*({last}*rad>=phi)"
         turn, turn_off = (6 * x for x in between(f, -1 / 6, (last - 1) / 6))
     terms, value, off = [], 0.0, 0.0
     for _ in range(rng.choice([1, 1, 2, 3])):

@@ -27,6 +27,14 @@ class Angles:
     ConditionError
         For a sine of a bare number, an exponential of an angle, or a sum or comparison of an angle
         and a bare number.
+
+    Examples
+    --------
+    >>> Angles("cos(45)", "cos(45)", ast.parse("cos(45)", mode="eval").body)
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: 'cos(45)' has no angle in cos(45)
+    try: cos(45*deg) or cos(45*rad)
     """
 
     def __init__(self, text: str, source: str, tree: ast.expr) -> None:
