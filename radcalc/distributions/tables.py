@@ -169,6 +169,10 @@ class _Reader:
         if len(self.rows) < 2:
             self.refuse(self.rows[0][0], "one row is not a table", "two rows or more")
         table = numpy.array([self.row(number, line, width) for number, line in self.rows])
+        if self.delimiter != ",":
+            for number, line in self.rows:
+                for cell in columns.cells(line, self.delimiter)[1:]:
+                    self.decimals.watch([cell], number)
         if doubt := self.decimals.doubt():
             self.refuse(*doubt, columns.MARKS)
         angles, values = table[:, 0], table[:, 1:]

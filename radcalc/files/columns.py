@@ -1,13 +1,15 @@
 """Columns of numbers in text: separators, decimal commas, and units in titles."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 DELIMITERS = ("\t", ";", "|", ",")
 COMMENTS = ("#", "%", "//", ";;")
 COMMA = re.compile(r"[-+]?\d*,\d+(?:[eE][-+]?\d+)?")
 THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2},\d{3}")
+POINTED_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}\.\d{3}")
 MARKS = "points or commas in all numbers, and no separators of thousands"
+UNIT_TITLES = ("unit", "units", "uom", "einheit", "unité", "jednotka", "единица", "единицы")
 IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2 nm) has its own
 
 
@@ -103,10 +105,15 @@ def numbers_at_once(text: str, cells: Sequence[str]) -> list[float] | None:
 
 
 class Decimals:
-    """The decimal mark of the numbers of a file, point or comma; 1,000 may be a thousand."""
+    """The decimal mark of the numbers of a file, point or comma; 1,000 may be a thousand.
+
+    1.000 may be one, too, if others of its column are whole and none has other decimals.
+    """
 
     def __init__(self) -> None:
         self.point = self.comma = 0  # first lines with the mark
+        self.is_sure = self.has_whole = False  # in the column of the values
+        self.thousand: tuple[int, str] | tuple[()] = ()  # first line with 1.000
         self.doubtful: (
             tuple[int, str] | tuple[()]
         ) = ()  # line and text of the first ambiguous number
@@ -125,12 +132,34 @@ class Decimals:
         mark, other_mark = ("point", "comma") if line == self.point else ("comma", "point")
         return f"a decimal {mark}, but line {min(self.point, comma)} has a decimal {other_mark}"
 
+    def watch(self, texts: Iterable[str], line: int) -> None:
+        """Record the values of a column in successive lines that commas do not separate."""
+        for number, text in enumerate(texts, line):
+            if self.is_sure:
+                return
+            if "." not in text and "," not in text:
+                self.has_whole = True
+            elif POINTED_THOUSANDS.fullmatch(text):
+                self.thousand = self.thousand or (number, text)
+            else:
+                self.is_sure = True
+
     def doubt(self) -> tuple[int, str] | tuple[()]:
         """Return the line of an ambiguous number, and the problem, if any."""
-        if self.comma or not self.doubtful:
-            return ()
-        line, text = self.doubtful
-        return line, f"'{text}' is ambiguous: a thousand or a decimal"
+        doubtful = () if self.comma else self.doubtful
+        if not doubtful and self.has_whole and not self.is_sure:
+            doubtful = self.thousand
+        return (
+            (doubtful[0], f"'{doubtful[1]}' is ambiguous: a thousand or a decimal")
+            if doubtful
+            else ()
+        )
+
+
+def unit_column(titles: Sequence[str], place: int) -> int | None:
+    """Return the column with the units of the values in another: after it, or else before."""
+    found = [k for k, title in enumerate(titles) if plain(title) in UNIT_TITLES and k != place]
+    return next((k for k in found if k > place), found[-1] if found else None)
 
 
 def plain(title: str) -> str:

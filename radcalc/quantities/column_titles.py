@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from radcalc.errors import UnitError, UsageError, listed, nearest, quote
-from radcalc.files.columns import IN_BRACKETS
+from radcalc.files.columns import IN_BRACKETS, plain
 from radcalc.quantities.light import NONE, Reading, describe, read
 from radcalc.quantities.names import PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import comparable, index
@@ -17,7 +17,7 @@ from radcalc.quantities.targets import GENERIC
 from radcalc.units.scales import find as find_scale
 from radcalc.units.scales import scale_of
 from radcalc.units.table import PARTS, resolve, suggest, unit_of
-from radcalc.units.unit import Unit
+from radcalc.units.unit import NUMBER, Unit
 
 AROUND = " \t,;:_/-–"  # characters between a name and a unit
 LONGEST = 200  # characters of a title that is searched for a unit
@@ -65,10 +65,30 @@ UNIT_OF_LIGHT = re.compile(
     r"(?:lux|lx|lumens?|lm|candelas?|cd|watts?|w(?=/c?m|/sr|/nm)|mol|foot.?candles?|nits?)(?![^\W_])",
     re.IGNORECASE,
 )
+# Text in brackets that may be meant as a unit: a word as short as a symbol, or signs of units.
+UNIT_LIKE = re.compile(r"[^\W\d_]{1,6}|\S*[/·^²³°%⁻]\S*|(?i:volts?|voltage|digits|percent)")
+NO_UNIT = re.compile(  # places, statistics, zones of time, and words for relative values
+    r"desk|bench|floor|wall|roof|room|site|top|bottom|left|right|front|back|side|upper|lower|inner"
+    r"|outer|centre|center|middle|in|out|north|south|east|west|[nsew]{1,2}|up|down|low|high|new|old"
+    r"|mean|avg|average|max|min|median|sum|est|cal|corr?|sensor|lamp|light|led|plot|day|night|sun"
+    r"|sky|shade|utc|gmt|cet|cest|local|horiz|vert|tilt|global|direct|diffuse|optional|new|test"
+    r"|rel|a\.?u\.?|arb|norm|spd|n/a|s/n",
+    re.IGNORECASE,
+)
+OF_DETECTOR = re.compile(
+    r"(?<![^\W\d_])(?:counts?|cts|adu|raw|bits?|volts?|voltage)(?![^\W\d_])", re.IGNORECASE
+)
+PER_AREA = re.compile(r"(?<![^\W_])[^\W\d_]+/(?:[cm]?m|ft)\^?[2²](?![^\W_])")
+# Spellings of meters that are not units of radcalc, without case and punctuation.
+SPELLINGS = {
+    **dict.fromkeys(("ftcd", "ftc", "fc", "fcd", "footcd", "ftcandle", "ftcandles"), "fc"),
+    **dict.fromkeys(("lum/ft2", "lumen/ft2", "lumens/ft2", "lm/ft2"), "fc"),
+    **dict.fromkeys(("lum/m2", "luxs"), "lx"),
+}
 BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # the preposition, not an inch: E at 2 m in W/m2
 # Subscripts of symbols, as in E_v or E_ph, are units only if the unit of that quantity is meant.
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
-SYMBOL = re.compile(r"[EL](?![^\W_])")  # symbols, not the einstein and the lambert
+SYMBOL = re.compile(r"[EL](?![^\W_²³])")  # symbols, not the einstein and the lambert
 BRACKETS = re.compile(r"[()\[\]]")
 # Names of photon quantities: PPFD, but PAR may also be in watts; PPF was once a name of PPFD.
 PHOTON_IRRADIANCES = ("pfd", *[name for name in PPFD if name != "par"])
@@ -160,6 +180,53 @@ def refuse_misnamed(title: Title, unit: Unit) -> None:
             f"the title '{quote(title.text)}' names {other.name('en')}, not {describe(unit)}",
             f"a unit of the first, such as {other.unit}, or another name",
         )
+
+
+def refuse_unknown(title: Title, typed: Unit | None = None) -> None:
+    """Raise for a title that has no unit of light, but an unknown one or that of a detector.
+
+    Examples are `E (ftcd)`, `Light (counts)` and `mV`.  Another spelling of the typed unit fits.
+    """
+    if title.unit and read(title.unit):
+        return
+    text = title.text
+    other = title.unit or unit_of(text)
+    is_other = other is not None and (title.unit or sum(map(str.isalpha, text)) > 1)
+    detected = OF_DETECTOR.search(text)
+    if (is_other and other and not read(other) and other.dimension != NUMBER) or detected:
+        what = quote(detected[0] if detected else other.text if other else "")
+        problem = f"the title '{quote(text)}' has numbers in {what}, not in a unit of light"
+        raise UnitError(problem, "another column, or calibrated values")
+    if word := _unknown_unit(text):
+        usual = SPELLINGS.get(_folded(word), "")
+        if not (typed and usual and is_same(resolve(usual), typed)):
+            raise UnitError(
+                f"unknown unit '{quote(word)}' in the title '{quote(text)}'",
+                usual or "a title with a unit of radcalc units, or without one",
+            )
+
+
+def unit_of_meter(text: str) -> Unit | None:
+    """Return the unit in a cell of its own, also in a spelling of meters; None for other texts."""
+    return unit_of(text) or unit_of(SPELLINGS.get(_folded(text), ""))
+
+
+def _folded(text: str) -> str:
+    return re.sub(r"[\s.^_-]", "", plain(text)).replace("²", "2")
+
+
+def _unknown_unit(text: str) -> str:
+    """Return the text in a title that is probably meant as a unit; its unit is unknown."""
+    if _folded(bare := text.strip(" ()[]")) in SPELLINGS:
+        return bare
+    brackets = ["".join(filter(None, found)).strip() for found in IN_BRACKETS.findall(text)]
+    for inner in reversed(brackets):
+        if _folded(inner) in SPELLINGS:
+            return inner
+        if UNIT_LIKE.fullmatch(inner) and not NO_UNIT.fullmatch(inner) and not unit_of(inner):
+            return inner
+    found = PER_AREA.search(text)
+    return found[0] if found else ""
 
 
 def other_quantity(name: str, unit: Unit) -> Quantity | None:

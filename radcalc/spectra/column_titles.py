@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from radcalc.errors import ConditionError, UnitError, quote
 from radcalc.files.columns import plain, units_in
-from radcalc.quantities.column_titles import read_title, refuse_altered
+from radcalc.quantities.column_titles import read_title, refuse_altered, refuse_unknown
 from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
 from radcalc.units.dimensions import RESPONSIVITY
 from radcalc.units.table import unit_of
@@ -30,18 +30,21 @@ DECLARED = re.compile(
     r"(?:wave ?length|wvlgth|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$"
 )
 BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
-WORD = r"(?<![a-z]){}(?![a-z])"
+WORD = r"(?<![^\W\d_]){}(?![^\W\d_])"  # of any alphabet
 PROPERTY = WORD.format(
-    "(?:absorb|absorpt|transmitt|transmiss|reflect|respons|sensitiv|efficien|extinct|emissiv)[a-z]*"
+    r"(?:absorb|absorpt|transmitt|transmiss|reflec|respons|sensitiv|efficien|extinct|emissiv|remiss"
+    r"|reflex|reflekt|odraz|propust|pohlt|отраж|пропуск|поглощ)[^\W\d_]*"
 )
+# Raw values of a detector, properties of samples, and photons weighted by the response of plants.
 NO_LIGHT = re.compile(
     PROPERTY
     + "|"
     + WORD.format(
-        "(?:optical.densit(?:y|ies)|od|qe|eqe|refractive|counts?|cts|adu|dn|raw|dark|albedo"
+        "(?:optical.densit(?:y|ies)|od|qe|eqe|refractive|counts?|cts|adu|dn|raw|dark|scope|albedo"
+        "|refl|rfl|trans|transm|abs|y(?:ield )?(?:ppfd?|pfd?|photon flux(?: density)?)"
         "|log(?:10)?|ln|lg|d(?:b|bm)|err(?:ors?)?|std|stdev|uncertainty|cumulative)"
     )
-    + r"|% ?[tra]\b|\b[tra] ?%|v ?\(lambda\)"
+    + r"|% ?[tra]\b|\b[tra] ?[(\[]? ?%|^[(\[]?%[)\]]?$|v ?\(lambda\)"
 )
 # A number before, after or within a unit, and 1/(...), which scale the values.
 SCALED = re.compile(
@@ -51,7 +54,10 @@ AXES = re.compile(
     WORD.format(r"(?:[mk]?ev|[mgtp]?hz|cm\^?-1|1/cm|energy|frequency|wave ?numbers?)")
 )
 PHOTONS = re.compile(
-    WORD.format("(?:photon(?:s|en)?|quanta|quantum|qntm|y?ppfd?|ypf|pfd|u?mol|u?einsteins?)")
+    WORD.format(
+        r"(?:photon(?:s|en)?|foton[^\W\d_]*|фотон[^\W\d_]*|quant(?:a|um|en)|квант[^\W\d_]*|qntm"
+        r"|s?ppfd?|s?pfd|u?mol|u?einsteins?|ph(?=(?:/| per )s))"
+    )
 )
 # A line that is only a property of a sample, or has one after its key.
 SAMPLED = re.compile(
@@ -156,6 +162,10 @@ def values(title: str) -> Meaning:
         raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
     if PHOTONS.search(text):
         return Meaning("its values taken as relative photons per wavelength", True)
+    try:
+        refuse_unknown(parsed)
+    except UnitError as error:
+        raise ConditionError(error.message, KNOWN) from None
     return RELATIVE_WATTS
 
 

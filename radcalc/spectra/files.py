@@ -212,6 +212,8 @@ class _Reader:
         if not marks.point:
             pointed = (n for n, line in enumerate(lines, number) if "." in line)
             marks.point = next(pointed, 0)
+        if layout.delimiter != "," and not marks.is_sure:
+            marks.watch((_cell(line, layout) for line in lines), number)
         self.grid.extend(numbers[0])
         self.values.extend(numbers[1])
         self.lines.extend(range(number, number + len(lines)))
@@ -233,6 +235,8 @@ class _Reader:
             self.grid.append(self.number(cells[0], comma, number))
             self.values.append(self.number(cells[layout.place], comma, number))
             self.lines.append(number)
+            if comma:
+                self.decimals.watch([cells[layout.place]], number)
 
     def check_titles(self, header: list[str]) -> None:
         if (longest := max(map(len, header), default=0)) > column_titles.LONGEST:
@@ -410,6 +414,10 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
         return None if None in numbers else numbers
     except ValueError:
         return None
+
+
+def _cell(line: str, layout: _Layout) -> str:
+    return line.split(layout.delimiter, layout.place + 1)[layout.place].strip()
 
 
 def _before(rows: Sequence[tuple[int, str]]) -> int:

@@ -6,7 +6,7 @@ The unit in the header is compared with the unit of the numbers, and replaced in
 from collections.abc import Callable
 
 from radcalc.errors import NumberError, UnitError, UsageError, command, option, quote
-from radcalc.files.columns import DELIMITERS
+from radcalc.files.columns import DELIMITERS, unit_column
 from radcalc.quantities.column_titles import (
     Title,
     find,
@@ -15,8 +15,11 @@ from radcalc.quantities.column_titles import (
     read_title,
     refuse_altered,
     refuse_misnamed,
+    refuse_unknown,
+    unit_of_meter,
 )
 from radcalc.quantities.light import describe
+from radcalc.quantities.light import read as read_light
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
 from radcalc.streams.readers import UTF_8, Texts
 from radcalc.units.table import resolve
@@ -56,6 +59,7 @@ class Header:
         self.call = call or (lambda unit: command("convert", "-", unit, quote(self.target.text)))
         self.texts: Texts | None = None
         self.fields: Fields | None = None
+        self.units: int | None = None  # the field with the unit of each line
         self.new_titles: dict[int | None, str] = {}
 
     def read(self, line: bytes, fields: Fields, above: bytes = b"") -> tuple[bytes, int]:
@@ -70,10 +74,15 @@ class Header:
             places = list(fields.of(len(titles)))
             read = [read_title(titles[place], self.source) for place in places]
             names = self._names_above(above, len(titles))
+            if self.cut and self.cut.delimiter and len(places) == 1:
+                self.units = unit_column(titles, places[0])
             if self.cut:  # not a line of text
                 over = [read_title(names[place]) for place in places if names]
                 for title in [*read, *over]:
                     refuse_altered(title)
+                if self.source and read_light(self.source):
+                    for title in read:
+                        refuse_unknown(title, self.source)
                 for title, parsed in zip(over, read, strict=False):
                     if parsed.unit:
                         refuse_misnamed(title, parsed.unit)
@@ -112,6 +121,14 @@ class Header:
             self.note(f"the title '{quote(title.text)}' has no known unit, and is kept")
         _refuse_other(title.name, self.target)
         return title.with_unit(unit)
+
+    def check_unit(self, text: bytes) -> None:
+        """Refuse the unit of a line if it is not that of the numbers."""
+        typed = text.decode(errors="replace")
+        unit = unit_of_meter(typed)
+        if self.source and not (unit and is_same(unit, self.source)):
+            problem = f"the unit is '{quote(typed)}', not {quote(self.source.text)}"
+            raise NumberError(problem, "a call for the lines of each unit")
 
     def _spans(self, line: bytes) -> list[Span]:
         if self.cut:

@@ -18,14 +18,17 @@ from radcalc.errors import (
 from radcalc.files import columns
 from radcalc.files.text import where
 from radcalc.quantities.column_titles import (
+    SPELLINGS,
     find,
     is_same,
     read_title,
     refuse_altered,
     refuse_misnamed,
+    refuse_unknown,
     unit_in,
+    unit_of_meter,
 )
-from radcalc.quantities.light import PHOTON
+from radcalc.quantities.light import PHOTON, RADIANT
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
 from radcalc.quantities.symbols import light_unit
@@ -68,6 +71,7 @@ class LogLayout(NamedTuple):
     place: int
     clock: Clock
     unit: Unit
+    units: int | None = None  # the column with the unit of each value
 
 
 def error(name: str, number: int, problem: str, hint: str) -> LineError:
@@ -191,7 +195,7 @@ class Head:
         if len(cells) < 2 or any(_is_number(cell) or self._is_stamp(cell) for cell in cells):
             return False
         return any(map(_is_of_time, cells)) or any(
-            self._unit_in([cells], k) is not None for k in range(len(cells))
+            self._unit_in([cell]) is not None for cell in cells
         )
 
     def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> LineError:
@@ -209,7 +213,9 @@ class Head:
     ) -> LogLayout:
         names = titles[0] if titles else []
         times = self._time_columns(number, cells, names)
-        place, unit = self._value_column(number, cells, titles, times)
+        place = self._value_column(number, cells, titles, times)
+        units = columns.unit_column(names, place)
+        unit = self._unit([row[place] for row in titles], None if units is None else cells[units])
         title = " ".join([names[k] for k in times]) if names else ""
         text = " ".join([cells[k] for k in times])
         try:
@@ -217,7 +223,7 @@ class Head:
             clock = clock_for(text, settings)
         except (NumberError, UnitError) as error:
             raise self.error(number, error.message, error.hint) from None
-        return LogLayout(delimiter, len(cells), times, place, clock, unit)
+        return LogLayout(delimiter, len(cells), times, place, clock, unit, units)
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
         if self.settings.times:
@@ -254,7 +260,7 @@ class Head:
 
     def _value_column(
         self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]
-    ) -> tuple[int, Unit]:
+    ) -> int:
         candidates = [k for k in range(len(cells)) if k not in times]
         if self.settings.column:
             place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
@@ -272,30 +278,51 @@ class Head:
             place = of_light[0]
         if place in times:
             raise UsageError("one column has the times and the values", "two columns")
-        return place, self._unit(self._unit_in(titles, place), titles[0][place] if titles else "")
+        return place
 
-    def _unit(self, declared: Unit | None, title: str) -> Unit:
-        if not self.settings.unit:
-            if declared is None:
-                raise MissingInput(
-                    f"{self.name}: the unit of the values is missing",
-                    mention("{unit=lx}, or a title such as E [lx]"),
-                )
-            return declared
-        unit = resolve_any(self.settings.unit)
-        if title and declared is None:
-            refuse_misnamed(read_title(title), unit)
-        if declared and not is_same(declared, unit):
-            raise UsageError(
-                f"{option('unit', quote(unit.text))} contradicts the unit "
-                f"{quote(declared.text)} of the title '{quote(title)}'",
-                "leave it out, or use another column",
+    def _unit(self, titles: list[str], cell: str | None) -> Unit:
+        """Return the unit of the values: that of the user, in the titles, or in a cell."""
+        declared = self._unit_in(titles)
+        if cell is not None:
+            declared = declared or unit_of_meter(cell)
+            self.assumptions.append("each value is in the unit of its line")
+        unit = resolve_any(self.settings.unit) if self.settings.unit else declared
+        if declared is None:
+            for title in titles:
+                self._refuse_unlike(title, unit)
+        if unit is None:
+            raise MissingInput(
+                f"{self.name}: the unit of the values is missing",
+                mention("{unit=lx}, or a title such as E [lx]"),
             )
+        if declared and cell is None and not is_same(declared, unit):
+            reading = read_light(unit)
+            may_be_par = any(map(_is_ppfd, titles)) and reading and reading.kind == RADIANT
+            if declared.dimension != unit.dimension and not may_be_par:
+                raise UsageError(
+                    f"{option('unit', quote(unit.text))} contradicts the unit "
+                    f"{quote(declared.text)} of the title '{quote(titles[0])}'",
+                    "leave it out, or use another column",
+                )
+            title = f"the title '{quote(titles[0])}' is in {quote(declared.text)}"
+            self.assumptions.append(f"the values are in {quote(unit.text)}, as given; {title}")
         return unit
 
-    def _unit_in(self, titles: list[list[str]], place: int) -> Unit | None:
+    def _refuse_unlike(self, title: str, unit: Unit | None) -> None:
+        """Raise for a title without a known unit of light that does not fit the typed unit."""
+        try:
+            parsed = read_title(title)
+            refuse_unknown(parsed, unit)
+            if unit:
+                refuse_misnamed(parsed, unit)
+        except UnitError as error:
+            hint = error.hint
+            if hint in SPELLINGS.values():
+                hint = option("unit", hint)
+            raise self.error(0, error.message, hint) from None
+
+    def _unit_in(self, texts: list[str]) -> Unit | None:
         """Return the unit of light in the titles of a column, in which its numbers are."""
-        texts = [row[place] for row in titles]
         try:
             read = [read_title(title) for title in texts]
             units = [parsed.unit for parsed in read if parsed.unit and read_light(parsed.unit)]
@@ -314,7 +341,8 @@ class Head:
         for title in texts:
             if _is_ppfd(title):
                 also = PAR_ALSO if "par" in _words(title) else ""
-                self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}{also}")
+                if not self.settings.unit:
+                    self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}{also}")
                 return resolve(PPFD_UNIT)
         return None
 

@@ -12,11 +12,14 @@ from typing import Any, NamedTuple
 from radcalc.errors import LineError, NumberError, RadcalcError, mention, quote
 from radcalc.files import columns
 from radcalc.files.text import Text
+from radcalc.quantities.column_titles import unit_of_meter
+from radcalc.quantities.light import describe
 from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, Head, LogSettings, is_remark
 from radcalc.terminal import ABORT, FAIL, IGNORE
 from radcalc.units.numbers import parse_number
+from radcalc.units.unit import divide
 
 FEW = 32  # lines read one by one
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # loggers mark missing values so: -9999.9
@@ -103,7 +106,10 @@ class Log:
         layout = self.layout
         try:
             cells = _columns_of(lines, layout.delimiter, layout.width)
-            values = columns.finite_numbers(self._with_points(cells[layout.place], number))
+            if layout.units is not None and {*cells[layout.units]} != {layout.unit.text}:
+                return None
+            pointed = self._with_points(cells[layout.place], number)
+            values = columns.finite_numbers(pointed)
             if min(values) <= LEAST:
                 return None
             stamps = cells[layout.times[0]]
@@ -116,6 +122,7 @@ class Log:
             return None
         if not all(map(lt, times, times[1:])) or (self.last is not None and times[0] <= self.last):
             return None
+        self._watch(pointed, number)
         self.last, self.last_line = times[-1], number + len(lines) - 1
         return times, values
 
@@ -137,6 +144,10 @@ class Log:
             if not marks.point:
                 marks.point = next(k for k, text in enumerate(texts, number) if "." in text)
         return texts
+
+    def _watch(self, values: list[str], number: int) -> None:
+        if self.layout.delimiter != ",":
+            self.decimals.watch(values, number)
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
         rows = [row for row in enumerate(lines, number) if not is_remark(row[1])]
@@ -223,7 +234,18 @@ class Log:
         for cell in (stamp, text) if layout.clock.has_numbers else (text,):
             if comma and (problem := self.decimals.conflict(cell, number)):
                 raise self.error(number, problem, columns.MARKS)
+        self._watch([text], number)
+        if layout.units is not None:
+            value *= self._factor(cells[layout.units], number)
         return Sample(time, value, number, stamp)
+
+    def _factor(self, text: str, number: int) -> float:
+        """Return the factor from the unit of a line to that of the log."""
+        unit, own = unit_of_meter(text), self.layout.unit
+        if unit is None or (unit.dimension, unit.is_exitance) != (own.dimension, own.is_exitance):
+            problem = f"the unit '{quote(text)}' is not one of {describe(own)}"
+            raise self.error(number, problem, f"{own.text}, or another column")
+        return divide(unit.top * own.bottom, unit.bottom * own.top)
 
     def _check_order(self, time: Any, number: int) -> None:
         if self.last is None or time > self.last:

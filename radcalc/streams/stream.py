@@ -53,6 +53,7 @@ class Stream:
         self.header = header
         self.record = record
         self.adds = adds
+        self.units: int | None = None  # the field with the unit of each line
         self.width = 0  # fields of every line; 0 for any number
         # A number may have a comma: without a header, the first good line sets the number.
         self.is_counted = bool(cut and cut.delimiter == b"," and not lines)
@@ -65,12 +66,15 @@ class Stream:
         title_line, self.width = self.header.read(body, self.fields, _body(above))
         self.texts = self.header.texts or self.texts
         self.fields = self.header.fields or self.fields
+        self.units = self.header.units
         return title_line + line[len(body) :]
 
     def block(self, block: bytes, count: int = 1) -> bytes | None:
         """Convert a block of whole lines from line `count` on; return None if any is unusual."""
         self.texts.line = count
         if block[-1:] != b"\n" or len(block) > 2 * BLOCK:  # it has a very long line
+            return None
+        if self.units is not None:
             return None
         crlf = b"\r" in block
         if crlf:
@@ -100,6 +104,8 @@ class Stream:
         out, done, added = bytearray(), 0, b""
         field: int | None = None
         try:
+            if self.units is not None:
+                body = self._in_unit(body, self.units)
             places = self._places(body)
             while chunk := list(islice(places, MANY)):
                 texts = [body[start:end] for _, (start, end) in chunk]
@@ -126,7 +132,19 @@ class Stream:
             self.width = sum(1 for _ in self.cut.spans(body))
         if self.record:
             return bytes(out)
-        return bytes(out + body[done:] + added + line[len(body) :])
+        return bytes(out + body[done:] + added + line[len(_body(line)) :])
+
+    def _in_unit(self, body: bytes, field: int) -> bytes:
+        """Check the unit in a field of its own, and replace it by that of the result."""
+        assert self.cut is not None
+        assert self.header is not None
+        spans = list(self.cut.spans(body))
+        self._check_width(len(spans))
+        start, end = self.cut.inner(body, spans[field])
+        self.header.check_unit(body[start:end])
+        if self.adds or self.record:
+            return body
+        return body[:start] + self.header.target.text.encode() + body[end:]
 
     def passed(self, line: bytes) -> bytes:
         """Return the output for a line that cannot be converted; an added field is empty."""

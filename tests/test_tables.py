@@ -1,0 +1,93 @@
+"""Titles of columns have the same meaning in every command that reads a table."""
+
+from itertools import product
+
+import pytest
+from conftest import run
+
+# Not units of radcalc, or not of light; no command may take their numbers for lux.
+NOT_LUX = ["ftcd", "Fc", "lum/ft²", "mV", "counts", "ADU", "V", "zork", "uA", "raw"]
+FORMS = ["({})", "[{}]", "E ({})", "Light [{}]"]
+LOG = "time,{}\n2024-06-01T12:00Z,1\n2024-06-01T13:00Z,2\n"
+
+
+@pytest.mark.parametrize("title", [form.format(unit) for form, unit in product(FORMS, NOT_LUX)])
+def test_numbers_in_an_unknown_unit_are_never_taken_for_light(title):
+    calls = [
+        (("dose", "-", "--unit", "lx"), LOG.format(title)),
+        (("dose", "-"), LOG.format(title)),
+        (("convert", "-", "lx", "fc", "-d", ",", "--column", "2"), f"id,{title}\n1,2\n"),
+        (("spectrum", "-"), f"wavelength (nm),{title}\n400,1\n500,2\n600,1\n"),
+    ]
+    for words, text in calls:
+        done = run(*words, input=text)
+        assert (done.returncode, "try: " in done.stderr) == (2, True), (words, done.stdout)
+
+
+@pytest.mark.parametrize("title", ["ftcd", "(Fc)", "lum/ft²"])
+def test_another_spelling_of_the_typed_unit_is_read(title):
+    done = run("dose", "-", "--unit", "fc", "-g", "exposure:lx.h", input=LOG.format(title))
+    assert float(done.stdout) == pytest.approx(1.5 / 0.09290304)  # lx per fc: 1 ft = 0.3048 m
+    assert "try: --unit fc" in run("dose", "-", input=LOG.format(title)).stderr
+
+
+def test_the_users_unit_wins_over_a_known_title_and_is_said():
+    done = run("dose", "-", "--unit", "klx", "-g", "exposure:lx.h", input=LOG.format("E [lx]"))
+    assert float(done.stdout) == 1500
+    assert "the values are in klx, as given; the title 'E [lx]' is in lx" in done.stderr
+
+
+@pytest.mark.parametrize("unit", ["", "lx", "fc"])
+def test_each_line_of_a_log_may_have_its_unit(unit):
+    rows = "".join(
+        f"2024-06-01T{12 + k}:00Z,{value},9,{name}\n"
+        for k, (value, name) in enumerate([("2", "lux"), ("1", "Fc"), ("0.002", "klx")])
+    )
+    words = ["dose", "-", "-g", "exposure:lx.h", *(["--unit", unit] if unit else [])]
+    done = run(*words, "--column", "value", input="time,value,raw,unit\n" + rows)
+    assert float(done.stdout) == pytest.approx(2 + 1 / 0.09290304)  # 2, 10.76 and 2 lx
+    bad = run(
+        *words, "--column", "value", input=f"time,value,raw,unit\n{rows}".replace("klx", "mV")
+    )
+    assert "line 4: the unit 'mV' is not one of" in bad.stderr
+
+
+def test_a_column_of_units_is_checked_and_replaced_in_a_stream():
+    words = ["convert", "-", "lx", "fc", "-d", ",", "--column", "E", "--invalid", "warn"]
+    done = run(*words, input="E,unit\n10,lux\n2,fc\n20,lx\n")
+    assert done.stdout == "E,unit\n0.9290304,fc\n2,fc\n1.8580608,fc\n"
+    assert "line 3: the unit is 'fc', not lx" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("title", "meaning"),
+    [
+        *((t, "photons") for t in ("SPFD", "SPPFD", "PPFD", "ph/s/nm", "fotony", "фотоны",
+                                    "fotonů", "Photonen", "кванты", "QNTM")),
+        *((t, "") for t in ("YPFD", "YPF", "refl", "Rfl", "R [%]", "%", "Transm", "odrazivost",
+                            "коэффициент отражения", "пропускание", "Scope", "raw", "counts")),
+        *((t, "watts") for t in ("E", "SPD", "relative power (%)", "LED 3", "Intensity [a.u.]")),
+    ],
+)  # fmt: skip
+def test_a_title_over_a_spectrum_means_photons_watts_or_no_light(title, meaning):
+    done = run("spectrum", "-", "-g", "x", input=f"nm,{title}\n400,1\n500,2\n600,3\n700,1\n")
+    assert done.returncode == (0 if meaning else 2)
+    assert f"relative {meaning} per wavelength" in done.stderr or not meaning
+
+
+@pytest.mark.parametrize("delimiter", [";", "\t", " "])
+@pytest.mark.parametrize(("values", "is_read"), [
+    (["950", "1.050", "990"], False), (["950", "1.050", "0.5"], True),
+    (["1.050", "1.051", "2.000"], True), (["950", "1050", "990"], True),
+    (["950.5", "1.050", "9"], True), (["0", "1.050", "12.345"], False),
+])  # fmt: skip
+def test_a_point_that_may_separate_thousands_is_refused(delimiter, values, is_read):
+    rows = [f"{400 + 100 * k}{delimiter}{value}\n" for k, value in enumerate(values)]
+    spectrum = run("spectrum", "-", input="".join(rows))
+    log = run("dose", "-", "--time-unit", "s", "--unit", "lx", input="".join(rows))
+    for done in (spectrum, log):
+        assert (done.returncode == 0) is is_read, done.stderr
+        assert (
+            is_read
+            or f"line {values.index(next(v for v in values if '.' in v)) + 1}: '" in done.stderr
+        )
