@@ -6,9 +6,9 @@ from radcalc.answer import FRACTION, Answer
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
-from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, MissingInput, mention, option, quote
-from radcalc.inputs.given import Inputs
+from radcalc.derivation import coherent_unit_of, format_number, format_value
+from radcalc.errors import ConditionError, Contradiction, MissingInput, mention, option, quote
+from radcalc.inputs.given import Input, Inputs
 from radcalc.laws.exposure import (
     FILTERED,
     FILTERED_FLASH,
@@ -18,6 +18,7 @@ from radcalc.laws.exposure import (
     REFLECTANCE,
     REFLECTED,
     STEPS,
+    exact,
 )
 from radcalc.maths import any_true
 from radcalc.quantities.symbols import METER_UNITS
@@ -100,8 +101,22 @@ FLASHING = PAGE._replace(
 
 
 def ev(given: Inputs) -> Answer:
-    """Return exposure values, f-number, time and light from any sufficient set of them."""
-    answer = _solve_exposure(given)
+    """Return exposure values, f-number, time and light from any sufficient set of them.
+
+    Redundant inputs may differ as much as cameras round their marks.
+    """
+    try:
+        answer = _solve_exposure(given)
+    except Contradiction as contradiction:
+        marked = {name: item for name, item in given.items() if _rounded_by(item)}
+        if not marked:
+            raise
+        loose = {name: item._replace(off=_rounded_by(item)) for name, item in marked.items()}
+        try:
+            answer = _solve_exposure({**given, **loose})
+        except ConditionError:
+            raise contradiction from None
+        answer = answer._replace(notes=(*answer.notes, *map(_marked, marked.values())))
     for row in answer.values:
         if row.name == "stops" and any_true(row.amount < -LEAST_STOPS):
             problem = "the time with a filter must be longer than without it"
@@ -109,6 +124,18 @@ def ev(given: Inputs) -> Answer:
                 problem, mention("a longer {time}, or a shorter {unfiltered-time}")
             )
     return answer
+
+
+def _rounded_by(item: Input) -> float:
+    """Return the relative rounding error of an input that is marked on cameras; 0 for others."""
+    if not isinstance(item.value, float) or item.uncertainty or not item.value:
+        return 0.0
+    return abs(exact(item.name, item.value) / item.value - 1)
+
+
+def _marked(item: Input) -> str:
+    meant = format_value(exact(item.name, item.value), coherent_unit_of(item.name), 4)
+    return f"{option(item.name, quote(item.text))} is rounded, as marked on cameras: {meant}"
 
 
 def _solve_exposure(given: Inputs) -> Answer:

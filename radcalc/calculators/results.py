@@ -10,7 +10,7 @@ from radcalc.errors import MissingInput, NumberError, UsageError, mention, neare
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities.light import GRID
+from radcalc.quantities.light import GRID, LUMINOUS
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
@@ -218,7 +218,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 unit = _unit_of(text, value.name, values)
                 number = in_unit(value, unit, values)
                 if unit.dimension not in value.dimensions and not unit.is_scale:
-                    label, letter = _of_kind(value, unit)
+                    label, letter = of_kind(value, unit)
             row = Row(label, letter, number, text, case, name, is_given, form=value.form)
             return _apart(row)
     names = names_of(values)
@@ -262,7 +262,17 @@ def _apart(row: Row) -> Row:
     return row._replace(value=row.value.nominal_value, uncertainty=row.value.std_dev)
 
 
-def _of_kind(value: Value, unit: Unit) -> tuple[str, str]:
+def name_in(value: Value, unit: Unit) -> str:
+    """Return the name of a result in a unit: illuminance, not irradiance, in lux."""
+    symbol, place = SYMBOLS.get(value.name), GRID.get(unit.dimension)
+    if place is None or symbol is None or "radiance" not in symbol.generic:
+        return value.name
+    if unit.dimension in value.dimensions and place[0] != LUMINOUS:
+        return value.name
+    return specific_name(symbol.generic, place[0])
+
+
+def of_kind(value: Value, unit: Unit) -> tuple[str, str]:
     """Return the label and the letter of a light quantity in the kind of a unit."""
     symbol, place = SYMBOLS.get(value.name), GRID.get(unit.dimension)
     if symbol is None or not symbol.generic or place is None:

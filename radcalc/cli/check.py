@@ -53,17 +53,17 @@ def judge(
     inputs: Sequence[ShownInput] = (),
 ) -> int:
     """Write whether an answer is right, or its likely mistake; return the exit status."""
+    from radcalc.calculators.results import measured_in, of_kind
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
     output.refuse_auto("--check compares it with the answer given", "leave out --auto")
     verdict = check(question, claim, tolerance)
     answer = question.answer
-    right = next(value for value in answer.values if value.name == verdict.name)
-    name = right.also if question.plan else right.name
-    is_given = right.given is not None
-    about = right.label, right.letter
-    off = verdict.uncertainty
-    row = Row(*about, verdict.value, verdict.unit, "", name, is_given, off)
+    right = next(value for value in answer.values if value.name == verdict.result)
+    name = right.also if question.plan else verdict.name
+    label = of_kind(right, measured_in(verdict.unit, right.name))
+    is_given, off = right.given is not None, verdict.uncertainty
+    row = Row(*label, verdict.value, verdict.unit, "", name, is_given, off)
     output.judge(Judgement(verdict, row, inputs, answer.assumptions, answer.notes))
     return terminal.ANSWERED if verdict.right else terminal.WRONG

@@ -1,6 +1,7 @@
 """Answers as learners type them, and tolerances."""
 
 import math
+from decimal import ROUND_HALF_DOWN, ROUND_HALF_UP, Context, Decimal
 from typing import NamedTuple
 
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, option, quote
@@ -15,14 +16,15 @@ from radcalc.units.unit import NUMBER, Unit, divide
 
 DIGITS_OF_EXACT = 15
 LEAST_MEANT = 2  # digits of a number that count in any case, even if they are zeros
+PRINTED = 12  # digits of a right value, which has rounding errors in later ones
 
 
 class Claim(NamedTuple):
     """The parts of an answer NAME=VALUE UNIT, and its rounding.
 
-    Zeros at the end of an integer may be significant or not: `half_unit` is half a unit of the
-    last digit if they are, `widest` if they are not (but the first two digits always are).
-    `uncertainty` is the standard uncertainty, in the unit.
+    Zeros at the end of an integer are significant, and `half_unit` is half a unit of the last
+    digit.  In the search for mistakes they may be not significant, except among the first two
+    digits: `widest` is then half a unit.  `uncertainty` is the standard uncertainty, in the unit.
     """
 
     text: str
@@ -64,6 +66,25 @@ def read_claim(text: str) -> Claim:
     number, unit = value_text[:end], value_text[end:].strip()
     digits, half, widest = _digits(number, value)
     return Claim(text, name.strip(), value, unit, number, digits, half, widest, off)
+
+
+def decimal(number: float, digits: int = DIGITS_OF_EXACT) -> Decimal:
+    """Return a float as the decimal number that is printed with these digits."""
+    return Decimal(f"{number:.{digits}g}")
+
+
+def is_rounded(claim: Claim, right: float) -> bool:
+    """Return whether an answer is the right value rounded to the digits typed.
+
+    A value half way between two numbers may be rounded to either.
+    """
+    if not claim.value or not right:
+        return False
+    digits, claimed = min(claim.digits, DIGITS_OF_EXACT), decimal(claim.value)
+    return any(
+        Context(digits, rounding).create_decimal(decimal(right, PRINTED)) == claimed
+        for rounding in (ROUND_HALF_UP, ROUND_HALF_DOWN)
+    )
 
 
 def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
@@ -119,16 +140,24 @@ class Tolerance(NamedTuple):
     size: float
 
     def holds(self, value: float, right: float) -> bool:
-        return abs(value - right) <= self.width(right) * (1 + 1e-9) + 1e-300
+        """Return whether a value is near the right one, as computed or as printed."""
+        if not math.isfinite(value):
+            return False
+        claimed = decimal(value)
+        texts = {Decimal(repr(right)), decimal(right), decimal(right, PRINTED)}
+        return any(abs(claimed - text) <= self._width(text) for text in texts)
 
     def width(self, right: float) -> float:
         """Return the largest allowed difference from the right value."""
+        return float(self._width(Decimal(right)))
+
+    def _width(self, right: Decimal) -> Decimal:
+        size = decimal(self.size)
         if self.kind == "relative":
-            return self.size * abs(right)
+            return size * abs(right)
         if self.kind == "absolute":
-            return self.size
-        first = math.floor(math.log10(abs(right))) if right else 0
-        return float(0.5 * 10.0 ** (first - self.size + 1))
+            return size
+        return Decimal(5).scaleb((right.adjusted() if right else 0) - int(self.size))
 
 
 def read_tolerance(text: str, unit: Unit) -> Tolerance:

@@ -86,7 +86,8 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
     }
     steps: Steps = list(solution.used)
     if goal not in values:
-        goal = SAME.get(goal) or SYMBOLS[goal].generic or goal
+        symbol = SYMBOLS.get(goal) or SYMBOLS[target.also]  # of the radiant results: radiant-...
+        goal = SAME.get(goal) or symbol.generic or goal
     if goal not in values and goal in CONE.targets and "solid-angle" in values:
         values[goal] = float(CONE.solve(goal, values.__getitem__))  # of the equal cone
         steps.append((CONE, goal))

@@ -3,34 +3,48 @@
 import math
 from collections.abc import Sequence
 from itertools import repeat
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from radcalc.answer import Step, Value
-from radcalc.calculators.results import in_unit, measured_in, pick
+from radcalc.calculators.results import in_unit, measured_in, name_in, of_kind, pick
 from radcalc.derivation import format_number, with_unit
 from radcalc.errors import ConditionError, option, quote
 from radcalc.homework import uncertainty
-from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
+from radcalc.homework.answer import (
+    Claim,
+    Diagnosis,
+    Tolerance,
+    decimal,
+    is_rounded,
+    read_claim,
+    read_tolerance,
+)
 from radcalc.homework.question import Question
+from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities.light import describe
-from radcalc.units.scale_table import CONSTANTS
+from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
 from radcalc.units.scales import ScaleUnit
-from radcalc.units.unit import Unit
+from radcalc.units.unit import NUMBER, Unit
 
 ROUNDED = "rounded"  # not a mistake
+RELATIVE = "another-result"
 TOLERANCE, ONE_PERCENT = "1%", 0.01
 REMARKS = ("error",)  # results that are error estimates of others
+# Approximations and relatives of results with the same unit, which count only if they are named.
+RELATIVES = ("far-field-", "projected-", "scotopic-", "saturation-")
 ASKED = {"sky": ("irradiance",)}  # by command: preferred among results with the same unit
-# Results that cameras mark in rounded numbers, with the scale of these numbers.
-CAMERA_SCALES = {"time": "time", "unfiltered-time": "time", "f-number": "f-number"}
+# Numbers that are logarithms, with the scales of what they stand for.
+LOGARITHMS = {"ev": "stops", "ev100": "stops", "stops": "stops", "nd": "OD"}
 WAYS = 4  # unambiguous answers in a hint
 
 
 class Verdict(NamedTuple):
     """The verdict on an answer.
 
-    `value` is the right value; `ratio` is the answer divided by it, if it is not 0.  The standard
-    uncertainties are those of the right value and of the answer.
+    `name` is that of the result in the kind of its unit, `result` that of the calculator.  `value`
+    is the right value; `ratio` is the answer divided by it, if it is not 0.  The standard
+    uncertainties are those of the right value and of the answer.  `is_chosen` marks a result that
+    the answer fits, of several with its dimension.
     """
 
     right: bool
@@ -45,18 +59,76 @@ class Verdict(NamedTuple):
     steps: tuple[Step, ...]
     uncertainty: float = 0.0
     claimed_uncertainty: float = 0.0
+    result: str = ""
+    is_chosen: bool = False
+
+
+class Reading(NamedTuple):
+    """A result in the unit of an answer; on a scale, `right` is its reading.
+
+    `size` is the quantity in the `unit`, which a scale's reading stands for; 1 for a logarithm.
+    """
+
+    target: Value
+    text: str
+    unit: Unit
+    right: float
+    size: float
+    scale: Scale | None = None
+
+    @property
+    def is_logarithm(self) -> bool:
+        return self.scale is not None and self.unit.dimension == NUMBER and self.size == 1
+
+    def times(self, claimed: float, right: float) -> float:
+        """Return the ratio of the quantities of two readings."""
+        scale = cast("Scale", self.scale)
+        if not scale.steps:
+            return right / claimed if claimed else math.inf
+        try:
+            return float(scale.base ** ((claimed - right) / scale.steps))
+        except OverflowError:
+            return math.inf
+
+    def is_near(self, claimed: float, allowed: Tolerance) -> bool:
+        is_of_number = allowed.kind == "digits" or (
+            self.is_logarithm and allowed.kind == "absolute"
+        )
+        if self.scale is None or is_of_number:
+            return allowed.holds(claimed, self.right)
+        return allowed.holds(self.size * self.times(claimed, self.right), self.size)
+
+    def slope(self, reading: float) -> float:
+        """Return the derivative of the quantity over the reading; infinite if out of range."""
+        if self.scale is None or self.is_logarithm:
+            return 1.0
+        try:
+            return abs(float(self.scale.slope(reading)))
+        except ArithmeticError:
+            return math.inf
+
+    def spans(self, claim: Claim) -> bool:
+        """Return whether the right value is within the uncertainty of an answer.
+
+        An uncertainty that is larger than the answer says nothing.
+        """
+        value, off = claim.value, claim.uncertainty
+        if not off or abs(decimal(value) - decimal(self.right)) > decimal(off):
+            return False
+        return off < abs(value) if self.scale is None else abs(self.times(value + off, value)) < 2
 
 
 def check(question: Question, claim: str, tolerance: str | None = None) -> Verdict:
     """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf).
 
-    The default tolerance is the largest of 1%, the rounding of the digits typed (if at least
-    two), and the standard uncertainty of the right value.  Any of several solutions is right.
+    By default an answer is right if it deviates by at most 1 % or the standard uncertainty of the
+    right value, is that value rounded, or has an uncertainty that includes it.  Any of several
+    solutions is right.
     """
     uncertain = question.uncertain
     uncertain_answers = (uncertain, *uncertain.more) if uncertain else repeat(None)
     verdicts = (
-        _check(question._replace(answer=answer, uncertain=other), claim, tolerance)
+        _check(question._replace(answer=answer, uncertain=other), read_claim(claim), tolerance)
         for answer, other in zip(
             (question.answer, *question.answer.more), uncertain_answers, strict=False
         )
@@ -65,132 +137,104 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
     return first if first.right else next((v for v in verdicts if v.right), first)
 
 
-def _check(question: Question, claim_text: str, asked_tolerance: str | None) -> Verdict:
-    claim, tolerance = read_claim(claim_text), asked_tolerance or TOLERANCE
-    target, unit_text, is_of_another = _target(question, claim, tolerance)
-    unit = measured_in(unit_text, target.name)
-    if isinstance(unit, ScaleUnit):  # readings are compared as quantities
-        unit = unit.with_constants(
-            {n: k.value for n, k in question.given.items() if n in CONSTANTS}
-        )
-        scale = unit.measures((*target.dimensions, *target.reach))
-        if is_of_another:
-            return _judged(
-                question, claim, target, scale.unit.text, True, tolerance, asked_tolerance
-            )
-        arguments = _stands_for(claim, scale), target, scale.unit.text, False
-        return _in_readings(_judged(question, *arguments, tolerance, asked_tolerance), claim, scale)
-    return _judged(question, claim, target, unit_text, is_of_another, tolerance, asked_tolerance)
+def _check(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
+    readings = _readings(question, claim, asked_tolerance)
+    if not readings:
+        return _in_wrong_unit(question, claim, asked_tolerance)
+    others = [] if claim.name else [r for r in readings if r.target.name.startswith(RELATIVES)]
+    readings = [reading for reading in readings if reading not in others] or readings
+    verdicts = []
+    for reading in readings:
+        verdicts.append(_judged(question, claim, reading, asked_tolerance))
+        if verdicts[-1].right:
+            several = len({reading.right for reading in readings}) > 1
+            return verdicts[-1]._replace(is_chosen=several and not claim.name)
+    for other in others:
+        if other is not readings[0] and _judged(question, claim, other, asked_tolerance).right:
+            return verdicts[0]._replace(diagnoses=(_relative(claim, other),))
+    return _explained(question, claim, readings[0], verdicts[0], asked_tolerance)
 
 
 def _judged(
-    question: Question,
-    claim: Claim,
-    target: Value,
-    unit_text: str,
-    is_of_another: bool,
-    tolerance: str,
-    asked_tolerance: str | None,
+    question: Question, claim: Claim, reading: Reading, asked_tolerance: str | None
 ) -> Verdict:
-    unit = measured_in(unit_text, target.name)
-    right = in_unit(target, unit)
-    if not isinstance(right, float):
-        raise ConditionError(f"{option('check')} takes one answer, not several", "one value a call")
-    if target.name == "azimuth":  # whole turns make no difference
-        turn = 2 * math.pi / unit.factor
-        claim = claim._replace(value=claim.value + turn * round((right - claim.value) / turn))
+    """Return the verdict on an answer to one result, without the likely mistakes."""
+    target, right, unit = reading.target, reading.right, reading.unit
     number = uncertainty.of_result(question, target, unit)
     off = getattr(number, "std_dev", 0.0)
-    allowed = read_tolerance(tolerance, unit)
-    if not asked_tolerance and off > ONE_PERCENT * abs(right):
-        allowed = uncertainty.tolerance(off, unit_text)
-    is_near = allowed.holds(claim.value, right)
-    ratio = claim.value / right if right else math.inf
+    allowed = read_tolerance(asked_tolerance or TOLERANCE, unit)
+    size = abs(right) if reading.is_logarithm else abs(reading.size)
+    if not asked_tolerance and off > ONE_PERCENT * size:
+        allowed = uncertainty.tolerance(off, unit.text)
+    is_number = reading.scale is None or reading.is_logarithm
+    ratio = claim.value / right if right and is_number else math.inf
     verdict = Verdict(
-        is_near and not is_of_another,
-        target.name,
-        unit_text,
+        False,
+        name_in(target, unit),
+        reading.text,
         right,
         claim.value,
-        claim.unit or unit_text,
-        ratio if math.isfinite(ratio) and not is_of_another else None,
-        allowed.text,
+        claim.unit or reading.text,
+        ratio if math.isfinite(ratio) else None,
+        allowed.text + " of the quantity" * (reading.scale is not None and "%" in allowed.text),
         (),
         question.steps,
-        off,
+        off / reading.slope(right),
         claim.uncertainty,
+        target.name,
     )
-    if verdict.right:
-        diagnoses = uncertainty.judge(number, claim, unit_text, allowed.width(right))
+    if not asked_tolerance and not off and reading.spans(claim):
+        return verdict._replace(right=True, tolerance="within the uncertainty given")
+    if reading.is_near(_turned(claim, reading).value, allowed):
+        width = allowed.width(reading.size)
+        claim = claim._replace(uncertainty=claim.uncertainty * reading.slope(claim.value))
+        diagnoses = uncertainty.judge(number, claim, unit.text, width)
         return verdict._replace(right=not diagnoses, diagnoses=diagnoses)
-    if is_of_another:
-        return verdict._replace(diagnoses=(_wrong_unit(claim, target, unit_text, is_near),))
-    return _explained(question, claim, target, unit, verdict, asked_tolerance)
+    rounded = _rounded(question, claim, reading)
+    if not rounded or asked_tolerance:
+        return verdict._replace(diagnoses=rounded)
+    return verdict._replace(right=True, tolerance=rounded[0].done, diagnoses=rounded)
+
+
+def _turned(claim: Claim, reading: Reading) -> Claim:
+    """Return the answer nearest to the right azimuth: whole turns make no difference."""
+    if not reading.target.name.endswith("azimuth"):
+        return claim
+    turn = 2 * math.pi / reading.unit.factor
+    turns = round((reading.right - claim.value) / turn)
+    return claim._replace(value=claim.value + turn * turns) if turns else claim
 
 
 def _explained(
     question: Question,
     claim: Claim,
-    target: Value,
-    unit: Unit,
+    reading: Reading,
     verdict: Verdict,
     asked_tolerance: str | None,
 ) -> Verdict:
-    """Accept a rounded answer or a number as marked on cameras; diagnose any other.
-
-    With an explicit tolerance neither is accepted.
-    """
-    right = verdict.value
-    if marked := _marked(question, claim, target, unit):
-        if asked_tolerance:
-            return verdict._replace(diagnoses=(marked,))
-        return verdict._replace(right=True, tolerance=marked.done, diagnoses=(marked,))
-    if claim.value and abs(right - claim.value) <= max(claim.half_unit, claim.widest):
-        rounded = _rounded(claim, right)
-        if asked_tolerance or claim.digits < LEAST_MEANT:
-            return verdict._replace(diagnoses=(rounded,))
-        return verdict._replace(right=True, tolerance=rounded.done, diagnoses=(rounded,))
+    """Add the likely mistakes to the verdict on a wrong answer."""
+    if verdict.diagnoses:
+        return verdict
+    if not asked_tolerance and (zeros := _zeros(claim, reading)):
+        return verdict._replace(diagnoses=(zeros,))
     from radcalc.homework.diagnosis import diagnose  # not needed for right answers
 
-    scale = float(target.amount) / right if right else unit.factor
-    diagnoses = diagnose(question, target, claim, scale)
+    target, meant = reading.target, _turned(claim, reading)
+    right, scale = reading.right, reading.unit.factor
+    if reading.scale is not None and not reading.is_logarithm:
+        slope, right = reading.slope(claim.value), reading.size
+        meant = claim._replace(
+            value=right * reading.times(claim.value, reading.right),
+            half_unit=claim.half_unit * slope,
+            widest=claim.widest * slope,
+        )
+    if not math.isfinite(meant.value):
+        return verdict
+    scale = float(target.amount) / right if right else scale
+    diagnoses = diagnose(question, target, meant, scale)
     if question.steps and diagnoses and verdict.ratio is not None:
         verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, diagnoses[0])))
     return verdict._replace(diagnoses=diagnoses)
-
-
-def _stands_for(claim: Claim, scale: ScaleUnit) -> Claim:
-    slope = abs(scale.slope(claim.value))
-    return claim._replace(
-        value=scale.quantity(claim.value),
-        unit=scale.unit.text,
-        uncertainty=claim.uncertainty * slope,
-        half_unit=claim.half_unit * slope,
-        widest=claim.widest * slope,
-    )
-
-
-def _in_readings(verdict: Verdict, claim: Claim, scale: ScaleUnit) -> Verdict:
-    """Convert the quantities of a verdict to readings; readings have no ratio."""
-    right = scale.reading(verdict.value)
-    tolerance = verdict.tolerance
-    if tolerance.endswith("%"):
-        tolerance += " of the quantity"
-    diagnoses = tuple(
-        _rounded(claim, right) if diagnosis.mistake == ROUNDED else diagnosis
-        for diagnosis in verdict.diagnoses
-    )
-    return verdict._replace(
-        value=right,
-        unit=scale.text,
-        claimed=claim.value,
-        claimed_unit=scale.text,
-        ratio=None,
-        tolerance=tolerance,
-        diagnoses=diagnoses,
-        uncertainty=verdict.uncertainty / abs(scale.slope(right)),
-        claimed_uncertainty=claim.uncertainty,
-    )
 
 
 def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
@@ -200,70 +244,148 @@ def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
     return Step(f"likely mistake: {diagnosis.done}", "", numbers)
 
 
-def _rounded(claim: Claim, right: float) -> Diagnosis:
-    digits = next(
-        (n for n in range(1, claim.digits) if float(f"{right:.{n}g}") == claim.value), claim.digits
-    )
-    digits_given = "the digit" if digits == 1 else f"the {digits} digits"
-    nearer = f"{right:.{max(3, digits + 1)}g}"
-    return Diagnosis(ROUNDED, f"to {digits_given} given", f"{nearer} is nearer")
+def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagnosis, ...]:
+    """Return how an answer is rounded, if it is: as marked on cameras, or to the digits typed."""
+    if claim.uncertainty:
+        return ()
+    if _is_marked(question, claim, reading):
+        return (Diagnosis(ROUNDED, "as marked on cameras", "whole and third stops are exact"),)
+    if not is_rounded(_turned(claim, reading), reading.right):
+        return ()
+    digits_given = "the digit" if claim.digits == 1 else f"the {claim.digits} digits"
+    nearer = f"{reading.right:.{max(3, claim.digits + 1)}g}"
+    return (Diagnosis(ROUNDED, f"to {digits_given} given", f"{nearer} is nearer"),)
 
 
-def _marked(question: Question, claim: Claim, target: Value, unit: Unit) -> Diagnosis | None:
-    """Return the diagnosis of a number as marked on cameras, such as 1/125 for 1/128 s."""
-    name = CAMERA_SCALES.get(target.name)
-    if question.command != "ev" or name is None:
+def _zeros(claim: Claim, reading: Reading) -> Diagnosis | None:
+    """Return the diagnosis of an integer that is right if zeros at its end are not digits."""
+    typed = claim.number.lstrip("-")
+    if not typed.isdigit():
         return None
-    from radcalc.laws.exposure import mark
+    for digits in range(len(typed.rstrip("0")), claim.digits):
+        if is_rounded(claim._replace(digits=digits), reading.right):
+            few = f"{digits} digit" if digits == 1 else f"{digits} digits"
+            number, power = f"{claim.value:.{digits - 1}e}".split("e")
+            done = f"to {few}, but typed with {claim.digits}"
+            return Diagnosis(ROUNDED, done, f"write {number}e{int(power)}")
+    return None
 
-    exact = mark(name, float(target.amount))
-    if exact is None or not math.isclose(claim.value * unit.factor, exact, rel_tol=1e-9):
-        return None
-    return Diagnosis(ROUNDED, "as marked on cameras, in rounded numbers", "whole stops are exact")
+
+def _is_marked(question: Question, claim: Claim, reading: Reading) -> bool:
+    """Return whether an answer is right with the exact values of the numbers on cameras.
+
+    These are rounded: 1/125 is 1/128 s, and f/5.6 is the root of 2^5.
+    """
+    if question.command != "ev" or reading.unit.is_scale:
+        return False
+    from radcalc.laws.exposure import exact
+
+    factor = reading.unit.factor
+    meant = exact(reading.target.name, claim.value * factor) / factor
+    given = {
+        name: item._replace(value=exact(name, item.value), is_exact=True)
+        for name, item in question.given.items()
+    }
+    if meant == claim.value and all(
+        item.value == question.given[name].value for name, item in given.items()
+    ):
+        return False
+    values = question.work_out(given).values
+    target = next(value for value in values if value.name == reading.target.name)
+    right = _reading(question, target, reading.text)
+    allowed = read_tolerance(TOLERANCE, right.unit)
+    return right.is_near(meant, allowed) or is_rounded(claim, right.right)
 
 
-def _wrong_unit(claim: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:
+def _relative(claim: Claim, other: Reading) -> Diagnosis:
+    """Return the diagnosis of an answer that is right for an approximation or a relative."""
+    label, _ = of_kind(other.target, other.unit)
+    name = name_in(other.target, other.unit)
+    named = f"{name}={claim.number}{claim.unit.replace(' ', '.')}"
+    return Diagnosis(RELATIVE, f"this is the {label}", f"it counts only with its name: {named}")
+
+
+def _in_wrong_unit(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
+    """Return the verdict on an answer whose unit is that of no result."""
+    pool = _named(question, claim) if claim.name else _unnamed(question)
+    tolerance, is_near = asked_tolerance or TOLERANCE, False
+    reading = _reading(question, pool[0], pool[0].units[0])
+    for value in pool:  # the first result that the number fits, if any
+        for text in value.units:
+            other = _reading(question, value, text)
+            if not is_near and other.is_near(claim.value, read_tolerance(tolerance, other.unit)):
+                reading, is_near = other, True
+    inputs = [v for v in question.answer.values if v.given is not None and not claim.name]
+    if not is_near and (same := [v for v in inputs if _fits(v, measured_in(claim.unit, v.name))]):
+        problem = f"{option('check', quote(claim.text))} has the unit of {same[0].name}, an input"
+        raise ConditionError(problem, _ways(same, claim))
+    wrong = _judged(question, claim, reading, asked_tolerance)
+    diagnosis = _wrong_unit(claim, reading, is_near)
+    return wrong._replace(right=False, ratio=None, diagnoses=(diagnosis,))
+
+
+def _wrong_unit(claim: Claim, reading: Reading, is_near: bool) -> Diagnosis:
     number = "the number would be right" if is_near else "check both"
+    target = reading.target
     return Diagnosis(
         "wrong-unit",
         f"{describe(measured_in(claim.unit, target.name))} is not {target.label}; {number}",
-        f"{target.label} is in {unit}",
+        f"{target.label} is in {reading.text}",
     )
 
 
-def _target(question: Question, claim: Claim, tolerance: str) -> tuple[Value, str, bool]:
-    """Return the result that is meant, the unit to compare in, and whether the unit is wrong.
+def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> list[Reading]:
+    """Return the results with the dimension of an answer, those with its very unit first.
 
-    An answer without a name is for the first result with its unit; if the number fits only another
-    result, the name is required.
+    An answer without a name is not for an input.  One without a unit needs a single result or is
+    for results that are numbers.
     """
     typed = option("check", quote(claim.text))
     pool = _named(question, claim) if claim.name else _unnamed(question)
     if not claim.unit:
-        if len({value.name for value in pool}) > 1 or len(set(pool[0].units)) != 1:
-            ways = _ways(pool, claim)
-            if claim.name:
-                raise ConditionError(f"the unit of {typed} is missing", ways)
-            raise ConditionError(f"{typed} is ambiguous: it may answer several results", ways)
-        return pool[0], pool[0].units[0], False
+        if len({value.name for value in pool}) == 1 and len(set(pool[0].units)) == 1:
+            return [_reading(question, pool[0], pool[0].units[0])]
+        if claim.name:
+            raise ConditionError(f"the unit of {typed} is missing", _ways(pool, claim))
+        numbers = [_reading(question, v, "1") for v in pool if v.dimensions[0] == NUMBER]
+        fitting = [r for r in numbers if _judged(question, claim, r, asked_tolerance).right]
+        if not fitting:
+            problem = f"{typed} is ambiguous: it may answer several results"
+            raise ConditionError(problem, _ways(pool, claim))
+        return fitting
     unit = measured_in(claim.unit, *(value.name for value in pool))
-    fitting = [value for value in pool if claim.unit in value.units] or [
-        value for value in pool if unit.dimension in (*value.dimensions, *value.reach)
-    ]
-    if fitting:
-        holding = [value for value in fitting if _holds(value, unit, claim, tolerance)]
-        if holding and fitting[0] not in holding:
-            raise ConditionError(
-                f"{typed} is ambiguous: it is right for {holding[0].name},"
-                f" wrong for {fitting[0].name}",
-                _ways([fitting[0], *holding], claim),
-            )
-        return fitting[0], claim.unit, False
-    for value in pool:  # the first result that the number fits, if any
-        for text in value.units:
-            if _holds(value, measured_in(text, value.name), claim, tolerance):
-                return value, text, True
-    return pool[0], pool[0].units[0], True
+    fitting_values = [value for value in pool if _fits(value, unit)]
+    fitting_values.sort(
+        key=lambda value: (claim.unit not in value.units, unit.dimension not in value.dimensions)
+    )
+    return [_reading(question, value, claim.unit) for value in fitting_values]
+
+
+def _fits(value: Value, unit: Unit) -> bool:
+    dimensions = (*value.dimensions, *value.reach)
+    if isinstance(unit, ScaleUnit):
+        unit = unit.measures(dimensions)
+        return unit.dimension in dimensions and takes_scale(value.name, unit)
+    return unit.dimension in dimensions
+
+
+def _reading(question: Question, target: Value, text: str) -> Reading:
+    """Return a result in a unit, or its reading on a scale."""
+    unit = measured_in(text, target.name)
+    scale = None
+    if isinstance(unit, ScaleUnit):
+        constants = {n: k.value for n, k in question.given.items() if n in CONSTANTS}
+        scale = unit.with_constants(constants).measures((*target.dimensions, *target.reach))
+        unit = scale.unit
+    size = in_unit(target, unit)
+    if not isinstance(size, float):
+        raise ConditionError(f"{option('check')} takes one answer, not several", "one value a call")
+    if scale:
+        return Reading(target, text, unit, scale.reading(size), size, scale.scale)
+    if (name := LOGARITHMS.get(target.name)) and unit.factor == 1:
+        row = next(row for row in SCALES if row.name == name)
+        return Reading(target, text, unit, size, 1.0, row)
+    return Reading(target, text, unit, size, size)
 
 
 def _named(question: Question, claim: Claim) -> list[Value]:
@@ -280,25 +402,21 @@ def _named(question: Question, claim: Claim) -> list[Value]:
 
 
 def _unnamed(question: Question) -> list[Value]:
+    """Return the results that an answer without a name may be for: not inputs, if possible."""
     present = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
     if not present:
         raise ConditionError(f"{option('check')}: a result is missing", "less of it given")
+    results = [value for value in present if value.given is None] or present
     asked_names = ASKED.get(question.command, ())
-    return sorted(
-        present, key=lambda value: (value.given is not None, value.name not in asked_names)
-    )
-
-
-def _holds(value: Value, unit: Unit, claim: Claim, tolerance: str) -> bool:
-    right = in_unit(value, unit)
-    return isinstance(right, float) and read_tolerance(tolerance, unit).holds(claim.value, right)
+    return sorted(results, key=lambda value: value.name not in asked_names)
 
 
 def _ways(values: Sequence[Value], claim: Claim) -> str:
     """Return unambiguous answers, as a list for a hint."""
     clear_answers = [
-        option("check", f"{value.name}={claim.number}{unit.replace(' ', '.').removeprefix('1')}")
+        option("check", f"{name}={claim.number}{unit.replace(' ', '.').removeprefix('1')}")
         for value in values
         for unit in ([claim.unit] if claim.unit else value.units)
+        for name in [name_in(value, measured_in(unit, value.name))]
     ]
     return ", ".join([*dict.fromkeys(clear_answers)][:WAYS])

@@ -4,8 +4,9 @@ The lens is focused at infinity.  K and C are the meter's constants: rho = pi K 
 reflectance of its average scene.  A filter of the density D has D / lg 2 stops.  At the saturation
 luminance a sensor of saturation-based speed is full.
 
-Cameras are marked in whole stops with rounded numbers, which `mark` returns: 1/125 for 2^-7 s, and
-f/11 for the root of 2^7.  So two values of a symbol may differ by `STEPS`.
+Cameras are marked in thirds of a stop with rounded numbers, for which `exact` returns the exact
+ones: 2^-7 s for 1/125, and the root of 2^7 for f/11.  So two values of a symbol may differ by
+`STEPS`.
 """
 
 import math
@@ -17,44 +18,61 @@ from radcalc.maths import log2, power, sqrt, square
 from radcalc.units.scale_table import ILLUMINANCE_EV, LUMINANCE_EV
 
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100; ISO 2720 and 12232
-# Marks for 2^-13 s to 2^5 s, and for f-numbers of 2^(0/2) to 2^(12/2); scantips.com, Charts of
-# Nominal, and Exact Precise Actual camera shutter speed, f/stop and ISO values.
-TIMES = (8000, 4000, 2000, 1000, 500, 250, 125, 60, 30, 15, 8, 4, 2)  # 1/s
-LONG_TIMES = (1, 2, 4, 8, 15, 30)  # s
-F_NUMBERS = (1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64)
-MARKS = {
-    "time": dict(enumerate((*(1 / t for t in TIMES), *LONG_TIMES), -len(TIMES))),
-    "f-number": dict(enumerate(F_NUMBERS)),
+# The marks of cameras, a third of a stop apart; scantips.com, Charts of Nominal, and Exact Precise
+# Actual camera shutter speed, f/stop and ISO values.
+F_NUMBERS = """
+    1 1.1 1.2 1.4 1.6 1.8 2 2.2 2.5 2.8 3.2 3.5 4 4.5 5 5.6 6.3 7.1 8 9 10 11 13 14 16 18 20 22 25
+    29 32 36 40 45 51 57 64
+"""  # from 1, the roots of 2^(0/3), 2^(1/3) ...
+FRACTIONS = """
+    8000 6400 5000 4000 3200 2500 2000 1600 1250 1000 800 640 500 400 320 250 200 160 125 100 80 60
+    50 40 30 25 20 15 13 10 8 6 5 4 3 2.5 2 1.6 1.3
+"""  # 1/s, from 2^-13 s
+LONG_TIMES = "1 1.3 1.6 2 2.5 3.2 4 5 6 8 10 13 15 20 25 30"  # s
+DECIMALS = {"0.3": -5, "0.4": -4, "0.6": -2, "0.8": -1}  # s, other marks for these thirds
+SPEEDS = """
+    6 8 10 12 16 20 25 32 40 50 64 80 100 125 160 200 250 320 400 500 640 800 1000 1250 1600 2000
+    2500 3200 4000 5000 6400 8000 10000 12800 16000 20000 25600
+"""  # from 100 2^(-12/3)
+_TIMES = {
+    **{1 / float(mark): 2 ** (k / 3 - 13) for k, mark in enumerate(FRACTIONS.split())},
+    **{float(mark): 2 ** (k / 3) for k, mark in enumerate(LONG_TIMES.split())},
+    **{float(mark): 2 ** (k / 3) for mark, k in DECIMALS.items()},
 }
-STOPS = {"time": 1.0, "f-number": 2.0}  # stops that double the number
-OFF_MARK = 0.05  # [stops] largest difference of a value from a whole number of stops
+MARKS = {  # exact values of the marks
+    "time": _TIMES,
+    "unfiltered-time": _TIMES,
+    "f-number": {float(mark): 2 ** (k / 6) for k, mark in enumerate(F_NUMBERS.split())},
+    "iso": {float(mark): 100 * 2 ** (k / 3 - 4) for k, mark in enumerate(SPEEDS.split())},
+}
+SAME_MARK = 1e-4  # relative difference of numbers typed for a mark: 0.0167 s for 1/60 s is not one
 STEPS = {"ev": 0.1, "ev100": 0.1}  # [stops] largest difference of marked from exact values
 
 
-def mark(name: str, value: float) -> float | None:
-    """Return a camera's mark for a time or an f-number of whole stops.
+def exact(name: str, value: float) -> float:
+    """Return the exact value of a number as marked on cameras, or another number unchanged.
 
     Parameters
     ----------
     name : str
-        The symbol: ``"time"`` or ``"f-number"``.
+        The symbol: ``"time"``, ``"unfiltered-time"``, ``"f-number"`` or ``"iso"``.
     value : float
-        The exact time [s] or f-number [1].
+        A time [s], f-number [1] or film speed [1].
 
     Returns
     -------
-    float or None
-        The number of the mark, in the same unit; None if there is no mark.
+    float
+        The exact number of the mark, in the same unit.
 
     Examples
     --------
-    >>> mark("f-number", 2**2.5)
-    5.6
+    >>> exact("time", 1 / 125) == 2**-7, exact("f-number", 5.7)
+    (True, 5.7)
     """
-    if name not in MARKS or value <= 0:
-        return None
-    stops = STOPS[name] * math.log2(value)
-    return MARKS[name].get(round(stops)) if abs(stops - round(stops)) < OFF_MARK else None
+    for mark, meant in MARKS.get(name, {}).items():
+        if abs(value - mark) <= SAME_MARK * mark:
+            return meant
+    return value
 
 
 REFLECTED = relation(

@@ -95,7 +95,8 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     right = f"{verdict.name} is {size}{unit_behind(verdict.unit)}"
     if verdict.right:
         nearer = "".join(f"; {diagnosis.right}" for diagnosis in verdict.diagnoses)
-        return f"right ({verdict.tolerance}): {right}{nearer}\n"
+        chosen = f", as {verdict.name}" if verdict.is_chosen else ""
+        return f"right{chosen} ({verdict.tolerance}): {right}{nearer}\n"
     times = "1" if verdict.ratio is None else number(verdict.ratio + 0.0, RATIO_DIGITS)
     ratio = f" ({times} times the right value)" if times != "1" else ""
     claimed = uncertain(verdict.claimed, verdict.claimed_uncertainty, digits)  # as typed
@@ -104,7 +105,7 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     word = "likely"
     for diagnosis in verdict.diagnoses:
         if diagnosis.mistake == "rounded":
-            lines.append(f"right {diagnosis.done}; {diagnosis.right}")
+            lines.append(f"rounded {diagnosis.done}: {diagnosis.right}")
             continue
         lines += [f"{word}: {diagnosis.done}", f"    {diagnosis.right}"]
         word = "or"

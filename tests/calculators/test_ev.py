@@ -1,12 +1,14 @@
 """Exposure values against closed forms."""
 
 import math
+from itertools import product
 
 import pytest
 from conftest import run
 from helpers import number
 
-from radcalc import ev
+from radcalc import check, ev
+from radcalc.errors import Contradiction
 
 
 @pytest.mark.parametrize(
@@ -104,3 +106,50 @@ def test_a_time_that_a_filter_would_shorten_is_refused():
     done = run("ev", "--time", "1/125s", "--unfiltered-time", "1/60s")
     assert (done.returncode, done.stdout) == (2, "")
     assert "--unfiltered-time" in done.stderr
+
+
+# Marks of cameras, whose exact values are 2^(k/2) and 2^-k s for whole stops.
+APERTURES = "1.4 2 2.8 4 5.6 8 11 16 22 32"
+SHUTTERS = "1 1/2 1/4 1/8 1/15 1/30 1/60 1/125 1/250 1/500 1/1000"
+# In third stops they are 2^(k/6), 2^(-k/3) s and ISO 100 2^(k/3); the first k are 9, 18 and 0.
+THIRD_APERTURES = "2.8 3.2 3.5 4 4.5 5 5.6 6.3 7.1 8 9 10 11 13 14 16"
+THIRD_SHUTTERS = "1/60 1/80 1/100 1/125 1/160 1/200 1/250 1/320 1/400 1/500"
+SPEEDS = "100 125 160 200 250 320 400 500 640 800 1000 1250 1600"
+
+
+def marks(series: str, first: int) -> list[tuple[int, str]]:
+    return list(enumerate(series.split(), first))
+
+
+def agrees(**inputs: str) -> bool:
+    try:
+        ev(**inputs)
+    except Contradiction:
+        return False
+    return True
+
+
+def test_marks_of_cameras_agree_in_whole_stops():
+    for (k, f), (n, t) in product(marks(APERTURES, 1), marks(SHUTTERS, 0)):
+        inputs = {"f_number": f, "time": f"{t} s"}
+        assert agrees(**inputs, ev=str(k + n)), inputs
+        assert not agrees(**inputs, ev=f"{k + n}.5"), inputs
+        assert check(ev(**inputs), f"ev={k + n}.0"), inputs
+
+
+def test_marks_of_cameras_agree_in_third_stops():
+    series = marks(THIRD_APERTURES, 9), marks(THIRD_SHUTTERS, 18), marks(SPEEDS, 0)
+    for (k, f), (n, t), (s, iso) in product(*series):
+        inputs = {"f_number": f, "time": f"{t} s", "iso": iso}
+        exact = (k + n - s) / 3
+        assert agrees(**inputs, ev100=f"{exact:.2f}"), inputs
+        assert not agrees(**inputs, ev100=f"{exact + 0.5:.2f}"), inputs
+
+
+def test_a_note_names_the_rounded_marks():
+    found = ev(f_number="22", time="1/15 s", ev="13")
+    assert [note.partition(" is rounded")[2] for note in found.notes] == [
+        ", as marked on cameras: 22.63",
+        ", as marked on cameras: 0.0625 s",
+    ]
+    assert not ev(f_number="16", time="1/4 s", ev="10").notes
