@@ -683,6 +683,7 @@ def spectrum(
     range: Text = None,
     photon_range: Text = None,
     column: str | int | None = None,
+    unit: str = "",
 ) -> Result: ...
 def uberlight(
     point: Points,

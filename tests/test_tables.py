@@ -5,6 +5,8 @@ from itertools import product
 import pytest
 from conftest import run
 
+import radcalc
+
 # Not units of radcalc, or not of light; no command may take their numbers for lux.
 NOT_LUX = ["ftcd", "Fc", "lum/ft²", "mV", "counts", "ADU", "V", "zork", "uA", "raw"]
 FORMS = ["({})", "[{}]", "E ({})", "Light [{}]"]
@@ -91,3 +93,56 @@ def test_a_point_that_may_separate_thousands_is_refused(delimiter, values, is_re
             is_read
             or f"line {values.index(next(v for v in values if '.' in v)) + 1}: '" in done.stderr
         )
+
+
+# A LI-1800 of LI-COR, whose program writes (QNTM) behind a remark; photobiologyInOut has examples.
+LI1800 = '"FILE:X"\n"REM: {}"\n"LIMS: 400- 600NM"\n"INT:100NM"\n"MIN:  400NM  1.0E+00"\n'
+PROGRAMS = [  # the preambles of programs that also write counts, and their titles, if any
+    "Data from x.txt Node\nIntegration Time (sec): 1.0E-1\nXAxis mode: Wavelengths\n",  # OceanView
+    "Saved at time: 1 ms\nIntegration time: 10000\nWavelengths\tIntensities\n",  # Ocean Optics
+    "ENLIGHTEN Version,2.2.7\nTechnique,Scope\nIntegration Time,60\n\nWavelength,Processed\n",
+    '" File: x"\n" SCOPE-> Wave:500nm Pix:1 Val:1 Time:100ms"\n',  # StellarNet
+    "Int.time[ms]-->,100\nWavelength[nm],x\n",  # AvaSoft
+]
+
+
+def test_the_remark_of_a_li1800_tells_photons_from_reflectances():
+    rows = " 400  1.0\n 500  1.0\n 600  1.0\n"
+    done = run("spectrum", "-", "-g", "illuminance:lx", input=LI1800.format("TUBE (QNTM)") + rows)
+    assert done.returncode == 0
+    flat = run(
+        "spectrum", "-", "-g", "illuminance:lx", input=f"nm;umol/m2/s/nm\n{rows}".replace("  ", ";")
+    )
+    assert done.stdout == flat.stdout
+    for remark in ("REFL GREEN", "LEAF 3 TRANS", "reflectance"):
+        bad = run("spectrum", "-", input=LI1800.format(remark) + rows)
+        assert (bad.returncode, "is not light" in bad.stderr) == (2, True)
+
+
+@pytest.mark.parametrize("preamble", PROGRAMS)
+def test_values_of_a_detector_need_a_statement_or_a_unit(preamble):
+    mark = "\t" if "," not in preamble else ","
+    rows = "".join(f"{400 + 100 * k}{mark}{1.5 + k}\n" for k in range(4))
+    bad = run("spectrum", "-", "-g", "x", input=preamble + rows)
+    assert bad.returncode == 2
+    assert "--unit W/m2/nm" in bad.stderr
+    for unit, said in [("relative", "relative watts"), ("photons", "relative photons"),
+                       ("uW/cm2/nm", "in uW/cm2/nm, as given")]:  # fmt: skip
+        done = run("spectrum", "-", "-g", "x", "--unit", unit, input=preamble + rows)
+        assert (done.returncode, said in done.stderr) == (0, True), done.stderr
+    stated = preamble.replace("x", "x irradiance", 1) if "x" in preamble else preamble
+    if stated != preamble and "SCOPE" not in preamble:
+        assert run("spectrum", "-", "-g", "x", input=stated + rows).returncode == 0
+
+
+def test_the_unit_given_for_a_spectrum_wins_over_its_title_and_is_said(tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text("nm,a (W/m2/nm),b (W/m2/nm)\n400,1,5\n500,1,5\n", encoding="utf-8")
+    assert radcalc.spectrum(path, column="b").irradiance.magnitude == 500
+    of_unit = radcalc.spectrum(path, column="b", unit="mW/m2/nm")
+    assert of_unit.irradiance.magnitude == 0.5
+    done = run("spectrum", str(path), "--column", "b", "--unit", "mW/m2/nm", "-g", "irradiance")
+    assert float(done.stdout) == 0.5
+    assert "the unit given differs from that of the title 'b (W/m2/nm)'" in done.stderr
+    assert run("spectrum", str(path), "--unit", "lx").returncode == 2
+    assert run("spectrum", "D65", "--unit", "W/m2/nm").returncode == 2

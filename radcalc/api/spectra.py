@@ -14,7 +14,6 @@ from radcalc.calculators.photon import photon as of_photon
 from radcalc.calculators.spectrum import spectrum as of_spectrum
 from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.inputs.given import Inputs
-from radcalc.spectra.sources import spectrum as read_source
 
 
 @of_page("photon")
@@ -35,7 +34,9 @@ def photon(wavelength: Amount, **given: Any) -> Result:
 
 
 @of_page("spectrum")
-def spectrum(source: Path, *, column: str | int | None = None, **given: Any) -> Result:
+def spectrum(
+    source: Path, *, column: str | int | None = None, unit: str = "", **given: Any
+) -> Result:
     """Compute the peak, width, efficacies, photons and colour of a spectrum.
 
     Parameters
@@ -44,6 +45,8 @@ def spectrum(source: Path, *, column: str | int | None = None, **given: Any) -> 
         A name (``"D65"``, ``"LED-B3"``), ``"blackbody:2856K"``, ``"line:632.8nm"``, a file ...
     column : str or int, optional
         The column of a file's values, by title or number.
+    unit : str, optional
+        The unit of a file's values: ``"W/m2/nm"`` ..., ``"relative"`` or ``"photons"``.
 
     Examples
     --------
@@ -54,13 +57,10 @@ def spectrum(source: Path, *, column: str | int | None = None, **given: Any) -> 
     if not isinstance(source, (str, os.PathLike)):
         raise ConditionError(f"a spectrum is a text, not a {type(source).__name__}", '"D65"')
     text = os.fspath(source)
-
-    def of_column(inputs: Inputs) -> Inputs:
-        read = inputs["spectrum"]._replace(value=read_source(text, str(column)))
-        return {**inputs, "spectrum": read}
-
-    operands, adapt = ({"column": str(column)}, of_column) if column is not None else ({}, None)
-    return calculate("spectrum", {"spectrum": text, **given}, of_spectrum, operands, adapt=adapt)
+    texts = {"column": "" if column is None else str(column), "unit": unit}
+    operands = {name: chosen for name, chosen in texts.items() if chosen}
+    chosen = (text, *texts.values()) if operands else text
+    return calculate("spectrum", {"spectrum": chosen, **given}, of_spectrum, operands)
 
 
 def _named(inputs: Inputs) -> Inputs:

@@ -35,15 +35,21 @@ COLUMN = click.Option(
     metavar="NAME",
     help="Column with the values: its title, with or without its unit, or its number.",
 )
+UNIT = click.Option(
+    ["--unit"],
+    metavar="W/m2/nm",
+    help="Unit of the values of a file: W/m2/nm, umol/m2/s/nm ..., relative (watts) or photons.",
+)
 LIST = click.Option(
     ["--list", "list_"], is_flag=True, help="List the named sources, or those of one kind."
 )
 
 
-@define("spectrum", PAGE, {"Source": (COLUMN, LIST), **PAGE.sections})
+@define("spectrum", PAGE, {"Source": (COLUMN, UNIT, LIST), **PAGE.sections})
 def command(
     words: tuple[str, ...],
     column: str | None,
+    unit: str | None,
     list_: bool,
     typed: dict[str, str],
     request: Request,
@@ -51,7 +57,7 @@ def command(
 ) -> int:
     """Answer for each source, or list the named ones."""
     if list_:
-        if typed or column or request != Request((), False, None, None):
+        if typed or column or unit or request != Request((), False, None, None):
             raise UsageError(
                 "--list takes no options, only words to search for", "radcalc spectrum --list"
             )
@@ -64,20 +70,20 @@ def command(
     texts = [text for word in words for text in read_spectra(word)]
     if texts.count(STDIN) > 1:
         raise UsageError("- cannot be used twice: there is one standard input", "- once, and files")
-    sources = [_source(text, column) for text in texts]
+    sources = [_source(text, column or "", unit or "") for text in texts]
     all_cases = [
         Case({"spectrum": source, **refined}, (as_typed(source),) if len(texts) > 1 else ())
         for source in sources
     ]
-    operands = texts_of({"column": column or ""})
+    operands = texts_of({"column": column or "", "unit": unit or ""})
     if len(words) > 1:  # in a comparison each row has its source, in every table
         output = output._replace(is_chosen=output.is_chosen or output.format == TABLE)
     return run(all_cases, Task("spectrum", describe, operands), request, output)
 
 
-def _source(text: str, column: str | None) -> Input:
-    if column:
-        return Input(SYMBOLS["spectrum"], text, spectrum(text, column))
+def _source(text: str, column: str, unit: str) -> Input:
+    if column or unit:
+        return Input(SYMBOLS["spectrum"], text, spectrum(text, column, unit))
     return read("spectrum", text, uncertain=True)
 
 

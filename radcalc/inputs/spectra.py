@@ -12,9 +12,11 @@ from radcalc.units.table import resolve
 
 
 def spectrum_input(symbol: Symbol, value: Any) -> Input:
-    """Read a spectrum."""
+    """Read a spectrum: a text, or the path, column and unit of a file."""
     from radcalc.spectra.sources import spectrum, uncertain_parameter
 
+    if isinstance(value, tuple):  # a file, its column and its unit
+        return Input(symbol, value[0], spectrum(*value))
     text = str(value).strip()
     uncertain = uncertain_parameter(text)
     if uncertain is None:

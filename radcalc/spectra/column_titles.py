@@ -4,12 +4,12 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from radcalc.errors import ConditionError, UnitError, quote
+from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.files.columns import plain, units_in
 from radcalc.quantities.column_titles import read_title, refuse_altered, refuse_unknown
 from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
 from radcalc.units.dimensions import RESPONSIVITY
-from radcalc.units.table import unit_of
+from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import NUMBER, Unit
 
 NANOMETRES = {  # in a unit, by its name in lower case
@@ -83,6 +83,18 @@ class Meaning(NamedTuple):
 
 
 RELATIVE_WATTS = Meaning("its values taken as relative watts per wavelength")
+RELATIVE_PHOTONS = Meaning("its values taken as relative photons per wavelength", True)
+TYPED = {"relative": RELATIVE_WATTS, "photons": RELATIVE_PHOTONS}  # words for units
+# The settings of a spectrometer, whose program may write counts; and words for calibrated values.
+INTEGRATED = re.compile(
+    r"(?:integration|int\.|exposure|vnir integration) ?time|scope ?->|csm:|spectra averaged"
+)
+CALIBRATED = re.compile(
+    WORD.format("(?:ir)?rad(?:iance)?") + r"|ir?radiance|watts?|w/|wm-2|spectral power"
+)
+LI1800 = re.compile(r'"?(?:lims|int) *:', re.IGNORECASE)
+REMARK = re.compile(r'"?rem *:(.*)', re.IGNORECASE)
+STATE = f"{option('unit', 'W/m2/nm')}, or relative, if they are light"
 
 
 def is_wavelength(title: str) -> bool:
@@ -161,12 +173,62 @@ def values(title: str) -> Meaning:
     if LUMENS.search(text):
         raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
     if PHOTONS.search(text):
-        return Meaning("its values taken as relative photons per wavelength", True)
+        return RELATIVE_PHOTONS
     try:
         refuse_unknown(parsed)
     except UnitError as error:
         raise ConditionError(error.message, KNOWN) from None
     return RELATIVE_WATTS
+
+
+def typed(text: str) -> Meaning:
+    """Return the meaning of a unit that the user gives: of light per wavelength, or a word."""
+    if text.strip().lower() in TYPED:
+        return TYPED[text.strip().lower()]
+    unit = resolve(text)
+    facts = read(unit)
+    if not facts or not _is_spectral(facts):
+        problem = f"{option('unit', quote(text))} is not power or photons per wavelength"
+        raise ConditionError(
+            problem, "W/m2/nm, umol/m2/s/nm, relative (watts) or photons (relative)"
+        )
+    meaning = _absolute(facts, float(unit.factor))
+    return meaning._replace(
+        said=", ".join(filter(None, (f"in {quote(text)}, as given", meaning.said)))
+    )
+
+
+def of_remark(lines: Sequence[str]) -> Meaning | None:
+    """Return the unit in the remark of a LI-1800, or None; raise for properties of samples.
+
+    Its program appends (QNTM) to the remark for umol/m2/s/nm, as the R package photobiologyInOut
+    reads it.
+    """
+    remark = next(filter(None, map(REMARK.match, lines)), None)
+    if not remark or not any(map(LI1800.match, lines)):
+        return None
+    text = plain(remark[1])
+    if NO_LIGHT.search(text):
+        raise ConditionError(f"'{quote(remark[0].strip())}' is not light", KNOWN)
+    if "(qntm)" not in text:
+        return None
+    meaning = typed("umol/m2/s/nm")
+    return meaning._replace(
+        said="in umol/m2/s/nm, as its remark (QNTM) says, photons turned into watts"
+    )
+
+
+def refuse_counts(lines: Sequence[str], meant: Meaning, title: str) -> None:
+    """Raise for the preamble of a spectrometer that does not state that its values are light."""
+    texts = [plain(line[:LONGEST]).replace("_", " ") for line in (*lines, title)]
+    settings = next(
+        (line for line, text in zip(lines, texts, strict=False) if INTEGRATED.search(text)), ""
+    )
+    if settings and meant == RELATIVE_WATTS and not any(map(CALIBRATED.search, texts)):
+        problem = (
+            f"the values may be counts of a detector: '{quote(settings.strip())}', and no unit"
+        )
+        raise ConditionError(problem, STATE)
 
 
 def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:

@@ -35,10 +35,13 @@ WORDS = 2  # after a number, between blanks, that make a line a sentence: 100 sc
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
-def read_file(path: str, column: str = "") -> Table:
-    """Read a spectrum from a file, or from standard input for the path '-'."""
+def read_file(path: str, column: str = "", unit: str = "") -> Table:
+    """Read a spectrum from a file, or from standard input for the path '-'.
+
+    `unit` is that of the values; it wins over the one in the file.
+    """
     with reading(path, "a file with a spectrum") as (name, read):
-        return _Reader(name, read, column).table()
+        return _Reader(name, read, column, column_titles.typed(unit) if unit else None).table()
 
 
 class _Layout(NamedTuple):
@@ -52,8 +55,15 @@ class _Layout(NamedTuple):
 class _Reader:
     """The reader of one file, in blocks."""
 
-    def __init__(self, name: str, read: Callable[[int], bytes], column: str) -> None:
+    def __init__(
+        self,
+        name: str,
+        read: Callable[[int], bytes],
+        column: str,
+        typed: column_titles.Meaning | None,
+    ) -> None:
         self.name = name
+        self.typed = typed
         self.text = Text(name, read, "a wavelength and a value")
         self.column = column
         self.notes: list[str] = []
@@ -92,6 +102,8 @@ class _Reader:
             self.grid.append(self.number(place, contents.has_commas, number))
             self.values.append(self.number(value, contents.has_commas, number))
             self.lines.append(number)
+        if self.typed:
+            return self.finish(1.0, (self.typed,))
         return self.finish(1.0, contents.meanings, contents.figures)
 
     def rows(self, lines: Lines, number: int) -> Iterator[tuple[int, str]]:
@@ -253,13 +265,24 @@ class _Reader:
         low, high = min(self.grid), max(self.grid)
         nanometres = self.wavelength_unit(layout.header, low, high)
         try:
-            meaning = column_titles.values(layout.title)
-            if not meaning.absolute:
-                declared = column_titles.in_preamble([*self.preamble, *self.comments], meaning)
-                meaning = declared or meaning
+            meaning = self.meaning(layout.title)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         return self.finish(nanometres, (meaning,))
+
+    def meaning(self, title: str) -> column_titles.Meaning:
+        """Return the meaning of the values: from the user, the title or the lines before."""
+        lines = [*self.preamble, *self.comments]
+        meant = column_titles.values(title)
+        if not meant.absolute:
+            meant = column_titles.of_remark(lines) or meant
+        if self.typed and meant.absolute and meant[1:] != self.typed[1:]:
+            self.notes.append(f"the unit given differs from that of the title '{quote(title)}'")
+        if self.typed or meant.absolute:
+            return self.typed or meant
+        meant = column_titles.in_preamble(lines, meant) or meant
+        column_titles.refuse_counts(lines, meant, title)
+        return meant
 
     def finish(
         self,

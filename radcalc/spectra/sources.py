@@ -60,14 +60,17 @@ HINT = (
 TIMES_WAVELENGTH = {FREQUENCY: LIGHT, ENERGY: PLANCK * LIGHT}
 
 
-def spectrum(text: str, column: str = "") -> Spectrum:
+def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     """Return the spectrum of a text: a kind with its parameters, a name, or a file's path.
 
-    `column`, or FILE:COLUMN, chooses the values of a file with several columns.
+    `column`, or FILE:COLUMN, chooses the values of a file with several columns, `unit` is theirs.
     """
     text = text.strip()
-    if column and (find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)):
-        raise ConditionError(f"{option('column')} does not apply to {quote(text)}", "a file")
+    if (column or unit) and (
+        find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)
+    ):
+        unused = option("column" if column else "unit")
+        raise ConditionError(f"{unused} does not apply to {quote(text)}", "a file")
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in FORMS:
         return _of_kind(kind.lower(), parameters, " ".join(text.split()))
@@ -80,7 +83,7 @@ def spectrum(text: str, column: str = "") -> Spectrum:
     if _is_path(path):
         from radcalc.spectra.files import read_file
 
-        return read_file(path, column or name)
+        return read_file(path, column or name, unit)
     raise _unknown(text)
 
 

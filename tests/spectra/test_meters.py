@@ -139,13 +139,13 @@ def test_a_meter_has_no_columns(tmp_path):
 
 
 OCEAN = (
-    "Data from lamp_12-00-00.txt Node\n\nDate: Mon Nov 17 14:18:29 EST 2025\nUser: 3\n"
+    "Data from lamp_Irradiance_12-00-00.txt Node\n\nDate: Mon Nov 17 14:18:29 EST 2025\nUser: 3\n"
     "Spectrometer: USB4F03499\nIntegration Time (sec): 1.0E-1\nScans to average: 5\n"
     "XAxis mode: Wavelengths\nNumber of Pixels in Spectrum: 3\n>>>>>Begin Spectral Data<<<<<\n"
     "4.00E2\t1.0\n5.00E2\t3.0\n7.00E2\t2.0\n"
 )
 SUITE = (
-    "SpectraSuite Data File\n++++++++++++++++++++++++\nDark Spectrum Present: Yes\n"
+    "SpectraSuite Irradiance File\n++++++++++++++++++++++++\nDark Spectrum Present: Yes\n"
     "Integration Time (usec): 20000 (USB4A00428)\nNumber of Pixels in Processed Spectrum: 3\n"
     ">>>>>Begin Processed Spectral Data<<<<<\n400.00\t1.000\n500.00\t3.000\n700.00\t2.000\n"
     ">>>>>End Processed Spectral Data<<<<<\n"
@@ -179,8 +179,9 @@ def test_the_table_begins_after_its_mark(text, end, decimal, tmp_path):
         ("Spectrum: 3", f"Spectrum: {'9' * 5000}", "3 rows, but its own count of pixels is 9"),
         ("7.00E2\t2.0\n", "7.00E2\n", "1 columns instead of 2"),
         ("XAxis mode: Wavelengths", "XAxis mode: Raman Shifts", "is not a wavelength"),
-        ("lamp_12", "leaf_Reflection_12", "is a reflection, not light"),
-        ("lamp_12", "leaf_Transmission__0__12", "is a transmission, not light"),
+        ("lamp_Irr", "leaf_Reflection_Irr", "is a reflection, not light"),
+        ("lamp_Irr", "leaf_Transmission__0__Irr", "is a transmission, not light"),
+        ("_Irradiance", "", "the values may be counts of a detector"),
     ],
 )
 def test_an_incomplete_or_unsuitable_file_of_oceanview_is_refused(old, new, message, tmp_path):
