@@ -292,8 +292,8 @@ class TooNear(ConditionError):
         self, distance: str, body: str, size: str, hint: str, law: str = INVERSE_SQUARE
     ) -> None:
         super().__init__(
-            f"{distance} is less than five times the size of the {body} ({size} m): {law} does not "
-            "hold",
+            f"{distance} is too short: {law} needs at least five times the size of the {body}, "
+            f"which is {size} m",
             hint,
         )
 

@@ -123,12 +123,12 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("9 values", "at most 8, or distance last"), ("9 values", "at most 8, or distance last")),
     "a patch that is near is refused with its distance and size": (
         lambda: TooNear(option("distance", "2m"), "source", "1.1", command("lambertian", "disc")),
-        ("--distance 2m is less than five times the size of the source (1.1 m): the inverse square "
-         "law does not hold", "radcalc lambertian disc"),
-        ("distance 2m is less than five times the size of the source (1.1 m): the inverse square "
-         "law does not hold", "radcalc lambertian disc"),
-        ('distance="2 m" is less than five times the size of the source (1.1 m): the inverse '
-         "square law does not hold", 'radcalc.lambertian("disc")')),
+        ("--distance 2m is too short: the inverse square law needs at least five times the size "
+         "of the source, which is 1.1 m", "radcalc lambertian disc"),
+        ("distance 2m is too short: the inverse square law needs at least five times the size "
+         "of the source, which is 1.1 m", "radcalc lambertian disc"),
+        ('distance="2 m" is too short: the inverse square law needs at least five times the size '
+         "of the source, which is 1.1 m", 'radcalc.lambertian("disc")')),
     "a tilt at which one patch cuts the other leads to a smaller tilt": (
         lambda: HorizonCuts("tilt", "89deg", "84.2deg", law="A1 A2 / d^2"),
         ("--tilt 89deg: the source's horizon may cut the receiver, and A1 A2 / d^2 does not hold",
@@ -196,12 +196,12 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("na cannot be used with f-number", "only one of them"),
         ("na cannot be used with f_number", "only one of them")),
     "a contradiction names the inputs": (
-        lambda: Contradiction(f"{option('flux', '800lm')} contradicts the rest",
+        lambda: Contradiction(f"{option('flux', '800lm')} contradicts the other inputs",
                               f"leave out one of {options(('flux', 'intensity'), ', ')}",
                               "flux", 800.0, 900.0),
-        ("--flux 800lm contradicts the rest", "leave out one of --flux, --intensity"),
-        ("flux 800lm contradicts the rest", "leave out one of flux, intensity"),
-        ('flux="800 lm" contradicts the rest', "leave out one of flux, intensity")),
+        ("--flux 800lm contradicts the other inputs", "leave out one of --flux, --intensity"),
+        ("flux 800lm contradicts the other inputs", "leave out one of flux, intensity"),
+        ('flux="800 lm" contradicts the other inputs', "leave out one of flux, intensity")),
 }  # fmt: skip
 
 

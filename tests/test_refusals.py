@@ -383,12 +383,12 @@ COMMANDS = {
     "a solid angle alone is not a sphere": ("solid-angle sphere --solid-angle 1sr", "takes two"),
     "a solid angle alone is not a patch": ("solid-angle patch --solid-angle 1msr", "takes two"),
     "a tilted patch that is too near has the disc as its hint": (
-        "solid-angle patch --area 1m2 --distance 2m --tilt 80deg", "does not hold",
+        "solid-angle patch --area 1m2 --distance 2m --tilt 80deg", "is too short",
         "--height 0.347296m --offset 1.96962m, which is exact if the patch is a circle"),
     "a patch seen from its edge has no disc as its hint": (
-        "solid-angle patch --area 1m2 --distance 2m --tilt 90deg", "does not hold", "less area"),
+        "solid-angle patch --area 1m2 --distance 2m --tilt 90deg", "is too short", "less area"),
     "a patch seen from behind has no disc as its hint": (
-        "solid-angle patch --area 1m2 --distance 2m --tilt 100deg", "does not hold", "less area"),
+        "solid-angle patch --area 1m2 --distance 2m --tilt 100deg", "is too short", "less area"),
     "a disc is solved on its axis only": (
         "solid-angle disc --radius 1m --height 1m --offset 1m --solid-angle 1sr", "axis"),
     "two vertices are not a polygon": ("solid-angle polygon 0,0,1 1,0,1", "vertices"),
@@ -628,7 +628,7 @@ STREAMS = {
     "a title without a letter is refused": (("lx", "fc", "--add", " "), "is not a title"),
     "a title in another unit is refused": (("lx", "fc", "--add", "E [lx]"), "is in lx, not in fc"),
     "a title of another quantity is refused": (
-        ("lx", "fc", "--add", "luminance"), "'luminance' would have illuminance (fc)"),
+        ("lx", "fc", "--add", "luminance"), "'luminance', but contain illuminance (fc)"),
     "a title of two words between blanks is refused": (
         ("lx", "fc", "--field", "1", "--add", "a b"), "blanks, at which the lines are cut"),
     "a column that becomes another quantity is refused": (

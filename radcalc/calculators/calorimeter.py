@@ -22,8 +22,11 @@ PAGE = Page(
         "receiver-area": "Area that the light falls on.",
         "time": "Time for which the body is in the light.",
         "flux": ("100W", "Flux on the body."),
-        "irradiance": ("100W/m2", "Irradiance on the body (with {receiver-area})."),
-        "energy": ("100J", "Energy that reaches the body (with {time})."),
+        "irradiance": (
+            "100W/m2",
+            "Irradiance on the body; {receiver-area} relates it to the flux.",
+        ),
+        "energy": ("100J", "Energy that reaches the body; {time} relates it to the flux."),
     },
     examples=(
         "mass=10g specific-heat=385J/kg/K temperature-rise=2K time=30s",

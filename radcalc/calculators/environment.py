@@ -55,7 +55,8 @@ PAGE = Page(
         "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
-        "toward": "Direction that light comes from, as POLAR (from +z), POLAR,AZIMUTH or X,Y,Z.",
+        "toward": "Direction to where the light comes from, as POLAR (from +z), "
+        "POLAR,AZIMUTH or X,Y,Z.",
         "aim": "Direction in the middle of the map (default 1,0,0).",
         "normal": "Normal of the receiver (default 0,0,1: up).",
     },
@@ -77,13 +78,15 @@ PAGE = Page(
     SOURCE is a map of radiances (Radiance .hdr, OpenEXR .exr, .pfm), sky:TYPE with a type of
     radcalc sky, or an expression in theta (polar angle from +z, which is up) and phi (azimuth from
     +x towards +y).  An expression may end with a blank and a unit; otherwise it is relative.
-    Directions are those that light comes from.
+    A direction always points to where the light comes from.  Radiances and irradiances may be
+    in watts, lumens or photons: the unit decides.
 
-    The middle of a map shows the direction {aim}; its top is as near to +z as possible.  A 2:1 map
-    is latlong; a square map needs {projection}.  Few files state the unit of their values: give
-    {unit}; with {unit} 1 every result is relative.  R, G and B are weighted by the file's
-    primaries, or by those of Rec. 709, to give a luminance.  In W/m2/sr the weights are those of
-    the Radiance program, with 179 lm per watt.
+    The middle of a map shows the direction {aim}.  The map is turned so that its upward direction
+    is as close to +z as possible.  A 2:1 map is latlong; a square map needs {projection}.  Few
+    files state the unit of their values: give {unit}; with {unit} 1 every result is relative.
+    Luminance is a weighted sum of R, G and B.  The weights follow from the primaries in the file,
+    or from those of Rec. 709 if it has none.  With {unit} W/m2/sr the weights are those of the
+    program Radiance, and a watt counts as 179 lm.
     """,
     mistakes=("all around",),
 )

@@ -32,7 +32,7 @@ PAGE = Page(
     (),
     ("flux", "radiance"),
     goal="etendue",
-    about="Calculate the etendue of a source, and the flux through it from a radiance.",
+    about="Calculate the etendue of a beam, and its flux from the radiance of the source.",
     sections={
         "Source": (*SOURCES, "tilt"),
         "Cone of light": CONES,
@@ -54,8 +54,8 @@ PAGE = Page(
     ),
     remarks="Give a source and a cone, or a source and a receiver.  The etendue of two discs "
     "({radius}, {receiver-radius}) that face each other is exact; other surfaces must be small "
-    "compared with their distance.  Give any sufficient set of sizes, etendue, flux and radiance; "
-    "the others are calculated.",
+    "compared with their distance.  Give the sizes, etendue, flux or radiance that you know; "
+    "radcalc calculates those that follow from them.",
     mistakes=("projected cone",),
 )
 

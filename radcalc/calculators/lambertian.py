@@ -101,10 +101,11 @@ PAGE = Page(
     SHAPE is one of:
       patch (default)  a small flat surface: {area} or another size, with {distance} (optionally
                        {tilt}, {incidence}), or with {height} and {offset}
-      disc             {radius} or {diameter}, with {height} and {offset}, or on the axis with
-                       {distance}
+      disc             {radius} or {diameter}; {height} (or, on the axis, {distance}); optionally
+                       {offset}
       sphere           {radius} or {diameter}, and {distance} to its centre
-      rectangle        {width}, {length}, {height}, {offset}, {offset-y} or {corner}
+      rectangle        {width}, {length} and {height}; optionally {offset} and {offset-y}, or
+                       {corner}
       plane            infinite
       hemisphere       a uniform sky, or a cone of it ({half-angle}); radcalc sky has other
                        skies

@@ -43,10 +43,10 @@ PAGE = Page(
             "7mm",
             "Diameter of a round receiver centred on the beam's axis: a pupil, a sensor.",
         ),
-        "time": ("10ns", "Duration of the constant flux: of a pulse, or of an exposure."),
+        "time": ("10ns", "Duration of a pulse or of an exposure, with a constant flux."),
         "flux": ("5mW", "Flux of the beam, or of a pulse while it lasts."),
         "irradiance": ("1W/m2", "Flux divided by the area of the spot."),
-        "exposure": ("100J/m2", "Exposure of the spot (with {time})."),
+        "exposure": ("100J/m2", "Exposure of the spot; {time} relates it to the irradiance."),
         "energy": ("10mJ", "Energy of a pulse, or of the beam during {time}."),
         "peak-irradiance": ("10W/m2", "Peak irradiance, on the axis."),
         "limit": (
@@ -62,13 +62,14 @@ PAGE = Page(
         "energy=10mJ time=8ns diameter=6mm get=peak-irradiance:MW/cm2",
         "flux=1mW diameter=8mm receiver-diameter=7mm get=received-flux:mW",
     ),
-    remarks="{divergence} is the full angle of the beam far from the laser.  {profile} sets how "
-    "diameters are measured.  The formula of laser safety standards, 1.27 P / (a + phi d)^2 (P: "
-    "flux, a: diameter, phi: divergence, d: distance), applies to a uniform beam, or to a Gaussian "
-    "beam with diameters at 1/e of the peak.  The hazard distance is the distance at which the "
-    "peak irradiance falls to the {limit}.  Take the limit from the standard: radcalc has no table "
-    "of limits and gives no advice on safety.  Give any sufficient set of quantities; the others "
-    "are calculated.",
+    remarks="{divergence} is the full angle of the beam far from the laser.  By default the beam "
+    "is Gaussian, with diameters at 1/e^2 of the peak.  Laser safety standards use another "
+    "formula, 1.27 P / (a + phi d)^2 (P: flux, a: diameter, phi: divergence, d: distance).  It "
+    "applies to a uniform beam ({profile=uniform}), or to a Gaussian beam with diameters at 1/e of "
+    "the peak.  The hazard distance is the distance at which the peak irradiance falls to the "
+    "{limit}.  Take the limit from the standard: radcalc has no table of limits and gives no "
+    "advice on safety.  Give the quantities that you know; radcalc calculates those that follow "
+    "from them.",
 )
 
 

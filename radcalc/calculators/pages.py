@@ -9,12 +9,12 @@ if TYPE_CHECKING:
 
 SUMMARIES = {
     "convert": "Convert units, and quantities under a condition.",
-    "solid-angle": "Solid angles of shapes, plain and projected.",
+    "solid-angle": "Solid angle and projected solid angle of a shape.",
     "direction": "Spherical coordinates and unit vectors.",
-    "etendue": "Etendues, and the flux of a radiance.",
+    "etendue": "Etendue of a beam, and its flux from a radiance.",
     "point-source": "Small sources: flux, intensity, illuminance, distance.",
     "environment": "Light from all around: maps, skies, expressions.",
-    "scene": "The light of many sources at points or over a grid.",
+    "scene": "Light of many sources together, at points or on a grid.",
     "lambertian": "Diffuse sources and reflectors.",
     "sky": "The light of the sky and the sun.",
     "uberlight": "Uberlight, a light model of computer graphics.",

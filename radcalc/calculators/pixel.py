@@ -32,16 +32,16 @@ AXES = {
 FORMULAS = {
     LATLONG: Formula(
         "pixel of a latlong map",
-        "{solid-angle} = 4 pi / width sin(t) sin(pi / (2 height)) Omega0, "
+        "{solid-angle} = Omega0 (4 pi / width) sin(t) sin(pi / (2 height)), "
         "t = pi (row + 1/2) / height",
     ),
     MIRROR_BALL: Formula(
         "pixel of a mirror ball",
-        "{solid-angle} = integral of 4 du dv Omega0, sqrt(u^2 + v^2) up to 1",
+        "{solid-angle} = integral of 4 Omega0 du dv, sqrt(u^2 + v^2) up to 1",
     ),
     ANGULAR: Formula(
         "pixel of an angular map",
-        "{solid-angle} = integral of pi sin(pi r) / r du dv Omega0, r = sqrt(u^2 + v^2) up to 1",
+        "{solid-angle} = integral of Omega0 pi (sin(pi r) / r) du dv, r = sqrt(u^2 + v^2) up to 1",
     ),
 }
 

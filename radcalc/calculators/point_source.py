@@ -114,15 +114,15 @@ PAGE = Page(
     examples=(
         "flux=800lm distance=2m",
         "illuminance=500lx distance=2m",
-        "intensity=100cd illuminance=25lx            (the distance)",
+        "intensity=100cd illuminance=25lx            (distance)",
         "intensity=250cd height=6m offset=8m",
-        "intensity=250cd height=6m illuminance=3lx   (the offset)",
+        "intensity=250cd height=6m illuminance=3lx get=offset",
         "flux=4.5klm half-angle=12.5deg distance=1m,2m,5m",
         "flux=800lm hemisphere= distance=2m",
         "intensity=1000cd beam-angle=30deg",
         "beam-angle=30deg                (exponent, field angle)",
         "half-angle=15deg height=2m get=beam-diameter",
-        "luminous-flux=800lm radiant-flux=3W  (the efficacy)",
+        "luminous-flux=800lm radiant-flux=3W  (efficacy)",
         "intensity=100cd exponent=3 within=45deg get=flux-within:lm",
         "flux=500lm intensity=900cd distribution=cone",
         "flux=5mW distance=1m receiver-area=1cm2 wavelength=632.8nm",
@@ -135,13 +135,13 @@ PAGE = Page(
         "distribution=lamp.ies aim=1,0,-2 rotate=90deg height=3m offset=2m",
     ),
     remarks="""
-    The source may be a lamp, a spot or the file of a luminaire.  Give any sufficient set of
-    quantities; the others are calculated.  Redundant quantities are checked against each other, to
-    the precision of the digits typed.  The irradiance is that on the receiver.  Light is assumed to
-    arrive along the receiver's normal, unless {incidence} is given or {get=incidence} requests the
-    angle; with a {height} the source points straight down and the receiver is horizontal.  An
-    offset, a height or an exponent can be calculated from the light; if two values fit, both are
-    shown.
+    The source may be a lamp, a spot or the file of a luminaire.  Give the quantities that you know;
+    radcalc calculates those that follow from them.  Redundant quantities are checked against each
+    other, to the precision of the digits typed.  The irradiance is that on the receiver.  Light is
+    assumed to arrive along the receiver's normal, unless {incidence} is given or {get=incidence}
+    requests the angle; with a {height} the source points straight down and the receiver is
+    horizontal.  An offset, a height or an exponent can be calculated from the light; if two values
+    fit, both are shown.
 
     {distribution} also takes the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
     intensities (CSV), - for standard input, or an expression with a blank and a unit at its end.

@@ -24,7 +24,7 @@ MOST_OF_A_UNIT = 5  # results to suggest for a unit
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
 MISSING_LINK = "a wavelength, a spectrum or an efficacy that links them is missing"
-NEEDS_LINK = "needs a link between radiant, luminous and photon quantities"
+NEEDS_LINK = "needs the wavelength or the spectrum of the light, or an efficacy"
 
 
 def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") -> Value:

@@ -96,7 +96,7 @@ PAGE = Page(
         "area": ("54m2", "Area of the room."),
         "height": ("2m", "Height of the luminaires above the working plane."),
         "flux": ("3600lm", "Flux of one luminaire."),
-        "irradiance": ("500lx", "Mean irradiance of the working plane."),
+        "irradiance": ("500lx", "Mean irradiance or illuminance on the working plane."),
     },
     examples=(
         "width=6m length=9m height=2m illuminance=500lx flux=3600lm utilance=0.6 maintenance=0.8",
@@ -106,8 +106,8 @@ PAGE = Page(
     ),
     remarks="Lumen method: the mean illuminance of the working plane is the flux that reaches it, "
     "divided by its area.  The data sheet of a luminaire gives its {utilance} for the room index "
-    "and the reflectances.  Give any sufficient set of these quantities; the "
-    "others are calculated.",
+    "and the reflectances.  Give the quantities that you know; radcalc calculates those that "
+    "follow from them.",
 )
 
 

@@ -20,7 +20,7 @@ from radcalc.units.dimensions import LENGTH
 from radcalc.units.unit import NUMBER
 
 PAGE = Page(
-    about="Add up the light of many sources at points or over a grid.",
+    about="Calculate the light that many sources together give at points or on a grid.",
     operand=Operand("file", "FILE.csv", FILE, ENDINGS),
     sections={
         "Points": ("grid", "normal"),

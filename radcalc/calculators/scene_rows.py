@@ -314,7 +314,7 @@ class Reader:
         if len(strengths) > 1:
             raise row.both(*(item.name for item in strengths[:2]))
         strength = strengths[0] if strengths else None
-        label = f"'{quote(name)}' ({row.where})"
+        label = f"source '{quote(name)}' ({row.where})"
         if shape == LAMBERTIAN:
             return NamedSource(name, self.patch(label, row, given, strength, place, pose))
         self.assumptions["sources are points, except for rectangles"] = None

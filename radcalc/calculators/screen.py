@@ -83,8 +83,8 @@ PAGE = Page(
         "flux=3000lm area=3m2 diagonal=100in",
         "luminance=48cd/m2 width=12m aspect=2.39 gain=1 get=flux:lm",
     ),
-    remarks="The luminance is that along the screen's normal, in a dark room.  Give any sufficient "
-    "set of light quantities, sizes of the picture and the gain; the others are calculated.",
+    remarks="The luminance is that along the screen's normal, in a dark room.  Give the quantities "
+    "that you know; radcalc calculates those that follow from them.",
 )
 
 

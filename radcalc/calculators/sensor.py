@@ -39,8 +39,8 @@ def _magnification(at: At) -> Any:
 OPTICS: list[AnyLaw] = [
     law(
         "camera equation",
-        "{irradiance} = pi {radiance} {transmittance} {cosine-off-axis}^4 / "
-        "(4 {working-f-number}^2) Omega0",
+        "{irradiance} = pi Omega0 {radiance} {transmittance} {cosine-off-axis}^4 / "
+        "(4 {working-f-number}^2)",
         "sine condition: pi sin^2(alpha) = pi / (4 N^2)",
     ),
     relation(
@@ -55,9 +55,12 @@ OPTICS: list[AnyLaw] = [
     ),
     law(
         "etendue of a pixel",
-        "{etendue} = pi {pixel-area} {cosine-off-axis}^4 / (4 {working-f-number}^2) Omega0",
+        "{etendue} = pi Omega0 {pixel-area} {cosine-off-axis}^4 / (4 {working-f-number}^2)",
     ),
-    law("flux of the scene's radiance", "{flux} = {radiance} {transmittance} {etendue}"),
+    law(
+        "flux on a pixel, from the radiance of the scene",
+        "{flux} = {radiance} {transmittance} {etendue}",
+    ),
 ]
 COLLECTED: list[AnyLaw] = [
     law("area of a square pixel", "{pixel-area} = {pixel-pitch}^2"),
@@ -82,7 +85,7 @@ OF_KIND: dict[str, list[AnyLaw]] = {
         law(
             "responsivity",
             "{responsivity} = e {quantum-efficiency} {photon-efficacy}",
-            SI,
+            f"{SI}; K_p: photons per joule",
             CHARGE,
             "A s/photon",
         ),
@@ -116,15 +119,15 @@ PAGE = Page(
         "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={
-        "photon-range": "Wavelengths over which the photons of {spectrum} are counted (default: as "
-        "for the watts).",
+        "photon-range": "Photon quantities of {spectrum} include only these wavelengths (default: "
+        "those of radiant quantities).",
         "etendue": ("1um2.sr", "Etendue of the light on a pixel."),
         "time": ("1/100s", "Exposure time."),
         "flux": ("0.1uW", "Flux on a pixel, or on the detector."),
         "irradiance": ("10lx", "Irradiance on the sensor."),
         "radiance": ("1000cd/m2", "Radiance of the scene."),
-        "exposure": ("0.1lx.s", "Exposure of the sensor (with {time})."),
-        "energy": ("1fJ", "Energy on a pixel (with {time})."),
+        "exposure": ("0.1lx.s", "Exposure of the sensor; {time} relates it to the irradiance."),
+        "energy": ("1fJ", "Energy on a pixel; {time} relates it to the flux."),
     },
     examples=(
         "luminance=4000cd/m2 f-number=16 time=1/100s",
@@ -140,12 +143,12 @@ PAGE = Page(
     ),
     bare={"time": "s"},
     forms={"time": FRACTION},
-    remarks="{radiance} is that of the scene; the other light quantities are those on the sensor.  "
-    "The camera equation relates them.  {f-number} is the number N marked on the lens, for focus "
-    "at infinity; {working-f-number} is N (1 + m), with the {magnification} m.  The area of a "
-    "pixel, or of another detector, is the area that collects light.  Electrons follow from "
-    "photons: give {wavelength} or {spectrum}, or light in photon units.  Give any sufficient set "
-    "of quantities; the others are calculated.",
+    remarks="{radiance} describes the scene.  The other light quantities are measured at the "
+    "sensor.  The camera equation relates them.  {f-number} is the number N marked on the lens, "
+    "for focus at infinity; {working-f-number} is N (1 + m), with the {magnification} m.  The area "
+    "of a pixel or other detector is its light-collecting area.  To calculate electrons, radcalc "
+    "needs the number of photons: give {wavelength} or {spectrum}, or light in photon units.  Give "
+    "the quantities that you know; radcalc calculates those that follow from them.",
 )
 GOALS = {  # without light
     "responsivity": ("quantum-efficiency", "responsivity"),

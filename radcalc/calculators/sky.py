@@ -125,7 +125,8 @@ PAGE = Page(
     LIGHT,
     (SHARED, *ANGLES),
     goal=SHARED,
-    about="Calculate the light of the sky from a direction, on the ground and on a plane.",
+    about="Calculate the radiance of the sky in a direction, and its irradiance on the ground and "
+    "on a plane.",
     operand=OPERAND,
     sections={
         "Light": ("zenith-radiance", "horizontal-irradiance", "radiance-toward", "irradiance"),
@@ -144,10 +145,10 @@ PAGE = Page(
     texts={
         "irradiance": "Irradiance on the plane.",
         "tilt": ("90deg", "Tilt of a plane from the horizontal: 90deg is a wall."),
-        "azimuth": ("180deg", "Azimuth that the plane faces (with {tilt})."),
+        "azimuth": ("180deg", "Azimuth that the plane with this {tilt} faces."),
         "toward": "Point of the sky, as POLAR (from the zenith), POLAR,AZIMUTH or X,Y,Z (Z up).",
         "normal": "Normal of the plane, instead of {tilt} (+z is up).",
-        "sun-azimuth": "Azimuth of the sun, measured like those of planes and directions.",
+        "sun-azimuth": "Azimuth of the sun, in the same sense as the other azimuths.",
     },
     draws=True,
     examples=(
@@ -177,9 +178,10 @@ PAGE = Page(
       intermediate        CIE type 7, partly cloudy and brighter around the sun
       1 to 15             a type of the CIE standard general sky (ISO 15469); 1 is its overcast sky
 
-    The types 2, 4 and 6 to 15 depend on the position of the sun.  The light of the sky does not
+    The CIE types 2, 4 and 6 to 15 depend on the position of the sun.  The light of the sky does not
     include the sun's own light: {sun-irradiance} (perpendicular to the rays), {sun-radiance} (of
     the disc) or {global-irradiance} adds it.  Give any light quantity; the others are calculated.
+    Radiances and irradiances may be in watts, lumens or photons: the unit decides.
 
     Only differences of azimuths matter, so they may be measured from any direction, for example
     clockwise from north; with {normal} X,Y,Z or {toward} X,Y,Z they are measured from +x towards
@@ -207,7 +209,7 @@ PLANE_SKY = Formula(
 )
 SUN_COSINE = Formula(
     "incidence of the sun",
-    "{cosine} = max(n . s, 0), of the plane's normal and the sun's direction",
+    "{cosine} = max(n . s, 0), n: normal of the plane, s: direction of the sun",
 )
 BRIGHT = mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
 NO_PLANE = "no plane is given", mention("{tilt=90deg} or {normal}")

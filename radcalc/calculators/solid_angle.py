@@ -51,25 +51,26 @@ ROUND = ("radius", "diameter")
 RESULTS = ("solid-angle", "projected-solid-angle", "sphere-fraction", "half-angle", "apex-angle")
 FACING = "a plane parallel to the source's (the receiver faces it)"
 ZONE = Formula(
-    "zone of a sphere", "{solid-angle} = 2 dphi sin((t0 + t1)/2) sin((t1 - t0)/2) Omega0"
+    "zone of a sphere", "{solid-angle} = 2 Omega0 dphi sin((t0 + t1)/2) sin((t1 - t0)/2)"
 )
 PROJECTED_ZONE = Formula(
-    "projected zone", "{projected-solid-angle} = dphi (sin^2(t1) - sin^2(t0)) / 2 Omega0"
+    "projected zone", "{projected-solid-angle} = Omega0 dphi (sin^2(t1) - sin^2(t0)) / 2"
 )
 DISC_ASIDE = Formula(
     "disc off its axis",
-    "{solid-angle} = closed integral over the rim, complete elliptic",
+    "{solid-angle} follows from an integral around the rim, given by complete elliptic integrals",
     "F. Paxton, Rev. Sci. Instrum. 30 (1959) 254",
 )
 PROJECTED_DISC = Formula(
     "projected disc",
-    "{projected-solid-angle} = pi/2 (1 - ({height}^2 + {offset}^2 - {radius}^2) / "
-    "sqrt(({height}^2 + {offset}^2 + {radius}^2)^2 - 4 {radius}^2 {offset}^2)) Omega0",
+    "{projected-solid-angle} = Omega0 pi/2 (1 - ({height}^2 + {offset}^2 - {radius}^2) / "
+    "sqrt(({height}^2 + {offset}^2 + {radius}^2)^2 - 4 {radius}^2 {offset}^2))",
     HOWELL,
 )
 TRIANGLES = Formula(
     "rectangle, as two triangles",
-    "tan({solid-angle}/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a), each",
+    "tan({solid-angle}/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a) for each triangle "
+    "([a b c]: triple product; a.b: scalar product; a, b, c otherwise: lengths)",
     "A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125",
 )
 CONTOUR = Formula(
@@ -484,14 +485,15 @@ PAGE = Page(
         "polar": ("30deg:60deg", "Polar angles of a zone, from +z."),
         "azimuth": ("0deg:90deg", "Azimuths of a zone (default: all)."),
         "distance": "Straight-line distance to the centre of the shape.",
-        "height": "Distance from the shape's plane, along its axis.",
+        "height": "Distance of the viewpoint from the shape's plane, measured along the shape's "
+        "axis.",
         "offset": "Sideways distance from the shape's axis, along x (with {height}).",
         "offset-y": "Sideways distance from the shape's axis, along y (with {height}).",
         "corner": "Viewpoint above a corner of the rectangle.",
     },
     examples=(
         "cone half-angle=30deg",
-        "cone solid-angle=1sr                    (its half angle)",
+        "cone solid-angle=1sr               (its half angle)",
         "zone polar=30deg:60deg azimuth=0deg:90deg",
         "sphere radius=695700km distance=1au",
         "disc diameter=10cm height=50cm offset=0cm:40cm:10cm",
@@ -508,13 +510,14 @@ PAGE = Page(
       cone               {half-angle}, {apex-angle}, {solid-angle} or {projected-solid-angle}
       zone (band)        {polar} A:B, {azimuth} A:B
       sphere             two of {radius} (or {diameter}), {distance}, {solid-angle}
-      disc               {radius} or {diameter}, with {height} and {offset}, or on the axis with
-                         {distance}
-      rectangle          {width} and {length}, with {height}, {offset}, {offset-y} or {corner}, or
-                         on the axis with {distance}
+      disc               {radius} or {diameter}; {height} (or, on the axis, {distance}); optionally
+                         {offset}
+      rectangle          {width} and {length}; {height} (or, on the axis, {distance}); optionally
+                         {offset} and {offset-y}, or {corner}
       pyramid            {horizontal} and {vertical}, full angles
       patch              a small flat surface: {area} (or {radius}, {diameter}), {distance}, {tilt};
-                         with {area} and {radius}, a part of a sphere seen from its centre
+                         or {area} of a part of a sphere and {radius} of that sphere, seen from the
+                         sphere's centre
       polygon (triangle) X,Y,Z of each vertex in order, {viewpoint}, {normal}
       pixel              {size}, {pixel}, {projection}: a pixel of a map of all directions
 

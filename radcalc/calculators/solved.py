@@ -179,7 +179,7 @@ def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]
         ratio = f" (ratio {format_number(error.given / error.implied, digits)})"
     second = format_value(error.implied, unit, digits)
     return Contradiction(
-        f"{first} contradicts the rest, which gives {second}{ratio}",
+        f"{first} contradicts the other inputs, which give {second}{ratio}",
         f"leave out one of {options(names, ', ')}",
         error.name,
         error.given,

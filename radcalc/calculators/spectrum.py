@@ -12,7 +12,7 @@ from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
 from radcalc.spectra import colorimetry
 from radcalc.spectra.counts import Counts
-from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.observers import OBSERVERS, TRAPEZOIDS
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Spectrum
 
@@ -22,8 +22,8 @@ PAGE = Page(
     sections={"Light": ("observer", "range", "photon-range")},
     texts={
         "observer": "Observer (eye response) of the luminous efficacy.",
-        "range": ("LOW:HIGH", "Wavelengths of the light that every result describes."),
-        "photon-range": ("LOW:HIGH", "Wavelengths over which photons are counted."),
+        "range": ("LOW:HIGH", "Wavelength range that all results describe."),
+        "photon-range": ("LOW:HIGH", "Wavelength range for the photons."),
     },
     draws=True,
     takes_lines=False,
@@ -233,7 +233,7 @@ def _steps(counts: Counts) -> list[Step]:
     formula = Formula(
         "luminous efficacy of radiation",
         f"K = {eye.constant} int(S {weight} dlambda) / int(S dlambda)",
-        "trapezoid on the union of the data's and the observer's grids",
+        TRAPEZOIDS,
     )
     if counts.impossible(LUMINOUS, RADIANT):
         return []

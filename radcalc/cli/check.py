@@ -17,7 +17,8 @@ OPTIONS = (
     click.Option(
         ["--check"],
         metavar="[NAME=]VALUE[UNIT]",
-        help="Check your answer; if it is wrong, name the likely mistake (status 1).",
+        help="Compare VALUE, your own answer, with the result.  If it is wrong, radcalc names the "
+        "likely mistake and exits with status 1.",
     ),
     click.Option(
         ["--tolerance"],

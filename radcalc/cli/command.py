@@ -20,8 +20,8 @@ GET = click.Option(
     ["-g", "--get", "wanted"],
     multiple=True,
     metavar="NAME[:UNIT]",
-    help="Print only this result: a bare number, or with --format in that format (repeatable; "
-    "default unit: that of the full answer).",
+    help="Print only this result, as a bare number or in the format of --format.  Repeatable.  "
+    "Without UNIT, the unit is that of the full answer.",
 )
 PLOT = click.Option(
     ["--plot"],
@@ -278,7 +278,8 @@ def _of_lines(listed: Sequence[click.Option]) -> tuple[str, str]:
     *names, last = (option.opts[-1] for option in listed)
     return (
         "- or '- UNIT'",
-        "As the value of one input: read standard input, and print an answer (-g) for each line.  "
-        "A line is a number with its unit or, after '- UNIT', a bare number.  "
+        "Write - or '- UNIT' as the value of one option: it is then read from standard input, and "
+        "each line gives one answer (with -g).  A line is a number with its unit or, after "
+        "'- UNIT', a bare number.  "
         f"{', '.join(names)} and {last} work as in radcalc convert.",
     )

@@ -49,8 +49,8 @@ INVALID_LINES = click.Option(
     ["--invalid"],
     type=click.Choice(INVALID),
     default=ABORT,
-    help="Unreadable lines: stop at the first (abort, the default), or skip them and fail at the "
-    "end (status 2), warn (status 0) or ignore them (status 0).",
+    help="Treatment of unreadable lines.  abort (default): stop at the first.  fail, warn, "
+    "ignore: skip them, and fail at the end (status 2), warn (status 0) or say nothing (status 0).",
 )
 TIME_ZONE = click.Option(
     ["--time-zone"],
@@ -58,7 +58,9 @@ TIME_ZONE = click.Option(
     help="Time zone of local times and of days: Europe/Prague, +02:00, UTC.",
 )
 TIME_UNIT = click.Option(
-    ["--time-unit"], metavar="s", help="Unit of times that are numbers, measured from the start."
+    ["--time-unit"],
+    metavar="s",
+    help="Unit of the times, if they are numbers that count from the start of the measurement.",
 )
 TIME_FORMAT = click.Option(
     ["--time-format"],
@@ -80,17 +82,19 @@ Examples:
   radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
 
 FILE has a time and a value in each line; - is standard input.  Irradiances, illuminances and
-PPFD add up to an exposure (with --receiver-area also to an energy), fluxes to an energy.
+photon flux densities (PPFD) add up to an exposure (with --receiver-area also to an energy),
+fluxes to an energy.
 The unit is in the title of the values (E [lx], PAR_umol/m2/s) or in --unit.
 
 Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the title or in
---time-unit.  --time-zone is the zone of times without an offset; days with 23 or 25 hours
-are counted correctly.  Ambiguous dates are an error: use --time-format.
+--time-unit.  --time-zone is the zone of times without an offset; days on which the clocks change
+have 23 or 25 hours.  Ambiguous dates are an error: use --time-format.
 
-Values between samples are interpolated linearly.  Steps longer than --max-gap are
-gaps (if they are longer by more than 0.1 %, as times are rounded).  Without --max-gap, steps
-with a skipped line are gaps.  A note lists the gaps, and coverage is the part of the time
-without them.  A day or hour within a gap has an exposure of 0, no mean, and coverage 0.
+Values between samples are interpolated linearly.  A step is a gap if it is more than 0.1 %
+longer than --max-gap.  The 0.1 % allows for rounded times in the file.  Without --max-gap, only
+a step that contains a line skipped by --invalid is a gap.  A note lists the gaps, and coverage
+is the part of the time without them.  A day or hour within a gap has an exposure of 0, no mean,
+and coverage 0.
 """
 
 

@@ -103,6 +103,9 @@ def narrowed(line: str, width: int) -> list[str]:
 
 
 def _example(indent: str, command: str, remark: str, width: int) -> list[str]:
+    room = width - len(indent + command)
+    if len(remark) <= room - len("  "):
+        return [f"{indent}{command}{remark:>{room}}"]
     lines = [indent]
     for part in AT_OPTIONS.split(command):
         room = width - len(" \\")

@@ -13,7 +13,9 @@ from radcalc.cli.request import Request
 from radcalc.errors import UsageError
 
 UNIT = click.Option(
-    ["--unit"], metavar="cd", help="Unit of the expression: of an intensity or a radiance, or 1/sr."
+    ["--unit"],
+    metavar="cd",
+    help="Unit of the expression: a unit of intensity or radiance, or 1/sr.",
 )
 
 

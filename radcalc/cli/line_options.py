@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from radcalc.cli.options import Whole
 from radcalc.errors import UsageError, command, option
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.terminal import INVALID
@@ -42,12 +43,13 @@ OPTIONS = (
         metavar="X",
         help="Field separator: one character, or tab (default: runs of blanks).",
     ),
-    click.Option(
+    Whole(
         ["--header"],
         type=click.IntRange(1),
         metavar="[=N]",
         help="Number of header lines (1 without N; --column implies 1).  Every line must have as "
-        "many fields as the header.  A unit in a title is checked, and replaced by TARGET.",
+        "many fields as the header.  If a title has a unit, it must be the input unit; the unit of "
+        "the result replaces it.",
     ),
     click.Option(
         ["--add"],
@@ -67,8 +69,9 @@ OPTIONS = (
     click.Option(
         ["--invalid"],
         type=click.Choice(INVALID),
-        help="Invalid lines: stop at the first (abort, the default), or pass them through and fail "
-        "at the end (status 2), warn (status 0) or ignore them (status 0).",
+        help="Treatment of unreadable lines.  abort (default): stop at the first.  fail, warn, "
+        "ignore: pass them through, and fail at the end (status 2), warn (status 0) or say nothing "
+        "(status 0).",
     ),
 )
 

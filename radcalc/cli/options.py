@@ -134,6 +134,13 @@ def folded(lines: Sequence[str]) -> list[str]:
 NUMERIC = ("number", "precision", "auto")
 
 
+class Whole(click.Option):
+    """An option for a whole number, whose help states the limits in words."""
+
+    def get_help_extra(self, ctx: click.Context) -> Any:
+        return {}
+
+
 def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
     all_options = (
         click.Option(["-n", "--number"], is_flag=True, help="Print bare numbers only."),
@@ -143,11 +150,12 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
             help="Format of the output (default: a table on a terminal, else plain).",
         ),
         click.Option(["--json", "json_"], is_flag=True, help="Same as --format json."),
-        click.Option(
+        Whole(
             ["--precision"],
             type=click.IntRange(1, 17),
             metavar="N",
-            help="Significant digits (default: 6 in tables, 12 in plain text, all in JSON).",
+            help="Significant digits, from 1 to 17 (default: 6 in tables, 12 in plain text, all in "
+            "JSON).",
         ),
         click.Option(
             ["--color"],

@@ -41,29 +41,29 @@ WARM = (  # modules of the first answers
 
 
 def prompt(**values: Any) -> int:
-    """Answer one line after another, each a command without radcalc.
+    """Type one command on each line, without the word radcalc in front.
 
     \b
     Examples:
-      radcalc                                     (on a terminal)
+      radcalc                                   (on a terminal)
       printf '100 lx fc\\nans klx\\n' | radcalc prompt
 
     \b
     At the prompt:
       100 lx fc
       2 * 800 lm in lx --isotropic --distance 2m
-      ans klx                                     (ans is the last answer)
+      ans klx
       x = point-source --flux 800lm --distance 2m -g irradiance
       x fc
       help point-source
       exit
 
     Special characters of the shell need no quotes.  A variable keeps an amount or an answer;
-    vars lists the variables.  ans.NAME is one of several results.  Tab completes, Ctrl-C clears
-    the line or stops an answer, Ctrl-D exits.
+    vars lists the variables.  ans is the last answer; if it has several results, ans.NAME is one
+    of them.  Tab completes, Ctrl-C clears the line or stops an answer, Ctrl-D exits.
 
     If standard input is not a terminal, each of its lines is answered, and the exit status is
-    the worst of the lines.  The options apply to every line.
+    the highest status of any line.  The options apply to every line.
     """
     decide(**values)  # refuses contradictory options
     unset = defaults()

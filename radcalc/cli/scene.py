@@ -41,7 +41,7 @@ Examples:
   radcalc scene room.csv --at 1,2,0.75 --at 3,2,0.75 --normal 0,-1,0
   radcalc scene room.csv --grid 0:6:61,0:4:41,0.75
   radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 -g uniformity
-  radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --plot room.svg     (isolux)
+  radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --plot room.svg  (isolux)
   radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --format csv > room-lux.csv
   radcalc scene room.csv --at 1,2,0.75 -g share-desk:%
   radcalc scene grow.csv --at 0,0,0 --spectrum LED-B3 -g irradiance:umol/m2/s
@@ -56,16 +56,17 @@ FILE.csv has a header with the column titles, then one source in each row:
 x, y, z                 position; in metres unless the title or the cell has a unit
 aim_x, aim_y, aim_z     point at which the source is aimed (default: straight down), or
 direction_x ... _z      direction of the source's axis
-rotate                  angle of rotation about this axis, from +x towards +y
+rotate                  angle by which the source is turned about the vertical, from +x towards
+                        +y, before it is aimed
 distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) with a
                         path relative to FILE.csv, or an expression in theta and phi
 half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (lobe)
-flux, intensity         flux or intensity of the source (scales a file)
-width, length or area; luminance, exitance, flux or intensity (lambertian)
+flux, intensity         flux or intensity of the source (scales the values of a file)
+lambertian: width and length, or area; and one of luminance, exitance, flux, intensity
 
-The light of a rectangle is exact; every other source is treated as a point.  Light from behind
-a receiver does not count.  For a grid, the answer gives the mean, the extremes and the
-uniformity; --format csv, or -g x -g y -g irradiance:lx, prints the points.
+A rectangle is calculated exactly, at any distance; every other source is treated as a point.
+Light from behind a receiver does not count.  For a grid, the answer gives the mean, the extremes
+and the uniformity; --format csv, or -g x -g y -g irradiance:lx, prints the points.
 """
 
 

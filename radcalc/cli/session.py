@@ -321,7 +321,7 @@ def refuse_name(name: str, text: str) -> None:
         return
     text = text.strip()
     hint = f"my_{name} = {text}" if quote(text) == text else "another name"
-    raise UsageError(f"'{quote(name)}' is {what} already", hint)
+    raise UsageError(f"'{quote(name)}' is already {what}", hint)
 
 
 def text_of(row: Row, name: str) -> str:

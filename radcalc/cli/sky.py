@@ -17,8 +17,8 @@ from radcalc.inputs.given import shown_inputs
 SAVE = click.Option(
     ["--save"],
     metavar="FILE.hdr",
-    help="Write a latlong map of the sky (.hdr, .exr or .pfm; default 1024x512), with the solar "
-    "disc if the sun has light.",
+    help="Write a latlong map of the sky (.hdr, .exr or .pfm; default 1024x512), with the disc "
+    "of the sun if its light is given.",
 )
 
 

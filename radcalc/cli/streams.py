@@ -302,7 +302,7 @@ def _in_units(
         names = names_of([value for value in values if value.given is None]) or ["NAME:UNIT"]
         *others, last = names
         listing = f"{', '.join(others)} or {last}" if others else last
-        problem = f"with {option(source.name, '-')}, -g must name a result"
+        problem = f"a stream ({option(source.name, '-')}) needs -g NAME"
         raise UsageError(problem, f"-g with {listing}")
     names_in_units = list(wanted)
     for k, name in enumerate(wanted if values else ()):

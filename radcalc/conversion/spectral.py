@@ -27,6 +27,7 @@ from radcalc.quantities.light import (
 from radcalc.quantities.symbols import EFFICACIES
 from radcalc.spectra.observers import (
     OBSERVERS,
+    TRAPEZOIDS,
     Observer,
     luminous_efficacy,
     most_lumens_per_photon,
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from radcalc.spectra.spectrum import Spectrum
 
 
+COUNTED = {RADIANT: "watts", LUMINOUS: "lumens", PHOTON: "photon flux"}
 NARROW = 0.1  # largest relative width of a small band, with an error of 0.3 % of the width
 
 
@@ -182,10 +184,11 @@ def spectral_factor(
         LUMINOUS: f"{seen_by.constant} int(S {seen_by.label.split('(')[0]})",
         PHOTON: "int(S lambda/(h c))",
     }
+    below = f"({names[under]})" if " int" in names[under] else names[under]
     formula = Formula(
-        "ratio of kinds in a spectrum",
-        f"K = {names[over]} / {names[under]}",
-        "trapezoid on the union of the data's and the observer's grids",
+        f"{COUNTED[over]} per {COUNTED[under].removesuffix('s')} in a spectrum",
+        f"K = {names[over]} / {below}",
+        TRAPEZOIDS,
     )
     top, bottom = (over, under) if (over, under) in SHOWN else (under, over)
     ratio_text = counts.ratio_text(amounts[top] / amounts[bottom], top, bottom)

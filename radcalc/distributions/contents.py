@@ -47,7 +47,7 @@ def whole(file: FileIO, largest: int, path: str) -> bytes:
     return _whole(file.read, max(BLOCK, size + 1), largest, quote_path(path))
 
 
-def check_place(path: str, extensions: Collection[str], things: str, instead: str) -> str:
+def check_place(path: str, extensions: Collection[str], thing: str, instead: str) -> str:
     """Return the extension of a file, after a check that the file can be written.
 
     Raises
@@ -60,7 +60,7 @@ def check_place(path: str, extensions: Collection[str], things: str, instead: st
     extension = os.path.splitext(path)[1].lower()
     if extension not in extensions:
         what = f"as {quote(extension)}" if extension else "without an extension"
-        raise ConditionError(f"{quote_path(path)}: {things} are not written {what}", instead)
+        raise ConditionError(f"{quote_path(path)}: {thing} cannot be written {what}", instead)
     if "\0" in path:
         raise _cannot_write(path, "not a file name")
     target = os.path.realpath(path)

@@ -80,7 +80,7 @@ class Emitter:
         """Return the intensity towards points, the cosine of incidence, and the distance."""
         to = minus(points, self.place)
         distance = length(to)
-        _refuse(distance <= NEAREST, points, f"is where {self.name} is", "another point")
+        _refuse(distance <= NEAREST, points, f"is at the position of {self.name}", "another point")
         if self.is_patch:
             _refuse(
                 far_field.nearer(distance, self.size),

@@ -9,7 +9,7 @@ from radcalc.laws.law import law, relation
 
 CONE = relation(
     "solid angle of a cone",
-    "{solid-angle} = 4 pi sin^2({half-angle}/2) Omega0",
+    "{solid-angle} = 4 pi Omega0 sin^2({half-angle}/2)",
     {
         "solid-angle": lambda at: cones.cone(at("half-angle")),
         "half-angle": lambda at: cones.cone_of(at("solid-angle")),
@@ -18,7 +18,7 @@ CONE = relation(
 )
 PROJECTED_CONE = relation(
     "projected solid angle of a cone",
-    "{projected-solid-angle} = pi sin^2({half-angle}) Omega0",
+    "{projected-solid-angle} = pi Omega0 sin^2({half-angle})",
     {
         "projected-solid-angle": lambda at: cones.projected_cone(at("half-angle")),
         "half-angle": lambda at: cones.projected_cone_of(at("projected-solid-angle")),

@@ -14,15 +14,15 @@ FLUX = law("flux of a uniform radiance", "{flux} = {radiance} {etendue}", "ISO 8
 PER_AREA = law("etendue per area", "{etendue} = {area} {projected-solid-angle}")
 CONE = relation(
     "etendue of a cone",
-    "{etendue} = pi {area} sin^2({half-angle}) Omega0",
+    "{etendue} = pi Omega0 {area} sin^2({half-angle})",
     {
         "etendue": lambda at: etendue.patch_and_cone(at("area"), at("half-angle")),
         "area": lambda at: at("etendue") / cones.projected_cone(at("half-angle")),
         "half-angle": lambda at: cones.projected_cone_of(at("etendue") / at("area")),
     },
 )
-APERTURE = law("etendue of a cone", "{etendue} = pi {area} {na}^2 Omega0")
-LENS = law("etendue of a cone", "{etendue} = pi {area} / (4 {f-number}^2) Omega0")
+APERTURE = law("etendue of a cone", "{etendue} = pi Omega0 {area} {na}^2")
+LENS = law("etendue of a cone", "{etendue} = pi Omega0 {area} / (4 {f-number}^2)")
 NUMERICAL_APERTURE = relation(
     "numerical aperture",
     "{na} = sin({half-angle})",
@@ -38,11 +38,11 @@ F_NUMBER = relation(
 )
 PATCHES = law(
     "two small patches",
-    "{etendue} = {area} {cosine-of-source} {receiver-area} {cosine} / {distance}^2 Omega0",
+    "{etendue} = Omega0 {area} {cosine-of-source} {receiver-area} {cosine} / {distance}^2",
 )
 DISCS = relation(
     "two coaxial discs",
-    "{etendue} = pi^2/2 (S - sqrt(S^2 - 4 {radius}^2 {receiver-radius}^2)) Omega0, "
+    "{etendue} = Omega0 pi^2/2 (S - sqrt(S^2 - 4 {radius}^2 {receiver-radius}^2)), "
     "S = {radius}^2 + {receiver-radius}^2 + {distance}^2",
     {
         "etendue": lambda at: etendue.coaxial_discs(
@@ -61,7 +61,8 @@ DISCS = relation(
     f"{HOWELL}, C-41",
 )
 FAR_FIELD = law(
-    "far field of two discs", "{far-field-etendue} = {area} {receiver-area} / {distance}^2 Omega0"
+    "far-field etendue of two discs",
+    "{far-field-etendue} = Omega0 {area} {receiver-area} / {distance}^2",
 )
 RECEIVER_CIRCLE = law("area of the receiver", "{receiver-area} = pi {receiver-radius}^2")
 RECEIVER_DIAMETER = law("diameter of the receiver", "{receiver-diameter} = 2 {receiver-radius}")

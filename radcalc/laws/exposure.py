@@ -110,7 +110,10 @@ EV100 = relation(
 )
 LAWS: list[AnyLaw] = [
     law(
-        "exposure of a lens", "{exposure-setting} = {f-number}^2 / {time}", "ISO 2720", unit="cycle"
+        "setting of the camera",
+        "{exposure-setting} = {f-number}^2 / {time}",
+        "ISO 2720",
+        unit="cycle",
     ),
     relation(
         "exposure value",
@@ -134,7 +137,7 @@ LAWS: list[AnyLaw] = [
 
 # With a neutral filter in front of the lens.
 DENSITY = law(
-    "stops of a filter", "{nd} = lg2 {stops}", "ISO 5-2, transmittance density", math.log10(2)
+    "stops of a filter", "{nd} = {stops} lg2", "ISO 5-2, transmittance density", math.log10(2)
 )
 FILTERED: list[AnyLaw] = [
     *(law for law in LAWS if law is not EV100),

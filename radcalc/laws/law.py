@@ -143,7 +143,7 @@ def law(
 
     Examples
     --------
-    >>> law("etendue of a cone", "{etendue} = pi {area} / (4 {f-number}^2) Omega0").powers
+    >>> law("etendue of a cone", "{etendue} = pi Omega0 {area} / (4 {f-number}^2)").powers
     (('area', 1.0), ('f-number', -2.0))
     >>> frequency = law("frequency", "{frequency} = c / {wavelength}", "", 299792458.0, "m cycle/s")
     >>> round(frequency.solve("frequency", {"wavelength": 555e-9}.get) / 1e12, 3)

@@ -42,7 +42,7 @@ def disc(away: str) -> Relation:
     -----
     ::
 
-        Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0
+        Omega = 2 pi Omega0 (1 - h / sqrt(h^2 + R^2))
 
     References
     ----------
@@ -58,7 +58,7 @@ def disc(away: str) -> Relation:
     """
     return relation(
         "disc on its axis",
-        f"{{solid-angle}} = 2 pi (1 - {{{away}}} / sqrt({{{away}}}^2 + {{radius}}^2)) Omega0",
+        f"{{solid-angle}} = 2 pi Omega0 (1 - {{{away}}} / sqrt({{{away}}}^2 + {{radius}}^2))",
         {
             "solid-angle": lambda at: solid.disc(at("radius"), at(away)),
             "radius": lambda at: at(away) * tan(solid.rim_of(at("solid-angle"))),
@@ -69,14 +69,14 @@ def disc(away: str) -> Relation:
 
 PYRAMID = relation(
     "rectangular pyramid",
-    "{solid-angle} = 4 arcsin(sin({horizontal}/2) sin({vertical}/2)) Omega0",
+    "{solid-angle} = 4 Omega0 arcsin(sin({horizontal}/2) sin({vertical}/2))",
     {
         "solid-angle": lambda at: solid.pyramid(at("horizontal"), at("vertical")),
         "horizontal": lambda at: solid.pyramid_side(at("solid-angle"), at("vertical")),
         "vertical": lambda at: solid.pyramid_side(at("solid-angle"), at("horizontal")),
     },
 )
-PATCH = law("small patch", "{solid-angle} = {area} {cosine-of-source} / {distance}^2 Omega0")
+PATCH = law("small patch", "{solid-angle} = Omega0 {area} {cosine-of-source} / {distance}^2")
 ON_SPHERE = law(
-    "part of a sphere", "{solid-angle} = {area} / {radius}^2 Omega0", "ISO 80000-3, solid angle"
+    "part of a sphere", "{solid-angle} = Omega0 {area} / {radius}^2", "ISO 80000-3, solid angle"
 )

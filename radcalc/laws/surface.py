@@ -237,8 +237,8 @@ def _disc_radius(at: At) -> Any:
 
 DISC_ASIDE = relation(
     "disc off its axis",
-    "{projected-solid-angle} = pi/2 (1 - ({height}^2 + {lateral}^2 - {radius}^2) / "
-    "sqrt(({height}^2 + {lateral}^2 + {radius}^2)^2 - 4 {radius}^2 {lateral}^2)) Omega0",
+    "{projected-solid-angle} = Omega0 pi/2 (1 - ({height}^2 + {lateral}^2 - {radius}^2) / "
+    "sqrt(({height}^2 + {lateral}^2 + {radius}^2)^2 - 4 {radius}^2 {lateral}^2))",
     {
         "projected-solid-angle": lambda at: projected.disc(
             at("radius"), at("height"), at("lateral")

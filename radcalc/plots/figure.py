@@ -105,7 +105,7 @@ def check_place(path: str) -> str:
     """
     from radcalc.distributions import contents
 
-    extension = contents.check_place(path, FORMATS, "figures", ".svg or .png")
+    extension = contents.check_place(path, FORMATS, "a figure", ".svg or .png")
     _matplotlib()
     return extension
 

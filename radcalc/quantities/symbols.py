@@ -196,15 +196,16 @@ _ROWS = (
     _text(SPECTRUM, "spectrum", "a spectrum", "D65",
         "Light with this spectrum: a name, blackbody:2856K, line:632.8nm, a file ..."),
     _symbol(RATIOS[LUMINOUS, RADIANT], "efficacy", "K", "93lm/W",
-        "Ratio between radiant, luminous and photon quantities: 93lm/W, 2.1umol/J, 54lm.s/umol.",
+        "Ratio of two kinds of quantity: luminous to radiant (93lm/W), photon to radiant "
+        "(2.1umol/J) or luminous to photon (54lm.s/umol).",
         also=tuple(RATIOS[pair] for pair in RATIOS if pair != (LUMINOUS, RADIANT)), unit="lm/W",
         takes="a ratio of two kinds"),
     _text(CHOICE, "observer", "an observer", "photopic",
         "Observer (eye response) for {wavelength} or {spectrum}.", OBSERVER_NAMES),
     _text(WAVELENGTHS, "range", "two wavelengths", "380nm:780nm",
-        "Wavelengths over which the watts of {spectrum} are counted."),
+        "Radiant quantities of {spectrum} include only these wavelengths."),
     _text(WAVELENGTHS, "photon-range", "two wavelengths", "400nm:700nm",
-        "Wavelengths over which the photons of {spectrum} are counted (default 400nm:700nm)."),
+        "Photon quantities of {spectrum} include only these wavelengths (default 400nm:700nm)."),
     _symbol(LENGTH, "bandwidth", "B", "10nm",
         "Width of a band of constant spectral density.", also=(FREQUENCY, WAVENUMBER),
         takes="a width in wavelength, frequency or wavenumber"),
@@ -293,7 +294,7 @@ _ROWS = (
         "Full angle between the upper and lower faces of the pyramid."),
     # Etendues.
     _symbol(ETENDUE, "etendue", "G", "1mm2.sr", "Etendue of the beam.", unit="m2 sr"),
-    _symbol(ETENDUE, "far-field-etendue", "A1 A2/d²", label="far-field etendue", unit="m2 sr"),
+    _symbol(ETENDUE, "far-field-etendue", "G_ff", label="far-field etendue", unit="m2 sr"),
     _symbol(NUMBER, "na", "NA", "0.22", "Numerical aperture, in air.",
         Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
     _symbol(NUMBER, "f-number", "N", "2.4", "F-number of the lens.", LENS,
@@ -318,7 +319,8 @@ _ROWS = (
     _text(VECTOR, "aim", "a direction", "X,Y,Z",
         "Direction of the source's axis; 0,0,-1 is straight down."),
     _symbol(ANGLE, "rotate", "ψ", "90deg",
-        "Rotation of the source about its axis, C0 from +x towards +y.", ANY),
+        "Rotation of the source about its axis before it is aimed: C0 turns from +x towards +y.",
+        ANY),
     _text(POINT, "viewpoint", "a point", "X,Y,Z",
         "Point from which the polygon is seen (default 0,0,0)."),
     _text(VECTOR, "normal", "a direction", "X,Y,Z", "Normal of the plane of projection."),
@@ -375,7 +377,8 @@ _ROWS = (
         "luminaires."),
     _symbol(NUMBER, "utilance", "U", "0.6",
         "Utilance: fraction of the luminaires' flux that reaches the working plane, directly or "
-        "after reflections; with the flux of bare lamps, the utilization factor.", REFLECTED,
+        "after reflections.  If {flux} is that of the bare lamps, give the utilization factor "
+        "here.", REFLECTED,
         takes="a number up to 1.5"),
     _symbol(NUMBER, "maintenance", "MF", "0.8",
         "Maintenance factor: fraction of the light that remains after ageing and soiling (default "
@@ -392,15 +395,16 @@ _ROWS = (
     _length("hazard-distance", "d_h", "50m",
         "Distance beyond which the peak irradiance is below the limit."),
     # Detectors.
-    _symbol(NUMBER, "working-f-number", "N_w", "5.6", "F-number at {magnification}.", LENS,
-        label="working f-number"),
+    _symbol(NUMBER, "working-f-number", "N_w", "5.6",
+        "Effective f-number at the given {magnification}.", LENS, label="working f-number"),
     _symbol(NUMBER, "magnification", "m", "0.5",
         "Size of the image relative to the scene (default 0).",
         FROM_ZERO),
     _symbol(NUMBER, "transmittance", "τ", "0.9", "Transmittance of the lens (default 1).",
         FRACTION, takes="a number from 0 to 1"),
     _length("pixel-pitch", "p", "3.45um", "Width and height of a square pixel.", unit="um"),
-    _area("pixel-area", "A_p", "12um2", "Area of a pixel, or of another detector.", unit="um2"),
+    _area("pixel-area", "A_p", "12um2", "Light-collecting area of a pixel or other detector.",
+        unit="um2"),
     _symbol(PHOTONS, "photons", "N_p", "10000photon", "Photons on a pixel.",
         takes="a number of photons"),
     _symbol(NUMBER, "electrons", "N_e", "5000", "Electrons released by the photons."),
@@ -553,10 +557,11 @@ _LIGHT = (
     ("irradiance", (0, 1, 0), "E", "Irradiance on the receiver", "{}"),
     ("exitance", (0, 1, 0), "M", "Exitance of the source", "{}"),
     ("radiance", (0, 1, 1), "L", "Uniform radiance of the source", "{}"),
-    ("exposure", (1, 1, 0), "H", "Exposure of the receiver (with {time})", "{}"),
-    ("energy", (1, 0, 0), "Q", "Total energy (with {time})", "{}"),
+    ("exposure", (1, 1, 0), "H",
+     "Exposure of the receiver; {time} relates it to the irradiance", "{}"),
+    ("energy", (1, 0, 0), "Q", "Total energy; {time} relates it to the flux", "{}"),
     ("incident-irradiance", (0, 1, 0), "E_i",
-     "Irradiance on the reflector (with {reflectance})", "incident-{}"),
+     "Irradiance on the reflector; {reflectance} relates it to the exitance", "incident-{}"),
     ("received-flux", (0, 0, 0), "Φ_r", "", "received-{}"),
     ("flux-within", (0, 0, 0), "Φ_w", "", "{}-within"),
     ("beam-flux", (0, 0, 0), "Φ_b", "", ""),
@@ -614,7 +619,8 @@ def _of_light(
     dimensions = tuple([light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)])
     label = name.replace("-", " ")
     if kind and help_:
-        help_ = f"{help_}, as {label}"
+        what, mark, more = help_.partition(";")
+        help_ = f"{what}, as {label}{mark}{more}"
     return Symbol(
         name,
         letter if "_" in letter or not kind else f"{letter}_{kind}",

@@ -130,6 +130,8 @@ def _by_the_candela(label: str, table: tuple[int, tuple[float, ...]]) -> Observe
 
 
 # Km and K'm: CIE 018:2019, table of the efficacies at the maximum.
+# The quadrature of derivations.
+TRAPEZOIDS = "trapezoidal rule, at all wavelengths of the data and of the observer's table"
 OBSERVERS = {
     "photopic": Observer("V(lambda) CIE 1924", "Km", 683.002, *PHOTOPIC),
     "scotopic": Observer("V'(lambda) CIE 1951", "K'm", 1700.06, *SCOTOPIC),

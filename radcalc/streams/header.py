@@ -233,4 +233,5 @@ def refuse_change(source: Unit, target: Unit) -> None:
 def _refuse_other(name: str, target: Unit) -> None:
     """Refuse a title that names another quantity than its unit."""
     if other_quantity(name, target):
-        raise UsageError(f"the column '{quote(name)}' would have {describe(target)}", NEW_NAME)
+        problem = f"the column would be named '{quote(name)}', but contain {describe(target)}"
+        raise UsageError(problem, NEW_NAME)

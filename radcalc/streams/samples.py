@@ -210,9 +210,8 @@ class Log:
         layout = self.layout
         cells = columns.cells(line, layout.delimiter)
         if len(cells) != layout.width:
-            raise self.error(
-                number, f"{len(cells)} cells instead of {layout.width}", "a cell in every column"
-            )
+            count = f"{len(cells)} cell{'s' * (len(cells) != 1)} instead of {layout.width}"
+            raise self.error(number, count, "a cell in every column")
         stamp, comma = " ".join([cells[k] for k in layout.times]), layout.delimiter != ","
         try:
             time = layout.clock.one(stamp)

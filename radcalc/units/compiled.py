@@ -540,8 +540,8 @@ NOTES = {
     'finsen': 'the finsen unit counts ultraviolet radiation of 296.7 nm',
     'candlepower': 'candlepower is read as the candela; before 1948 it was about 1.02 cd',
     'phot': 'ph is the phot (1 lm/cm2); write photon for a count of photons',
-    'radlux': 'radlux and radphot count light that leaves a surface, lx and ph light that arrives',
-    'radphot': 'radlux and radphot count light that leaves a surface, lx and ph light that arrives',
+    'radlux': 'radlux and radphot count light that leaves a surface; lx and ph count light that arrives',
+    'radphot': 'radlux and radphot count light that leaves a surface; lx and ph count light that arrives',
     'lambert': 'L is the lambert here, not the litre',
     'millilambert': 'mL is the millilambert here, not the millilitre',
 }

@@ -12,7 +12,7 @@ from radcalc.units.unit import lookup
 K, C = 12.5, 250.0  # cd s/m2 and lx s: the constants of most makers of light meters
 CONSTANTS = {  # the assumed constants of a light meter, and values of other meters
     "k": ("K = 12.5 cd s/m2", "some makers use 14"),
-    "c": ("C = 250 lx s", "320 to 340 with a dome"),
+    "c": ("C = 250 lx s", "meters with a dome-shaped diffuser use 320 to 340"),
 }
 
 
@@ -100,10 +100,10 @@ MAGNITUDE = Scale(
 )  # fmt: skip
 LUMINANCE_EV = Scale(
     ("EV", "EV100"), "L", "cd/m2", K / 100, 2, 1, 0,
-    "for the luminance, at ISO 100", "ISO 2720", "k",
+    "a luminance at ISO 100", "ISO 2720", "k",
 )  # fmt: skip
 ILLUMINANCE_EV = LUMINANCE_EV._replace(
-    letter="E", unit="lx", size=C / 100, meaning="for the illuminance, at ISO 100", constant="c",
+    letter="E", unit="lx", size=C / 100, meaning="an illuminance at ISO 100", constant="c",
 )  # fmt: skip
 SCALES = (
     _power("dBm dB(mW) dB(1mW) dBmW дБм", "mW"),

@@ -46,7 +46,8 @@ class ScaleUnit(Unit):
 
     def describe(self, settable: bool = False) -> str:
         scale = self.scale
-        text = f"{quote(self.text)}: {scale.inverse()}, {scale.meaning}"
+        name = quote(self.text)
+        text = f"{name}: {scale.inverse(name if scale.constant else 'n')}, {scale.meaning}"
         if scale.constant and scale.size == SIZES[scale.constant]:
             text += f", {usual(scale.constant, settable)}"
         return text

@@ -560,7 +560,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
 @pytest.mark.parametrize(
     ("words", "message", "hint"),
     [
-        ("--irradiance-map {}.png", "not written as .png", ".hdr"),
+        ("--irradiance-map {}.png", "cannot be written as .png", ".hdr"),
         ("--irradiance-map no/{}.hdr", "does not exist", "another place"),
         (
             "--irradiance-map {}.hdr --size 30x30",

@@ -177,7 +177,7 @@ def test_an_irradiance_below_a_source_requires_the_offset(table):
     asked = point_source(distribution=table, height="2m", illuminance=there["irradiance"])
     assert number(asked, "offset", "m") == pytest.approx(1.5)
     assert number(asked, "flux", "lm") == pytest.approx(number(there, "flux", "lm"))
-    with pytest.raises(RadcalcError, match="gives 75 lx"):
+    with pytest.raises(RadcalcError, match="give 75 lx"):
         point_source(distribution=table, height="2m", illuminance="90lx")
 
 
@@ -360,7 +360,7 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "lamp.ies"}, "cannot read 'lamp.ies': no such file"),
         (
             {"exponent": "1", "beam_angle": "30deg", "peak_intensity": "9cd"},
-            "contradicts the rest, which gives 19.9937",
+            "contradicts the other inputs, which give 19.9937",
         ),
         ({"distribution": "9*(theta < 0) cd", "distance": "1m"}, "directions; peaks narrower than"),
         ({"distribution": "cone", "aim": "1,0,0", "flux": "1lm"}, "the width of the cone is"),

@@ -77,11 +77,11 @@ def test_light_past_the_critical_angle_is_totally_reflected():
         ("--incidence 60deg", "--incidence 60deg alone is not enough"),
         ("--index 1.52 --incidence 91deg", "out of range"),
         ("--index 0 --incidence 10deg", "out of range"),
-        ("--index 1.52 --incidence 60deg --refraction-angle 30deg", "contradicts the rest"),
+        ("--index 1.52 --incidence 60deg --refraction-angle 30deg", "contradicts the other inputs"),
         ("--index 0.5 --incidence 60deg --refraction-angle 30deg", "totally reflected"),
         ("--index 1.52 --refraction-angle 60deg", "no incidence gives"),
         ("--incidence 0deg --refraction-angle 0deg", "does not determine the index"),
-        ("--index 1.52 --critical-angle 45deg", "contradicts the rest"),
+        ("--index 1.52 --critical-angle 45deg", "contradicts the other inputs"),
         (
             "--index 1.52 --incidence 10deg --wavelength 500nm",
             "refraction has no --wavelength option",

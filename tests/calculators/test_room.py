@@ -78,7 +78,7 @@ def test_assumptions_are_stated():
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 5klx", "a utilance of 7.5 follows"),
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 900lx --utilance 0.9",
          "a maintenance factor of 1.5 follows"),
-        ("--width 6m --length 9m --area 50m2 --height 2m", "contradicts the rest"),
+        ("--width 6m --length 9m --area 50m2 --height 2m", "contradicts the other inputs"),
         ("--width 6m --height 4m --room-index 1.5", "no room with that side"),
         # of all rooms of 54 m2 at 2 m a square one has the highest index, sqrt(54) / 4 = 1.84
         ("--area 54m2 --room-index 2 --height 2m", "a square room has less"),

@@ -47,7 +47,7 @@ def test_assumptions_are_stated():
         ("--width 2m", "a light quantity is missing"),
         ("--flux 1lm --area 2m2 --diagonal 1.9m", "too short for that area"),
         ("--flux 2000lm --width 2m", "--flux 2000lm needs further inputs"),
-        ("--flux 1lm --width 2m --height 1m --aspect 16/9", "contradicts the rest"),
+        ("--flux 1lm --width 2m --height 1m --aspect 16/9", "contradicts the other inputs"),
         ("--flux 1lm --area 1m2 --gain 0", "out of range"),
         ("--flux 1lm --area 1m2 --distance 2m", "screen has no --distance option"),
         ("--flux 1lm --width 2m --diagonal 1m", "diagonal"),

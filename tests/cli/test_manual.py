@@ -44,7 +44,7 @@ PRODUCED = {
     "--luminous-intensity is": "point-source --radiant-flux 3W --luminous-intensity 5cd",
     "no light arrives": "point-source --illuminance 3lx --distance 2m --incidence 100deg",
     "a reflectance of 1.25664": "lambertian --incident-illuminance 500lx --luminance 200cd/m2",
-    "--distance 2m is less": "lambertian --luminance 5cd/m2 --area 1m2 --distance 2m",
+    "--distance 2m is too": "lambertian --luminance 5cd/m2 --area 1m2 --distance 2m",
     "--incidence 89deg": "lambertian --luminance 5cd/m2 --area 1m2 --distance 9m --incidence 89deg",
     "the lobe varies": "point-source --intensity 9cd --exponent 9 --distance 1m --incidence 45deg "
     "--receiver-area 1m2",

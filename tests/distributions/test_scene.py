@@ -170,7 +170,7 @@ def test_a_panel_emits_on_one_side_only():
 
 def test_points_at_sources_are_refused():
     lamp = Emitter("the lamp", (1.0, 2.0, 3.0), Pose(), Isotropic(), 1.0)
-    with pytest.raises(ConditionError, match=r"the point 1,2,3 is where the lamp is"):
+    with pytest.raises(ConditionError, match=r"the point 1,2,3 is at the position of the lamp"):
         field([lamp], next(blocks([[0, 0, 0], [1, 2, 3]])), UP)
     panel = Panel("the panel", (0.0, 0.0, 0.0), Pose(), 2.0, 1.0, 1.0)
     with pytest.raises(ConditionError, match=r"the point 0.9,0.4,0 is on the panel"):

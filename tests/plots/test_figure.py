@@ -89,10 +89,10 @@ sys.exit(run(sys.argv[1:]))
 @pytest.mark.parametrize(
     ("place", "said"),
     [
-        ("a.pdf", "figures are not written as .pdf"),
+        ("a.pdf", "a figure cannot be written as .pdf"),
         ("none/a.svg", "does not exist"),
         ("folder.svg", "a folder, a pipe or a device"),
-        ("folder/", "figures are not written without an extension"),
+        ("folder/", "a figure cannot be written without an extension"),
     ],
 )
 def test_a_place_that_cannot_be_written_is_refused_before_anything_is_said(tmp_path, place, said):

@@ -237,7 +237,7 @@ def test_every_command_refuses_numbers_under_the_name_of_another_quantity(words,
     data = f"{titles}\n400,1\n500,2\n600,1\n"
     done = run(*words.split(), input=data)
     assert (done.returncode, done.stdout) == (2, "")
-    assert re.search(r" names \w+.*, not \w+| would have ", done.stderr), done.stderr
+    assert re.search(r" names \w+.*, not \w+| would be named ", done.stderr), done.stderr
 
 
 def test_a_unit_is_found_whatever_else_is_in_the_title():

@@ -34,6 +34,7 @@ IN_FULL = {  # labels that are short for tables
     "apex angle of the equal cone": "apex angle of the cone with the same solid angle",
     "half angle of the equal cone": "half angle of the cone with the same solid angle",
     "distance from the Planckian": "distance from the Planckian locus",
+    "fraction in range": "share of the watts within the range",
     "far": "depths of the far cut",
     "far field irradiance": "far-field irradiance",
     "flux within": "flux within the angle --within",
@@ -132,7 +133,9 @@ def results(of: str) -> Iterator[str]:
 def laws(of: str) -> Iterator[str]:
     """Yield the laws in the derivations of the help's examples, with their sources."""
     steps = {step.law: step for step in _heard(of).steps if step.formula}
-    yield from sentences("As --steps writes them, where Omega0 is 1 sr:")
+    formulas = " ".join(step.formula for step in steps.values())
+    steradian = " (Omega0 is 1 sr)" if "Omega0" in formulas else ""
+    yield from sentences(f"The laws, as --steps prints them{steradian}:")
     yield ".Bl -tag -width Ds -compact"
     for step in steps.values():
         yield f".It {argument(step.law)}"
@@ -211,8 +214,14 @@ def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
         return f"{label}{letter}{unit}."
     units = _either([light_unit(symbol.generic, kind) for kind in kinds])
     names = [name for name in names_of_kinds(symbol.name) if SPECIFIC[name][1] in kinds]
-    of_kinds = f"; for one kind of light only: {', '.join(names)}" if names else ""
+    of_kinds = f"; {_all_of(names)} for one kind" if names else ""
     return f"{label}{letter}, in {units}{of_kinds}."
+
+
+def _all_of(names: Sequence[str]) -> str:
+    """Return the subject of a sentence: the names a and b ask."""
+    *first, last = names
+    return f"the names {', '.join(first)} and {last} ask" if first else f"the name {last} asks"
 
 
 def _either(words: Sequence[str]) -> str:

@@ -133,12 +133,10 @@ def check_target(path: str) -> str:
 
     >>> check_target("map.png")
     Traceback (most recent call last):
-    radcalc.errors.ConditionError: map.png: pictures are not written as .png
+    radcalc.errors.ConditionError: map.png: a map cannot be written as .png
     try: .hdr (Radiance), .exr (OpenEXR) or .pfm
     """
-    return contents.check_place(
-        path, WRITERS, "pictures", ".hdr (Radiance), .exr (OpenEXR) or .pfm"
-    )
+    return contents.check_place(path, WRITERS, "a map", ".hdr (Radiance), .exr (OpenEXR) or .pfm")
 
 
 def check_size(width: int, height: int, name: str) -> None:
@@ -214,4 +212,6 @@ def _is_no_picture(head: bytes, name: str) -> ConditionError:
     if head.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):
         return ConditionError(f"{name} is a web page (HTML) or XML", "the file it leads to")
     text = quote(head[:SHOWN].decode("latin-1"))
-    return ConditionError(f"{name} is not a known picture: it begins with '{text}'", KNOWN)
+    return ConditionError(
+        f"{name} is not a picture in a known format: it begins with '{text}'", KNOWN
+    )

@@ -346,10 +346,10 @@ class Dark(ConditionError):
 def _not_found(value: float, error: float, size: float, cells: int) -> ConditionError:
     if not size:
         return Dark(cells)
-    hint = "a function that is finite everywhere, and its parts one by one"
+    hint = "a function that is finite everywhere, or integrate its parts separately"
     if error < 1e-2 * size:
         reached = 10.0 ** math.ceil(math.log10(error / size) + 0.1)
-        hint = f"an accuracy of {reached:g}, or its parts one by one"
+        hint = f"an accuracy of {reached:g}, or integrate its parts separately"
     return ConditionError(
         f"the integral does not converge: {value:.6g} with an error of {error:.2g} after "
         f"{cells} cells",

@@ -33,7 +33,7 @@ NO_PICTURES = {
     "TIFF": (b"II*\0\x08\0\0\0", "is TIFF"),
     "big-endian TIFF": (b"MM\0*\0\0\0\x08", "is TIFF"),
     "compressed": (b"\x1f\x8b\x08\0", "is compressed (gzip)"),
-    "text": (b"hello\x1b[2J", "is not a known picture: it begins with 'hello\\x1b[2J'"),
+    "text": (b"hello\x1b[2J", "is not a picture in a known format: it begins with 'hello\\x1b[2J'"),
     "one byte": (b"#", "begins with '#'"),
 }
 
@@ -67,8 +67,8 @@ def test_what_cannot_be_read_is_refused(path, said):
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("sky.png", "pictures are not written as .png"),
-        ("sky", "pictures are not written without an extension"),
+        ("sky.png", "a map cannot be written as .png"),
+        ("sky", "a map cannot be written without an extension"),
         ("folder.hdr", "a folder, a pipe or a device"),
         ("missing/sky.hdr", "the folder .* does not exist"),
         ("s\0ky.hdr", "not a file name"),

@@ -123,7 +123,7 @@ def test_a_saved_map(tmp_path, extension):
     ("words", "message"),
     [
         ("overcast --tilt 9deg --save {}", "the brightness of the sky"),
-        ("overcast --zenith-luminance 1cd/m2 --save {}.png", "not written as .png"),
+        ("overcast --zenith-luminance 1cd/m2 --save {}.png", "cannot be written as .png"),
         ("overcast --zenith-luminance 1e40cd/m2 --save {}", "cannot hold values above 3e+38 cd/m2"),
         ("overcast --zenith-luminance 1e-40cd/m2 --save {}", "would be almost black"),
         ("overcast --zenith-luminance 1cd/m2 --save no/{}", "does not exist"),
