@@ -143,11 +143,11 @@ CONVERSIONS = {
     "seconds are not a distance": (
         "cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "--distance 2m"),
     "an area nearer than five times its size is not a small receiver": (
-        "lm", "cd", {"area": "1m2", "distance": "1m"}, "size of the receiver (1.12838 m)",
+        "lm", "cd", {"area": "1m2", "distance": "1m"}, "size of the receiver, which is 1.12838 m",
         "--half-angle 29.4312deg in place"),
     "a radius nearer than five times its size is not a small receiver": (
         "cd", "lm", {"radius": "1m", "distance": "9m", "incidence": "9deg"},
-        "size of the receiver (2 m)", "more distance"),
+        "size of the receiver, which is 2 m", "more distance"),
     "an incidence does not apply to a surface that a flux is spread over": (
         "lm", "lx", {"area": "1m2", "incidence": "60deg"}, "--incidence does not apply", "leave"),
     "an incidence does not apply to a luminous surface": (

@@ -148,8 +148,8 @@ def test_quantities_are_targets_by_their_names():
 
 
 def test_scales_are_units_too():
-    assert said("100 lx ", "EV") == "for the illuminance, at ISO 100"
-    assert said("100 cd/m2 ", "EV") == "for the luminance, at ISO 100"
+    assert said("100 lx ", "EV") == "an illuminance at ISO 100"
+    assert said("100 cd/m2 ", "EV") == "a luminance at ISO 100"
     assert {"mW", "W", "dBW"} <= set(texts("10 dBm "))
     assert "dBm" not in texts("10 dBm ")
     assert {"cd/m2", "lx"} <= set(texts("10 EV "))
