@@ -103,7 +103,7 @@ class Value(NamedTuple):
     reach: dict[Dimension, Any] = ALONE
     given: Any = None
     also: str = ""
-    lacking: Callable[[], str] | None = None
+    lacking: Callable[[], Any] | None = None
     because: RadcalcError | None = None
     exact: Any = None
     form: str = ""

@@ -6,10 +6,12 @@ command, by a mention (`option("height")`), which the shell and Python spell dif
 `--height 6m` and `height="6 m"`.
 """
 
+from radcalc.tuples import NamedTuple
+
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
-    from typing import Any, TypeVar
+    from typing import Any, TypeAlias, TypeVar
 
     Kind = TypeVar("Kind", bound="RadcalcError")
 
@@ -145,24 +147,94 @@ class Plain:
         return f"'{unit}'"
 
 
+class Try(NamedTuple):
+    """A call that a hint proposes: the user's call with changes, or another call.
+
+    `inputs` are symbols that are added or replaced, with their values: `True` for a flag, and ""
+    for the example of the command.  `without` are symbols that are left out, and `instead` is a
+    word of the call with its replacement.  `words` are another call: a command, its operands and
+    NAME=VALUE.  `remark` says what the call assumes.
+    """
+
+    inputs: "tuple[tuple[str, str], ...]" = ()
+    without: tuple[str, ...] = ()
+    instead: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
+    remark: str = ""
+
+    def __str__(self) -> str:
+        """Return the change in words, or the call, with mentions."""
+        added = " with ".join([option(name, value) for name, value in self.inputs])
+        left_out = f"leave out {options(self.without, ' and ')}" if self.without else ""
+        if added and left_out:
+            left_out = f"in place of {options(self.without, ' and ')}"
+        text = f"{added} {left_out}".strip() if added else left_out
+        if self.instead:
+            text = self.instead[1]
+        if self.words:
+            text = command(*self.words)
+        return f"{text}, {self.remark}" if self.remark else text
+
+
+def add(name: str, value: str = "", remark: str = "") -> Try:
+    """Propose a symbol with a value, in place of its former value if it has one."""
+    return Try(((name, value),), remark=remark)
+
+
+def leave_out(*names: str) -> Try:
+    """Propose the call without some symbols."""
+    return Try(without=names)
+
+
+def correct(typed: str, correction: str, remark: str = "") -> Try:
+    """Propose a correction of a word."""
+    return Try(instead=(typed, correction), remark=remark)
+
+
+def call(*words: str, remark: str = "", **inputs: str) -> Try:
+    """Propose a call of a command: `call("solid-angle", "cone", half_angle="1deg")`."""
+    given = [f"{key.replace('_', '-')}={value}" for key, value in inputs.items()]
+    return Try(words=(*words, *given), remark=remark)
+
+
+Hint: "TypeAlias" = "str | Try | Sequence[Try]"
+
+
 class RadcalcError(Exception):
     """An error that the user can correct: `message` is the problem, `hint` what to do.
 
-    Both may have mentions; `spelled` spells them.
+    Both may have mentions; `spelled` spells them.  `tries` are the calls that the hint proposes:
+    a gate makes them before it shows them.  `missing` describes what is missing, with the symbols
+    that supply it.
     """
 
-    def __init__(self, message: str, hint: str = "") -> None:
+    def __init__(self, message: str, hint: "Hint" = "", tries: "Sequence[Try]" = ()) -> None:
         super().__init__(message)
+        if not isinstance(hint, str):
+            tries = (hint,) if isinstance(hint, Try) else hint
+            hint = " or ".join(map(str, tries))
         self.message = message
         self.hint = hint
+        self.tries = tuple(tries)
+        self.missing: dict[str, tuple[str, ...]] = {}
+
+    @property
+    def code(self) -> str:
+        """Return the kind of the error, as a program reads it: `missing-condition`."""
+        kind = next(kind for kind in type(self).__mro__ if kind.__module__ == __name__)
+        name = "".join([f"-{c.lower()}" if c.isupper() else c for c in kind.__name__])
+        return name.removeprefix("-").removesuffix("-error")
 
     def __reduce__(self) -> "tuple[Any, ...]":
         """Return the pickled form, with its fields."""
         return _remade, (type(self), self.args, self.__dict__)
 
-    def reworded(self: "Kind", message: str = "", hint: str = "") -> "Kind":
+    def reworded(self: "Kind", message: str = "", hint: "Hint" = "") -> "Kind":
         error: Kind = _remade(type(self), self.args, self.__dict__)
-        error.message, error.hint = message or self.message, hint or self.hint
+        error.message = message or self.message
+        if hint:
+            other = RadcalcError("", hint)
+            error.hint, error.tries = other.hint, other.tries
         return error
 
     def spelled(self, spelling: "Any") -> tuple[str, str]:
@@ -221,49 +293,53 @@ class LineError(RadcalcError):
 
 
 class MissingCondition(ConversionError):
-    """A conversion that lacks conditions: `lacking` has a phrase for each, with its symbols."""
+    """A conversion that lacks conditions."""
 
     def __init__(
-        self, message: str, hint: str, source: str, target: str, lacking: "Sequence[str]"
+        self,
+        message: str,
+        hint: str,
+        source: str,
+        target: str,
+        missing: "dict[str, tuple[str, ...]]",
+        tries: "Sequence[Try]" = (),
     ) -> None:
-        super().__init__(message, hint)
-        self.source, self.target, self.lacking = source, target, tuple(lacking)
+        super().__init__(message, hint, tries)
+        self.source, self.target, self.missing = source, target, missing
 
 
 class MissingInput(UsageError):
-    """A missing input; `symbols` are those in the hint."""
+    """A missing input; the hint mentions the symbols that supply it."""
 
-    def __init__(self, message: str, hint: str) -> None:
-        super().__init__(message, hint)
-        self.symbols = mentioned(hint)
+    def __init__(self, message: str, hint: "Hint", tries: "Sequence[Try]" = ()) -> None:
+        super().__init__(message, hint, tries)
+        self.missing = {"an input": mentioned(self.hint)}
 
 
 class MissingUnit(ConditionError):
     """A bare number for a symbol with a unit; `written` is the number with a likely unit."""
 
-    def __init__(self, symbol: str, text: str, written: str) -> None:
-        super().__init__(f"the unit of {option(symbol, text)} is missing", option(symbol, written))
-        self.symbol, self.text, self.written = symbol, text, written
+    def __init__(self, symbol: str, text: str, written: str, number: str = "") -> None:
+        super().__init__(f"the unit of {option(symbol, text)} is missing", add(symbol, written))
+        self.symbol, self.text, self.written, self.number = symbol, text, written, number
 
 
 class Unused(ConditionError):
     """Inputs that do not apply; `where` completes the sentence: "to a cone", "without a tilt"."""
 
-    def __init__(self, symbols: "Sequence[str]", where: str, hint: str = "") -> None:
-        names = options(symbols, " and ")
-        super().__init__(
-            f"{names} {'does' if len(symbols) == 1 else 'do'} not apply {where}",
-            hint or f"leave out {names}",
-        )
+    def __init__(self, symbols: "Sequence[str]", where: str, hint: "Hint" = "") -> None:
+        verb = "does" if len(symbols) == 1 else "do"
+        message = f"{options(symbols, ' and ')} {verb} not apply {where}"
+        super().__init__(message, hint or leave_out(*symbols))
         self.symbols = tuple(symbols)
 
 
 class Idle(ConditionError):
     """An input that gives no result alone; `symbols` are those in the hint."""
 
-    def __init__(self, message: str, hint: str) -> None:
+    def __init__(self, message: str, hint: "Hint") -> None:
         super().__init__(message, hint)
-        self.symbols = mentioned(hint)
+        self.symbols = mentioned(self.hint)
 
 
 class Impossible(ConditionError):
@@ -289,7 +365,7 @@ class TooNear(ConditionError):
     """
 
     def __init__(
-        self, distance: str, body: str, size: str, hint: str, law: str = INVERSE_SQUARE
+        self, distance: str, body: str, size: str, hint: "Hint", law: str = INVERSE_SQUARE
     ) -> None:
         super().__init__(
             f"{distance} is too short: {law} needs at least five times the size of the {body}, "
@@ -305,7 +381,7 @@ class HorizonCuts(ConditionError):
     """
 
     def __init__(
-        self, symbol: str, text: str, least: str, hint: str = "", law: str = INVERSE_SQUARE
+        self, symbol: str, text: str, least: str, hint: "Hint" = "", law: str = INVERSE_SQUARE
     ) -> None:
         turned, cut = "receiver", "source"
         if symbol == "tilt":
@@ -321,18 +397,21 @@ class Exclusive(ConditionError):
     """Inputs that exclude each other."""
 
     def __init__(
-        self, symbols: "Sequence[str]", because: str = "", hint: str = "only one of them"
+        self, symbols: "Sequence[str]", because: str = "", hint: "Hint" = "only one of them"
     ) -> None:
         first, *others = symbols
         reason = f": {because}" if because else ""
         message = f"{option(first)} cannot be used with {options(others, ' and ')}{reason}"
-        super().__init__(message, hint)
+        alone = [leave_out(*(other for other in symbols if other != name)) for name in symbols]
+        super().__init__(message, hint, alone)
         self.symbols = tuple(symbols)
 
 
 class Contradiction(ConditionError):
     """Two values of one symbol: the given one and the calculated one [SI]."""
 
-    def __init__(self, message: str, hint: str, symbol: str, given: "Any", follows: "Any") -> None:
-        super().__init__(message, hint)
+    def __init__(
+        self, message: str, hint: "Hint", symbol: str, given: "Any", follows: "Any"
+    ) -> None:
+        super().__init__(message, hint, [leave_out(name) for name in mentioned(str(hint))])
         self.symbol, self.given, self.follows = symbol, given, follows

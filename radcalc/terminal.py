@@ -7,7 +7,7 @@ from radcalc.errors import OutputError, Plain, RadcalcError, printable
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
     from typing import Any
 
 HANGING = 4  # indent of the later parts of a folded line
@@ -29,6 +29,7 @@ COLORS = {
     "likely:": MAGENTA,
     "or:": MAGENTA,
 }
+CALLS = "try: radcalc ", "or:  radcalc "  # lines to paste, which are not folded
 _chosen = AUTO
 
 
@@ -196,7 +197,7 @@ def fold(line: str, width: int, deeper: int = 0) -> list[str]:
 
 def message(line: str, width: int, is_colored: bool) -> str:
     """Fold a line to a width, and colour its first word by its kind."""
-    first, *more = fold(line, width, HANGING)
+    first, *more = [line] if line.startswith(CALLS) else fold(line, width, HANGING)
     word = first.partition(" ")[0]
     if is_colored and word in COLORS:
         first = f"{COLORS[word]}{word}{RESET}{first[len(word) :]}"
@@ -208,8 +209,12 @@ def remarks(assumptions: "Iterable[str]", notes: "Iterable[str]") -> list[str]:
     return [f"assumed: {text}" for text in assumptions] + [f"note: {text}" for text in notes]
 
 
-def complain(error: RadcalcError, spelling: "Any" = Plain) -> int:
-    """Write an error and its hint in a spelling; return the exit status."""
+def complain(
+    error: RadcalcError, spelling: "Any" = Plain, hints: "Sequence[str] | None" = None
+) -> int:
+    """Write an error and its hint in a spelling, or the lines of hints; return the exit status."""
     message, hint = error.spelled(spelling)
-    say([f"radcalc: {message}", *([f"try: {hint}"] if hint else [])])
+    if hints is None:
+        hints = [f"try: {hint}"] if hint else []
+    say([f"radcalc: {message}", *hints])
     return FAILED

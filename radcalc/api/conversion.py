@@ -257,7 +257,8 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     else:
         magnitude, source = value, None
     given = [*read_inputs(conditions).values()]
-    conversion = _plan_of(source, target, given)
+    is_one = isinstance(magnitude, (int, float))
+    conversion = _plan_of(source, target, given, f"{magnitude:.12g}" if is_one else "1")
     if _has_uncertainty(magnitude):
         return conversion, magnitude, given
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
@@ -267,13 +268,13 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     return conversion, magnitude, given
 
 
-def _plan_of(source: Unit | None, target: str, given: list[Input]) -> Plan:
+def _plan_of(source: Unit | None, target: str, given: list[Input], number: str) -> Plan:
     start = source or resolve("1")
     target_unit = target_of(target, start)
     if source is None and target_unit.dimension != start.dimension and not target_unit.is_scale:
         problem = f"the unit of the value is missing: the target is {describe(target_unit)}"
         raise ConversionError(problem, f'a text such as "100 lx", or {WITH_UNIT}')
-    return plan(start, target_unit, given)
+    return plan(start, target_unit, given, number)
 
 
 def _as_array(value: Sequence[Any]) -> Any:

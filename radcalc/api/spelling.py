@@ -4,6 +4,7 @@ from collections.abc import Callable
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
+from radcalc.calculators.missing import on_page
 from radcalc.errors import NumberError, RadcalcError, spell
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import FLAG, SYMBOLS
@@ -106,7 +107,12 @@ def in_python(function: Callable[P, T]) -> Callable[P, T]:
         try:
             return function(*args, **kwargs)
         except RadcalcError as error:
+            error = on_page(error, symbol_name(function.__name__))
             message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
+            if error.tries and not args:
+                from radcalc.api import trials
+
+                hint = trials.hint(error, function, kwargs) or hint
             raise error.reworded(message, hint).with_traceback(error.__traceback__) from None
 
     return call

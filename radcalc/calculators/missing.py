@@ -3,11 +3,13 @@
 from collections.abc import Iterable, Sequence, Set
 from itertools import combinations
 
+from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.calculators.worksheet import OFFSETS, Worksheet
-from radcalc.errors import Idle, option, options
+from radcalc.errors import Hint, Idle, MissingUnit, RadcalcError, Try, add, leave_out, option
+from radcalc.inputs.quantities import with_likely_unit
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import reached
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.tuples import NamedTuple
 
 # The results that inputs must lead to; a page may name another goal.
@@ -44,18 +46,19 @@ class Search(NamedTuple):
         useful = [other for other, symbols in lively.items() if idle.keys() <= symbols]
         useful = (useful or [other for other, symbols in lively.items() if name in symbols])[:4]
         problem = "needs further inputs"
+        hint: Hint = leave_out(item.name)
         if useful:
-            hint = f"add {options(useful)}"
+            hint = self._one_of(useful)
         elif partners := self._partners(name):
-            hint = f"add {options(partners, ' and ')}"
+            hint = self._all_of(partners)
         else:
             problem = "does not apply to the other inputs"
-            hint = f"leave out {option(item.name)}"
         if len(inputs) == 1:
             problem = "alone is not enough"
         raise Idle(f"{option(item.name, item.text)} {problem}", hint)
 
-    def lacking(self, name: str) -> str:
+    def lacking(self, name: str) -> Hint:
+        """Return the inputs that would give a result, alone or in pairs."""
         light = self.sheet.page.light
         candidates = [
             candidate
@@ -67,13 +70,28 @@ class Search(NamedTuple):
             for candidate in candidates
             if name in reached(self.laws, {*self.known, candidate})
         ]:
-            return options(single[:5])
+            return self._one_of(single[:5])
         for pair in combinations(
             [candidate for candidate in candidates if candidate not in light], 2
         ):
             if name in reached(self.laws, {*self.known, *pair}):
-                return options(pair, " and ")
+                return self._all_of(pair)
         return "more of the quantities"
+
+    def _one_of(self, names: Sequence[str]) -> list[Try]:
+        light = self.sheet.page.light  # after the geometry, which people know
+        return [self._all_of([name]) for name in sorted(names, key=lambda name: name in light)]
+
+    def _all_of(self, names: Sequence[str]) -> Try:
+        """Propose inputs with the examples of the page, in the kind of light of the call."""
+        kind = self.sheet.lit.kind
+        values = [
+            f"100{light_unit(name, kind)}".replace(" ", ".")
+            if SYMBOLS[name].generic == name
+            else ""
+            for name in names
+        ]
+        return Try(tuple(zip(names, values, strict=True)))
 
     def _partners(self, name: str) -> list[str]:
         """Return the fewest missing inputs of a law of a symbol that help."""
@@ -103,3 +121,13 @@ class Search(NamedTuple):
         while more := [names for names in complete if names & live and not names <= live]:
             live = live.union(*more)
         return {name for names in complete if names <= live for name in names}
+
+
+def on_page(error: RadcalcError, command: str) -> RadcalcError:
+    """Return the error about a missing unit with the unit that is likely in a command."""
+    if not isinstance(error, MissingUnit) or not error.number or command not in SUMMARIES:
+        return error
+    if error.hint != option(error.symbol, error.written):  # a better one was found
+        return error
+    symbol = page_of(command).symbol(error.symbol)
+    return error.reworded(hint=add(error.symbol, with_likely_unit(symbol, error.number)))

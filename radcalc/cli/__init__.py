@@ -8,7 +8,6 @@ import click
 from radcalc import terminal
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.cli.spelling import Shell
 from radcalc.errors import MissingUnit, RadcalcError, UsageError
 from radcalc.errors import manual as mention_help
 
@@ -58,7 +57,9 @@ def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> i
         return _bug(error)
     if place:
         problem = problem.reworded(f"{place}: {problem.message}")
-    return terminal.complain(problem, Shell)
+    from radcalc.cli import trials
+
+    return trials.refuse(problem, words)
 
 
 def answered(words: list[str], listener: "Listener | None" = None) -> int:

@@ -11,7 +11,7 @@ from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
 from radcalc.cli.spelling import Shell
-from radcalc.errors import RadcalcError, UsageError, spell
+from radcalc.errors import RadcalcError, UsageError, call, spell
 
 T = TypeVar("T")
 
@@ -20,7 +20,7 @@ T = TypeVar("T")
 def command(words: tuple[str, ...], typed: dict[str, str], request: Request, output: Output) -> int:
     """Answer for a wavelength, or a quantity given instead."""
     if not words:
-        raise UsageError("a wavelength is missing", "radcalc photon 555nm")
+        raise UsageError("a wavelength is missing", call("photon", "555nm"))
     all_cases = _as_operand(lambda: cases({"wavelength": " ".join(words), **typed}))
     all_cases = [_named(case) for case in all_cases]
     task = Task("photon", photon)
@@ -34,8 +34,9 @@ def _as_operand(read: Callable[[], T]) -> T:
     try:
         return read()
     except RadcalcError as error:
-        message, hint = spell(error.message, Operand), spell(error.hint, Command)
-        raise error.reworded(message, hint) from None
+        calls = [call("photon", value) for proposal in error.tries for _, value in proposal.inputs]
+        hint = calls or spell(error.hint, Command)
+        raise error.reworded(spell(error.message, Operand), hint) from None
 
 
 def _named(case: Case) -> Case:

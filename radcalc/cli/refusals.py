@@ -4,10 +4,11 @@ from itertools import pairwise
 
 import click
 
-from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.calculators.missing import on_page
+from radcalc.calculators.pages import SUMMARIES
 from radcalc.cli.group import commands, context
 from radcalc.cli.help import COMMANDS
-from radcalc.errors import MINUS, MissingUnit, RadcalcError, nearest, option, quote
+from radcalc.errors import MINUS, MissingUnit, RadcalcError, correct, nearest, quote
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
 from radcalc.render.formats import FORMATS
@@ -37,33 +38,22 @@ MEANT_OPTIONS = {
 }
 
 
-def join_unit(error: MissingUnit, words: list[str]) -> MissingUnit:
+def join_unit(error: MissingUnit, words: list[str]) -> RadcalcError:
     """Return the error with the hint to write `--distance 2 ft` as one word."""
     from radcalc.quantities.symbols import SYMBOLS
     from radcalc.units.table import resolve
 
     flag = f"--{error.symbol}"
     following = words[words.index(flag) + 2 :][:1] if flag in words else []
-    if ":" in error.text:  # an interval: each end has a unit
-        return error
-    hint = error.hint
     symbol = SYMBOLS.get(error.symbol)
-    called = next((word for word in words if word in COMMANDS), "")
-    if symbol and called in SUMMARIES:  # a shutter's time is not 2h
-        example = page_of(called).symbol(error.symbol).example
-        usual, page_unit = _unit_of(symbol.example), _unit_of(example)
-        if usual and page_unit and hint == option(error.symbol, f"{error.text}{usual}"):
-            hint = option(error.symbol, f"{error.text}{page_unit}")
     try:
         if following and symbol and resolve(following[0]).dimension in symbol.dimensions:
-            hint = option(error.symbol, f"{error.text}{quote(following[0])}")
+            typed = f"{error.text} {following[0]}"
+            return error.reworded(hint=correct(typed, f"{error.text}{following[0]}", "one word"))
     except RadcalcError:
         pass
-    return error.reworded(hint=f"{hint} (one word, no blank)")
-
-
-def _unit_of(example: str) -> str:
-    return example.lstrip("0123456789./")
+    called = "convert" if is_sentence(words) else next((w for w in words if w in SUMMARIES), "")
+    return on_page(error, called)
 
 
 def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:

@@ -15,36 +15,85 @@ from radcalc.conversion.conditions import (
     Factor,
 )
 from radcalc.conversion.ways import AT_RADIANCE, PLAIN, Way
-from radcalc.errors import MissingCondition, Unused, command, manual, option, options, quote
+from radcalc.errors import (
+    Hint,
+    MissingCondition,
+    Try,
+    Unused,
+    add,
+    call,
+    correct,
+    manual,
+    mentioned,
+    option,
+    options,
+    quote,
+)
 from radcalc.inputs.given import Input
 from radcalc.quantities.light import PHOTON, Reading, coherent_text, describe, read
+from radcalc.tuples import NamedTuple
 from radcalc.units.unit import Unit
 
 Links = list[tuple[Factor, int]]
 KIND, AXIS, PER_LENGTH, PROJECTED = "kind", "axis", "per length", "projected solid angle"
+
+
+class Wanted(NamedTuple):
+    """A missing condition: its description, the symbols that supply it, and likely values."""
+
+    phrase: str
+    hint: str
+    choices: tuple[Try, ...] = ()
+
+
 _WAVELENGTH = option("wavelength", "LAMBDA")
 _CONE = option("half-angle", "ANGLE")
-# Descriptions of missing conditions, and the symbols that supply them.
+_INTO_CONE = add("half-angle", "30deg", "evenly into a cone of 60 deg")
 WANTED = {
-    KIND: (
+    KIND: Wanted(
         "a wavelength, a spectrum or an efficacy",
         f"{_WAVELENGTH}, {option('spectrum', 'SOURCE')} or {option('efficacy', 'RATIO')}",
+        (
+            add("spectrum", "sun", "sunlight (AM1.5G)"),
+            add("spectrum", "LED-B3", "a white LED"),
+            add("wavelength", "555nm", "green light of one wavelength"),
+        ),
     ),
-    AXIS: ("a wavelength", _WAVELENGTH),
-    PER_LENGTH: (
+    AXIS: Wanted("a wavelength", _WAVELENGTH, (add("wavelength", "555nm"),)),
+    PER_LENGTH: Wanted(
         "a length",
         f"the number times that length ({option('bandwidth')} is for densities written with nm, "
         "um, angstrom)",
     ),
-    BAND: ("a bandwidth", option("bandwidth", "WIDTH")),
-    TIME: ("a time", option("time", "T")),
-    PUPIL: ("the pupil's diameter", option("pupil", "DIAMETER")),
-    RESPONSIVITY: ("the detector's responsivity", option("responsivity", "S")),
-    AREA: ("an area", option("area", "A")),
-    CONE: ("a solid angle", f"{option('isotropic')}, {_CONE} or {option('solid-angle', 'OMEGA')}"),
-    PROJECTED: ("a projected solid angle", f"{_CONE} or {option('hemisphere')}"),
-    DISTANCE: ("a distance", option("distance", "D")),
-    REFLECTANCE: ("a reflectance", option("reflectance", "RHO")),
+    BAND: Wanted("a bandwidth", option("bandwidth", "WIDTH"), (add("bandwidth", "10nm"),)),
+    TIME: Wanted("a time", option("time", "T"), (add("time", "1h"), add("time", "1s"))),
+    PUPIL: Wanted(
+        "the pupil's diameter",
+        option("pupil", "DIAMETER"),
+        (add("pupil", "3mm", "a pupil of 3 mm, in daylight"),),
+    ),
+    RESPONSIVITY: Wanted(
+        "the detector's responsivity",
+        option("responsivity", "S"),
+        (add("responsivity", "0.4A/W", "silicon, in red light"),),
+    ),
+    AREA: Wanted("an area", option("area", "A"), (add("area", "1m2", "evenly over 1 m2"),)),
+    CONE: Wanted(
+        "a solid angle",
+        f"{option('isotropic')}, {_CONE} or {option('solid-angle', 'OMEGA')}",
+        (add("isotropic", "", "evenly in all directions"), _INTO_CONE),
+    ),
+    PROJECTED: Wanted(
+        "a projected solid angle",
+        f"{_CONE} or {option('hemisphere')}",
+        (add("hemisphere", "", "evenly bright in the whole hemisphere"), _INTO_CONE),
+    ),
+    DISTANCE: Wanted("a distance", option("distance", "D"), (add("distance", "2m"),)),
+    REFLECTANCE: Wanted(
+        "a reflectance",
+        option("reflectance", "RHO"),
+        (add("reflectance", "0.5", "a matte surface that reflects half of the light"),),
+    ),
 }
 
 
@@ -55,9 +104,9 @@ class Bridge:
         self, source: Unit, target: Unit, given: Sequence[Input], number: str = "1"
     ) -> None:
         self.source, self.target = source, target
-        self.number, self.amount = number, f"{number}{quote(source.text)}"
+        self.number, self.amount = number, joined(number, quote(source.text))
         self.conditions = Conditions(given)
-        self.lacking: dict[str, tuple[str, str]] = {}
+        self.lacking: dict[str, Wanted] = {}
 
     @property
     def heading(self) -> str:
@@ -71,6 +120,7 @@ class Bridge:
         extending = [way for way in rows if way.extends and given and given < set(way.powers)]
         sensible = [way for way in rows if way.is_suggested] or list(rows)
         alternatives: dict[str, str] = {}
+        tries: list[Try] = []
         for way in (extending or sensible)[:2]:
             self.conditions.used |= given & set(way.powers)
             wanted = [
@@ -78,11 +128,12 @@ class Bridge:
                 for slot in PLAIN
                 if slot in way.powers and slot not in given
             ]
-            phrases, hints = zip(*(WANTED[slot] for slot in wanted), strict=True)
+            phrases, hints, choices = zip(*(WANTED[slot] for slot in wanted), strict=True)
             alternatives[" and ".join(phrases)] = " with ".join(hints)
+            tries += together(choices)
         plain = all(" and " not in phrase for phrase in alternatives)
         phrase = (" or " if plain else ", or ").join(alternatives)
-        self.lacking["space"] = (phrase, ", or ".join(alternatives.values()))
+        self.lacking["space"] = Wanted(phrase, ", or ".join(alternatives.values()), tuple(tries))
 
     def refuse(self) -> None:
         unused = self.conditions.unused
@@ -94,7 +145,7 @@ class Bridge:
             where = f"to the conversion of {describe(self.source)} to {describe(self.target)}"
             raise Unused(unused, where, self._instead(unused))
 
-    def _instead(self, unused: Sequence[str]) -> str:
+    def _instead(self, unused: Sequence[str]) -> Hint:
         """Return the probable intention of an unused condition between units of one quantity."""
         start, end = read(self.source), read(self.target)
         if start is None or end is None or start != end or len(self.conditions.given) > 1:
@@ -104,17 +155,17 @@ class Bridge:
         )
         if given.name == "reflectance" and start.area and not start.solid_angle:
             number = f"{self.number}*{given.value:.12g}"
-            again = command("convert", number, quote(self.source.text), quote(self.target.text))
-            return f"{again}, which is the reflected part"
+            units = quote(self.source.text), quote(self.target.text)
+            return call("convert", number, *units, remark="the reflected part")
         if given.name == TIME and not start.time:
             slow = self.source.text.endswith(SLOW) and not self.target.text.endswith(SLOW)
             rate = self.source if slow else self.target
             total = _over_time(rate, end)
-            return f"{total} in place of {quote(rate.text)}, for all of that time"
+            return correct(rate.text, total, "in all of that time")
         return ""
 
     def _missing(self, unused: Sequence[str]) -> MissingCondition:
-        phrases, hints = zip(*self.lacking.values(), strict=True)
+        phrases, hints, choices = zip(*self.lacking.values(), strict=True)
         several = len(phrases) > 1
         listed = several and any(" or " in phrase for phrase in phrases)
         comma = "," if listed or any(", or " in phrase for phrase in phrases) else ""
@@ -126,7 +177,31 @@ class Bridge:
             useless = options(unused, " and ")
             message += f"; {useless} {'does' if len(unused) == 1 else 'do'} not apply"
         hint = f"{'; and '.join(hints)} (see {manual('convert')})"
-        return MissingCondition(message, hint, self.source.text, self.target.text, phrases)
+        missing = {wanted.phrase: mentioned(wanted.hint) for wanted in self.lacking.values()}
+        tries = [proposal._replace(without=tuple(unused)) for proposal in together(choices)]
+        return MissingCondition(message, hint, self.source.text, self.target.text, missing, tries)
+
+
+def joined(number: str, unit: str) -> str:
+    """Return an amount as one word: 2m, 500/cm."""
+    return f"{number}{unit.removeprefix('1')}"
+
+
+def together(choices: Sequence[Sequence[Try]]) -> list[Try]:
+    """Return calls with a choice for each of several inputs: the first of all, then others."""
+    if not all(choices):
+        return []
+    first = [of_one[0] for of_one in choices]
+    combined = [first]
+    for k, of_one in enumerate(choices):
+        combined += [[*first[:k], other, *first[k + 1 :]] for other in of_one[1:]]
+    return [
+        Try(
+            tuple([given for proposal in chosen for given in proposal.inputs]),
+            remark=", ".join([proposal.remark for proposal in chosen if proposal.remark]),
+        )
+        for chosen in combined
+    ]
 
 
 def _is_plural(phrase: str) -> bool:

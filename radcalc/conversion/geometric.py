@@ -11,7 +11,7 @@ from radcalc import maths
 from radcalc.answer import Step
 from radcalc.conversion.conditions import Factor
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, HorizonCuts, TooNear, command, option, quote
+from radcalc.errors import ConditionError, Hint, HorizonCuts, TooNear, Try, add, option, quote
 from radcalc.geometry import cones, far_field, lobes
 from radcalc.inputs.given import Input, half_angle_of, radius_of, require
 from radcalc.units.table import resolve
@@ -101,9 +101,12 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
     if given.name == "hemisphere":
         return Factor("Omega_p", math.pi, "sr", "uniform over a hemisphere, pi sr projected")
     if given.name not in PROJECTED:
-        hint = f"{option('half-angle', 'ANGLE')} or {option('hemisphere')}"
+        hint = [
+            Try((("hemisphere", ""),), (given.name,)),
+            Try((("half-angle", "30deg"),), (given.name,)),
+        ]
         if given.name == "solid-angle":
-            hint += f", or add {option('tilt', '0deg')}"
+            hint.append(add("tilt", "0deg", "a small source in the direction of the normal"))
         raise ConditionError(
             f"{option(given.name)} does not link a radiance: it needs the projected solid angle",
             hint,
@@ -142,7 +145,7 @@ def _slanting(given: Input, turn: Input) -> Factor:
             raise ConditionError(
                 f"{option('solid-angle', quote(given.text))} is not small: its directions differ "
                 "in their angle from the normal",
-                f"{option('half-angle', size)} in place of {option('solid-angle')}, for a cone",
+                Try((("half-angle", size),), ("solid-angle",), remark="a cone"),
             )
         omega = given.value * cosine
         good = far_field.percent(maths.square(maths.tan(half / 2)))
@@ -180,12 +183,13 @@ def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
     factor = area(given)
     size = far_field.size(factor.value)
     if far_field.is_near(distance.value, size):
-        hint = far_field.MORE_ROOM
+        hint: Hint = far_field.MORE_ROOM
         if incidence is None and not maths.is_array(size) and not maths.is_array(distance.value):
             half = math.degrees(math.atan(size / 2 / distance.value))
-            hint = (
-                f"{option('half-angle', f'{half:.6g}deg')} in place of {option(given.name)} and "
-                f"{option('distance')}, exactly for a round one"
+            hint = Try(
+                (("half-angle", f"{half:.6g}deg"),),
+                (given.name, "distance"),
+                remark="exact for a round receiver",
             )
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "receiver", format_number(size), hint, "A / d^2")
@@ -250,13 +254,10 @@ def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Inpu
     factor = area(source)
     size, reach = far_field.size(factor.value), far_field.reach(factor.value)
     angle, slope = (abs(turn.value) if turn else 0.0 for turn in (incidence, tilt))
-    hint = far_field.MORE_ROOM
+    hint: Hint = far_field.MORE_ROOM
     if tilt is None:
         radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
-        hint = (
-            f"{option('radius', radius)} in place of {option('area')}, for the exact disc (or "
-            f"{command('lambertian')})"
-        )
+        hint = Try((("radius", radius),), (source.name,), remark="exact for a disc")
     if far_field.is_near(distance.value, size):
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "source", format_number(size), hint)

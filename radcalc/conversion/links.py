@@ -7,7 +7,7 @@ condition.  Area and solid angle are linked together, in one of the ways of `WAY
 from collections.abc import Sequence
 
 from radcalc.conversion import geometric
-from radcalc.conversion.bridge import Bridge, Links
+from radcalc.conversion.bridge import Bridge, Links, Wanted
 from radcalc.conversion.conditions import (
     AREA,
     CONE,
@@ -35,7 +35,10 @@ from radcalc.conversion.ways import (
 from radcalc.errors import (
     ConditionError,
     ConversionError,
+    Hint,
     RadcalcError,
+    add,
+    call,
     command,
     option,
     options,
@@ -92,9 +95,10 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radiance: bool) -> None:
     if is_radiance and given == {DISTANCE} and any(way.supply is FAR for way in ways):
         bridge.conditions.take(DISTANCE)
-        bridge.lacking["size"] = (
+        bridge.lacking["size"] = Wanted(
             "the size of the source",
             f"{option('radius', 'R')} or {option('area', 'A')}",
+            (add("radius", "10cm", "a round source with a radius of 10 cm"),),
         )
     else:
         bridge.want_space(ways, given)
@@ -118,8 +122,11 @@ def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
     by_flux = coherent_text(start._replace(area=0, solid_angle=0))
     by_radiance = coherent_text(start._replace(area=1, solid_angle=1))
     steps = [
-        f"{command('convert', bridge.amount, unit, **{step.name: quote(step.text)})} "
-        f"and then {option(then.name, quote(then.text))}, for a uniform {what}"
+        call(
+            *("convert", bridge.amount, unit),
+            **{step.name: quote(step.text)},
+            remark=f"and then {option(then.name, quote(then.text))}, for a uniform {what}",
+        )
         for unit, step, then, what in (
             (by_flux, first, second, "intensity"),
             (by_radiance, second, first, "radiance"),
@@ -128,7 +135,7 @@ def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
     raise ConversionError(
         f"{bridge.heading}: over {option(cone.name, quote(cone.text))} either the intensity or "
         "the radiance may be uniform, and the answers differ",
-        "; or ".join(steps),
+        steps,
     )
 
 
@@ -218,16 +225,16 @@ def _width(bridge: Bridge) -> Links:
 def _unlike(bridge: Bridge) -> RadcalcError:
     source, target, heading = bridge.source, bridge.target, bridge.heading
     if PER_TIME in (source.dimension, target.dimension):
-        hint = "Hz, or cycle/s, for a frequency"
+        hint: Hint = "Hz, or cycle/s, for a frequency"
         if source.dimension == PER_TIME:
             per = source.text.removeprefix("1")
             cycles = f"cycle{per}" if per.startswith("/") else f"cycle.{source.text}"
-            hint = command("convert", f"{bridge.number} {quote(cycles)}", quote(target.text))
+            hint = call("convert", f"{bridge.number} {quote(cycles)}", quote(target.text))
         return ConversionError(f"{heading}: a frequency counts cycles", hint)
     if source.dimension in PHOTON_NAMES and target.dimension in PHOTON_NAMES:
         return ConversionError(
             f"{heading}: no condition links them, but a photon has both",
-            command(
+            call(
                 "photon",
                 bridge.amount,
                 get=f"{PHOTON_NAMES[target.dimension]}:{quote(target.text)}",
@@ -237,7 +244,7 @@ def _unlike(bridge: Bridge) -> RadcalcError:
         name = "half-angle" if source.dimension == ANGLE else "solid-angle"
         return ConversionError(
             f"{heading}: no condition links them, since a solid angle depends on the shape",
-            command("solid-angle", "cone", **{name: bridge.amount}),
+            call("solid-angle", "cone", **{name: bridge.amount}),
         )
     hint = f"{command('units', 'UNIT')}, which shows what a unit measures"
     if notes := source.notes + target.notes:

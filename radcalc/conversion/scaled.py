@@ -8,7 +8,15 @@ from typing import Any
 
 from radcalc.answer import Step
 from radcalc.conversion.linear import Plan, are_reciprocal, between
-from radcalc.errors import ConversionError, MissingCondition, RadcalcError, Unused, option, quote
+from radcalc.errors import (
+    ConversionError,
+    MissingCondition,
+    RadcalcError,
+    Unused,
+    add,
+    option,
+    quote,
+)
 from radcalc.inputs.given import Input
 from radcalc.quantities.light import describe
 from radcalc.units.electric_fields import PEAK, RMS, FieldUnit, plane_wave
@@ -134,7 +142,8 @@ def _fields(source: Unit, target: Unit, given: list[Input]) -> tuple[Unit, Unit,
             f"{option('electric-field', RMS)} or {option('electric-field', PEAK)}",
             source.text,
             target.text,
-            ("electric-field",),
+            {"the kind of field value": ("electric-field",)},
+            [add("electric-field", kind) for kind in (RMS, PEAK)],
         )
     rest = [condition for condition in given if condition.name != "electric-field"]
     return _wave(source, kinds[0]), _wave(target, kinds[0]), rest

@@ -160,7 +160,7 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
     if unit is None:
         is_expression = amount.rounding is not None
         number = f"({quote(text)})" if is_expression else quote(text)
-        return MissingUnit(name, quote(text), with_likely_unit(symbol, number))
+        return MissingUnit(name, quote(text), with_likely_unit(symbol, number), number)
     example = symbol.example
     if name == "bandwidth" and unit.dimension == ENERGY:
         from radcalc.spectra.planck import PLANCK
@@ -260,7 +260,23 @@ def with_likely_unit(symbol: Symbol, number: str) -> str:
         return f"{number}rad"
     if TIME in symbol.dimensions and "/" in number:
         return f"{number}s"  # like marks of shutters
-    return number + symbol.example.lstrip("0123456789./")
+    unit = symbol.example.lstrip("0123456789./")
+    usual = symbol.unit.replace(" ", ".")
+    if usual not in ("1", unit) and not _is_nearer(symbol.example, number, unit, usual):
+        unit = usual
+    return number + unit
+
+
+def _is_nearer(example: str, number: str, unit: str, usual: str) -> bool:
+    """Return whether a number is ten times nearer to the example in one unit than in another."""
+    try:
+        amounts = [read_amount(text) for text in (example, number + unit, number + usual)]
+        typical, here, there = (
+            math.log10(amount.number * amount.unit.factor) for amount in amounts if amount.unit
+        )
+    except (RadcalcError, ValueError):  # not a positive number
+        return True
+    return abs(there - typical) - abs(here - typical) >= 1
 
 
 def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import Result, Row, ShownInput, Step
+from radcalc.errors import RadcalcError
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import number
 
@@ -106,6 +107,13 @@ def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
 def _amount(value: Any, uncertainty: float, unit: str) -> dict[str, Any]:
     off = {"uncertainty": uncertainty} if uncertainty else {}
     return {"value": value, **off, "unit": unit}
+
+
+def refusal(error: RadcalcError, message: str, tries: Sequence[dict[str, Any]]) -> str:
+    """Return an error as an object, with the calls that its hint proposes."""
+    missing = [{"what": what, "symbols": symbols} for what, symbols in error.missing.items()]
+    record = {"code": error.code, "message": message, "missing": missing, "try": tries}
+    return f"{_text({'error': record})}\n"
 
 
 def _text(data: Any) -> str:

@@ -4,16 +4,15 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from textwrap import dedent
-from typing import Any
 
 import click
 
-from radcalc.answer import Result, Row, Step
+from radcalc.answer import Row, Step
 from radcalc.cli import line_options
 from radcalc.cli import options as output
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
 from radcalc.cli.compile import command_of, examples_of, main_options, results_of
-from radcalc.cli.group import commands
+from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP
 from radcalc.cli.help_format import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, argument, filled, literal, plain, sentences, text
@@ -117,7 +116,7 @@ def results(of: str) -> Iterator[str]:
     """Yield the results by their names for --get, with letter and unit."""
     command = command_of(of)
     names = [name for name in results_of(command) if of == "photon" or name not in LINKS]
-    kinds, rows = _kinds(command), _heard(of).rows
+    kinds, (rows, _) = _kinds(command), _heard(of)
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
     for name in names:
         symbol = command.page.symbol(name)
@@ -132,7 +131,7 @@ def results(of: str) -> Iterator[str]:
 
 def laws(of: str) -> Iterator[str]:
     """Yield the laws in the derivations of the help's examples, with their sources."""
-    steps = {step.law: step for step in _heard(of).steps if step.formula}
+    steps = {step.law: step for step in _heard(of)[1] if step.formula}
     formulas = " ".join(step.formula for step in steps.values())
     steradian = " (Omega0 is 1 sr)" if "Omega0" in formulas else ""
     yield from sentences(f"The laws, as --steps prints them{steradian}:")
@@ -145,30 +144,12 @@ def laws(of: str) -> Iterator[str]:
     yield ".El"
 
 
-class Enough(RadcalcError):
-    """The end of a command whose answer was heard, and is not written."""
-
-
-class Listener:
-    """A listener that keeps the rows of answers by name, and their derivations."""
-
-    settings: Mapping[str, Any] = {}
-
-    def __init__(self) -> None:
-        self.rows: dict[str, Row] = {}
-        self.steps: list[Step] = []
-
-    def hear(self, results: Sequence[Result]) -> None:
-        for result in results:
-            self.rows.update((row.name, row) for row in result.rows)
-            self.steps += result.steps
-        raise Enough("")
-
-
 @cache
-def _heard(of: str) -> Listener:
-    """Return the answers to the examples of a help that can run and write no file."""
-    command, listener = command_of(of), Listener()
+def _heard(of: str) -> tuple[dict[str, Row], list[Step]]:
+    """Return rows by name, and steps, of the examples of a help that can run and write no file."""
+    command = command_of(of)
+    rows: dict[str, Row] = {}
+    steps: list[Step] = []
     writes = {
         spelling
         for parameter in command.params
@@ -179,13 +160,12 @@ def _heard(of: str) -> Listener:
         if writes.intersection(words) or "--list" in words:
             continue
         try:
-            with commands.make_context(
-                "radcalc", [*words, "--steps"], obj=listener
-            ) as call_context:
-                commands.invoke(call_context)
+            results = hear([*words, "--steps"])
         except (RadcalcError, click.ClickException):
             continue
-    return listener
+        rows.update((row.name, row) for result in results for row in result.rows)
+        steps += [step for result in results for step in result.steps]
+    return rows, steps
 
 
 def _kinds(command: SectionedCommand) -> list[str]:

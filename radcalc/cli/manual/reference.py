@@ -65,8 +65,8 @@ def _leads(quantity: Quantity) -> Iterator[str]:
         try:
             plan(_unit(quantity), _unit(other), [])
         except MissingCondition as error:
-            if len(error.lacking) == 1 and _is_one_step(quantity, other):
-                by_condition.setdefault(error.lacking[0], []).append(other.name(ENGLISH))
+            if len(error.missing) == 1 and _is_one_step(quantity, other):
+                by_condition.setdefault(next(iter(error.missing)), []).append(other.name(ENGLISH))
         except RadcalcError:
             continue  # no condition leads there, or the quantity has no unit of its own
     for what, names in by_condition.items():
@@ -96,9 +96,9 @@ def _unit(quantity: Quantity) -> Unit:
 def conditions(_: str) -> Iterator[str]:
     """Yield the missing conditions as worded in errors, and the options that supply them."""
     yield ".Bl -tag -width Ds -compact"
-    for phrase, options in WANTED.values():
-        yield f".It {phrase}"
-        yield from sentences(spelled(options) + ".")
+    for wanted in WANTED.values():
+        yield f".It {wanted.phrase}"
+        yield from sentences(spelled(wanted.hint) + ".")
     yield ".El"
 
 

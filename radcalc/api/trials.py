@@ -1,0 +1,102 @@
+"""Calls of functions that hints propose, made before they are shown."""
+
+from collections.abc import Callable, Iterator, Mapping
+from inspect import Parameter, signature
+from typing import Any
+
+import radcalc
+from radcalc.api.quantity import is_quantity, plain
+from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
+from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.errors import RadcalcError, Try, spell
+from radcalc.quantities.symbols import FLAG, SYMBOLS
+
+MOST = 3  # calls to make
+SIMPLE = (str, int, float, bool, type(None))
+
+
+def hint(error: RadcalcError, function: Callable[..., Any], given: Mapping[str, Any]) -> str:
+    """Return the calls that an error's hint proposes, each with its answer below it.
+
+    Return '' if none is answered, or if the user's call has arrays, which may take long.
+    """
+    if not all(isinstance(value, SIMPLE) for value in given.values()):
+        return ""
+    texts = []
+    for proposal in error.tries[:MOST]:
+        try:
+            call, answer = (
+                _other(proposal) if proposal.words else _changed(proposal, function, given)
+            )
+        except (RadcalcError, TypeError, LookupError):
+            continue
+        remark = spell(proposal.remark, PythonHint)
+        texts.append("\n     ".join([call, ", ".join(filter(None, [_text(answer), remark]))]))
+    return "\nor:  ".join(texts)
+
+
+def _changed(
+    proposal: Try, function: Callable[..., Any], given: Mapping[str, Any]
+) -> tuple[str, Any]:
+    """Make the user's call with a change; return it as a text, and its answer."""
+    command = symbol_name(function.__name__)
+    page = page_of(command if command in SUMMARIES else "convert")
+    arguments = {name: value for name, value in given.items() if value not in (None, False)}
+    if proposal.instead:
+        typed, correction = proposal.instead
+        (name,) = [name for name, value in arguments.items() if typed in str(value)]
+        arguments[name] = str(arguments[name]).replace(typed, correction)
+    for symbol in (*proposal.without, *(symbol for symbol, _ in proposal.inputs)):
+        arguments.pop(keyword(symbol), None)
+    for symbol, value in proposal.inputs:
+        is_flag = symbol in SYMBOLS and SYMBOLS[symbol].form == FLAG
+        arguments[keyword(symbol)] = is_flag or value or page.symbol(symbol).example
+    if arguments == given:
+        raise LookupError
+    operands = [
+        parameter.name
+        for parameter in signature(function).parameters.values()
+        if parameter.kind == Parameter.POSITIONAL_OR_KEYWORD
+    ]
+    texts = [_literal(arguments[name]) for name in operands if name in arguments]
+    texts += [f"{name}={_literal(v)}" for name, v in arguments.items() if name not in operands]
+    return f"radcalc.{function.__name__}({', '.join(texts)})", function(**arguments)
+
+
+def _other(proposal: Try) -> tuple[str, Any]:
+    """Make another call; return it as a text, and its answer."""
+    command, *words = proposal.words
+    operands = [word for word in words if "=" not in word]
+    inputs = dict(word.split("=", 1) for word in words if "=" in word)
+    wanted = inputs.pop("get", "")
+    arguments = {
+        keyword(name): value or SYMBOLS[name].form == FLAG or page_of(command).symbol(name).example
+        for name, value in inputs.items()
+    }
+    function = getattr(radcalc, keyword(command)).__wrapped__
+    answer = function(*operands, **arguments)
+    if wanted:
+        name, _, unit = wanted.partition(":")
+        answer = getattr(answer, keyword(name))
+        answer = answer.to(unit) if unit else answer
+    return Python.command(*proposal.words), answer
+
+
+def _literal(value: Any) -> str:
+    return repr(value) if not isinstance(value, str) else '"' + value.replace('"', '\\"') + '"'
+
+
+def _text(answer: Any) -> str:
+    """Return the first number of an answer, with its unit."""
+    if isinstance(answer, float):
+        return f"{answer:.6g}"
+    if is_quantity(answer):
+        number, unit = plain(answer)
+        return f"{number:.6g} {unit.text}"
+    return next(_rows(answer), "")
+
+
+def _rows(result: Any) -> Iterator[str]:
+    for row in result.rows:
+        if not row.given:
+            yield f"{keyword(row.name)} {row.value:.6g} {row.unit}"

@@ -1,0 +1,253 @@
+"""Calls that hints propose, made before they are shown: loaded only for an error."""
+
+import os
+import shlex
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import click
+
+from radcalc import terminal
+from radcalc.answer import Row
+from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.cli.cases import is_stream
+from radcalc.cli.group import commands, context, protect_negatives
+from radcalc.cli.heard import hear
+from radcalc.cli.help import COMMANDS, HELP_NAMES
+from radcalc.cli.spelling import Shell, spelled
+from radcalc.errors import RadcalcError, Try, mentioned
+from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units.numbers import is_sentence
+
+Words = list[str]
+MOST = 3  # calls to make
+SHOWN = 3  # results to show of a call
+# Commands whose answers take long, or read files.
+LONG = ("dose", "environment", "integrate", "scene", "sky")
+WRITES = ("--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
+SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
+
+
+class Trial(NamedTuple):
+    """A call that a hint proposes, with the results that it has in addition if it was made."""
+
+    words: Words
+    remark: str
+    rows: Sequence[Row] = ()
+
+    @property
+    def command(self) -> str:
+        """Return the call as it can be pasted at a shell."""
+        return " ".join(["radcalc", *map(_quoted, self.words)])
+
+    @property
+    def outcome(self) -> str:
+        """Return the first results, with their names unless the call names them."""
+        named = called_in(self.words) != "convert" and "-g" not in self.words
+        shown = self.rows[: 1 if named else SHOWN]
+        texts = [
+            f"{row.name} " * named + f"{row.value:.6g} {row.unit.removesuffix('1')}".strip()
+            for row in shown
+        ]
+        more = ["..."] if len(self.rows) > SHOWN and not named else []
+        return ", ".join(filter(None, [*texts, *more, spelled(self.remark)]))
+
+    def record(self) -> dict[str, Any]:
+        """Return the fields of JSON."""
+        first = [{"value": row.value, "unit": row.unit} for row in self.rows[:1]]
+        return {"command": self.command, "call": _in_python(self.words)} | dict(*first)
+
+
+def refuse(error: RadcalcError, words: Words) -> int:
+    """Write an error with the calls that its hint proposes; return the exit status."""
+    shown = trials(error, words)
+    if "--json" in words or " --format json" in f" {' '.join(words)}".replace("=", " "):
+        from radcalc.render.json import refusal
+
+        message, _ = error.spelled(Shell)
+        terminal.write(refusal(error, message, [trial.record() for trial in shown]))
+    hints = lines(error, words, shown) if shown else None
+    if error.tries and not shown and is_refused(error, words):
+        hints = [f"try: {' '.join(['radcalc', called_in(words), '--help'])}"]
+    return terminal.complain(error, Shell, hints)
+
+
+def trials(error: RadcalcError, words: Words) -> list[Trial]:
+    """Return the calls that the hint of an error proposes, without those that are refused."""
+    made: list[Trial] = []
+    count = 0
+    for first in error.tries[:MOST]:
+        proposal: Try | None = first
+        call, remark = words, ""
+        while proposal and count < MOST:
+            changed_call = changed(call, proposal)
+            if changed_call is None or changed_call in (words, *(other.words for other in made)):
+                break
+            call, remark = changed_call, ", ".join(filter(None, [remark, proposal.remark]))
+            count += 1
+            proposal = None
+            try:
+                made.append(Trial(call, remark, _results(call) if _is_short(call) else ()))
+            except RadcalcError as further:  # one more is missing
+                proposal = next(iter(further.tries), None)
+            except click.ClickException:
+                break
+    return made
+
+
+def is_refused(error: RadcalcError, words: Words) -> bool:
+    """Return whether the hint is nothing but calls that are refused themselves."""
+    calls = [changed(words, proposal) for proposal in error.tries]
+    return all(calls) and error.hint == " or ".join(map(str, error.tries))
+
+
+def lines(error: RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str]:
+    """Return the lines of a hint: calls, each with its answer below it, and further options."""
+    texts = []
+    for start, trial in zip(("try: ", *["or:  "] * len(shown)), shown, strict=False):
+        texts.append(start + trial.command)
+        if trial.outcome:
+            texts.append("     " + trial.outcome)
+    typed = {name for proposal in error.tries for name, _ in proposal.inputs}
+    left_out = {name for proposal in error.tries for name in proposal.without}
+    known = {*typed, *left_out, "get"}
+    others = [f"--{name}" for name in mentioned(error.hint) if name not in known]
+    if typed and others:
+        texts.append(f"or {', '.join(others)} (radcalc {called_in(words)} --help)")
+    return texts
+
+
+def _results(words: Words) -> list[Row]:
+    """Make a call without writing anything, and return the results that it has in addition."""
+    rows = [row for result in hear(words) for row in result.rows]
+    return [row for row in rows if "-g" in words or not row.given]
+
+
+def changed(words: Words, proposal: Try) -> Words | None:
+    """Return the words of a call as a hint proposes, or None if they cannot be changed so."""
+    if proposal.words:
+        return list(_typed(proposal.words))
+    call = list(words)
+    if proposal.instead:
+        typed, correction = proposal.instead
+        places = [k for k, word in enumerate(call) if typed in word]
+        exact = [k for k in places if call[k] == typed]
+        if not places:
+            return _joined(call, typed, correction)
+        k = (exact or places)[0]
+        call[k] = call[k].replace(typed, correction)
+    command = called_in(call)
+    known = {name: p for p in _parameters(command) for name in p.opts}
+    for name in proposal.without:
+        call, _ = _without(call, f"--{name}", known)
+    for name, value in proposal.inputs:
+        option = known.get(f"--{name}")
+        added = ["-g" if name == "get" else f"--{name}"]
+        if not getattr(option, "is_flag", False):
+            added.append(value or _example(command, name))
+        if option is None or not added[-1]:
+            return None
+        call, place = _without(call, f"--{name}", known)
+        call[place:place] = added
+    return call
+
+
+def _typed(words: Sequence[str]) -> Iterator[str]:
+    """Yield the words of a mention as they are typed: NAME=VALUE is an option."""
+    for word in words:
+        name, equals, value = word.partition("=")
+        if not equals:
+            yield word
+            continue
+        yield "-g" if name == "get" else f"--{name}"
+        if value:
+            yield value
+
+
+def _joined(call: Words, typed: str, correction: str) -> Words | None:
+    """Replace several words, such as a unit of several words, by one text."""
+    line = " ".join(call)
+    if line.count(typed) != 1:
+        return None
+    before, after = line.split(typed)
+    return [*before.split(), correction, *after.split()]
+
+
+def _without(call: Words, name: str, known: dict[str, click.Parameter]) -> tuple[Words, int]:
+    """Return a call without an option, and the place of the option in it, by default its end."""
+    kept: Words = []
+    skipped, place = False, 0
+    for word in call:
+        option, equals, _ = word.partition("=")
+        if skipped:
+            skipped = False
+        elif option in known and known[option] is known.get(name):
+            skipped = not equals and not getattr(known[option], "is_flag", False)
+            place = place or len(kept)
+        else:
+            kept.append(word)
+    return kept, place or len(kept)
+
+
+def _example(command: str, name: str) -> str:
+    symbol = page_of(command).symbol(name) if command in SUMMARIES and name in SYMBOLS else None
+    return symbol.example if symbol else ""
+
+
+def called_in(words: Words) -> str:
+    """Return the command of a call."""
+    return "convert" if is_sentence(words) else next((w for w in words if w in COMMANDS), "")
+
+
+def _parameters(command: str) -> list[click.Parameter]:
+    top = context()
+    return (commands.get_command(top, command) or commands).get_params(top)
+
+
+def _is_short(words: Words) -> bool:
+    """Return whether a call can be tried; raise Click's error if its options are wrong.
+
+    A call that reads standard input or a file, or writes one, or works long, is not tried.
+    """
+    quick = called_in(words) in SUMMARIES and called_in(words) not in LONG
+    if not quick or any(map(is_stream, words)) or {*words} & {*WRITES}:
+        if not {*words} & {*HELP_NAMES, "-"}:
+            top = context()
+            name, command, rest = commands.resolve_command(top, protect_negatives(words))
+            if command:
+                command.make_context(name, rest, parent=top)
+        return False
+    return not any(os.path.exists(word.partition("=")[2] or word) for word in words)
+
+
+def _quoted(word: str) -> str:
+    if word and all(c.isalnum() or c in SAFE for c in word):
+        return word
+    return shlex.quote(word)
+
+
+def _in_python(words: Words) -> str:
+    """Return a call in Python."""
+    from radcalc.api.spelling import Python
+
+    command = called_in(words)
+    known = {name: p for p in _parameters(command) for name in p.opts}
+    operands: Words = []
+    given: Words = []
+    rest = iter([word for word in words if word != command])
+    for word in rest:
+        name, equals, value = word.partition("=")
+        if name not in known:
+            operands.append(word)
+        elif known[name].name in ("format_", "json_", "quiet", "steps"):
+            _ = "" if equals or getattr(known[name], "is_flag", False) else next(rest, "")
+        else:
+            is_flag = getattr(known[name], "is_flag", False)
+            value = value if equals or is_flag else next(rest, "")
+            given.append(f"{'get' if name == '-g' else name.removeprefix('--')}={value}")
+    if command == "convert":
+        from radcalc.units.reading import read_operands
+
+        amount, target = read_operands(operands)
+        operands = [amount.text, target]
+    return Python.command(command, *operands, *given)
