@@ -6,8 +6,6 @@ command, by a mention (`option("height")`), which the shell and Python spell dif
 `--height 6m` and `height="6 m"`.
 """
 
-from radcalc.tuples import NamedTuple
-
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -147,7 +145,7 @@ class Plain:
         return f"'{unit}'"
 
 
-class Try(NamedTuple):
+class Try:
     """A call that a hint proposes: the user's call with changes, or another call.
 
     `inputs` are symbols that are added or replaced, with their values: `True` for a flag, and ""
@@ -156,11 +154,28 @@ class Try(NamedTuple):
     NAME=VALUE.  `remark` says what the call assumes.
     """
 
-    inputs: "tuple[tuple[str, str], ...]" = ()
-    without: tuple[str, ...] = ()
-    instead: tuple[str, ...] = ()
-    words: tuple[str, ...] = ()
-    remark: str = ""
+    __slots__ = ("inputs", "instead", "remark", "without", "words")
+
+    def __init__(
+        self,
+        inputs: "tuple[tuple[str, str], ...]" = (),
+        without: tuple[str, ...] = (),
+        instead: tuple[str, ...] = (),
+        words: tuple[str, ...] = (),
+        remark: str = "",
+    ) -> None:
+        self.inputs, self.without, self.instead = inputs, without, instead
+        self.words, self.remark = words, remark
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether two propose the same."""
+        return isinstance(other, Try) and all(
+            getattr(self, name) == getattr(other, name) for name in self.__slots__
+        )
+
+    def __hash__(self) -> int:
+        """Return the same for the same proposals."""
+        return hash((self.inputs, self.without, self.instead, self.words))
 
     def __str__(self) -> str:
         """Return the change in words, or the call, with mentions."""

@@ -8,7 +8,8 @@ import re
 import shlex
 from collections.abc import Iterator
 from functools import cache
-from itertools import product
+from itertools import pairwise, product
+from math import isclose
 from typing import Any, NamedTuple
 from unittest import mock
 
@@ -67,25 +68,53 @@ ALSO = {"--get": "-g", "--format": "--json", "--delimiter": "-d"}  # other spell
 
 
 class Outcome(NamedTuple):
-    """The outcome of a call."""
+    """The outcome of a call; `hints` are the lines that propose other calls, with their answers."""
 
     status: int
     output: str
     error: RadcalcError | None
+    hints: Words
+
+    @property
+    def proposed(self) -> Iterator[tuple[Words, str]]:
+        """Yield the calls in the hints as they are pasted, each with the answer below it."""
+        for line, below in pairwise([*self.hints, ""]):
+            if line.startswith(terminal.CALLS):
+                answer = below.strip() if below.startswith("     ") else ""
+                yield shlex.split(line.partition("radcalc ")[2]), answer
 
 
 def call(words: Words, lines: bytes = LINES[0]) -> Outcome:
     """Run a command in this process, with lines as its input; catch its error."""
     caught: list[RadcalcError] = []
+    hinted: Words = []
 
-    def complain(error: RadcalcError, spelling: Any = None) -> int:
+    def complain(error: RadcalcError, spelling: Any = None, hints: Any = None) -> int:
         caught.append(error)
+        hinted.extend(hints or [])
         return terminal.FAILED
 
     with standard_streams(lines) as (out, _), mock.patch.object(terminal, "complain", complain):
         status = cli.run(list(words))
         out.seek(0)
-        return Outcome(status, out.read().decode(), caught[0] if caught else None)
+        return Outcome(status, out.read().decode(), caught[0] if caught else None, hinted)
+
+
+NUMBER = re.compile(r"-?[0-9.]+(?:e[+-]?[0-9]+)?")
+
+
+def unlike(words: Words, answer: str, lines: bytes) -> str:
+    """Return what is wrong with a call in a hint: it is refused, or its number is another."""
+    outcome = call(words, lines)
+    if outcome.status not in (terminal.ANSWERED, terminal.WRONG):
+        return f"refused: {outcome.error}"
+    if not answer:
+        return ""
+    shown = NUMBER.search(answer.rpartition(" ")[0] or answer)
+    numbers = [float(number) for number in NUMBER.findall(outcome.output)]
+    if shown and not any(isclose(float(shown[0]), number, rel_tol=1e-5) for number in numbers):
+        return f"answers {outcome.output!r}, not {answer!r}"
+    return ""
 
 
 class Option(NamedTuple):
@@ -327,6 +356,8 @@ def _is_answered(typed: tuple[str, ...], steps: int) -> bool:
         if outcome.error is None:
             is_answer = outcome.status in (terminal.ANSWERED, terminal.WRONG)
             return is_answer and outcome.output.strip() != ""
+        if any(not unlike(typed, answer, lines) for typed, answer in outcome.proposed):
+            return True
         ways = candidates(words, outcome.error) if steps else []
         if ways is None:
             return True
@@ -338,8 +369,16 @@ def _is_answered(typed: tuple[str, ...], steps: int) -> bool:
 
 def liars(words: Words, lines: bytes = LINES[0]) -> list[str]:
     """Return the alternatives in the hint of a refused call that do not lead to an answer."""
-    error = call(words, lines).error
+    outcome = call(words, lines)
+    error = outcome.error
     assert error is not None, words
+    if proposed := list(outcome.proposed):
+        faults = [(typed, unlike(typed, answer, lines)) for typed, answer in proposed]
+        return [
+            f"radcalc {shlex.join(words)}\n    try: radcalc {shlex.join(typed)}\n    {fault}"
+            for typed, fault in faults
+            if fault
+        ]
     ways = candidates(words, error)
     if ways is None:
         return []

@@ -220,14 +220,15 @@ def test_an_error_reaches_another_process_unchanged(row):
 
 
 def test_every_class_of_error_is_tested():
-    classes = {one for one in vars(errors).values() if inspect.isclass(one)} - {errors.Plain}
+    classes = {one for one in vars(errors).values() if inspect.isclass(one)}
+    classes -= {errors.Plain, errors.Try}
     assert {type(error()) for error, *_ in ERRORS.values()} == classes
     assert all(issubclass(one, RadcalcError) for one in classes)
 
 
 def test_an_error_has_attributes_for_programs():
     hint = f"{option('radius', '1m')} or {option('area')} (see {manual('ev')})"
-    assert tuple(MissingInput("", hint).symbols) == ("radius", "area")
+    assert MissingInput("", hint).missing == {"an input": ("radius", "area")}
     assert Unused(["radius"], "here").symbols == Exclusive(["radius"]).symbols == ("radius",)
     impossible = Impossible("radius", "-1m", "more than 0")
     assert (impossible.symbol, impossible.text, impossible.limit) == (
@@ -235,8 +236,10 @@ def test_an_error_has_attributes_for_programs():
     )  # fmt: skip
     unit = MissingUnit("radius", "1", "1m")
     assert (unit.symbol, unit.text, unit.written) == ("radius", "1", "1m")
-    lacking = MissingCondition("", "", "lm", "cd", ["a cone"])
-    assert (lacking.source, lacking.target, lacking.lacking) == ("lm", "cd", ("a cone",))
+    missing = MissingCondition("", "", "lm", "cd", {"a cone": ("isotropic",)})
+    assert (missing.source, missing.target) == ("lm", "cd")
+    assert missing.missing == {"a cone": ("isotropic",)}
+    assert (missing.code, MissingInput("", hint).code) == ("missing-condition", "missing-input")
     two = Contradiction("", "", "radius", 1.0, 2.0)
     assert (two.symbol, two.given, two.follows) == ("radius", 1.0, 2.0)
 

@@ -8,8 +8,9 @@ from typing import Any
 from radcalc.answer import Row, Value
 from radcalc.api.quantity import Quantity
 from radcalc.api.reading import as_text
+from radcalc.api.refusals import in_python
 from radcalc.api.result import Result
-from radcalc.api.spelling import in_python, in_words, keyword
+from radcalc.api.spelling import in_words, keyword
 from radcalc.errors import ConditionError
 from radcalc.homework.verdict import Verdict as Judged
 from radcalc.quantities.symbols import article

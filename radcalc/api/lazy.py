@@ -12,8 +12,9 @@ import numpy
 
 from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, unit_of
 from radcalc.api.reading import gathered
+from radcalc.api.refusals import in_python
 from radcalc.api.result import Result
-from radcalc.api.spelling import in_python, symbol_name
+from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, option
 from radcalc.maths import is_column
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS

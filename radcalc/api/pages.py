@@ -15,8 +15,9 @@ from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from radcalc.api import keywords
 from radcalc.api.calculate import calculate
+from radcalc.api.refusals import in_python
 from radcalc.api.result import Result
-from radcalc.api.spelling import Documented, Python, in_python, keyword, symbol_name
+from radcalc.api.spelling import Documented, Python, keyword, symbol_name
 from radcalc.calculators.page import Page, words_of
 from radcalc.calculators.pages import page_of
 from radcalc.errors import mention, spell

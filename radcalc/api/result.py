@@ -8,7 +8,8 @@ from radcalc import answer
 from radcalc.answer import Answer, Row, ShownInput, Step
 from radcalc.api.drawing import Drawing
 from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, quantity, unit_of
-from radcalc.api.spelling import in_python, in_words, keyword, symbol_name
+from radcalc.api.refusals import in_python
+from radcalc.api.spelling import in_words, keyword, symbol_name
 from radcalc.calculators.results import in_unit, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.inputs.given import Inputs

@@ -1,11 +1,6 @@
-"""Errors and remarks in Python's spelling: keywords instead of options."""
+"""Python's spelling of messages: keywords instead of options."""
 
-from collections.abc import Callable
-from functools import wraps
-from typing import ParamSpec, TypeVar
-
-from radcalc.calculators.missing import on_page
-from radcalc.errors import NumberError, RadcalcError, spell
+from radcalc.errors import NumberError, spell
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.units.numbers import read_number
@@ -14,8 +9,6 @@ from radcalc.units.table import resolve
 OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
 # Commands that are not functions.
 AT_A_SHELL = ("dose", "integrate", "prompt", "quantities", "typical", "units")
-P = ParamSpec("P")
-T = TypeVar("T")
 
 
 def keyword(name: str) -> str:
@@ -97,25 +90,6 @@ def _apart(value: str) -> str:
     except NumberError:
         return value
     return f"{value[:end]} {value[end:].strip()}".strip()
-
-
-def in_python(function: Callable[P, T]) -> Callable[P, T]:
-    """Raise errors with keywords instead of options."""
-
-    @wraps(function)
-    def call(*args: P.args, **kwargs: P.kwargs) -> T:
-        try:
-            return function(*args, **kwargs)
-        except RadcalcError as error:
-            error = on_page(error, symbol_name(function.__name__))
-            message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
-            if error.tries and not args:
-                from radcalc.api import trials
-
-                hint = trials.hint(error, function, kwargs) or hint
-            raise error.reworded(message, hint).with_traceback(error.__traceback__) from None
-
-    return call
 
 
 def in_words(text: str) -> str:

@@ -22,8 +22,8 @@ from radcalc.units.numbers import is_sentence
 Words = list[str]
 MOST = 3  # calls to make
 SHOWN = 3  # results to show of a call
-# Commands whose answers take long, or read files.
-LONG = ("dose", "environment", "integrate", "scene", "sky")
+# Commands that read files or long expressions.
+LONG = ("dose", "environment", "scene")
 WRITES = ("--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 

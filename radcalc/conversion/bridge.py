@@ -178,7 +178,7 @@ class Bridge:
             message += f"; {useless} {'does' if len(unused) == 1 else 'do'} not apply"
         hint = f"{'; and '.join(hints)} (see {manual('convert')})"
         missing = {wanted.phrase: mentioned(wanted.hint) for wanted in self.lacking.values()}
-        tries = [proposal._replace(without=tuple(unused)) for proposal in together(choices)]
+        tries = together(choices, tuple(unused))
         return MissingCondition(message, hint, self.source.text, self.target.text, missing, tries)
 
 
@@ -187,7 +187,7 @@ def joined(number: str, unit: str) -> str:
     return f"{number}{unit.removeprefix('1')}"
 
 
-def together(choices: Sequence[Sequence[Try]]) -> list[Try]:
+def together(choices: Sequence[Sequence[Try]], without: tuple[str, ...] = ()) -> list[Try]:
     """Return calls with a choice for each of several inputs: the first of all, then others."""
     if not all(choices):
         return []
@@ -198,6 +198,7 @@ def together(choices: Sequence[Sequence[Try]]) -> list[Try]:
     return [
         Try(
             tuple([given for proposal in chosen for given in proposal.inputs]),
+            without,
             remark=", ".join([proposal.remark for proposal in chosen if proposal.remark]),
         )
         for chosen in combined

@@ -1,21 +1,42 @@
-"""Calls of functions that hints propose, made before they are shown."""
+"""Errors in Python's spelling, with the calls that their hints propose."""
 
+import sys
 from collections.abc import Callable, Iterator, Mapping
+from functools import wraps
 from inspect import Parameter, signature
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
-import radcalc
 from radcalc.api.quantity import is_quantity, plain
 from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
+from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.errors import RadcalcError, Try, spell
+from radcalc.errors import RadcalcError, Try, mentioned, spell
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 
+P = ParamSpec("P")
+T = TypeVar("T")
 MOST = 3  # calls to make
 SIMPLE = (str, int, float, bool, type(None))
 
 
-def hint(error: RadcalcError, function: Callable[..., Any], given: Mapping[str, Any]) -> str:
+def in_python(function: Callable[P, T]) -> Callable[P, T]:
+    """Raise errors with keywords instead of options."""
+
+    @wraps(function)
+    def call(*args: P.args, **kwargs: P.kwargs) -> T:
+        try:
+            return function(*args, **kwargs)
+        except RadcalcError as error:
+            error = on_page(error, symbol_name(function.__name__))
+            message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
+            if error.tries and not args:
+                hint = calls(error, function, kwargs) or hint
+            raise error.reworded(message, hint).with_traceback(error.__traceback__) from None
+
+    return call
+
+
+def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str, Any]) -> str:
     """Return the calls that an error's hint proposes, each with its answer below it.
 
     Return '' if none is answered, or if the user's call has arrays, which may take long.
@@ -32,6 +53,10 @@ def hint(error: RadcalcError, function: Callable[..., Any], given: Mapping[str, 
             continue
         remark = spell(proposal.remark, PythonHint)
         texts.append("\n     ".join([call, ", ".join(filter(None, [_text(answer), remark]))]))
+    typed = {name for proposal in error.tries for name, _ in proposal.inputs}
+    if texts and (others := [name for name in mentioned(error.hint) if name not in typed]):
+        help_ = Python.manual(symbol_name(function.__name__))
+        return "\nor:  ".join(texts) + f"\nor {', '.join(map(keyword, others))} ({help_})"
     return "\nor:  ".join(texts)
 
 
@@ -73,7 +98,7 @@ def _other(proposal: Try) -> tuple[str, Any]:
         keyword(name): value or SYMBOLS[name].form == FLAG or page_of(command).symbol(name).example
         for name, value in inputs.items()
     }
-    function = getattr(radcalc, keyword(command)).__wrapped__
+    function = getattr(sys.modules["radcalc"], keyword(command)).__wrapped__
     answer = function(*operands, **arguments)
     if wanted:
         name, _, unit = wanted.partition(":")
