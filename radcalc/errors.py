@@ -238,7 +238,7 @@ class RadcalcError(Exception):
         """Return the kind of the error, as a program reads it: `missing-condition`."""
         kind = next(kind for kind in type(self).__mro__ if kind.__module__ == __name__)
         name = "".join([f"-{c.lower()}" if c.isupper() else c for c in kind.__name__])
-        return name.removeprefix("-").removesuffix("-error")
+        return name.removeprefix("-").removesuffix("-error").replace("radcalc", "call")
 
     def __reduce__(self) -> "tuple[Any, ...]":
         """Return the pickled form, with its fields."""

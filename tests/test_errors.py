@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from radcalc import errors
-from radcalc.api.spelling import in_python as of_function
+from radcalc.api.refusals import in_python as of_function
 from radcalc.calculators.integrate import integrate
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick

@@ -18,7 +18,7 @@ from radcalc.conversion.plan import answer as answer_of
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import ConditionError, ConversionError, UnitError, option, quote
 from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
-from radcalc.maths import is_array, is_column, is_uncertain
+from radcalc.maths import LARGEST, is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe, result_name
 from radcalc.quantities.symbols import article
 from radcalc.units.amount import Amount as ReadAmount
@@ -257,7 +257,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     else:
         magnitude, source = value, None
     given = [*read_inputs(conditions).values()]
-    is_one = isinstance(magnitude, (int, float))
+    is_one = isinstance(magnitude, (int, float)) and abs(magnitude) < LARGEST
     conversion = _plan_of(source, target, given, f"{magnitude:.12g}" if is_one else "1")
     if _has_uncertainty(magnitude):
         return conversion, magnitude, given

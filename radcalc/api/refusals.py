@@ -54,6 +54,7 @@ def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str,
         remark = spell(proposal.remark, PythonHint)
         texts.append("\n     ".join([call, ", ".join(filter(None, [_text(answer), remark]))]))
     typed = {name for proposal in error.tries for name, _ in proposal.inputs}
+    typed |= {name for proposal in error.tries for name in (*proposal.without, "get")}
     if texts and (others := [name for name in mentioned(error.hint) if name not in typed]):
         help_ = Python.manual(symbol_name(function.__name__))
         return "\nor:  ".join(texts) + f"\nor {', '.join(map(keyword, others))} ({help_})"

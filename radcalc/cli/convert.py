@@ -17,12 +17,14 @@ from radcalc.conversion.plan import answer, plan, target_of
 from radcalc.errors import (
     MINUS,
     ConversionError,
+    Hint,
     MissingUnit,
     NumberError,
     RadcalcError,
     UnitError,
     UsageError,
-    option,
+    add,
+    correct,
     quote,
     quote_path,
 )
@@ -245,23 +247,23 @@ def _meant(words: list[str]) -> UnitError | None:
             unit, *following = following
         if is_name(unit):
             usual = named(unit).text.replace(" ", ".")
-            return UnitError(f"'{quote(unit)}' is a quantity, not a unit", usual)
+            return UnitError(f"'{quote(unit)}' is a quantity, not a unit", correct(unit, usual))
         if unit in PREFIX_SYMBOLS and following and unit_of(unit + following[0]):
             problem = f"'{quote(unit)} {quote(following[0])}' has a blank after its prefix"
-            return UnitError(problem, quote(unit + following[0]))
+            return UnitError(problem, correct(f"{unit} {following[0]}", unit + following[0]))
     except RadcalcError as error:
         return error if isinstance(error, UnitError) and is_name(unit) else None
     return None
 
 
-def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
+def likely_efficacy(error: MissingUnit, words: list[str]) -> Hint:
     """Return the hint for an efficacy without a unit: one that links the kinds of the units."""
     try:
         amount, target = read_operands(words)
         ends = (amount.unit, target_of(target, amount.unit))
         readings = [read_light(unit) for unit in ends if unit]
     except RadcalcError:  # reported when the unit is given
-        return error.hint
+        return error.tries
     kinds = {reading.kind for reading in readings if reading}
     units = {
         frozenset("ev"): ("lm/W", "W/lm"),
@@ -269,9 +271,9 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
         frozenset("vp"): ("lm.s/umol", "umol/lm/s"),
     }.get(frozenset(kinds))
     if units is None:
-        return error.hint
+        return error.tries
     is_small = read_number(error.text)[0] < 1
-    return option("efficacy", f"{error.text}{units[is_small]}")
+    return add("efficacy", f"{error.text}{units[is_small]}")
 
 
 def _cut(unit: str) -> str:

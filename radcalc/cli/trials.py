@@ -21,7 +21,7 @@ from radcalc.units.numbers import is_sentence
 
 Words = list[str]
 MOST = 3  # calls to make
-SHOWN = 3  # results to show of a call
+SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "environment", "scene")
 WRITES = ("--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
@@ -44,7 +44,7 @@ class Trial(NamedTuple):
     def outcome(self) -> str:
         """Return the first results, with their names unless the call names them."""
         named = called_in(self.words) != "convert" and "-g" not in self.words
-        shown = self.rows[: 1 if named else SHOWN]
+        shown = self.rows[: NAMED if named else SHOWN]
         texts = [
             f"{row.name} " * named + f"{row.value:.6g} {row.unit.removesuffix('1')}".strip()
             for row in shown
@@ -64,8 +64,8 @@ def refuse(error: RadcalcError, words: Words) -> int:
     if "--json" in words or " --format json" in f" {' '.join(words)}".replace("=", " "):
         from radcalc.render.json import refusal
 
-        message, _ = error.spelled(Shell)
-        terminal.write(refusal(error, message, [trial.record() for trial in shown]))
+        message, hint = error.spelled(Shell)
+        terminal.write(refusal(error, message, hint, [trial.record() for trial in shown]))
     hints = lines(error, words, shown) if shown else None
     if error.tries and not shown and is_refused(error, words):
         hints = [f"try: {' '.join(['radcalc', called_in(words), '--help'])}"]
@@ -89,7 +89,9 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
             try:
                 made.append(Trial(call, remark, _results(call) if _is_short(call) else ()))
             except RadcalcError as further:  # one more is missing
-                proposal = next(iter(further.tries), None)
+                proposal = next(
+                    (one for one in further.tries if one.inputs and not one.without), None
+                )
             except click.ClickException:
                 break
     return made

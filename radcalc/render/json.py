@@ -109,10 +109,11 @@ def _amount(value: Any, uncertainty: float, unit: str) -> dict[str, Any]:
     return {"value": value, **off, "unit": unit}
 
 
-def refusal(error: RadcalcError, message: str, tries: Sequence[dict[str, Any]]) -> str:
+def refusal(error: RadcalcError, message: str, hint: str, tries: Sequence[dict[str, Any]]) -> str:
     """Return an error as an object, with the calls that its hint proposes."""
     missing = [{"what": what, "symbols": symbols} for what, symbols in error.missing.items()]
-    record = {"code": error.code, "message": message, "missing": missing, "try": tries}
+    record = {"code": error.code, "message": message, "hint": hint, "missing": missing}
+    record["try"] = tries
     return f"{_text({'error': record})}\n"
 
 
