@@ -8,6 +8,7 @@ horizon is 0.
 import math
 import sys
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -27,6 +28,7 @@ ROUNDING = 1e-13  # [1] error of the sums, relative to the integral
 FAINT = 1e-300  # avoids a division by 0 in exp(b / 0)
 NO_WIDTH = 1e-15  # [rad]
 LOW = 1e-3  # [1] cosine below which exp(b / cosine) is negligible
+SEVERAL, FEW = 256, 8  # integrals that are kept, and those without NumPy
 SAMPLES = 721  # of the meridian on which the peak is searched
 
 
@@ -363,6 +365,7 @@ def brightest(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[flo
     return value, abs(best), (bearing + math.pi if best < 0 else bearing) % (2 * math.pi)
 
 
+@lru_cache(SEVERAL)
 def _integrals(
     sky: SkyType, sun: tuple[float, float] | None, facing: Vector | None
 ) -> tuple[float, float]:
@@ -435,9 +438,11 @@ def _graded(
 ) -> float:
     """Return the integral over arcs of exp(b / height) times the cosine to the normal.
 
-    If NumPy is loaded, it computes all points at once.
+    If NumPy is loaded, it computes all points at once; a table of answers loads it.
     """
-    numpy = sys.modules.get("numpy")
+    numpy: Any = sys.modules.get("numpy")
+    if numpy is None and _integrals.cache_info().misses > FEW:
+        import numpy
     if numpy is None:
         return math.fsum(
             sum(weight * _at(math, b, bearing, arc, place) for place, weight in rule)

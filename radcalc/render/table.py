@@ -6,6 +6,7 @@ fit, each row is a line instead of a row of a table.
 
 import io
 from collections.abc import Container, Iterable, Sequence
+from itertools import groupby
 from typing import NamedTuple
 
 from rich import box
@@ -27,6 +28,8 @@ from radcalc.units.unit import unit_behind
 WIDE, NARROW = 3, 1
 LONG = 12  # letters of a word that may be folded
 LONGEST_FRACTION = 0.3  # seconds: longer exposure times are marked as decimals
+FEW = 100  # rows that Rich draws: it takes a millisecond for each
+CODES = {"bold": BOLD, "dim": FAINT, "": ""}
 KEPT = "\xa0"  # a non-breaking blank
 ASIDE = ("given: ", "    [")  # beginnings of faint lines: given values, references
 REMARKS_ARE_APART = False
@@ -89,7 +92,7 @@ def _line_per_row(results: Sequence[Result], rows: Sequence[Row], style: Style) 
         for result, case in zip(results, cases, strict=True)
         for row in result.rows
     ]
-    faint: list[str | int] = [*names, *(number for number, row in enumerate(rows) if row.given)]
+    faint: set[str | int] = {*names, *(k for k, row in enumerate(rows) if row.given)}
     above: list[str] = []
     if len(rows) > 1 and len({(row.quantity, row.symbol, row.given) for row in rows}) == 1:
         quantity = _quantity(rows[0], style.language)
@@ -243,7 +246,7 @@ class Drawn(NamedTuple):
     below: Sequence[str] = ()
     right: Sequence[str] = ()
     unfolded: Sequence[str] = ()
-    faint: Sequence[str | int] = ()
+    faint: Container[str | int] = ()
 
     def style(self, row: int, name: str) -> str:
         """Return the style of a cell: results are bold, given values dim."""
@@ -262,44 +265,76 @@ def draw(drawn: Drawn, style: Style) -> str:
         unfolded.remove("unit")
     fitting = _widths([header, *rows], unfolded, width) if header else None
     if fitting:
-        widths, gap = fitting
-        console = Console(
-            file=out,
-            width=width,
-            force_terminal=style.color,
-            no_color=not style.color,
-            color_system="standard" if style.color else None,
-            highlight=False,
-            markup=False,
-            emoji=False,
-            legacy_windows=False,
-        )
-        # Empty columns keep the others apart: before Rich 14 the padding of cells was also counted
-        # at the edges, where there is none, and a table as wide as the terminal was squeezed.
-        table = Table(box=_box(), padding=0, show_edge=False, header_style="")
-        for name, columns in zip(header, widths, strict=True):
-            if table.columns and gap == WIDE:
-                table.add_column(width=WIDE - 2)
-            table.add_column(
-                Text(name, "bold"),
-                width=columns,
-                justify="right" if name in drawn.right else "left",
-                overflow="fold",
-            )
-        for number, cells in enumerate(rows):
-            texts = [  # the text is styled, not the blanks that fill a cell
-                Text.assemble((_parted(cell, columns), drawn.style(number, name)))
-                for name, cell, columns in zip(header, cells, widths, strict=True)
-            ]
-            apart = [part for text in texts for part in (None, text)]
-            table.add_row(*(apart[1:] if gap == WIDE else texts))
-        console.print(table)
+        out.write(_by_rich(drawn, range(min(len(rows), FEW)), *fitting, style))
+        lines = [(row, _at_once(drawn, row, *fitting, style)) for row in range(FEW, len(rows))]
+        for is_folded, part in groupby(lines, lambda line: line[1] is None):
+            if is_folded:
+                out.write(_by_rich(drawn, [row for row, _ in part], *fitting, style, False))
+            else:
+                out.writelines(line or "" for _, line in part)
     else:
         out.write(
             "".join(f"{line}\n" for row in rows for line in _lines(header, row, unfolded, width))
         )
     out.write(_folded(drawn.below, style))
     return "\n".join(line.rstrip() for line in out.getvalue().split("\n"))
+
+
+def _by_rich(
+    drawn: Drawn,
+    numbers: Sequence[int],
+    widths: Sequence[int],
+    gap: int,
+    style: Style,
+    has_header: bool = True,
+) -> str:
+    """Draw some rows of a table."""
+    out = io.StringIO()
+    console = Console(
+        file=out,
+        width=style.width,
+        force_terminal=style.color,
+        no_color=not style.color,
+        color_system="standard" if style.color else None,
+        highlight=False,
+        markup=False,
+        emoji=False,
+        legacy_windows=False,
+    )
+    # Empty columns keep the others apart: before Rich 14 the padding of cells was also counted
+    # at the edges, where there is none, and a table as wide as the terminal was squeezed.
+    table = Table(box=_box(), padding=0, show_edge=False, header_style="", show_header=has_header)
+    for name, columns in zip(drawn.header, widths, strict=True):
+        if table.columns and gap == WIDE:
+            table.add_column(width=WIDE - 2)
+        table.add_column(
+            Text(name, "bold"),
+            width=columns,
+            justify="right" if name in drawn.right else "left",
+            overflow="fold",
+        )
+    for row in numbers:
+        texts = [  # the text is styled, not the blanks that fill a cell
+            Text.assemble((_parted(cell, columns), drawn.style(row, name)))
+            for name, cell, columns in zip(drawn.header, drawn.lines[row], widths, strict=True)
+        ]
+        apart = [part for text in texts for part in (None, text)]
+        table.add_row(*(apart[1:] if gap == WIDE else texts))
+    console.print(table)
+    return out.getvalue()
+
+
+def _at_once(drawn: Drawn, row: int, widths: Sequence[int], gap: int, style: Style) -> str | None:
+    """Return the line of a row as Rich draws it, but sooner; None if a cell has to be folded."""
+    texts = []
+    for name, cell, columns in zip(drawn.header, drawn.lines[row], widths, strict=True):
+        spare = columns - cell_len(cell)
+        if spare < 0 or not cell.isprintable() or cell != cell.strip():
+            return None
+        code = CODES[drawn.style(row, name)] if style.color and cell else ""
+        text = f"{code}{cell}{RESET}" if code else cell
+        texts.append(" " * spare + text if name in drawn.right else text + " " * spare)
+    return f"{(' ' * gap).join(texts)}\n"
 
 
 def _box() -> box.Box:

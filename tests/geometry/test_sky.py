@@ -5,10 +5,11 @@ import sys
 
 import numpy as np
 import pytest
+from conftest import python
 
 from radcalc.distributions.sky import Sky
 from radcalc.errors import ConditionError, MissingInput, Unused
-from radcalc.geometry.sky import NAMES, TYPES, projected_sky
+from radcalc.geometry.sky import NAMES, TYPES, _integrals, projected_sky
 
 UP, DOWN = (0, 0, 1), (0, 0, -1)
 # CIE S 011:2003, table 1: a, b of the six gradations, c, d, e of the six indicatrices, and their
@@ -197,4 +198,14 @@ def test_the_integral_is_the_same_with_and_without_numpy(monkeypatch, name, norm
     sun = (math.radians(50), 0.3) if TYPES[name].follows_sun else None
     fast = projected_sky(TYPES[name], normal, sun)[0]
     monkeypatch.delitem(sys.modules, "numpy")
+    _integrals.cache_clear()
     assert projected_sky(TYPES[name], normal, sun)[0] == pytest.approx(fast, rel=1e-14)
+
+
+def test_a_table_of_answers_integrates_each_plane_once_and_loads_numpy():
+    code = (
+        "import sys; from radcalc.geometry.sky import TYPES, _integrals, projected_sky\n"
+        "for k in range(60): projected_sky(TYPES['12'], (1, 0, k % 20), (0.5, 0.3))\n"
+        "print(_integrals.cache_info().misses, 'numpy' in sys.modules)"
+    )
+    assert python(code).stdout == "20 True\n"

@@ -1,6 +1,7 @@
 """Tables on a terminal: width, colours, and the lines below them."""
 
 import os
+import random
 import re
 from itertools import product
 
@@ -218,3 +219,22 @@ def test_a_table_may_fill_the_terminal():
     ).splitlines()
     assert [head.split(), line.split()] == [header, cells]
     assert len(rule) == width
+
+
+CELLS = (
+    "", "1.25", "lx", "a/b", "long name of a quantity", "W/m²/sr", "日本", "x\u200b", "φ", "a\nb",
+    " x", "x ", "\xa0y", "photon/s/m2", "a" * 30, "[bold]x", "1e-12 ± 3",
+)  # fmt: skip
+
+
+def test_rows_of_a_long_table_are_those_that_rich_draws(monkeypatch):
+    draw = random.Random(1)
+    for _ in range(100):
+        header = ["value", "unit", "x y", "symbol", "for"][: draw.randint(1, 5)]
+        rows = [[draw.choice(CELLS) for _ in header] for _ in range(draw.randint(1, 20))]
+        drawn = table.Drawn(header, rows, right=("value",), faint={"for", 3, 5}, unfolded=("x y",))
+        style = Style(width=draw.choice((20, 40, 60, 200)), color=draw.choice((True, False)))
+        monkeypatch.setattr(table, "FEW", len(rows))
+        by_rich = table.draw(drawn, style)
+        monkeypatch.setattr(table, "FEW", draw.choice((0, 1, 3)))
+        assert table.draw(drawn, style) == by_rich
