@@ -10,7 +10,7 @@ from io import FileIO
 
 from radcalc import terminal
 from radcalc.errors import ConditionError, OutputError, quote, quote_path
-from radcalc.files.text import readable
+from radcalc.files.text import is_file_name, readable
 
 BLOCK = 1 << 20  # bytes to read at a time if the size is unknown
 
@@ -61,7 +61,7 @@ def check_place(path: str, extensions: Collection[str], thing: str, instead: str
     if extension not in extensions:
         what = f"as {quote(extension)}" if extension else "without an extension"
         raise ConditionError(f"{quote_path(path)}: {thing} cannot be written {what}", instead)
-    if "\0" in path:
+    if not is_file_name(path):
         raise _cannot_write(path, "not a file name")
     target = os.path.realpath(path)
     folder = os.path.dirname(target)

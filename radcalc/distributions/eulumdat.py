@@ -36,7 +36,7 @@ import numpy
 
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
+from radcalc.distributions.planes import CLOSEST, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
 from radcalc.files.columns import MARKS, Decimals, finite, numbers_at_once
 from radcalc.files.text import refusal
@@ -259,7 +259,7 @@ class _Reader:
         angles: list[float] = []
         for k in range(count):
             angle = self.number(f"angle {what} {k + 1} of {count}", 0, highest)
-            if angles and angle <= angles[-1]:
+            if angles and angle - angles[-1] < CLOSEST:
                 self.refuse(
                     self.at,
                     f"the {what} angles do not rise: {angle:g} deg after {angles[-1]:g} deg",

@@ -11,7 +11,7 @@ from radcalc.geometry.directions import TURN, cartesian, spherical
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.maths import Number, in_chunks
 
-SLACK = 1e-9  # [rad] rounding beyond the ends of a table
+SLACK = 1e-9  # [rad] rounding beyond the ends of a table, and the closest of its angles
 SEAM = 0.02  # of the peak: largest accepted difference of two values in one direction
 NARROW = 0.1  # [rad] half a cell: up to this, four terms of the series are exact
 MANY = 9  # azimuths, of which half still show the shape
@@ -81,7 +81,7 @@ class Grid:
                 f"shape {self.values.shape}",
                 "a value for each pair, of two polar angles or more",
             )
-        if any(numpy.any(numpy.diff(angles) <= 0) for angles in (self.polar, self.azimuth)):
+        if any(numpy.any(numpy.diff(angles) < SLACK) for angles in (self.polar, self.azimuth)):
             raise ConditionError("the angles of a table do not rise", "each larger than the last")
         self._has_one_plane = len(self.azimuth) == 1
         self._closes = math.isclose(self.azimuth[-1] - self.azimuth[0], TURN)

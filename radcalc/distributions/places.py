@@ -55,7 +55,7 @@ def relative_irradiance(
     0.006
     """
     theta, phi, distance = pose.angles((x, y, 0.0 - height))
-    return distribution.intensity(theta, phi) * height / distance**3
+    return distribution.intensity(theta, phi) * (height / distance) / distance / distance
 
 
 def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Integral:

@@ -13,6 +13,7 @@ from radcalc.errors import ConditionError
 
 TURN = 360.0  # [deg]
 SLACK = 0.01  # [deg] tolerance of angles
+CLOSEST = 1e-6  # [deg] below it, two angles of a table are one
 GREATEST = 1e100  # intensity in any unit: sums of it stay finite
 NOISE = 1e-3  # of the greatest: smaller negative values are a photometer's noise
 ROUNDED = 0.5  # [deg] rounding of the angles of evenly spaced planes

@@ -29,7 +29,7 @@ import numpy
 from radcalc.distributions import column_titles
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import SLACK, closed, end_of, mirrored, without_noise
+from radcalc.distributions.planes import CLOSEST, SLACK, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, listed, quote
 from radcalc.files import columns
 from radcalc.files.text import refusal
@@ -177,7 +177,7 @@ class _Reader:
             self.refuse(*doubt, columns.MARKS)
         angles, values = table[:, 0], table[:, 1:]
         for (number, _), angle, before in zip(self.rows[1:], angles[1:], angles, strict=False):
-            if angle <= before:
+            if angle - before < CLOSEST:
                 self.refuse(
                     number, f"the angles do not rise: {angle:g} after {before:g}", "rising angles"
                 )

@@ -1,6 +1,7 @@
 """The lines of a file of numbers, in blocks, with any encoding and line ends."""
 
 import codecs
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
@@ -50,11 +51,19 @@ def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], byt
         yield name, file.read
 
 
+def is_file_name(path: str) -> bool:
+    """Return whether the system can take a text as a name: it has no NUL and no lone surrogate."""
+    try:
+        return b"\0" not in os.fsencode(path)
+    except UnicodeEncodeError:
+        return False
+
+
 @contextmanager
 def readable(path: str, expected: str) -> Iterator[str]:
     """Yield the name of a file in messages; raise a ConditionError for an OSError meanwhile."""
     name = quote_path(path)
-    if "\0" in path:
+    if not is_file_name(path):
         raise ConditionError(f"cannot read {name}: not a file name", expected)
     try:
         yield name

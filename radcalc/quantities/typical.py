@@ -23,6 +23,7 @@ THINGS = (
     *("улица", "свеча", "лампа", "фара", "фонарик", "лазер", "экран", "растения"),
 )
 NEAREST = 7  # values shown near a given one
+LEAST, MOST = 1e-99, 1e99  # sizes to look near
 FAR = 10.0  # ratio above which a value is not near
 ENDING = 2  # letters of a word that declension may change, in Czech and Russian
 STEM = 4  # letters that do not change
@@ -124,8 +125,9 @@ def _near(text: str) -> list[Typical]:
     if amount is None or amount.unit is None:
         return []
     known = [value for value in VALUES if value.measured.dimension == amount.unit.dimension]
-    if known and _size(amount) <= 0:
-        raise UsageError(f"no typical value is near '{quote(text)}'", "more than 0")
+    if known and not LEAST <= _size(amount) <= MOST:
+        hint = "less" if _size(amount) > MOST else "more than 0"
+        raise UsageError(f"no typical value is near '{quote(text)}'", hint)
     is_of_day = _is_of_day(amount.unit)
 
     def order(value: Typical) -> tuple[bool, float, bool]:

@@ -375,7 +375,7 @@ def zone_of(text: str) -> tzinfo:
 
     try:
         return ZoneInfo(text)
-    except (KeyError, ValueError, OSError):
+    except (KeyError, ValueError, OSError, RecursionError):  # of many dots in a name
         pass
     names = available_timezones()
     if not names:

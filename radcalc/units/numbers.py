@@ -95,10 +95,12 @@ def typed_digits(text: str) -> tuple[str, int] | None:
 
     None for a fraction, a product or a multiple of pi, which are exact.
     """
-    mantissa, _, exponent = text.lower().lstrip(SIGNS).replace(MINUS, "-").partition("e")
-    whole, _, part = mantissa.partition(".")
-    if not (whole + part).isdigit() or not (exponent or "0").lstrip("+-").isdigit():
+    text = text[1:] if text[:1] in tuple(SIGNS) else text
+    mantissa = _decimal_ends(text, 0)
+    if not mantissa or _exponent_ends(text, mantissa) != len(text):
         return None
+    whole, _, part = text[:mantissa].partition(".")
+    exponent = text[mantissa + 1 :].replace(MINUS, "-")
     return whole + part, int(exponent or 0) - len(part)
 
 

@@ -271,6 +271,12 @@ def test_a_malformed_number_has_the_usual_error():
         search("1,5lx")
 
 
+@pytest.mark.parametrize("text", ["1.79e308ph", "1.79e308 lx", "2.3e-308 lx", "0 lx", "-1 lx"])
+def test_nothing_is_near_an_amount_that_no_light_has(text):
+    with pytest.raises(UsageError, match="no typical value is near"):
+        search(text)
+
+
 def test_near_values_are_sorted_by_their_ratio():
     """By hand: 1 lx is 1; 0.25, 1/4; 2 to 3.5, 2; 2 to 15, 2; 0.1 to 0.3, 3.3 times."""
     found = [value.what for value in search("1 lx")]

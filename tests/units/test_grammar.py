@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from radcalc.errors import NumberError, UnitError
 from radcalc.units.grammar import parse_unit
-from radcalc.units.numbers import parse_number, rounding, split_quantity
+from radcalc.units.numbers import parse_number, rounding, split_quantity, typed_digits
 from radcalc.units.table import resolve
 
 SAME = [("W", 1), ("m", -2), ("sr", -1)]
@@ -220,3 +220,9 @@ def test_ten_megabytes_are_refused_without_parsing_them(hostile):
 )  # fmt: skip
 def test_the_rounding_of_a_number_is_half_its_last_digit_of_at_least_three(text, half_a_digit):
     assert rounding(text) == pytest.approx(half_a_digit, rel=1e-14)
+
+
+def test_only_a_whole_decimal_has_digits():
+    assert typed_digits("-1.50e\u22123") == ("150", -5)
+    for text in ("", ".", "1e++5", "1e", "1e5.5", "1.2.3", "²", "1/3", "pi", "-+1", "e5", "١"):
+        assert typed_digits(text) is None, text

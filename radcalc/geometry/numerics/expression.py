@@ -10,6 +10,7 @@ import math
 import re
 import warnings
 from collections.abc import Callable
+from sys import float_info
 from typing import Any
 
 import numpy
@@ -319,6 +320,8 @@ def _finite(value: float) -> float:
         number = math.inf
     if number == math.inf:
         raise ConditionError("a number in the expression is too large", "less than 1e308")
+    if 0 < number < float_info.min:
+        raise ConditionError("a number in the expression is too small", "more than 2.3e-308")
     return number
 
 
