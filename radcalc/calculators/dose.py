@@ -1,7 +1,8 @@
-"""Exposure or energy of samples of light over time, by the trapezoidal rule.
+"""Exposure or energy of samples of light over time.
 
-Values between samples are interpolated linearly.  A step that is longer than `max-gap`, or that
-lacks a sample, is a gap: it adds nothing, and a note reports it.
+Samples are points, with straight lines between them, or means over the steps that they begin.
+A step that is longer than `max-gap`, or that lacks a sample, is a gap: it adds nothing, and a note
+reports it.
 """
 
 from bisect import bisect_left
@@ -28,6 +29,12 @@ from radcalc.units.unit import Unit, divide
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
 WHOLE = (3600, 86400)  # seconds of an hour, and of a day without a clock change
 NOISE = 0.05  # of the peak: smaller negative readings are a meter's offset
+POINTS, MEANS_OF_STEPS = "points", "means"  # what samples are
+READINGS = {
+    POINTS: "values between samples are interpolated linearly (trapezoidal rule)",
+    MEANS_OF_STEPS: "each sample is the mean from its time to the next sample; the last one, or "
+    "one before a gap, lasts as long as the step before it",
+}
 LONG = 10  # times the mean of the others: longer steps are noted
 MOST = 100_000  # periods: 11 years of hours
 SLACK = 1e-9  # of a number of units
@@ -38,6 +45,10 @@ MEAN = {
     FLUX: law("mean flux", "{energy} = {mean-flux} {covered-time}"),
 }
 RECEIVED = law("received energy", "{energy} = {exposure} {receiver-area}", "ISO 80000-7")
+SUM_OF_MEANS = {
+    IRRADIANCE: Formula("exposure of means", "{exposure} = sum of E_i (t_i+1 - t_i)"),
+    FLUX: Formula("energy of means", "{energy} = sum of Phi_i (t_i+1 - t_i)"),
+}
 SUM = {
     IRRADIANCE: Formula("exposure of samples", "{exposure} = sum of (E_i + E_i+1)/2 (t_i+1 - t_i)"),
     FLUX: Formula("energy of samples", "{energy} = sum of (Phi_i + Phi_i+1)/2 (t_i+1 - t_i)"),
@@ -117,12 +128,14 @@ class Period:
         self.is_in_gap = False  # also for a single sample between two gaps
         self.peak, self.when = -inf, start
 
-    def take(self, times: list[Any], values: list[float], steps: list[Any]) -> None:
+    def take(
+        self, times: list[Any], values: list[float], steps: list[Any], of_means: bool = False
+    ) -> None:
         highest = max(values)
         if highest > self.peak:
             self.peak, self.when = highest, times[values.index(highest)]
         self.covered += times[-1] - times[0]
-        part = _sum(values, steps)
+        part = _sum(values, values if of_means else values[1:], steps)
         total = self.total + part  # Neumaier's sum
         if abs(self.total) >= abs(part):
             self.low += (self.total - total) + part
@@ -134,11 +147,20 @@ class Period:
 class Dose:
     """Samples added up over the whole log or by period."""
 
-    def __init__(self, longest: float = inf, bridges: bool = False, spans: Spans | None = None):
+    def __init__(
+        self,
+        longest: float = inf,
+        bridges: bool = False,
+        spans: Spans | None = None,
+        of_means: bool = False,
+    ) -> None:
         """Take the longest step to bridge [ticks], and the periods.
 
-        With `bridges`, a missing sample does not make a gap by itself.
+        With `bridges`, a missing sample does not make a gap by itself; with `of_means`, a sample is
+        the mean from its time to that of the next one.
         """
+        self.of_means = of_means
+        self.usual = 0.0  # the last bridged step
         self.longest = longest * (1 + ROUNDED)
         self.bridges = bridges
         self.spans = spans
@@ -163,7 +185,7 @@ class Dose:
         if self.first is None:
             self.first, self.first_value = times[0], values[0]
         elif self.is_broken or times[0] - self.time > self.longest:
-            self._gap(self.time, times[0])
+            self._gap(self.time, times[0], self.value)
         else:
             times, values, counted = [self.time, *times], [self.value, *values], 1
         self.time, self.value, self.is_broken = times[-1], values[-1], False
@@ -173,7 +195,7 @@ class Dose:
             for k, step in enumerate(steps, 1):
                 if step > self.longest:
                     self._run(times[start:k], values[start:k], steps[start : k - 1], counted)
-                    self._gap(times[k - 1], times[k])
+                    self._gap(times[k - 1], times[k], values[k - 1])
                     start, counted = k, 0
         self._run(times[start:], values[start:], steps[start:], counted)
 
@@ -188,7 +210,23 @@ class Dose:
             if low < self.least:
                 self.least, self.least_at = low, times[values.index(low)]
 
-    def _gap(self, start: Any, end: Any) -> None:
+    def finish(self) -> None:
+        """End the last mean."""
+        if self.of_means and self.usual:
+            self.time = self._hold(self.value, self.time, self.time + self.usual)
+
+    def _hold(self, value: float, start: Any, end: Any) -> Any:
+        """Add a value that lasts from one time to another; return the latter."""
+        while start < end:
+            period = self._period(start)
+            stop = min(end, period.end)
+            period.take([start, stop], [value, value], [stop - start])
+            start = stop
+        return start
+
+    def _gap(self, start: Any, end: Any, value: float) -> None:
+        if self.of_means:
+            start = self._hold(value, start, min(start + self.usual, end))
         self.gaps += 1
         self.gap_time += end - start
         self.widest = max(self.widest, SampleStep(end - start, start, end))
@@ -202,12 +240,14 @@ class Dose:
     def _run(self, times: list[Any], values: list[float], steps: list[Any], counted: int) -> None:
         """Add samples without gaps, split at the ends of periods."""
         if steps:
+            self.usual = steps[-1]
             longest = max(steps)
             if longest > self.step.length:
                 at = steps.index(longest)
                 self.step = SampleStep(longest, times[at], times[at + 1])
             if min(values) < 0:
-                self.below += fsum(map(_area_below, values, values[1:], steps))
+                ends = values if self.of_means else values[1:]
+                self.below += fsum(map(_area_below, values, ends, steps))
         elif not counted:
             self._period(times[0]).is_in_gap = True
         while True:
@@ -216,14 +256,19 @@ class Dose:
             cut = bisect_left(times, end)
             period.count += cut - counted
             if cut == len(times):
-                period.take(times, values, steps)
+                period.take(times, values, steps, self.of_means)
                 return
             step_to_end = end - times[cut - 1]
             value = values[cut]
-            if times[cut] != end:  # on the straight line between two samples
+            if self.of_means:
+                value = values[cut - 1]
+            elif times[cut] != end:  # on the straight line between two samples
                 value = values[cut - 1] + (value - values[cut - 1]) * (step_to_end / steps[cut - 1])
             period.take(
-                [*times[:cut], end], [*values[:cut], value], [*steps[: cut - 1], step_to_end]
+                [*times[:cut], end],
+                [*values[:cut], value],
+                [*steps[: cut - 1], step_to_end],
+                self.of_means,
             )
             counted = int(times[cut] != end)
             if counted:
@@ -296,8 +341,9 @@ class SummedLog(NamedTuple):
             mean = (bridged - dose.step.length) / other_steps
             if other_steps > 0 and dose.step.length > LONG * mean:
                 between = self._between(mean, dose.step.length)
+                how = "one mean" if dose.of_means else "interpolated linearly"
                 notes.append(
-                    f"interpolated linearly: a step of {self._describe(dose.step)}; the "
+                    f"{how}: a step of {self._describe(dose.step)}; the "
                     f"others have {_duration(self.seconds(mean))} on average "
                     f"({option('max-gap', between)} would leave it out)"
                 )
@@ -373,8 +419,11 @@ class SummedLog(NamedTuple):
             placed.add(peak, _exact(period.peak, factor))
         unit = coherent_unit_of(amount, reading.kind)
         sum_text = f"{format_value(size, unit)}, of {period.count} samples"
-        placed.steps.append(SUM[geometry].with_numbers(f"{letter_of(amount)} = {sum_text}"))
-        placed.assume("values between samples are interpolated linearly (trapezoidal rule)")
+        formulas, reading_of = (
+            (SUM_OF_MEANS, MEANS_OF_STEPS) if self.dose.of_means else (SUM, POINTS)
+        )
+        placed.steps.append(formulas[geometry].with_numbers(f"{letter_of(amount)} = {sum_text}"))
+        placed.assume(READINGS[reading_of])
         laws = [MEAN[geometry], RECEIVED] if covered else [RECEIVED]
         answer = solve(sheet, laws, placed).answer()
         duration = self.seconds(period.end - period.start)
@@ -397,9 +446,9 @@ class SummedLog(NamedTuple):
         return answer._replace(values=[*results, *times])
 
 
-def _sum(values: list[float], steps: list[Any]) -> float:
+def _sum(starts: list[float], ends: list[float], steps: list[Any]) -> float:
     try:
-        return fsum(map(mul, map(add, values[1:], values), steps)) / 2
+        return fsum(map(mul, map(add, ends, starts), steps)) / 2
     except (OverflowError, ValueError):  # too large for a float, or infinities of both signs
         return inf
 

@@ -67,6 +67,13 @@ TIME_FORMAT = click.Option(
     metavar="FORMAT",
     help="Format of dates and times, as in strptime: %d/%m/%Y %H:%M.",
 )
+SAMPLES = click.Option(
+    ["--samples"],
+    type=click.Choice(tuple(page.READINGS)),
+    default=page.POINTS,
+    help="Samples at points in time, with straight lines between them (the default), or means from "
+    "each time to the next.",
+)
 BY = click.Option(
     ["--by"], type=click.Choice(PERIODS), help="Give an answer for each local day or hour."
 )
@@ -79,6 +86,7 @@ Examples:
   radcalc dose par.csv --by day --format csv -g exposure:mol/m2 -g coverage:%
   radcalc dose gallery.csv -g exposure:lx.h
   radcalc dose - --unit W/m2 --time-unit s < samples.txt
+  radcalc dose ghi.csv --samples means --by day
   radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
 
 FILE has a time and a value in each line; - is standard input.  Irradiances, illuminances and
@@ -90,7 +98,8 @@ Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the t
 --time-unit.  --time-zone is the zone of times without an offset; days on which the clocks change
 have 23 or 25 hours.  Ambiguous dates are an error: use --time-format.
 
-Values between samples are interpolated linearly.  A step is a gap if it is more than 0.1 %
+Values between samples are interpolated linearly; with --samples means, each
+is the mean from its time to the next.  A step is a gap if it is more than 0.1 %
 longer than --max-gap.  The 0.1 % allows for rounded times in the file.  Without --max-gap, only
 a step that contains a line skipped by --invalid is a gap.  A note lists the gaps, and coverage
 is the part of the time without them.  A day or hour within a gap has an exposure of 0, no mean,
@@ -103,7 +112,7 @@ and coverage 0.
     page.PAGE,
     {
         "Columns": (COLUMN, UNIT, TIME_COLUMN, DELIMITER, INVALID_LINES),
-        "Times": (TIME_ZONE, TIME_FORMAT, TIME_UNIT, *page.PAGE.sections["Times"], BY),
+        "Times": (TIME_ZONE, TIME_FORMAT, TIME_UNIT, SAMPLES, *page.PAGE.sections["Times"], BY),
         "Light": page.PAGE.sections["Light"],
     },
     text=HELP,
@@ -119,6 +128,7 @@ def command(
     time_zone: str | None,
     time_unit: str | None,
     time_format: str | None,
+    samples: str,
     by: str | None,
     request: Request,
     output: Output,
@@ -136,7 +146,7 @@ def command(
     settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)
     with reading(path, "a file with a time and a value in each line") as (name, read):
         log = Log(name, read, settings, complain)
-        summed = _summed(log, gap, by or "")
+        summed = _summed(log, gap, by or "", samples == page.MEANS_OF_STEPS)
     summed.check()
     typed_here = {
         "file": path,
@@ -148,6 +158,7 @@ def command(
         "time-zone": time_zone,
         "time-format": time_format,
         "time-unit": time_unit,
+        "samples": samples if samples != page.POINTS else "",
     }
     operands = texts_of({name: text or "" for name, text in typed_here.items()})
     if by and request.check is None:
@@ -221,17 +232,21 @@ def _with_remarks(log: Log, answer: Answer) -> Answer:
     )
 
 
-def _summed(log: Log, longest: float, by: str) -> page.SummedLog:
+def _summed(log: Log, longest: float, by: str, of_means: bool) -> page.SummedLog:
     """Integrate a log, bridging no step longer than `longest` seconds."""
     clock = log.clock
     page.check_unit(log.layout.unit)
     top, bottom = clock.tick
     dose = page.Dose(
-        longest * bottom / top, longest < inf, (lambda time: clock.period(time, by)) if by else None
+        longest * bottom / top,
+        longest < inf,
+        (lambda time: clock.period(time, by)) if by else None,
+        of_means,
     )
     for samples in log.samples():
         if samples:
             dose.add(*samples)
         else:
             dose.interrupt()
+    dose.finish()
     return page.SummedLog(dose, log.layout.unit, clock.tick, clock.say)

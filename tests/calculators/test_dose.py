@@ -2,7 +2,8 @@
 
 import tracemalloc
 from fractions import Fraction
-from itertools import pairwise
+from itertools import accumulate, pairwise
+from math import inf
 
 import pytest
 from hypothesis import example, given
@@ -212,3 +213,34 @@ def test_a_long_log_needs_no_more_memory_than_a_short_one():
         return used
 
     assert most(200) < 2 * most(10)
+
+
+@given(
+    st.lists(st.tuples(st.integers(1, 30), st.integers(0, 100)), min_size=2, max_size=40),
+    st.integers(1, 40),
+    st.integers(5, 60),
+    st.booleans(),
+)
+def test_a_mean_lasts_until_the_next_sample(rows, size, day, has_limit):
+    """The sum over single ticks, each with the value of the last sample that lasts so long."""
+    longest = 15 if has_limit else inf
+    times = list(accumulate(step for step, _ in rows))
+    values = [float(value) for _, value in rows]
+    dose = Dose(
+        longest, True, lambda t: (t // day * day, t // day * day + day, str(t // day)), True
+    )
+    for start in range(0, len(rows), size):
+        dose.add(times[start : start + size], values[start : start + size])
+    dose.finish()
+    expected: dict[int, float] = {}
+    usual = 0
+    for k, (time, value) in enumerate(zip(times, values, strict=True)):
+        step = times[k + 1] - time if k + 1 < len(times) else None
+        is_bridged = step is not None and step <= longest * 1.001
+        length = step if is_bridged else min(usual, step if step is not None else usual)
+        usual = step if is_bridged else usual
+        for tick in range(time, time + length):
+            expected[tick // day] = expected.get(tick // day, 0) + value
+    sums = {int(period.label): period.total + period.low for period in dose.periods}
+    assert {k: v for k, v in sums.items() if v} == {k: v for k, v in expected.items() if v}
+    assert sum(period.count for period in dose.periods) == len(rows)
