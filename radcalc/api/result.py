@@ -336,7 +336,7 @@ def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:
 def _quantities(solution: Answer) -> tuple[dict[str, Any], list[str]]:
     """Return the results by all of their names, and the first name of each."""
     first: dict[str, Any] = {}
-    aliases: dict[str, Any] = {}
+    aliases: dict[str, dict[str, Any]] = {}
     for value in solution.values:
         name, also = keyword(value.name), keyword(value.also)
         if value.is_absent:
@@ -345,5 +345,6 @@ def _quantities(solution: Answer) -> tuple[dict[str, Any], list[str]]:
         result = quantity(in_unit(value, unit), unit)
         first.setdefault(name, result)
         if also:
-            aliases.setdefault(also, result)
-    return {**first, **aliases, **first}, [*first]  # a first name comes before an alias
+            aliases.setdefault(also, {}).setdefault(name, result)
+    single = {also: next(iter(of.values())) for also, of in aliases.items() if len(of) == 1}
+    return {**first, **single, **first}, [*first]  # a first name comes before an alias

@@ -249,7 +249,7 @@ class _Surroundings:
         self.counts = bool(environment.efficacy) and not set(LINKS) & set(links)
         if self.counts:
             links = {**links, "efficacy": read("efficacy", f"{environment.efficacy:g} lm/W")}
-        self.lit = kinds.read_light({}, links)._replace(kind=self.kind)
+        self.lit = kinds.read_light({}, links)._replace(kind=self.kind, mixed=lit.mixed)
 
     def answer(self) -> Answer:
         given, radiances = self.given, self.environment.radiances

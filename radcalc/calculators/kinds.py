@@ -58,6 +58,8 @@ class LightInputs(NamedTuple):
     """Light inputs: quantities of one kind [SI], and links to other kinds.
 
     `given_in_two_kinds` has, by generic name, values in a second kind; their ratio is a link.
+    `mixed` are the kinds given, if there are several and none is preferred: a result then has the
+    name as typed, or that of its kind, whatever the order of the inputs.
     """
 
     kind: str
@@ -68,6 +70,7 @@ class LightInputs(NamedTuple):
     notes: tuple[str, ...]
     steps: tuple[Step, ...]
     given_in_two_kinds: Inputs
+    mixed: tuple[str, ...] = ()
 
 
 NO_LIGHT = LightInputs(RADIANT, {}, {}, {}, (), (), (), {})
@@ -106,6 +109,8 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     kind = kind_of(given[first]) if first else preferred or RADIANT
     if preferred not in ("", kind) and linking_factor(links, preferred, kind):
         kind = preferred
+    kinds_given = {kind_of(item) for item in typed.values()} if len(typed) > 1 else ()
+    is_mixed = len(kinds_given) > 1 and kind != preferred
     assumptions: list[str] = []
     notes: list[str] = []
     amounts = {}
@@ -134,6 +139,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
         tuple(notes),
         tuple(steps),
         given_in_two_kinds,
+        tuple(kinds_given) if is_mixed else (),
     )
 
 
@@ -276,9 +282,10 @@ def show_light(lit: LightInputs, amounts: dict[str, Any]) -> LightResults:
             for kind, factor in factors.items()
         }
         values[name] = [_value(lit, name, lit.kind, amount, reach)]
-        values[name] += [
-            _value(lit, name, kind, reach[dimension(name, kind)], {}) for kind in factors
-        ]
+        for kind in factors:
+            linked = {dimension(name, lit.kind): amount, **reach} if kind in lit.mixed else {}
+            other = reach[dimension(name, kind)]
+            values[name].append(_value(lit, name, kind, other, linked))
         values[name] += [
             _value(lit, name, kind, 0.0, {})._replace(units=(), because=error)
             for kind, error in refused.items()
@@ -303,10 +310,15 @@ def _value(
         (candidate for candidate in candidates if candidate and kind_of(candidate) == kind), None
     )
     letter = SYMBOLS[name].letter
-    specific = specific_name(name, kind)
+    also = specific = specific_name(name, kind)
     own_name = specific if specific != name else f"radiant-{name}"
+    if kind in lit.mixed:
+        typed = given.name if given else own_name
+        own_name, also = typed, own_name if typed == name else name
+    elif kind == lit.kind:
+        own_name = name
     return Value(
-        name if kind == lit.kind else own_name,
+        own_name,
         specific.replace("-", " "),
         letter if "_" in letter else f"{letter}_{kind}",
         given.value if given else amount,
@@ -314,7 +326,7 @@ def _value(
         (given.unit_text if given else light_unit(name, kind),),
         reach,
         given.number if given else None,
-        specific,
+        also,
     )
 
 

@@ -6,7 +6,15 @@ from typing import TYPE_CHECKING, Any, cast
 
 from radcalc.answer import Row, Value
 from radcalc.conversion.linear import exact_ratio
-from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, quote
+from radcalc.errors import (
+    MissingInput,
+    NumberError,
+    UsageError,
+    ambiguous,
+    mention,
+    nearest,
+    quote,
+)
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
@@ -207,20 +215,20 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     if name.endswith(OF_UNCERTAINTY):
         row = pick(values, f"{name.removesuffix(OF_UNCERTAINTY)}:{text}", case)
         return row._replace(value=row.uncertainty, name=name, uncertainty=0.0, given=False)
-    for value in values:
-        if name and name in (value.name, value.also):
-            _refuse_absent(value, case)
-            label, letter, is_given = value.label, value.letter, value.given is not None
-            if not text:
-                text = value.units[0]
-                number = _in_shown_unit(value, text)
-            else:
-                unit = _unit_of(text, value.name, values)
-                number = in_unit(value, unit, values)
-                if unit.dimension not in value.dimensions and not unit.is_scale:
-                    label, letter = of_kind(value, unit)
-            row = Row(label, letter, number, text, case, name, is_given, form=value.form)
-            return _apart(row)
+    if called := _called(values, name, text):
+        value = called[0]
+        _refuse_absent(value, case)
+        label, letter, is_given = value.label, value.letter, value.given is not None
+        if not text:
+            text = value.units[0]
+            number = _in_shown_unit(value, text)
+        else:
+            unit = _unit_of(text, value.name, values)
+            number = in_unit(value, unit, values)
+            if unit.dimension not in value.dimensions and not unit.is_scale:
+                label, letter = of_kind(value, unit)
+        row = Row(label, letter, number, text, case, name, is_given, form=value.form)
+        return _apart(row)
     names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
     if generic in names:
@@ -228,6 +236,20 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     of_case = f"{case}: " if case else ""
     hint = _right_names(name, values, names)
     raise UsageError(f"{of_case}unknown result '{quote(name)}'", hint)
+
+
+def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:
+    """Return the results with a name; the unit decides between two kinds of light."""
+    exact = [value for value in values if name and value.name == name]
+    found = exact or [value for value in values if name and value.also == name]
+    names = dict.fromkeys(value.name for value in found)
+    if len(names) < 2:
+        return found
+    if not text:
+        problem = ambiguous(name, "light is given in two kinds")
+        raise UsageError(problem, ", ".join(names))
+    dimension = measured_in(text).dimension
+    return [value for value in found if dimension in value.dimensions] or found
 
 
 def names_of(values: Sequence[Value]) -> list[str]:

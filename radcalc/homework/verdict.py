@@ -391,8 +391,9 @@ def _reading(question: Question, target: Value, text: str) -> Reading:
 def _named(question: Question, claim: Claim) -> list[Value]:
     named = [value for value in question.answer.values if claim.name in (value.name, value.also)]
     present = [value for value in named if not value.is_absent]
+    typed = [value for value in present if value.name == claim.name]
     if present:
-        return present
+        return present if claim.unit else typed or present  # a unit decides between kinds
     if named:
         pick(named, claim.name)  # its error names the missing input
     names = dict.fromkeys(v.name for v in question.answer.values if not v.is_absent)

@@ -54,7 +54,8 @@ def polar(distribution: Distribution, factor: float, radius: Axis, title: str = 
 def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
     """Return the polar diagram of a point source, in the unit of its intensity."""
     values, given = solved.answer.values, solved.given
-    amounts = {value.name: value for value in values if not value.is_absent}
+    present = [value for value in values if not value.is_absent]
+    amounts = {name: value for value in present[::-1] for name in (value.also, value.name)}
     chosen = given["distribution"].value if "distribution" in given else ""
     title = given["distribution"].text if "distribution" in given else ""
     distribution: Distribution
@@ -71,7 +72,8 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
         return polar(distribution, 1 / distribution.peak().value, RELATIVE, title)
     intensities = [name for name in wanted if is_intensity(name)]
     name = "intensity" if on_axis and "intensity" in known else "peak-intensity"
-    row = pick(values, intensities[0] if intensities and name == "intensity" else name)
+    asked = intensities[0] if intensities and name == "intensity" else amounts[name].name
+    row = pick(values, asked)
     factor = row.value / (on_axis if name == "intensity" else distribution.peak().value)
     axis = Axis(f"{row.quantity} I", row.unit)
     return polar(distribution, factor, axis, title)
@@ -82,7 +84,9 @@ def of_sky(name: str, solved: Solved) -> Disc:
     given = solved.given
     kind = sky_type(name)
     sun = place_of_sun(given) if "sun-elevation" in given else None
-    row = pick(solved.answer.values, "zenith-radiance")
+    values = solved.answer.values
+    zenith = next(v.name for v in values if "zenith-radiance" in (v.name, v.also))
+    row = pick(values, zenith)
     sky = Sky(name, sun if kind.follows_sun else None)
     title = f"sky {name}: {kind.name}"
     if sun and "sun-azimuth" not in given:

@@ -99,7 +99,7 @@ def test_a_quantity_in_two_kinds_links_all_the_others(quantity, kinds, ratio):
         given = {specific_name(quantity, kind): texts[kind] for kind in order}
         given |= {"time": "10s", "distance": "3m"}
         answer = point_module.point_source({name: read(name, text) for name, text in given.items()})
-        sizes = {v.also: v.amount for v in answer.values if not v.is_absent}
+        sizes = {v.label.replace(" ", "-"): v.amount for v in answer.values if not v.is_absent}
         for name in ("flux", "intensity", "irradiance", "exposure", "energy"):
             one, other = (sizes[specific_name(name, kind)] for kind in kinds)
             assert one / other == pytest.approx(ratio, rel=1e-12), name

@@ -10,16 +10,18 @@ import shlex
 from itertools import permutations
 from unittest import mock
 
+import pytest
 from conftest import ROOT, run
 from helpers import Q, for_each
+from helpers import answers as read
 from test_cases import FILES, transcripts
 
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.calculators.results import pick
 from radcalc.cli import answers
 from radcalc.errors import RadcalcError
-from radcalc.quantities.light import GRID, Reading, coherent_text
-from radcalc.quantities.symbols import EFFICACIES, SPECIFIC
+from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
+from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit, specific_name
 from radcalc.units.numbers import is_sentence
 from radcalc.units.table import spellings, unit_of
 
@@ -200,3 +202,47 @@ def listed_results():
             words = shlex.split(text)
             run(*words, input=lines, cwd=ROOT, check=True)
     return found
+
+
+def in_two_kinds():
+    """Yield the listings with a light quantity given again, in another kind: 250 lm/W, 4 umol/J."""
+    amounts = dict(zip(KINDS, (Q(1, "W"), Q(250, "lm"), Q(4, "umol/s")), strict=True))
+    for text in LISTINGS:
+        words = shlex.split(text)
+        for k, word in enumerate(words[:-1]):
+            symbol = SYMBOLS.get(word.removeprefix("--"))
+            unit = unit_of(words[k + 1].lstrip("-.0123456789e")) if symbol else None
+            if not (word.startswith("--") and symbol and symbol.generic and unit):
+                continue
+            kind = GRID[unit.dimension][0]
+            number = float(words[k + 1].removesuffix(unit.text))
+            for other in sorted({*KINDS} - {kind}):
+                twin = specific_name(symbol.generic, other)
+                text = light_unit(symbol.generic, other)
+                amount = (Q(number, unit.text) / amounts[kind] * amounts[other]).to(text).magnitude
+                again = [f"--{twin}", f"{amount!r}{text.replace(' ', '.')}"]
+                yield symbol.name, twin, words[:k], words[k : k + 2], again, words[k + 2 :]
+
+
+def test_the_order_of_two_kinds_does_not_matter():
+    """The name typed has the number typed, and a name for every kind needs a unit."""
+    chance, answered = random.Random(27), 0
+    for name, twin, before, one, other, after in chance.sample([*in_two_kinds()], 80):
+        calls = [[*before, *one, *other, *after], [*before, *other, *one, *after]]
+        found = [run(*words, "--json", cwd=ROOT) for words in calls]
+        assert found[0].returncode == found[1].returncode, calls
+        if found[0].returncode:
+            continue
+        answered += 1
+        first, second = ([of["results"] for of in read(done.stdout)] for done in found)
+        for results, same in zip(first, second, strict=True):
+            assert all(results[key]["given"] for key in {name, twin} & results.keys()), calls
+            assert results.keys() == same.keys(), calls
+            for key in results.keys() - {"error"}:
+                assert results[key]["unit"] == same[key]["unit"], (calls, key)
+                assert results[key]["value"] == pytest.approx(same[key]["value"]), (calls, key)
+            for key in {generic(key) for key in results if key in SPECIFIC} - results.keys():
+                refused = run(*calls[0], "-g", key, cwd=ROOT)
+                assert (refused.returncode, refused.stdout) == (2, ""), (calls, key)
+                assert f"'{key}' is ambiguous" in refused.stderr
+    assert answered > 40
