@@ -3,6 +3,7 @@
 The second run in one process is counted, so that imports do not count.
 """
 
+import gc
 import io
 import os
 import sys
@@ -75,6 +76,7 @@ def trace(words: str) -> Trace:
     silent = redirect_stdout(_nowhere()), redirect_stderr(_nowhere())
     with silent[0], silent[1], patch("radcalc.terminal.is_terminal", lambda: False):
         run(words.split())
+        gc.collect()  # ends the generators that earlier calls left, which would count here
         sys.setprofile(found.add)
         try:
             run(words.split())
