@@ -209,7 +209,7 @@ PLANE_SKY = Formula(
 )
 SUN_COSINE = Formula(
     "incidence of the sun",
-    "{cosine} = max(n . s, 0), n: normal of the plane, s: direction of the sun",
+    "{cosine} = max(n . s, 0), where n is the normal of the plane and s the direction of the sun",
 )
 BRIGHT = mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
 NO_PLANE = "no plane is given", mention("{tilt=90deg} or {normal}")

@@ -429,7 +429,7 @@ _ROWS = (
         "Angular radius of the sun's disc (default 0.2666 deg).",
         Limits(0.0, math.pi / 2, "less than 90 deg", without_low=True, without_high=True),
         label="angular radius of the sun"),
-    _symbol(NUMBER, "daylight-share", "s",
+    _symbol(NUMBER, "daylight-share", "D_n",
         label="daylight share of the plane"),
     # The surroundings of a place.
     _text(UNIT, "unit", "a unit of radiance", "cd/m2",
