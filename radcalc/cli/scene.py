@@ -56,8 +56,8 @@ FILE.csv has a header with the column titles, then one source in each row:
 x, y, z                 position; in metres unless the title or the cell has a unit
 aim_x, aim_y, aim_z     point at which the source is aimed (default: straight down), or
 direction_x ... _z      direction of the source's axis
-rotate                  angle by which the source is turned about the vertical, from +x towards
-                        +y, before it is aimed
+rotate                  rotation of the source about the vertical, from +x towards +y, before it
+                        is aimed
 distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) with a
                         path relative to FILE.csv, or an expression in theta and phi
 half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (lobe)
