@@ -217,20 +217,28 @@ def run(
         if not block:
             continue
         lines: list[bytes] = []
-        for converted, error in _converted(stream, block, count + 1):
-            if error and invalid != IGNORE:
-                write(b"".join(lines))
-                lines.clear()
-                if invalid == ABORT:
-                    raise error
-                complain(error)
-                good = good and invalid != FAIL
-            lines.append(converted)
-        write(b"".join(lines))
+        try:
+            for converted, error in _converted(stream, block, count + 1):
+                if error and invalid != IGNORE:
+                    _write(write, lines)
+                    if invalid == ABORT:
+                        raise error
+                    complain(error)
+                    good = good and invalid != FAIL
+                lines.append(converted)
+        finally:  # also before a bug
+            _write(write, lines)
         count += block.count(b"\n")
     if count < stream.lines and stream.header and stream.header.column:
         raise UsageError("the header of stdin is missing", "a line with the names of the columns")
     return good
+
+
+def _write(write: Callable[[bytes], object], lines: list[bytes]) -> None:
+    """Write the lines so far, once."""
+    data = b"".join(lines)
+    lines.clear()
+    write(data)
 
 
 def _converted(
@@ -256,7 +264,10 @@ def _parts(stream: Stream, block: bytes, count: int) -> Iterator[tuple[bytes, by
 
     A few lines, or lines for records, are yielded with None, for conversion one by one.
     """
-    converted = None if stream.record else stream.block(block, count)
+    try:
+        converted = None if stream.record else stream.block(block, count)
+    except Exception:  # a bug, which one of the lines reports after those before it
+        converted = None
     middle = block.find(b"\n", len(block) // 2) + 1
     if converted is not None or stream.record or len(block) < FEW or middle in (0, len(block)):
         yield block, converted

@@ -202,6 +202,21 @@ def test_lines_with_their_own_units_are_converted_one_by_one(pairs, end):
     assert stream(data, Stream(_own()), "ignore")[0] == wanted
 
 
+@pytest.mark.parametrize("mended", ["", "lines"])
+def test_output_before_a_bug_is_written(monkeypatch, mended):
+    class Broken(Numbers):
+        def read(self, text):
+            return super().read(text)[0], 1 / (float(text) - 3)
+
+    amount, target = read_operands(["1", "lx", "fc"])
+    made = Stream(Broken(plan(amount.unit, resolve(target), [])))
+    monkeypatch.setattr(Numbers, "lines", lambda *_: 1 / 0 if not mended else None)
+    out = io.BytesIO()
+    with pytest.raises(ZeroDivisionError):
+        run(made, io.BytesIO(b"1\n2\n3\n4\n").read, out.write)
+    assert out.getvalue().count(b"\n") == 2
+
+
 def test_output_before_a_bad_line_comes_before_the_error_message():
     events: list[object] = []
     run(Stream(Numbers(LX_FC)), io.BytesIO(b"1\nx\n2\n").read, events.append, "warn",
