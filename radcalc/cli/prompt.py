@@ -228,29 +228,26 @@ def load_what_answers_need() -> Iterator[None]:
 def history_path() -> Path | None:
     """Return the file of the history: RADCALC_HISTORY ('' for none), or the platform's."""
     setting = os.environ.get("RADCALC_HISTORY")
-    if setting is not None:
-        return Path(setting).expanduser() if setting else None
-    if os.name == "nt":
-        state = os.environ.get("LOCALAPPDATA", "")
-    else:
-        state = os.environ.get("XDG_STATE_HOME", "")
-    if not os.path.isabs(state):
-        try:
+    state = os.environ.get("LOCALAPPDATA" if os.name == "nt" else "XDG_STATE_HOME", "")
+    try:
+        if setting is not None:
+            return Path(setting).expanduser() if setting else None
+        if not os.path.isabs(state):
             state = str(Path.home() / ".local" / "state")
-        except RuntimeError:  # no home folder
-            return None
+    except RuntimeError:  # no home folder
+        return None
     return Path(state) / "radcalc" / "history"
 
 
 def past_lines(path: Path | None) -> list[str]:
     """Return the lines of the history, oldest first; none if the file is unreadable."""
-    if path is None:
-        return []
     try:
+        if path is None or not path.is_file():  # a device may have no end
+            return []
         with path.open("rb") as file:
             size = file.seek(0, os.SEEK_END)
             file.seek(max(size - LONGEST, 0))
-            lines = file.read().decode(errors="replace").splitlines()
+            lines = file.read(LONGEST).decode(errors="replace").splitlines()
     except OSError:
         return []
     return lines[1:] if size > LONGEST else lines
@@ -262,6 +259,8 @@ def keep_line(path: Path | None, text: str) -> None:
         return
     try:
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if path.exists() and not path.is_file():  # opening a pipe waits for its reader
+            return
         file = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
         with open(file, "ab") as kept:
             kept.write("".join(f"{line}\n" for line in text.splitlines()).encode(errors="replace"))

@@ -184,7 +184,9 @@ def test_the_arrow_key_recalls_the_lines_of_the_last_session(tmp_path, monkeypat
     assert kept.read_text() == "250 cd/m2 nit\n"  # a repeated line is kept once
 
 
-@pytest.mark.parametrize("place", ["", "/dev/null/history", "/proc/none/history"])
+@pytest.mark.parametrize(
+    "place", ["", "/dev/null/history", "/proc/none/history", "/dev/full", "/dev/zero", "~none/x"]
+)
 def test_the_prompt_works_if_the_history_cannot_be_kept(place, monkeypatch, tmp_path):
     monkeypatch.setenv("RADCALC_HISTORY", place)
     monkeypatch.setenv("HOME", str(tmp_path))
@@ -269,6 +271,12 @@ def test_any_text_can_be_completed(line):
 def test_a_word_with_blanks_is_completed_in_quotes():
     assert prompt.quoted("Daylight FL") == "'Daylight FL'"
     assert prompt.quoted("cd/m2") == "cd/m2"
+
+
+def test_a_pipe_does_not_keep_the_history(tmp_path):
+    os.mkfifo(path := tmp_path / "pipe")
+    assert prompt.past_lines(path) == []
+    prompt.keep_line(path, "100 lx fc")  # would wait for a reader
 
 
 def test_the_history_is_bounded(tmp_path):
