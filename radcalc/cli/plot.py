@@ -26,8 +26,9 @@ def refuse(request: Request, output: Output) -> None:
     if request.check is not None:
         raise UsageError("--plot cannot be used with --check", "leave out --plot")
     if request.plot != TO_TERMINAL:
-        from radcalc.plots.figure import check_place
+        from radcalc.plots.figure import check_place, load_apart
 
+        load_apart()
         check_place(request.plot)
         return
     if output.format in (JSON, CSV):

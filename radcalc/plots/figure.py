@@ -2,9 +2,13 @@
 
 import io
 import math
+import os
 import re
+import sys
 import warnings
 from collections.abc import Callable, Sequence
+from contextlib import suppress
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from radcalc.errors import ConditionError, printable
@@ -117,6 +121,19 @@ def write(path: str, picture: Picture) -> None:
     drawn = data(picture, check_place(path))
     with written(path) as name, open(name, "wb") as file:
         file.write(drawn)
+
+
+def load_apart() -> None:
+    """Load Matplotlib without the settings and the list of fonts that it keeps in the home folder.
+
+    It is for a process of radcalc alone, and does nothing if MPLCONFIGDIR names another folder.
+    """
+    if os.environ.get("MPLCONFIGDIR") or "matplotlib" in sys.modules:
+        return
+    with suppress(OSError, ImportError), TemporaryDirectory(prefix="radcalc-") as folder:
+        os.environ |= {"MPLCONFIGDIR": folder, "MPL_IGNORE_SYSTEM_FONTS": "1"}
+        import matplotlib.font_manager  # noqa: F401
+    os.environ.pop("MPLCONFIGDIR", None)
 
 
 def _matplotlib() -> Any:

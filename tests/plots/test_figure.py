@@ -4,7 +4,7 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import pytest
-from conftest import python, run
+from conftest import process, python, run
 
 from radcalc.plots import figure
 from radcalc.plots.data import Axis, Chart, Series
@@ -42,6 +42,17 @@ def test_an_svg_is_xml_that_has_its_labels(tmp_path, kind):
     assert [label for label in LABELS[kind] if f"<!-- {label} -->" not in text] == []
     assert done.stdout == run(*CALLS[kind]).stdout  # the numbers as without it
     assert [one.name for one in tmp_path.iterdir()] == ["a.svg"]
+
+
+def test_a_figure_writes_its_file_and_nothing_else(tmp_path, monkeypatch):
+    monkeypatch.delenv("MPLCONFIGDIR", raising=False)
+    for name in ("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "TMPDIR"):
+        (tmp_path / name).mkdir()
+        monkeypatch.setenv(name, str(tmp_path / name))
+    done = process("spectrum", "D65", "--plot", str(tmp_path / "a.svg"), "-q")
+    assert done.returncode == 0, done.stderr
+    assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["a.svg"]
+    assert len([*tmp_path.rglob("*")]) == 5
 
 
 def test_a_png_is_one_of_a_readable_size(tmp_path):
