@@ -1,14 +1,16 @@
 """Results in the requested units: floats, or arrays for a range."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
-from radcalc.answer import Row, Value
+from radcalc.answer import Ends, Row, Value
 from radcalc.conversion.linear import exact_ratio
 from radcalc.errors import (
     MissingInput,
     NumberError,
+    RadcalcError,
     UsageError,
     ambiguous,
     mention,
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
 
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
+OF_ENDS = ("-low", "-high")
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
 MISSING_LINK = "a wavelength, a spectrum or an efficacy that links them is missing"
 NEEDS_LINK = "needs the wavelength or the spectrum of the light, or an efficacy"
@@ -208,13 +211,14 @@ def name_of(wanted: str) -> str:
 def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     """Return the result NAME[:UNIT]; without a unit, in its first shown unit.
 
-    NAME-uncertainty is the standard uncertainty of NAME, 0 without uncertain inputs.
+    NAME-uncertainty is the standard uncertainty of NAME, 0 without uncertain inputs; NAME-low and
+    NAME-high are the ends of the range of a value that jumps.
     """
     name, _, text = wanted.partition(":")
     name, text = name.strip(), text.strip()
-    if name.endswith(OF_UNCERTAINTY):
-        row = pick(values, f"{name.removesuffix(OF_UNCERTAINTY)}:{text}", case)
-        return row._replace(value=row.uncertainty, name=name, uncertainty=0.0, given=False)
+    for suffix in (OF_UNCERTAINTY, *OF_ENDS):
+        if name.endswith(suffix):
+            return _extra(pick(values, f"{name.removesuffix(suffix)}:{text}", case), suffix)
     if called := _called(values, name, text):
         value = called[0]
         _refuse_absent(value, case)
@@ -222,12 +226,14 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         if not text:
             text = value.units[0]
             number = _in_shown_unit(value, text)
+            ends = _ends(value, partial(_in_shown_unit, text=text))
         else:
             unit = _unit_of(text, value.name, values)
             number = in_unit(value, unit, values)
+            ends = _ends(value, partial(in_unit, unit=unit, among=values))
             if unit.dimension not in value.dimensions and not unit.is_scale:
                 label, letter = of_kind(value, unit)
-        row = Row(label, letter, number, text, case, name, is_given, form=value.form)
+        row = Row(label, letter, number, text, case, name, is_given, 0.0, value.form, ends)
         return _apart(row)
     names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
@@ -250,6 +256,21 @@ def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:
         raise UsageError(problem, ", ".join(names))
     dimension = measured_in(text).dimension
     return [value for value in found if dimension in value.dimensions] or found
+
+
+def _extra(row: Row, suffix: str) -> Row:
+    """Return the uncertainty of a row, or an end of its range, as a row."""
+    name = row.name + suffix
+    if suffix in OF_ENDS:
+        if row.ends is None:
+            raise UsageError(f"{row.name} has no range", f"{row.name}{OF_UNCERTAINTY}")
+        number = row.ends[OF_ENDS.index(suffix)]
+    else:
+        if row.ends:
+            ways = " and ".join(row.name + end for end in OF_ENDS)
+            raise UsageError(f"{row.name} has a range, not a standard uncertainty", ways)
+        number = row.uncertainty
+    return row._replace(value=number, name=name, uncertainty=0.0, ends=None, given=False)
 
 
 def names_of(values: Sequence[Value]) -> list[str]:
@@ -278,10 +299,23 @@ def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> st
     return word if word in (*names, *taken) else ", ".join(nearest(word, names) or names)
 
 
+def _ends(value: Value, of: Callable[[Value], Any]) -> Ends | None:
+    """Return the ends of the range of a number `of` a value that jumps."""
+    if not value.ends:
+        return None
+    try:
+        low, high = of(value.at_end(0)), of(value.at_end(1))
+    except RadcalcError:  # one end has no reading on a scale
+        return None
+    return None if is_uncertain(low) else (min(low, high), max(low, high))
+
+
 def _apart(row: Row) -> Row:
+    """Return a row with the uncertainty apart from the value; a number that jumps has none."""
     if not is_uncertain(row.value):
         return row
-    return row._replace(value=row.value.nominal_value, uncertainty=row.value.std_dev)
+    off = row.value.std_dev
+    return row._replace(value=row.value.nominal_value, uncertainty=0.0 if math.isnan(off) else off)
 
 
 def name_in(value: Value, unit: Unit) -> str:
@@ -311,21 +345,14 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
 
     With several answers, each starts with its inputs.
     """
-    result_rows = [
-        Row(
-            v.label,
-            v.letter,
-            _in_shown_unit(v, text),
-            text,
-            case,
-            v.name,
-            v.given is not None,
-            form=v.form,
-        )
-        for v in values
-        for text in v.units
-    ]
-    result_rows = [row if type(row.value) is float else _apart(row) for row in result_rows]
+    result_rows = []
+    for v in values:
+        for text in v.units:
+            number = _in_shown_unit(v, text)
+            ends = _ends(v, partial(_in_shown_unit, text=text)) if v.ends else None
+            is_given = v.given is not None
+            row = Row(v.label, v.letter, number, text, case, v.name, is_given, 0.0, v.form, ends)
+            result_rows.append(row if type(number) is float else _apart(row))
     if case:
         result_rows.sort(key=lambda row: not row.given)
     return result_rows

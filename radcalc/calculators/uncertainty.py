@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, partial
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer, Result, Step, Value
+from radcalc.answer import Answer, Ends, Result, Step, Value
 from radcalc.calculators.results import in_unit
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import plan
@@ -29,7 +29,7 @@ from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amount import Amount
 from radcalc.units.parts import Part, check_uncertainty
-from radcalc.units.slopes import reach, slopes
+from radcalc.units.slopes import is_broken, reach, slopes
 from radcalc.units.table import resolve
 from radcalc.units.uncertain import variable
 from radcalc.units.unit import Unit
@@ -57,6 +57,10 @@ class Bend(NamedTuple):
     bent: tuple[Key, ...]
     at: Callable[[float], Numbers]
     problem: str = ""
+
+    def number(self, key: Key) -> Callable[[float], float | None]:
+        """Return a result as a function of the shift."""
+        return lambda shift: self.at(shift).get(key)
 
     def note(self, label: str, key: Key, in_its_unit: Callable[[float], Any], unit: str) -> str:
         """Return the note on a result: its range, with enough digits to distinguish the ends."""
@@ -93,10 +97,10 @@ def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> A
     if not any_uncertain(given.values()):
         return answer
     nominal = _numbers(answer)
-    numbers, bends = _carry(lambda inputs: _numbers(work_out(inputs)), given, nominal)
+    numbers, bends, ends = _carry(lambda inputs: _numbers(work_out(inputs)), given, nominal)
     answers = []
     for k, alternative in enumerate((answer, *answer.more)):
-        values = [_uncertain(value, key, numbers) for key, value in _keys(alternative, k)]
+        values = [_uncertain(value, key, numbers, ends) for key, value in _keys(alternative, k)]
         notes = _notes(bends, dict(_keys(alternative, k)))
         answers.append(
             Answer(
@@ -114,7 +118,7 @@ def of_conversion(result: Result, conversion: "Converted") -> Result:
     (row,) = result.rows
     name = row.quantity or "the result"
     return result._replace(
-        rows=(row._replace(uncertainty=conversion.uncertainty),),
+        rows=(row._replace(uncertainty=conversion.uncertainty, ends=conversion.ends),),
         assumptions=(*result.assumptions, conversion.assumed),
         notes=(*result.notes, *conversion.notes(name, row.unit)),
         steps=result.steps and (*result.steps, *_shares(name, conversion.number, row.unit)),
@@ -122,15 +126,19 @@ def of_conversion(result: Result, conversion: "Converted") -> Result:
 
 
 class Converted(NamedTuple):
-    """A converted number with its uncertainty, the assumption about it, and its bends."""
+    """A converted number with its uncertainty, the assumption about it, and its bends.
+
+    `ends` are those of its range, which replaces the uncertainty of a number that jumps.
+    """
 
     number: Any
     assumed: str
     bends: Sequence[Bend]
+    ends: Ends | None = None
 
     @property
     def uncertainty(self) -> float:
-        return getattr(self.number, "std_dev", 0.0)
+        return 0.0 if self.ends else getattr(self.number, "std_dev", 0.0)
 
     def notes(self, name: str, unit: str) -> list[str]:
         notes = [bend.problem for bend in self.bends if bend.problem]
@@ -152,8 +160,8 @@ def converted(planned: Plan, amount: Amount, given: Sequence[Input], of: Any = N
         return {KEY: again.apply(inputs[""].value)}
 
     inputs = {"": value_of(amount)._replace(variable=of), **{item.name: item for item in given}}
-    numbers, bends = _carry(work_out, inputs, {KEY: planned.apply(amount.typed[0])})
-    return Converted(numbers[KEY], _assumed(inputs), bends)
+    numbers, bends, ends = _carry(work_out, inputs, {KEY: planned.apply(amount.typed[0])})
+    return Converted(numbers[KEY], _assumed(inputs), bends, ends.get(KEY))
 
 
 def value_of(amount: Amount) -> Input:
@@ -182,8 +190,11 @@ def _option_text(given: Input) -> str:
 
 def _carry(
     work_out: Callable[[Inputs], Numbers], given: Inputs, nominal: Numbers
-) -> tuple[dict[Key, Any], list[Bend]]:
-    """Return the numbers with uncertainties, from the slopes over each uncertain input."""
+) -> tuple[dict[Key, Any], list[Bend], dict[Key, Ends]]:
+    """Return the numbers with uncertainties, from the slopes over each uncertain input.
+
+    The uncertainty of a number that jumps is not a number; it has the ends of its range instead.
+    """
     sources = {name: item for name, item in given.items() if item.is_uncertain}
     for item in sources.values():
         check_uncertainty(item.uncertainty, item.text)
@@ -197,8 +208,25 @@ def _carry(
         if is_uncertain(numbers[key]):
             sizes = numbers[key].error_components().values()
             check_uncertainty(math.hypot(*sizes) or math.nan)
-    bends = [bend for run in runs.values() for bend in run.bends(numbers)]
-    return numbers, bends
+    bends = {run: list(run.bends(numbers)) for run in runs.values()}
+    ends = {key: found for key in nominal if (found := _ends(key, bends))}
+    for key in ends:
+        numbers[key] = variable(nominal[key], math.nan)
+    return numbers, [bend for found in bends.values() for bend in found], ends
+
+
+def _ends(key: Key, bends: "Mapping[_Run, Sequence[Bend]]") -> Ends | None:
+    """Return the range of a number that jumps or has a corner, over each input; None of others."""
+    bent = [bend for found in bends.values() for bend in found if key in bend.bent]
+    if not any(is_broken(bend.number(key)) for bend in bent):
+        return None
+    reached = [end for bend in bent for end in reach(bend.number(key))]
+    for run, found in bends.items():
+        if not any(key in bend.bent for bend in found):
+            off = abs(run.slopes[key] * run.input.uncertainty)
+            reached += [run.nominal[key] - off, run.nominal[key] + off]
+    ends = min(reached), max(reached)
+    return ends if all(map(math.isfinite, ends)) else None
 
 
 def _shift(given: Input) -> Any:
@@ -298,7 +326,7 @@ class _Run:
             return {} if size is None else self.at(size)
 
         self.refused = None
-        sides = [(sign, at(float(sign))) for sign in (-1, 1)]
+        sides = [(sign, at(sign)) for sign in (-1.0, -0.5, 0.5, 1.0)]
         problem = ""
         if self.refused or not all(end for _, end in sides):
             limit = ""
@@ -342,12 +370,14 @@ def _numbers(answer: Answer) -> Numbers:
     return {key: number for key, number in numbers.items() if math.isfinite(number)}
 
 
-def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
+def _uncertain(value: Value, key: Key, numbers: Numbers, ends: Mapping[Key, Ends]) -> Value:
     if value.is_absent:
         return value
+    own_ends = {ending[-1]: found for ending, found in ends.items() if ending[:-1] == key}
     reach = {d: numbers.get((*key, d), amount) for d, amount in value.reach.items()}
     typed = {field: numbers.get((*key, field), getattr(value, field)) for field in AS_TYPED}
-    return value._replace(si=numbers.get((*key, ""), value.si), reach=reach, **typed)
+    si = numbers.get((*key, ""), value.si)
+    return value._replace(si=si, reach=reach, ends=own_ends, **typed)
 
 
 def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
@@ -405,7 +435,7 @@ class _WithShares(Sequence[Step]):
 
 def _shares(label: str, number: Any, unit: str) -> list[Step]:
     """Return each input's contribution to a result's uncertainty: in its unit, and its share."""
-    if not is_uncertain(number):
+    if not is_uncertain(number) or math.isnan(number.std_dev):
         return []
     # a list, as two inputs may have the same text
     parts = [(source.tag or "an input", size) for source, size in number.error_components().items()]

@@ -12,6 +12,7 @@ from radcalc.cli.request import Request
 from radcalc.errors import MissingInput, UsageError
 from radcalc.maths import is_array
 from radcalc.render.formats import CSV
+from radcalc.render.plain import omitted
 from radcalc.tuples import NamedTuple
 
 
@@ -126,6 +127,8 @@ def _show_columns(
             texts.append(lines(columns, output.style.precision, count))
         steps = () if answered.long and texts[1:] else answered.answer.steps
         remark = result(answered, ())._replace(steps=tuple(steps), inputs=())
+        if output.is_bare:
+            remark = remark._replace(notes=(*remark.notes, *omitted(chosen)))
         remarks[remark if remark.steps else remark[1:3]] = remark
     for text in texts:
         terminal.write(text)

@@ -21,6 +21,7 @@ from radcalc.render.formats import (
     Style,
     renderer,
 )
+from radcalc.render.plain import derivation, omitted
 from radcalc.tuples import NamedTuple
 
 FEW = 3  # remarks that differ only in numbers and are all shown
@@ -75,6 +76,8 @@ class Output(NamedTuple):
         form = renderer(self.format)
         terminal.write(form.results(results, self._on_terminal()))
         if form.REMARKS_ARE_APART:
+            if self.style.bare:
+                results = [r._replace(notes=(*r.notes, *omitted(r.rows))) for r in results]
             self.remark(results)
 
     def records(self, records: Records) -> None:
@@ -93,8 +96,6 @@ class Output(NamedTuple):
 
     def remark(self, results: Sequence[Result]) -> None:
         """Write assumptions, notes (each once) and derivations to standard error."""
-        from radcalc.render.plain import derivation
-
         lines: list[str] = []
         if self.style.remarks:
             remarks = [line for r in results for line in terminal.remarks(r.assumptions, r.notes)]

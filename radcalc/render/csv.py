@@ -10,7 +10,7 @@ from radcalc.conversion.plan import plan
 from radcalc.errors import printable
 from radcalc.render.columns import formatted
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import fields, number, refuse_verdict
+from radcalc.render.plain import fields, number, refuse_verdict, rounded
 from radcalc.units.scales import resolve_given
 
 REMARKS_ARE_APART = True
@@ -36,9 +36,7 @@ def results(results: Sequence[Result], style: Style) -> str:
         line = {head: _cell(value, style) for head, value in _inputs(result, units).items()}
         for row in result.rows:
             if not any(shows(row, name) for name in units):
-                line[f"{row.name}:{row.unit}"] = _cell(row.value, style)
-                if row.uncertainty:
-                    line[f"{row.name}-uncertainty:{row.unit}"] = _cell(row.uncertainty, style)
+                line |= _of_row(row, style)
         lines.append(line)
     header = list(dict.fromkeys(head for line in lines for head in line))
     return _write([header, *([line.get(head, "") for head in header] for line in lines)])
@@ -94,6 +92,19 @@ def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
         for item in result.inputs
         if (unit := units.get(item.name)) is not None
     }
+
+
+def _of_row(row: Row, style: Style) -> dict[str, str]:
+    """Return a value and its uncertainty, or the ends of its range, by their column titles."""
+    numbers = {"": row.value}
+    if row.ends:
+        numbers |= {"-low": row.ends[0], "-high": row.ends[1]}
+    if row.uncertainty:
+        value, off = rounded(row.value, row.uncertainty, style.precision)
+        cells = {"": repr(value), "-uncertainty": repr(off)}
+    else:
+        cells = {suffix: _cell(x, style) for suffix, x in numbers.items()}
+    return {f"{row.name}{suffix}:{row.unit}": cell for suffix, cell in cells.items()}
 
 
 def _is_column(name: str, given: Sequence[Sequence[Row]]) -> bool:

@@ -10,9 +10,10 @@ from typing import Any
 from radcalc.answer import Result, Row, ShownInput, Step
 from radcalc.errors import RadcalcError
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import number
+from radcalc.render.plain import number, rounded
 
 REMARKS_ARE_APART = False
+ENDS = ("low", "high")
 
 
 def results(results: Sequence[Result], style: Style) -> str:
@@ -40,9 +41,7 @@ def verdict(judgement: Judgement, style: Style) -> str:
     check = {
         "right": verdict.right,
         "name": right.name,
-        "value": _rounded(verdict.value, style),
-        **({"uncertainty": _rounded(verdict.uncertainty, style)} if verdict.uncertainty else {}),
-        "unit": verdict.unit,
+        **_amount(*rounded(verdict.value, verdict.uncertainty, style.precision), verdict.unit),
         "claimed": verdict.claimed,
         **({"claimed_uncertainty": off} if (off := verdict.claimed_uncertainty) else {}),
         "claimed_unit": verdict.claimed_unit,
@@ -93,8 +92,9 @@ def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
     """Return the results by name; values in further units are in `also`."""
     results: dict[str, Any] = {}
     for row in rows:
-        off = row.uncertainty and _rounded(row.uncertainty, style)
-        amount = _amount(_rounded(row.value, style), off, row.unit)
+        amount = _amount(*rounded(row.value, row.uncertainty, style.precision), row.unit)
+        if row.ends:
+            amount |= {end: _rounded(x, style) for end, x in zip(ENDS, row.ends, strict=True)}
         first = results.get(row.name)
         if first is None:
             description = {"quantity": row.quantity, "symbol": row.symbol, "given": row.given}

@@ -6,7 +6,7 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from radcalc.answer import Result, Step
+    from radcalc.answer import Ends, Result, Row, Step
     from radcalc.render.formats import Judgement, Records, Style
 
 DIGITS, TABLE_DIGITS, RATIO_DIGITS = 12, 6, 4
@@ -20,16 +20,25 @@ def number(value: float, precision: int | None = None) -> str:
     return f"{value:.{precision or DIGITS}g}"
 
 
-def uncertain(value: float, off: float, precision: int | None = None, digits: int = DIGITS) -> str:
-    """Format a number with any standard uncertainty: 9.29 ± 0.28.
+def uncertain(
+    value: float,
+    off: float,
+    precision: int | None = None,
+    digits: int = DIGITS,
+    ends: "Ends | None" = None,
+) -> str:
+    """Format a number with any standard uncertainty, 9.29 ± 0.28, or range, 16 (15 to 17).
 
-    The uncertainty has two significant digits and the number has as many decimal places; with a
-    precision, both have that many digits.
+    The uncertainty has two significant digits and the number has as many decimal places, with any
+    precision.
     """
+    if ends:
+        from radcalc.derivation import digits_apart
+
+        low, high = (number(end, precision or digits_apart(*ends)) for end in ends)
+        return f"{number(value, precision or digits)} ({low} to {high})"
     if not off:
         return number(value, precision or digits)
-    if precision:
-        return f"{number(value, precision)} ± {number(off, precision)}"
     tens = int(f"{off:.1e}".partition("e")[2]) - 1  # of the last digit
     first = tens + 1  # of the first digit of both
     if rounded := round(value, -tens):  # 9.9999 ± 0.01 is 10.00
@@ -45,11 +54,40 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
     )
 
 
+def omitted(rows: "Sequence[Row]") -> tuple[str, ...]:
+    """Return notes on the uncertainties that bare numbers omit, unless they are among them."""
+    names = {row.name for row in rows}
+    notes = []
+    for row in rows:
+        needed = f"{row.name}-uncertainty" if row.uncertainty else f"{row.name}-low"
+        if (row.uncertainty or row.ends) and needed not in names:
+            size = uncertain(row.value, row.uncertainty, ends=row.ends)
+            text = f"{row.quantity or 'the result'}: {size}{unit_behind(row.unit)}"
+            notes.append(f"{text}, of which the number alone is printed")
+    return tuple(notes)
+
+
+def rounded(value: float, off: float, precision: int | None) -> tuple[float, float]:
+    """Return a number and its uncertainty as they are shown, with a precision; else as they are."""
+    if not precision:
+        return float(value), off
+    if not off:
+        return float(number(value, precision)), off
+    tens = int(f"{off:.1e}".partition("e")[2]) - 1
+    return round(float(value), -tens), float(f"{off:.1e}")
+
+
 def line(
-    value: float, unit: str, precision: int | None = None, bare: bool = False, off: float = 0.0
+    value: float,
+    unit: str,
+    precision: int | None = None,
+    bare: bool = False,
+    off: float = 0.0,
+    ends: "Ends | None" = None,
 ) -> str:
     """Return VALUE, a tab and UNIT, or the bare number."""
-    text = uncertain(value, off, precision) if off and not bare else number(value, precision)
+    has_more = (off or ends) and not bare
+    text = uncertain(value, off, precision, ends=ends) if has_more else number(value, precision)
     return f"{text}\n" if bare else f"{text}\t{unit}\n"
 
 
@@ -66,7 +104,7 @@ def results(results: "Sequence[Result]", style: "Style") -> str:
         ]
         lines += [
             (f"{row.name}\t" if is_named else "")
-            + line(row.value, row.unit, style.precision, style.bare, row.uncertainty)
+            + line(row.value, row.unit, style.precision, style.bare, row.uncertainty, row.ends)
             for row in result.rows
         ]
     return "".join(lines)

@@ -83,6 +83,6 @@ def _in_unit(row: Row, unit: str) -> Row:
         return row
     source, target = resolve(row.unit), resolve(unit)
     uncertainty = row.uncertainty * exact_ratio(source, target)
-    return row._replace(
-        value=plan(source, target).apply(row.value), unit=unit, uncertainty=uncertainty
-    )
+    made = plan(source, target)
+    ends = row.ends and (made.apply(row.ends[0]), made.apply(row.ends[1]))
+    return row._replace(value=made.apply(row.value), unit=unit, uncertainty=uncertainty, ends=ends)

@@ -22,6 +22,8 @@ NARROWINGS = 35  # of the interval with an extremum, to 5e-8 of it
 ZERO = 1e-12  # of the change towards the end: the residual of an extremum of 0
 NEARER = (1e-2, 1e-4, 1e-6)  # of the way to a point where a number may be unbounded
 FAINT = 1e-6  # of the range of the samples
+HALVINGS, SHARP = 8, 0.2  # searches for a corner: a smooth number keeps 2^-8 of a corner's 1/2 to 2
+RESOLVED = 1e-7  # of a number: corners below it may be noise of an integration
 ENDLESS = 0.7  # least ratio of successive changes of an unbounded number; 1 for a logarithm
 
 
@@ -112,6 +114,33 @@ def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
         ]
     reached = [number for number in candidates if number is not None]
     return min(reached), max(reached)
+
+
+def is_broken(at: Callable[[float], float | None]) -> bool:
+    """Return whether a number jumps or has a corner between -1 and 1, not at an end of its range.
+
+    Around three points at a distance h, the deviation from a straight line shrinks as h^2 for a
+    smooth number, as h at a corner, and not at all at a jump.
+    """
+    step, first, away, middle = 1 / SAMPLES, 0.0, 0.0, 0.0
+    places = [k * step for k in range(1 - SAMPLES, SAMPLES)]
+    for _ in range(HALVINGS + 1):
+        away, middle = max((_away(at, place, step), place) for place in places)
+        first = first or away
+        step /= 2
+        places = [middle - step, middle, middle + step]
+    ends = middle - 4 * step, middle + 4 * step
+    if ends[0] < -1 or ends[1] > 1 or None in (at(ends[0]), at(ends[1])):
+        return False
+    return away > max(first * SHARP * 2.0**-HALVINGS, RESOLVED * abs(at(0.0) or 0.0))
+
+
+def _away(at: Callable[[float], float | None], place: float, step: float) -> float:
+    """Return the deviation of the middle one of three points from a straight line."""
+    low, middle, high = (at(place + k * step) for k in (-1, 0, 1))
+    if low is None or middle is None or high is None:
+        return 0.0
+    return abs(middle - (low + high) / 2)
 
 
 def _peak(
