@@ -29,7 +29,7 @@ from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amount import Amount
 from radcalc.units.parts import Part, check_uncertainty
-from radcalc.units.slopes import is_broken, reach, slopes
+from radcalc.units.slopes import at_jumps, is_broken, reach, slopes
 from radcalc.units.table import resolve
 from radcalc.units.uncertain import variable
 from radcalc.units.unit import Unit
@@ -221,6 +221,7 @@ def _ends(key: Key, bends: "Mapping[_Run, Sequence[Bend]]") -> Ends | None:
     if not any(is_broken(bend.number(key)) for bend in bent):
         return None
     reached = [end for bend in bent for end in reach(bend.number(key))]
+    reached += [side for bend in bent for side in at_jumps(bend.number(key))]
     for run, found in bends.items():
         if not any(key in bend.bent for bend in found):
             off = abs(run.slopes[key] * run.input.uncertainty)

@@ -137,7 +137,9 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
         return f"right{chosen} ({verdict.tolerance}): {right}{nearer}\n"
     times = "1" if verdict.ratio is None else number(verdict.ratio + 0.0, RATIO_DIGITS)
     ratio = f" ({times} times the right value)" if times != "1" else ""
-    claimed = uncertain(verdict.claimed, verdict.claimed_uncertainty, digits)  # as typed
+    claimed = number(verdict.claimed, digits)  # as typed
+    if verdict.claimed_uncertainty:
+        claimed += f" ± {number(verdict.claimed_uncertainty, digits)}"
     claimed += unit_behind(verdict.claimed_unit)
     lines = [f"wrong ({verdict.tolerance}): {right}, not {claimed}{ratio}"]
     word = "likely"

@@ -117,7 +117,7 @@ def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
 
 
 def is_broken(at: Callable[[float], float | None]) -> bool:
-    """Return whether a number jumps or has a corner between -1 and 1, not at an end of its range.
+    """Return whether a number jumps from -1 to 1, or has a corner that is not at an end.
 
     Around three points at a distance h, the deviation from a straight line shrinks as h^2 for a
     smooth number, as h at a corner, and not at all at a jump.
@@ -129,10 +129,42 @@ def is_broken(at: Callable[[float], float | None]) -> bool:
         first = first or away
         step /= 2
         places = [middle - step, middle, middle + step]
+    if any(_falls_off(at, sign) for sign in (-1.0, 1.0)):
+        return True
     ends = middle - 4 * step, middle + 4 * step
     if ends[0] < -1 or ends[1] > 1 or None in (at(ends[0]), at(ends[1])):
         return False
     return away > max(first * SHARP * 2.0**-HALVINGS, RESOLVED * abs(at(0.0) or 0.0))
+
+
+def at_jumps(at: Callable[[float], float | None]) -> list[float]:
+    """Return the numbers on both sides of each jump between -1 and 1."""
+    samples = [(k / SAMPLES, at(k / SAMPLES)) for k in range(-SAMPLES, SAMPLES + 1)]
+    known = [(place, number) for place, number in samples if number is not None]
+    numbers = [number for _, number in known]
+    least = SAME * (max(numbers) - min(numbers))
+    sides = []
+    for (left, before), (right, after) in pairwise(known):
+        if abs(after - before) > least:
+            middle = (before + after) / 2
+
+            def is_before(place: float, rises: bool = after > before, at_: float = middle) -> bool:
+                number = at(place)
+                return number is not None and (number < at_) == rises
+
+            edge = limit(is_before, right, left)
+            sides += [at(edge), at(limit(lambda place: not is_before(place), left, right))]
+    return [number for number in sides if number is not None]
+
+
+def _falls_off(at: Callable[[float], float | None], end: float) -> bool:
+    """Return whether a number jumps at an end."""
+    numbers = [at(end * k / SAMPLES) for k in range(SAMPLES + 1)]
+    last, before = numbers[-1], at(end * (1 - 2.0**-HALVINGS / SAMPLES))
+    known = [number for number in numbers if number is not None]
+    if last is None or before is None:
+        return False
+    return abs(last - before) > max(SAME * (max(known) - min(known)), RESOLVED * abs(last))
 
 
 def _away(at: Callable[[float], float | None], place: float, step: float) -> float:

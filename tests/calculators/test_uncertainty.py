@@ -4,6 +4,7 @@ import math
 
 import numpy
 import pytest
+from conftest import run
 from following import call
 from helpers import answers
 from uncertainties import ufloat
@@ -495,3 +496,125 @@ def test_results_out_of_range_are_refused(words):
     done = call(["convert", number, *rest.split()])
     assert (done.status, done.output) == (2, "")
     assert "is out of range" in str(done.error)
+
+
+def ranges(words):
+    """Return the value, low, high and uncertainty of the one result of a call."""
+    (answer,) = answers(call([*words.split(), "--json"]).output)
+    (result,) = answer["results"].values()
+    return tuple(result.get(key) for key in ("value", "low", "high", "uncertainty"))
+
+
+def through(function, nominal, off, steps=20_000):
+    """Return a function's value, and its least and greatest value within an uncertainty."""
+    values = [function(nominal + off * k / steps) for k in range(-steps, steps + 1)]
+    return function(nominal), min(values), max(values)
+
+
+def count_of_luminaires(flux):
+    # lumen method: N = E A / (F U M), rounded up
+    return math.ceil(500 * 54 / (flux * 0.6 * 0.8) - 1e-9)
+
+
+def in_the_cone(half):
+    # a cone of 100 lm seen at 45 deg from 3 m high: I cos(45 deg) / 18 m2 inside, nothing outside
+    inside = half >= 45 - 1e-9
+    return 100 / (2 * math.pi * (1 - math.cos(math.radians(half)))) * 0.5**0.5 / 18 * inside
+
+
+def turned(incidence):
+    return 25 * max(0.0, math.cos(math.radians(incidence)))
+
+
+def is_smooth(function, nominal, off):
+    """Return whether a function has no step and no corner within the uncertainty."""
+    counts = {count_of_luminaires(end) for end in (nominal - off, nominal + off)}
+    return {
+        count_of_luminaires: len(counts) == 1,
+        in_the_cone: nominal + off < 45 or nominal - off >= 45,
+        turned: abs(nominal - 90) > off,
+    }[function]
+
+
+JUMPS = [
+    (count_of_luminaires, "room --width 6m --length 9m --illuminance 500lx --utilance 0.6 "
+     "--maintenance 0.8 --flux {}+-{}lm -g luminaires-to-install", [1000, 2900, 3600, 3610],
+     [10, 200, 700]),
+    (in_the_cone, "point-source --flux 100lm --height 3m --offset 3m --half-angle {}+-{}deg -g "
+     "illuminance:lx", [42, 44, 45, 45.6, 48], [0.5, 1, 2.5]),
+    (turned, "point-source --intensity 100cd --distance 2m --incidence {}+-{}deg -g illuminance:lx",
+     [86, 89.5, 90, 90.5, 95], [0.25, 1, 3]),
+    (turned, "convert 100cd lx --distance 2m --incidence {}+-{}deg", [88, 89.5, 90, 92], [1, 3]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("function", "words", "places", "offs"), JUMPS)
+def test_a_result_that_jumps_has_a_range(function, words, places, offs):
+    """Value, least and greatest value of the closed form; a smooth result has an uncertainty."""
+    for nominal in places:
+        for off in offs:
+            value, low, high, uncertainty = ranges(words.format(nominal, off))
+            expected = through(function, nominal, off)
+            assert value == pytest.approx(expected[0], rel=1e-9, abs=1e-12)
+            if is_smooth(function, nominal, off):
+                assert (low, high) == (None, None)
+            else:
+                assert uncertainty is None
+                assert (low, high) == pytest.approx(expected[1:], rel=1e-3, abs=1e-9)
+
+
+@pytest.mark.parametrize("words", [
+    "convert 100 cd lx --distance 2.0+-0.9m",
+    "convert 100 cd lx --distance 2m --incidence 30+-25deg",
+    "convert 5+-4mW dBm", "solid-angle cone --half-angle 60+-50deg -g solid-angle",
+    "ev --f-number 8+-6 --time 1/60s -g ev", "etendue --area 1cm2 --na 0.8+-0.15 -g half-angle",
+    "spectrum blackbody:3000+-1500K -g luminous-efficacy", "convert 1 W lm --wavelength 555+-30nm",
+    "point-source --flux 100lm --beam-angle 60+-40deg -g intensity",
+    "photon 500+-300nm -g photon-energy",
+    "lambertian disc --luminance 1e4cd/m2 --radius 25+-20cm --height 75cm -g illuminance:lx",
+])  # fmt: skip
+def test_a_smooth_result_has_an_uncertainty_however_curved(words):
+    value, low, high, uncertainty = ranges(words)
+    assert value
+    assert uncertainty
+    assert (low, high) == (None, None)
+
+
+def test_a_range_in_every_format():
+    words = (
+        "room --width 6m --length 9m --illuminance 500lx --utilance 0.6 --maintenance 0.8 --flux"
+    )
+    wanted = ("-g", "luminaires-to-install")
+    for options, expected in (
+        (("--format", "table"), "16 (15 to 17)"),
+        (("--format", "csv"), "16.0,15.0,17.0"),
+        (("--precision", "2", "--json"), '"value": 16.0, "unit": "1", "low": 15.0, "high": 17.0'),
+        ((), "note: luminaires to install: 16 (15 to 17), of which the number alone"),
+    ):
+        done = run(*words.split(), "3600+-200lm", *wanted, *options, together=True)
+        assert expected in done.stdout
+    plain = call([*words.split(), "3600+-200lm", "--format", "plain"]).output
+    assert "luminaires-to-install\t16 (15 to 17)\t1\n" in plain
+    answer = radcalc.room(
+        width="6m", length="9m", illuminance="500lx", utilance=0.6, maintenance=0.8,
+        flux="3600+-200 lm",
+    )  # fmt: skip
+    assert math.isnan(parts(answer["luminaires-to-install"])[1])
+    assert "luminaires-to-install  16 (15 to 17)" in repr(answer)
+
+
+def test_an_uncertainty_is_printed_with_two_digits_at_any_precision():
+    for precision in (1, 2, 5, 17):
+        done = call(["convert", "99.99+-0.01 lx", "fc", "--precision", str(precision)])
+        assert "9.28937 ± 0.00093\tfc" in done.output
+
+
+@pytest.mark.parametrize(("words", "has_note"), [
+    ("convert 100+-3lx fc -n", True), ("convert 100lx fc -n", False),
+    ("ev --luminance 4096+-100cd/m2 -g ev100", True),
+    ("ev --luminance 4096+-100cd/m2 -g ev100 -g ev100-uncertainty", False),
+    ("ev --luminance 4096+-100cd/m2 -g ev100 --json", False),
+    ("ev --luminance 4096+-100cd/m2 --time 1/60s -g time", False),
+])  # fmt: skip
+def test_a_bare_number_says_that_its_uncertainty_is_omitted(words, has_note):
+    assert ("of which the number alone is printed" in run(*words.split()).stderr) == has_note

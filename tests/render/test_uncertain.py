@@ -7,7 +7,7 @@ import pytest
 from helpers import for_each
 from uncertainties import ufloat, ufloat_fromstr
 
-from radcalc.render.plain import uncertain
+from radcalc.render.plain import rounded, uncertain
 from radcalc.units.reading import read_amount
 
 
@@ -39,8 +39,18 @@ def test_two_digits_of_the_uncertainty(value, off, text):
     assert uncertain(value, off) == text
 
 
-def test_a_precision_gives_the_digits_of_both():
-    assert uncertain(9.290304, 0.27870912, 4) == "9.29 ± 0.2787"
+def test_a_precision_changes_neither():
+    for precision in range(1, 18):
+        assert uncertain(9.290304, 0.27870912, precision) == "9.29 ± 0.28"
+        assert rounded(9.290304, 0.27870912, precision) == (9.29, 0.28)
+    assert rounded(9.290304, 0.27870912, None) == (9.290304, 0.27870912)
+    assert rounded(9.290304, 0.0, 2) == (9.3, 0.0)
+
+
+def test_a_range_has_the_digits_that_tell_its_ends_apart():
+    assert uncertain(16.0, 0.0, ends=(15.0, 17.0)) == "16 (15 to 17)"
+    assert uncertain(2.1346334562, 0.0, 4, ends=(0.0, 2.1346334562)) == "2.135 (0 to 2.135)"
+    assert uncertain(1.0, 0.0, ends=(1.0, 1.00000012)) == "1 (1 to 1.0000001)"
 
 
 def test_numbers_agree_with_the_uncertainties_package():
