@@ -146,3 +146,54 @@ def test_the_unit_given_for_a_spectrum_wins_over_its_title_and_is_said(tmp_path)
     assert "the unit given differs from that of the title 'b (W/m2/nm)'" in done.stderr
     assert run("spectrum", str(path), "--unit", "lx").returncode == 2
     assert run("spectrum", "D65", "--unit", "W/m2/nm").returncode == 2
+
+
+def spectrum_of(text, *words):
+    """Return x, the illuminance or nothing, and what is said."""
+    done = run("spectrum", "-", "-g", "x", *words, input=text)
+    return done.stdout.strip(), done.stderr
+
+
+TWO = "nm,E (W/m2/nm)\n400,1\n500,3\n700,2\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "E (W/m2/nm),wavelength (nm)\n1,400\n3,500\n2,700\n",
+        "#,Wavelength [nm],E [W/m2/nm]\n0,400,1\n1,500,3\n2,700,2\n",
+        # Wasatch's ENLIGHTEN: pairs, then pixels before the wavelengths
+        "Technique,Irradiance\nIntegration Time,60\n\nPixel,Wavelength,Processed\n"
+        "0,400,1\n1,500,3\n2,700,2\n",
+        # AvaSoft: units below the titles, counts before the light
+        "Integration time [ms]: 48,06\nWave ;Sample ;Dark ;Absolute Irradiance\n"
+        "[nm] ;[counts] ;[counts] ;[uWatt/cm2/nm]\n\n"
+        " 400,0; 18,6; 7,3; 1,0\n 500,0; 15,6; -0,2; 3,0\n 700,0; 1,5; 0,1; 2,0\n",
+        # StellarNet's SpectraWiz: a line of the settings, and a count at the end
+        '" File: a"\n" RAD->  Wave:500nm  Pix:3  Val: 1  Time:100ms  Avg:1"\n'
+        " 400.00  1.0E+000\n 500.00  3.0E+000\n 700.00  2.0E+000\n: 5\n",
+        "Units (W/m^2nm)\nnm,value\n400,1\n500,3\n700,2\n",
+        'nm;"E; on the bench [W/m2/nm]"\n400;"1,0"\n500;"3,0"\n700;"2,0"\n',
+        "nm,E (W/m2/nm),uncertainty\n400,1,0.1\n500,3,0.1\n700,2,0.1\n",
+    ],
+)
+def test_a_spectrum_is_found_among_other_columns_and_lines(text):
+    assert spectrum_of(text)[0] == spectrum_of(TWO)[0]
+
+
+def test_the_photons_of_a_li180_are_those_of_each_nanometre():
+    """Both exports of one light are in the examples of photobiologyInOut, and agree."""
+    rows = "".join(f"{nm}\t{nm * 1e-3 / 0.11962656564:.9f}\n" for nm in range(400, 701))
+    done = run(
+        "spectrum", "-", "-g", "irradiance", input=f"Wavelength(nm)\tPFD(umol m-2 s-1)\n{rows}"
+    )
+    assert float(done.stdout) == pytest.approx(300, rel=1e-8)  # 1 W/m2/nm, as h c N_A / lambda
+
+
+@pytest.mark.parametrize(
+    "titles", ["Sample [counts],Dark [counts]", "red,blue", "E (W/m2/nm),PFD (umol/m2/s/nm)"]
+)
+def test_no_column_is_guessed_among_several_of_light_or_none(titles):
+    text = f"nm,{titles}\n400,1,2\n500,3,4\n"
+    assert spectrum_of(text)[0] == ""
+    assert "--column" in spectrum_of(text)[1]

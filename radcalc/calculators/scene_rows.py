@@ -6,6 +6,7 @@ A row is a line of a file or a Python dict, with values for some of the columns.
 import os
 import re
 from collections.abc import Mapping, Sequence
+from functools import partial
 from numbers import Real
 from typing import Any, NamedTuple
 
@@ -30,6 +31,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.files import columns, text
+from radcalc.files.table import Table
 from radcalc.geometry import far_field
 from radcalc.geometry.numerics.vectors import Vector, minus
 from radcalc.inputs.given import Input, Inputs
@@ -136,19 +138,13 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         )
     titles, units = _header(columns.cells(header, delimiter), text.where(name, number))
     rows = []
-    decimals = columns.Decimals()
+    table = Table(partial(text.refusal, name), delimiter, len(titles), [list(titles.values())])
     for number, line in lines[1:]:
-        cells = columns.cells(line, delimiter)
-        where = text.where(name, number)
-        if len(cells) != len(titles):
-            problem = f"{len(cells)} cells under {len(titles)} titles"
-            hint = "a cell under each title; quote a cell that has a comma"
-            raise ConditionError(f"{where}: {problem}", hint)
+        cells = table.cells(number, line)
         filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
-        rows.append(Row(where, filled, titles))
-        if delimiter != ",":
-            _check_marks(rows[-1], number, decimals)
-    _read_numbers(rows, units, bool(decimals.comma))
+        rows.append(Row(text.where(name, number), filled, titles))
+        _check_marks(rows[-1], number, table)
+    _read_numbers(rows, units, bool(table.decimals.comma))
     like_rows = [
         str(number)
         for number, line in comments
@@ -158,11 +154,12 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     return rows, notes if like_rows else []
 
 
-def _check_marks(row: Row, line: int, decimals: columns.Decimals) -> None:
+def _check_marks(row: Row, line: int, table: Table) -> None:
     for column, cell in row.cells.items():
-        for number in MARKED.findall(cell) if column in COLUMNS else ():
-            if problem := decimals.conflict(number, line):
-                raise row.error(column, problem, columns.MARKS)
+        if table.has_commas and column in COLUMNS:
+            for number in MARKED.findall(cell):
+                if problem := table.decimals.conflict(number, line):
+                    raise row.error(column, problem, columns.MARKS)
 
 
 def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], have_commas: bool) -> None:

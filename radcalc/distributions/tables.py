@@ -22,6 +22,7 @@ title of the first column has another unit.
 import math
 import re
 from collections.abc import Sequence
+from functools import partial
 from typing import Any, NoReturn
 
 import numpy
@@ -32,6 +33,7 @@ from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import CLOSEST, SLACK, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, listed, quote
 from radcalc.files import columns
+from radcalc.files.table import Table
 from radcalc.files.text import refusal
 from radcalc.quantities.light import read as facts_of
 
@@ -70,7 +72,6 @@ class _Reader:
     def __init__(self, lines: Sequence[str], name: str) -> None:
         self.name = name
         self.assumptions: list[str] = []
-        self.decimals = columns.Decimals()
         self.comments: list[str] = []
         self.rows: list[tuple[int, str]] = []
         for number, line in enumerate(lines, 1):
@@ -168,13 +169,9 @@ class _Reader:
             )
         if len(self.rows) < 2:
             self.refuse(self.rows[0][0], "one row is not a table", "two rows or more")
-        table = numpy.array([self.row(number, line, width) for number, line in self.rows])
-        if self.delimiter != ",":
-            for number, line in self.rows:
-                for cell in columns.cells(line, self.delimiter)[1:]:
-                    self.decimals.watch([cell], number)
-        if doubt := self.decimals.doubt():
-            self.refuse(*doubt, columns.MARKS)
+        text = Table(partial(refusal, self.name), self.delimiter, width)
+        table = numpy.array([self.row(number, line, text) for number, line in self.rows])
+        text.finish()
         angles, values = table[:, 0], table[:, 1:]
         for (number, _), angle, before in zip(self.rows[1:], angles[1:], angles, strict=False):
             if angle - before < CLOSEST:
@@ -189,23 +186,19 @@ class _Reader:
         )
         return angles, values
 
-    def row(self, number: int, line: str, width: int) -> list[float]:
-        if not self.comma:
+    def row(self, number: int, line: str, table: Table) -> list[float]:
+        if not table.has_commas:
             values = columns.numbers_at_once(line, line.split(self.delimiter))
-            if values is not None and len(values) == width:
+            if values is not None and len(values) == table.width:
                 return values
-        cells = columns.cells(line, self.delimiter)
-        if len(cells) != width:
-            problem = f"{len(cells)} columns instead of {width}"
-            self.refuse(number, problem, "a value in every column")
+        cells = table.cells(number, line)
         row_values = []
         for k, cell in enumerate(cells):
             value = columns.finite(cell, self.comma)
             if value is None:
                 what = "an intensity" if k else "an angle"
                 self.refuse(number, f"'{quote(cell)}' in column {k + 1} is not {what}", "a number")
-            if self.comma and (problem := self.decimals.conflict(cell, number)):
-                self.refuse(number, problem, columns.MARKS)
+            table.check_marks([cell], number, are_values=k > 0)
             row_values.append(value)
         return row_values
 

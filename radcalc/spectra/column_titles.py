@@ -93,6 +93,8 @@ CALIBRATED = re.compile(
     WORD.format("(?:ir)?rad(?:iance)?") + r"|ir?radiance|watts?|w/|wm-2|spectral power"
 )
 LI1800 = re.compile(r'"?(?:lims|int) *:', re.IGNORECASE)
+LI180 = re.compile(r"PFD ?\(umol m-2 s-1\)")  # of each nanometre, in its table of photons
+PER_AREA_AND_NM = re.compile(r"(/c?m)(?:\^?2|²)(?=nm)")  # W/m^2nm
 REMARK = re.compile(r'"?rem *:(.*)', re.IGNORECASE)
 STATE = f"{option('unit', 'W/m2/nm')}, or relative, if they are light"
 
@@ -100,6 +102,23 @@ STATE = f"{option('unit', 'W/m2/nm')}, or relative, if they are light"
 def is_wavelength(title: str) -> bool:
     """Return whether a plain title is that of wavelengths."""
     return bool(DECLARED.match(title)) or title.startswith(("wavelength", "nm ", "nm\t"))
+
+
+def is_of_wavelengths(title: str) -> bool:
+    """Return whether a plain title is that of a column of wavelengths, or only their unit."""
+    return is_wavelength(title) or title.strip("()[] ").rstrip("s") in NANOMETRES
+
+
+def of_light(titles: Sequence[str], places: Sequence[int]) -> list[int]:
+    """Return the columns that may be light, by their titles."""
+    found = []
+    for place in places:
+        try:
+            values(titles[place])
+        except ConditionError:
+            continue
+        found.append(place)
+    return found
 
 
 def wavelengths(
@@ -147,6 +166,8 @@ def _typed(text: str, word: str) -> str:
 def values(title: str) -> Meaning:
     """Return the meaning of the values under a title; raise for values other than spectra."""
     title = _with_short_units(title)
+    if LI180.fullmatch(title):
+        return typed("umol/m2/s/nm")._replace(said="in umol/m2/s/nm, photons turned into watts")
     text = plain(title).replace("_", " ").replace("photon counts", "photons")
     if NO_LIGHT.search(text):
         raise ConditionError(f"'{quote(title)}' is not a calibrated quantity of light", KNOWN)
@@ -271,7 +292,8 @@ def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:
 
 def _with_short_units(text: str) -> str:
     """Return the text with uW and umol for uWatt and uMol, which are not spellings of units."""
-    return PREFIXED.sub(lambda match: match[1] + SHORT[match[2]], text)
+    short = PREFIXED.sub(lambda match: match[1] + SHORT[match[2]], text)
+    return PER_AREA_AND_NM.sub(r"\g<1>2/", short)
 
 
 def _is_spectral(facts: Reading) -> bool:

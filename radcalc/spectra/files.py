@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from radcalc.errors import ConditionError, UsageError, listed, option, quote
 from radcalc.files import columns
+from radcalc.files.table import Table as TextTable
 from radcalc.files.text import Lines, Text, reading, refusal
 from radcalc.quantities.column_titles import find
 from radcalc.spectra import cgats, column_titles, meter_readings, meters, oceanview, spdx
@@ -31,6 +32,8 @@ MOST_BEFORE = 1000  # lines before a table, and comments
 MOST_OF_FORMAT = 1 << 24  # characters of a file that is not a plain table
 TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
 BRACKETED = re.compile(r"\[[^\[\]]*\]|\([^()]*\)")
+COUNT = re.compile(r":\s*\d+\s*")  # the last line of SpectraWiz
+INDICES = ("#", "pixel", "pixels", "index", "no", "no.", "nr", "nr.", "row", "line", "point")
 WORDS = 2  # after a number, between blanks, that make a line a sentence: 100 scans averaged
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
@@ -45,11 +48,15 @@ def read_file(path: str, column: str = "", unit: str = "") -> Table:
 
 
 class _Layout(NamedTuple):
-    delimiter: str | None
-    header: list[str]
-    width: int
+    table: TextTable
+    axis: int  # the column of the wavelengths
     place: int  # the column of the values
     title: str
+
+    @property
+    def header(self) -> list[str]:
+        """The title of the wavelengths, if there are titles."""
+        return [self.table.columns[self.axis].title] if self.table.titles else []
 
 
 class _Reader:
@@ -71,7 +78,6 @@ class _Reader:
         self.preamble: list[str] = []
         self.count = 0  # of rows, according to the preamble
         self.is_marked = self.is_over = False  # start of the table; its end, if it is marked
-        self.decimals = columns.Decimals()
         self.grid, self.values = array("d"), array("d")
         self.lines = array("q")  # of the rows
 
@@ -98,10 +104,12 @@ class _Reader:
 
     def table_of(self, contents: Contents) -> Table:
         self.notes += contents.notes
+        table = TextTable(self.error, None if contents.has_commas else ",", 2)
         for number, place, value in contents.rows:
-            self.grid.append(self.number(place, contents.has_commas, number))
-            self.values.append(self.number(value, contents.has_commas, number))
+            self.grid.append(table.number(place, number, is_value=False))
+            self.values.append(table.number(value, number))
             self.lines.append(number)
+        table.finish()
         if self.typed:
             return self.finish(1.0, (self.typed,))
         return self.finish(1.0, contents.meanings, contents.figures)
@@ -110,7 +118,7 @@ class _Reader:
         for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
-            if columns.is_comment(line):
+            if columns.is_comment(line) or COUNT.fullmatch(line):
                 if len(self.comments) < MOST_BEFORE:
                     self.comments.append(columns.comment_text(line)[: column_titles.LONGEST])
             else:
@@ -130,12 +138,15 @@ class _Reader:
                 if len(first) - _before(first) < 2 and len(first) <= MOST_BEFORE:
                     continue
                 layout, rows = self.layout(first), iter(first)
+                if self.take_first(first, layout):
+                    continue
             self.take(rows, layout)
             if self.is_over:
                 break
         if not layout:
             layout = self.layout(first)
             self.take(iter(first), layout)
+        layout.table.finish()
         count = len(self.grid)
         if self.count and count != self.count:
             problem = f"{count} rows, but its own count of pixels is {self.count}"
@@ -154,7 +165,8 @@ class _Reader:
             raise self.error(0, f"there is no row of numbers{where}", hint)
         delimiter, _ = columns.dialect(rows[min(1, len(rows) - 1)][1])
         width = len(_trimmed(columns.cells(rows[0][1], delimiter), 2))
-        header = self.header(before, delimiter, width) if before else []
+        table = TextTable(self.error, delimiter, width, preamble=before)
+        header = self.header(before, table) if before else []
         self.preamble = [line[: column_titles.LONGEST] for _, line in before]
         self.is_marked = any(line.startswith(oceanview.MARK) for line in self.preamble)
         if before:
@@ -165,15 +177,17 @@ class _Reader:
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         header = header or columns.titles_in_comments(self.comments, width)
-        self.check_titles(header)
-        place, title = self.value_column(header, width, rows[0][0])
-        return _Layout(delimiter, header, width, place, title)
+        table.titles = [header] if header else []
+        axis = self.axis(header)
+        place, title = self.value_column(header or [""] * width, axis, rows[0][0])
+        return _Layout(table, axis, place, title)
 
-    def header(self, before: list[tuple[int, str]], delimiter: str | None, width: int) -> list[str]:
+    def header(self, before: list[tuple[int, str]], table: TextTable) -> list[str]:
         """Return the titles from the lines before a table, with units from a row of their own.
 
         A line of text has no titles, nor has a line of many words between blanks.
         """
+        delimiter, width = table.delimiter, table.width
         while before and not any(map(str.isalnum, before[-1][1])):  # a rule below the titles
             before.pop()
         if not before:
@@ -184,7 +198,7 @@ class _Reader:
             _are_titles(_titles(line, delimiter, width), width) for _, line in before[:-1]
         ):
             if len(titles) == width:
-                self.number(titles[0], delimiter != ",", number)
+                table.number(titles[0], number)
             problem = f"'{quote(last.strip())}' is between the titles and the numbers"
             raise self.error(number, problem, "a row with a value in every column")
         if len(titles) != width:
@@ -194,7 +208,7 @@ class _Reader:
         before.pop()
         above = _titles(before[-1][1], delimiter, width) if before else []
         if _is_bad_row(titles, above):
-            self.number(titles[0], delimiter != ",", number)
+            table.number(titles[0], number)
         if len(above) == width and _is_of_units(titles):
             before.pop()
             titles = [
@@ -213,9 +227,15 @@ class _Reader:
         if column_titles.NO_LIGHT.search(text) and ":" not in line:
             raise self.error(number, f"'{quote(line.strip())}' is not light", column_titles.KNOWN)
 
+    def take_first(self, rows: Sequence[tuple[int, str]], layout: _Layout) -> bool:
+        """Read the rows that determine the layout at once, if they are successive lines."""
+        start = rows[0][0]
+        is_whole = rows[-1][0] - start == len(rows) - 1
+        return is_whole and self.take_plain([line for _, line in rows], start, layout)
+
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
         """Read rows of plain numbers; return whether they are."""
-        marks = self.decimals
+        marks = layout.table.decimals
         if marks.comma or marks.doubtful:
             return False
         numbers = _columns(lines, layout, len(self.grid) > MANY)
@@ -224,7 +244,7 @@ class _Reader:
         if not marks.point:
             pointed = (n for n, line in enumerate(lines, number) if "." in line)
             marks.point = next(pointed, 0)
-        if layout.delimiter != "," and not marks.is_sure:
+        if layout.table.has_commas and not marks.is_sure:
             marks.watch((_cell(line, layout) for line in lines), number)
         self.grid.extend(numbers[0])
         self.values.extend(numbers[1])
@@ -236,30 +256,29 @@ class _Reader:
             if self.is_marked and line.startswith(oceanview.MARK):
                 self.is_over = True
                 return
-            cells = _trimmed(columns.cells(line, layout.delimiter), layout.width)
-            if len(cells) != layout.width:
-                raise self.error(
-                    number,
-                    f"{len(cells)} columns instead of {layout.width}",
-                    "a value in every column",
-                )
-            comma = layout.delimiter != ","
-            self.grid.append(self.number(cells[0], comma, number))
-            self.values.append(self.number(cells[layout.place], comma, number))
+            cells = layout.table.cells(number, line)
+            self.grid.append(layout.table.number(cells[layout.axis], number, is_value=False))
+            self.values.append(layout.table.number(cells[layout.place], number))
             self.lines.append(number)
-            if comma:
-                self.decimals.watch([cells[layout.place]], number)
 
-    def check_titles(self, header: list[str]) -> None:
+    def axis(self, header: list[str]) -> int:
+        """Return the column of the wavelengths: the first, or one with their title."""
         if (longest := max(map(len, header), default=0)) > column_titles.LONGEST:
             raise self.error(
                 0, f"a title of {longest} characters", f"up to {column_titles.LONGEST}"
             )
         plain = [columns.plain(title) for title in header]
-        if any(map(column_titles.is_wavelength, plain[1:])):
-            raise self.error(0, "the wavelengths are not in the first column", "wavelengths first")
-        if plain and any(word in plain[0] for word in ("freq", "energy", "wavenumber")):
-            raise self.error(0, f"'{quote(header[0])}' is not a wavelength", "wavelengths first")
+        places = [k for k, title in enumerate(plain) if column_titles.is_of_wavelengths(title)]
+        if len(places) > 1 and places[0] > 0:
+            titles = listed([header[k] for k in places])
+            raise self.error(0, f"there are {len(places)} columns of wavelengths", titles)
+        axis = places[0] if places else 0
+        if plain and any(word in plain[axis] for word in ("freq", "energy", "wavenumber")):
+            problem = f"'{quote(header[axis])}' is not a wavelength"
+            raise self.error(0, problem, "a column of wavelengths")
+        if axis:
+            self.notes.append(f"the wavelengths are in column {axis + 1} {quote(header[axis])}")
+        return axis
 
     def finish_columns(self, layout: _Layout) -> Table:
         low, high = min(self.grid), max(self.grid)
@@ -294,8 +313,6 @@ class _Reader:
         if len(self.grid) < 2:
             count = len(self.grid)
             raise self.error(0, f"{count} row of data is not a spectrum", "two rows or more")
-        if doubt := self.decimals.doubt():
-            raise self.error(*doubt, columns.MARKS)
         grid, values = self.sorted()
         if grid[0] <= 0:
             raise self.error(0, f"a wavelength of {grid[0]:g}", "wavelengths above 0")
@@ -342,27 +359,36 @@ class _Reader:
         note = f"{count} negative values (down to {min(values):g}) are kept as noise"
         return note + (f": {100 * share:.2g} % of the watts" if share >= SMALL else "")
 
-    def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
-        if width < 2:
+    def value_column(self, names: list[str], axis: int, number: int) -> tuple[int, str]:
+        """Return the column of the values: the chosen one, or the only one of light."""
+        others = [k for k in range(len(names)) if k != axis]
+        if not others:
             hint = "a wavelength and a value in every row"
             raise self.error(number, "there is only one column", hint)
-        names = header or [""] * width
-        if not self.column:
-            if of_jaz := oceanview.processed(names, self.preamble):
-                return width - 1, of_jaz
-            if width > 2:
-                chosen = f"{self.name}:COLUMN (or {option('column')})"
-                raise self.error(
-                    number,
-                    f"there are {width - 1} columns of values",
-                    f"{chosen} with one of: {_named(names)}",
-                )
-            return 1, names[1]
-        place = self.named(["", *names[1:]])
-        if place == 0:
-            raise self.error(0, "column 1 has the wavelengths", _named(names))
-        self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
-        return place, names[place]
+        if self.column:
+            place = self.named([*names[:axis], "", *names[axis + 1 :]])
+            if place == axis:
+                raise self.error(0, f"column {axis + 1} has the wavelengths", _named(names, others))
+            self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
+            return place, names[place]
+        if of_jaz := oceanview.processed(names, self.preamble):
+            return len(names) - 1, of_jaz
+        candidates = [
+            k
+            for k in others  # an index has no title, or is a number of the row
+            if columns.plain(names[k]) not in INDICES and (names[k] or k > axis)
+        ]
+        if len(candidates) > 1:
+            candidates = column_titles.of_light(names, candidates)
+        if len(candidates) != 1:
+            count, chosen = len(candidates), f"{self.name}:COLUMN (or {option('column')})"
+            problem = f"there {'are' if count else 'is'} {count or 'no'} column{'s' * (count != 0)}"
+            hint = f"{chosen} with one of: {_named(names, candidates or others)}"
+            raise self.error(number, f"{problem} of values", hint)
+        if len(others) > 1:
+            place = candidates[0]
+            self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
+        return candidates[0], names[candidates[0]]
 
     def named(self, names: list[str]) -> int:
         """Return the chosen column; text in brackets may be an unknown unit."""
@@ -374,25 +400,13 @@ class _Reader:
                 raise
             return find(bare, self.column, self.name)
 
-    def number(self, cell: str, comma: bool, line: int) -> float:
-        if not cell:
-            raise self.error(line, "a value is missing", "a number, or the line left out")
-        value = columns.finite(cell, comma)
-        if value is None:
-            raise self.error(
-                line, f"'{quote(cell)}' is not a number", "a number, or # before a comment"
-            )
-        if comma and (problem := self.decimals.conflict(cell, line)):
-            raise self.error(line, problem, columns.MARKS)
-        return value
-
     def wavelength_unit(self, header: list[str], low: float, high: float) -> float:
         """Return the nanometres per unit of the first column, declared or from the numbers."""
         if low <= 0:
             raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
         remarks = [*self.comments, *self.preamble]
         try:
-            factor, note = column_titles.wavelengths(header[:1], remarks, low, high)
+            factor, note = column_titles.wavelengths(header, remarks, low, high)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         self.notes.append(note)
@@ -425,14 +439,12 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
         if are_many and lines[0].strip():
             import numpy
 
-            rows = numpy.loadtxt(lines, delimiter=layout.delimiter, comments=None, ndmin=2)
-            if rows.shape != (len(lines), layout.width) or not numpy.isfinite(rows).all():
+            rows = numpy.loadtxt(lines, delimiter=layout.table.delimiter, comments=None, ndmin=2)
+            if rows.shape != (len(lines), layout.table.width) or not numpy.isfinite(rows).all():
                 return None
-            return rows[:, 0], rows[:, layout.place]
-        split = [line.split(layout.delimiter) for line in lines]
-        if [len(cells) for cells in split].count(layout.width) != len(split):
-            return None
-        texts = [cells[0] for cells in split], [cells[layout.place] for cells in split]
+            return rows[:, layout.axis], rows[:, layout.place]
+        texts = layout.table.at_once(lines)
+        texts = [texts[layout.axis], texts[layout.place]]
         numbers = [columns.numbers_at_once(" ".join(column), column) for column in texts]
         return None if None in numbers else numbers
     except ValueError:
@@ -440,7 +452,7 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
 
 
 def _cell(line: str, layout: _Layout) -> str:
-    return line.split(layout.delimiter, layout.place + 1)[layout.place].strip()
+    return line.split(layout.table.delimiter, layout.place + 1)[layout.place].strip()
 
 
 def _before(rows: Sequence[tuple[int, str]]) -> int:
@@ -548,6 +560,6 @@ def _table(
     return table
 
 
-def _named(titles: Sequence[str]) -> str:
-    """Return the columns of values by their titles, or else by their numbers."""
-    return listed([title or str(number) for number, title in enumerate(titles, 1) if number > 1])
+def _named(titles: Sequence[str], places: Sequence[int]) -> str:
+    """Return columns by their titles, or else by their numbers."""
+    return listed([titles[k] or str(k + 1) for k in places])

@@ -16,6 +16,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.files import columns
+from radcalc.files.table import Table
 from radcalc.files.text import where
 from radcalc.quantities.column_titles import (
     SPELLINGS,
@@ -65,8 +66,7 @@ class LogSettings(NamedTuple):
 class LogLayout(NamedTuple):
     """The columns of times and values of a log, and their readers."""
 
-    delimiter: str | None
-    width: int
+    table: Table
     times: tuple[int, ...]
     place: int
     clock: Clock
@@ -123,7 +123,8 @@ class Head:
             ]
             of_comment = columns.titles_in_comments(comments, len(cells), settings.delimiter)
             titles = [of_comment] if of_comment else []
-        self.layout = self._columns(number, cells, titles, delimiter)
+        table = Table(self.error, delimiter, len(cells), titles, rows[:first])
+        self.layout = self._columns(number, cells, table)
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
         return error(self.name, number, problem, hint)
@@ -208,9 +209,8 @@ class Head:
             "1000 in place of 1,000",
         )
 
-    def _columns(
-        self, number: int, cells: list[str], titles: list[list[str]], delimiter: str | None
-    ) -> LogLayout:
+    def _columns(self, number: int, cells: list[str], table: Table) -> LogLayout:
+        titles = [list(row) for row in table.titles]
         names = titles[0] if titles else []
         times = self._time_columns(number, cells, names)
         place = self._value_column(number, cells, titles, times)
@@ -223,7 +223,7 @@ class Head:
             clock = clock_for(text, settings)
         except (NumberError, UnitError) as error:
             raise self.error(number, error.message, error.hint) from None
-        return LogLayout(delimiter, len(cells), times, place, clock, unit, units)
+        return LogLayout(table, times, place, clock, unit, units)
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
         if self.settings.times:

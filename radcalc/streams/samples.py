@@ -59,7 +59,6 @@ class Log:
         # Local times that occur twice wait for a later one; None for a skipped line.
         self.waiting: list[Sample | None] = []
         self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
-        self.decimals = columns.Decimals()
         self.text = Text(name, read, "a time and a value", inf)
         self._blocks = self.text.blocks()
         lines = log_layout.first_lines(self._blocks)
@@ -81,8 +80,7 @@ class Log:
         for number, lines in self._blocks:
             yield from self._of(lines, number)
         yield from _runs(self.waiting)
-        if doubt := self.decimals.doubt():
-            raise self.error(*doubt, columns.MARKS)
+        self.layout.table.finish()
         if self.text.note:
             self.notes.append(self.text.note)
         if self.left_out:
@@ -103,18 +101,17 @@ class Log:
             yield from self._of(lines[middle:], number + middle)
 
     def _at_once(self, lines: list[str], number: int) -> Samples | None:
-        layout = self.layout
+        layout, table = self.layout, self.layout.table
         try:
-            cells = _columns_of(lines, layout.delimiter, layout.width)
+            cells = table.at_once(lines)
             if layout.units is not None and {*cells[layout.units]} != {layout.unit.text}:
                 return None
-            pointed = self._with_points(cells[layout.place], number)
-            values = columns.finite_numbers(pointed)
+            values = columns.finite_numbers(table.pointed(cells[layout.place], number))
             if min(values) <= LEAST:
                 return None
             stamps = cells[layout.times[0]]
             if layout.clock.has_numbers:
-                stamps = self._with_points(stamps, number)
+                stamps = table.pointed(stamps, number, are_values=False)
             elif layout.times[1:]:
                 stamps = list(map(" ".join, zip(*[cells[k] for k in layout.times], strict=True)))
             times: list[Any] = list(layout.clock.many(stamps))
@@ -122,32 +119,8 @@ class Log:
             return None
         if not all(map(lt, times, times[1:])) or (self.last is not None and times[0] <= self.last):
             return None
-        self._watch(pointed, number)
         self.last, self.last_line = times[-1], number + len(lines) - 1
         return times, values
-
-    def _with_points(self, texts: list[str], number: int) -> list[str]:
-        """Return numbers with decimal points; raise ValueError if a text is unusual."""
-        joined = " ".join(texts)
-        if columns.has_odd_digits(joined):
-            raise ValueError
-        if self.layout.delimiter == ",":
-            return texts
-        marks, has_point = self.decimals, "." in joined
-        if "," in joined:
-            if has_point or not marks.comma:
-                raise ValueError
-            return joined.replace(",", ".").split(" ")
-        if has_point:
-            if marks.comma or marks.doubtful:
-                raise ValueError
-            if not marks.point:
-                marks.point = next(k for k, text in enumerate(texts, number) if "." in text)
-        return texts
-
-    def _watch(self, values: list[str], number: int) -> None:
-        if self.layout.delimiter != ",":
-            self.decimals.watch(values, number)
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
         rows = [row for row in enumerate(lines, number) if not is_remark(row[1])]
@@ -208,11 +181,8 @@ class Log:
 
     def _sample(self, line: str, number: int) -> Sample:
         layout = self.layout
-        cells = columns.cells(line, layout.delimiter)
-        if len(cells) != layout.width:
-            count = f"{len(cells)} cell{'s' * (len(cells) != 1)} instead of {layout.width}"
-            raise self.error(number, count, "a cell in every column")
-        stamp, comma = " ".join([cells[k] for k in layout.times]), layout.delimiter != ","
+        cells = layout.table.cells(number, line)
+        stamp = " ".join([cells[k] for k in layout.times])
         try:
             time = layout.clock.one(stamp)
         except Undecided:
@@ -223,17 +193,16 @@ class Log:
         if text.lower() in MISSING or MARKED.fullmatch(text):
             hint = mention("{invalid=ignore}, to skip the line")
             raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
-        value = columns.finite(text, comma)
+        value = columns.finite(text, layout.table.has_commas)
         if value is None:
             try:
                 parse_number(text)
             except NumberError as error:
                 raise self.error(number, error.message, error.hint) from None
             raise self.error(number, f"'{quote(text)}' is not a number", "a number")
-        for cell in (stamp, text) if layout.clock.has_numbers else (text,):
-            if comma and (problem := self.decimals.conflict(cell, number)):
-                raise self.error(number, problem, columns.MARKS)
-        self._watch([text], number)
+        if layout.clock.has_numbers:
+            layout.table.check_marks([stamp], number, are_values=False)
+        layout.table.check_marks([text], number)
         if layout.units is not None:
             value *= self._factor(cells[layout.units], number)
         return Sample(time, value, number, stamp)
@@ -275,37 +244,3 @@ def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples | None]:
             values.append(sample.value)
     if times:
         yield times, values
-
-
-def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[list[str]]:
-    """Return the columns of lines with as many cells each; raise ValueError for other lines."""
-    if not delimiter:
-        rows = [line.split() for line in lines]
-    else:
-        text = "\n".join(lines)
-        if '"' in text:
-            rows = _unquoted(lines, delimiter)
-        else:
-            # the ends of the lines as separate cells: in a table they are a column
-            cells = text.replace("\n", f"{delimiter}\n{delimiter}").split(delimiter)
-            if cells[width :: width + 1].count("\n") != len(lines) - 1:
-                raise ValueError
-            if len(cells) != len(lines) * (width + 1) - 1:
-                raise ValueError
-            return [cells[k :: width + 1] for k in range(width)]
-    if {*map(len, rows)} != {width}:
-        raise ValueError
-    return [list(column) for column in zip(*rows, strict=True)]
-
-
-def _unquoted(lines: list[str], delimiter: str) -> list[list[str]]:
-    """Return the cells of lines; raise ValueError if a quoted cell spans lines."""
-    import csv
-
-    try:
-        rows = list(csv.reader(lines, delimiter=delimiter))
-    except csv.Error:
-        raise ValueError from None
-    if len(rows) != len(lines):
-        raise ValueError
-    return rows

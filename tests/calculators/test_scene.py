@@ -122,7 +122,7 @@ BAD = {
     "x,y,z,fluks\n0,0,2,8lm\n": ("line 1: unknown column 'fluks'", "flux"),
     "x,y,z,flux,flux\n0,0,2,8lm,9lm\n": ("column 'flux' appears twice", "once"),
     "x,y,z,flux,\n0,0,2,8lm,9\n": ("line 1: column 5 has no title", ""),
-    "x,y,z,flux\n0,0,2,8lm,9\n": ("line 2: 5 cells under 4 titles", "quote a cell"),
+    "x,y,z,flux\n0,0,2,8lm,9\n": ("line 2: 5 columns instead of 4", "a value in every"),
     "x,y,z,flux\n0,0,,8lm\n": ("line 2: z is blank", "x, y, z"),
     "x,y,flux\n0,0,8lm\n": ("line 2: z is missing", "x, y, z"),
     "x,y,z,aim_x,flux\n0,0,2,1,8lm\n": ("line 2: aim_y is missing", "aim_x, aim_y, aim_z"),
@@ -139,7 +139,7 @@ BAD = {
     "x,y,z,flux,intensity\n0,0,2,8lm,9cd\n": ("flux cannot be used with intensity", "only one"),
     "x,y,z,flux,luminous_flux\n0,0,2,8lm,9lm\n": ("cannot be used with", "only one of them"),
     "x,y,z,flux\n0,0,2,-8lm\n": ("flux -8lm is out of range", "more than 0"),
-    "x,y,z,flux\n0,0,2,1,5lm\n": ("5 cells under 4", ""),
+    "x,y,z,flux\n0,0,2,1,5lm\n": ("5 columns instead of 4", ""),
     "x;y;z;flux\n0;0;2;1,500lm\n": ("has a comma in its number", "1500lm"),
     "x;y;z;flux\n0;0;2;0,5lm\n1;0;2;1.234lm\n": (
         "line 3, column 'flux': a decimal point, but line 2 has a decimal comma", "in all"

@@ -136,7 +136,7 @@ def test_lines_before_a_table_are_not_part_of_it(head, delimiter, tail, tmp_path
         ("Absorbance of leaf 7\n", "'Absorbance of leaf 7' is not light"),
         ("Units: 1e-3 W/m2/nm\nnm,x\n", "scales its values"),
         ("Units: W/m2/nm\nnm,photons\n", "the title has photons, the lines before it watts"),
-        ("Pixel,Wavelength\n0,1\n", "the wavelengths are not in the first column"),
+        ("Pixel,Wavelength\n0,1\n", "there is no column of values"),
     ],
 )
 def test_lines_before_a_table_are_taken_into_account(head, message, tmp_path):
@@ -215,7 +215,7 @@ BROKEN = {
     "a missing value": ("400,1\n500,\n600,2\n", "line 2: a value is missing"),
     "a word": ("400,1\n500,x\n600,2\n", "line 2: 'x' is not a number"),
     "not a number": ("400,1\n500,nan\n600,2\n", "line 2: 'nan' is not a number"),
-    "a short row": ("400 1\n500\n600 2\n", "line 2: 1 columns"),
+    "a short row": ("400 1\n500\n600 2\n", "line 2: 1 column"),
     "a long row": ("400 1\n500 2 3\n600 2\n", "line 2: 3 columns"),
     "twice the same": (
         "400 1\n500 2\n\n400 2\n",
@@ -229,7 +229,7 @@ BROKEN = {
     "a negative wavelength": ("-400 1\n500 2\n", "a wavelength of -400"),
     "a frequency": ("frequency (THz),x\n400,1\n700,1\n", "is not a wavelength"),
     "an unknown length": ("wavelength (furlong),x\n400,1\n700,1\n", "unknown unit of wavelengths"),
-    "wavelengths last": ("value,wavelength (nm)\n1,400\n1,700\n", "not in the first column"),
+    "wavelengths twice": ("E,nm,wavelength\n1,400,400\n1,700,700\n", "2 columns of wavelengths"),
     "per hertz": ("nm,K (W/m2/Hz)\n400,1\n700,1\n", "not power or photons per wavelength"),
     "not per wavelength": ("nm,umol/m2/s\n400,1\n700,1\n", "not power or photons per wavelength"),
     "lumens": ("nm,lm/nm\n400,1\n700,1\n", "not power or photons per wavelength"),
@@ -525,7 +525,7 @@ def test_a_large_file_gives_the_same_as_a_small_one(tmp_path):
 
 @pytest.mark.parametrize(
     ("line", "message"),
-    [("nan,1", "'nan' is not a number"), ("300,1", "is also in line"), ("701", "1 columns"),
+    [("nan,1", "'nan' is not a number"), ("300,1", "is also in line"), ("701", "1 column"),
      ("701,x", "'x' is not a number"), ("701,1_0", "'1_0' is not a number")],
 )  # fmt: skip
 def test_an_error_in_a_large_file_is_refused_with_its_line(line, message, tmp_path):

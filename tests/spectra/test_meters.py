@@ -177,7 +177,7 @@ def test_the_table_begins_after_its_mark(text, end, decimal, tmp_path):
     [
         ("7.00E2\t2.0\n", "", "2 rows, but its own count of pixels is 3"),
         ("Spectrum: 3", f"Spectrum: {'9' * 5000}", "3 rows, but its own count of pixels is 9"),
-        ("7.00E2\t2.0\n", "7.00E2\n", "1 columns instead of 2"),
+        ("7.00E2\t2.0\n", "7.00E2\n", "1 column instead of 2"),
         ("XAxis mode: Wavelengths", "XAxis mode: Raman Shifts", "is not a wavelength"),
         ("lamp_Irr", "leaf_Reflection_Irr", "is a reflection, not light"),
         ("lamp_Irr", "leaf_Transmission__0__Irr", "is a transmission, not light"),

@@ -101,8 +101,8 @@ def test_a_byte_order_mark_declares_the_encoding(encoding, end):
     [
         ("", {}, "the data are missing"),
         ("t_s,E_lx\n", {}, "no time and value"),
-        ("t_s,E_lx\n0,1\n1\n", {}, "line 3: 1 cell instead of 2"),
-        ("t_s,E_lx\n0,1\n1,2,3\n", {}, "line 3: 3 cells instead of 2"),
+        ("t_s,E_lx\n0,1\n1\n", {}, "line 3: 1 column instead of 2"),
+        ("t_s,E_lx\n0,1\n1,2,3\n", {}, "line 3: 3 columns instead of 2"),
         ("t_s;E_lx\n0;1,5\n1;2.5\n", {}, "line 3: a decimal point, but line 2 has a decimal comma"),
         ("t_s;E_lx\n0;1,500\n1;2\n", {}, "is ambiguous: a thousand"),
         ("t_s,E_lx\n0,1\n1,x\n", {}, "line 3: 'x' is not a number"),
@@ -134,7 +134,7 @@ def test_a_byte_order_mark_declares_the_encoding(encoding, end):
         # bad lines above the first good one are not lines of titles
         *[(f"time,E [lx]\n2024-06-01T11:00,{bad}\n2024-06-01T12:00,1\n", told, "line 2: ")
           for bad in ("OVER", "<1", "1.000.000", "\0") for told in ({}, {"column": "E"})],
-        ("time,E [lx]\n2024-06-01T11:00\n2024-06-01T12:00,1\n", {}, "line 2: 1 cell instead"),
+        ("time,E [lx]\n2024-06-01T11:00\n2024-06-01T12:00,1\n", {}, "line 2: 1 column instead"),
         ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is not a date and time"),
         ("t_s,E_lx\n0,OVER\n1,2\n", {}, "line 2: 'OVER' is not a number"),
         ("a,b,c,E_lx\n12:00,2024-06-01,12:01,1\n", {}, "there are 2 columns of clocks"),
