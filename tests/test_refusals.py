@@ -633,7 +633,7 @@ STREAMS = {
     "a title without a letter is refused": (("lx", "fc", "--add", " "), "is not a title"),
     "a title in another unit is refused": (("lx", "fc", "--add", "E [lx]"), "is in lx, not in fc"),
     "a title of another quantity is refused": (
-        ("lx", "fc", "--add", "luminance"), "'luminance', but contain illuminance (fc)"),
+        ("lx", "fc", "--add", "luminance"), "named 'luminance', but contain illuminance (fc)"),
     "a title of two words between blanks is refused": (
         ("lx", "fc", "--field", "1", "--add", "a b"), "blanks, at which the lines are cut"),
     "a column that becomes another quantity is refused": (

@@ -154,7 +154,10 @@ BAD = {
     "x,y,z,area\n0,0,2,1cm2\n": ("line 2: a light quantity of the patch is missing", "luminance"),
     "x,y,z,distribution,flux\n0,0,2,0*z,8lm\n": ("the distribution has no flux", ""),
     "x,y,z,distribution,intensity\n0,0,2,1-z,8cd\n": ("no intensity on its axis", ""),
-    "x,y,z,flux\n0,0,0,8lm\n": ("point 0,0,0 is at the position of source '1' (", "another"),
+    "x,y,z,flux\n0,0,0,8lm\n": (
+        "the point 0,0,0 is at the position of source '1' (",
+        "another point",
+    ),
     "x,y,z,flux\n": ("the file has a header but no source", "rows"),
     "flux\n8lm\n": ("only one column", "header"),
     "0,0,2,8lm\n0,0,1,8lm\n": ("unknown column '0'", "x, y, z"),

@@ -139,7 +139,10 @@ def test_assumptions_are_stated():
             "--irradiance 5W/m2 --pixel-pitch 3um --quantum-efficiency 0.5",
             "needs the wavelength or the spectrum",
         ),
-        ("--photon-irradiance 5umol/m2/s --pixel-pitch 3um --responsivity 0.5A/W", "needs the"),
+        (
+            "--photon-irradiance 5umol/m2/s --pixel-pitch 3um --responsivity 0.5A/W",
+            "needs the wavelength or the spectrum",
+        ),
         ("--luminance 5cd/m2 --f-number 2 --quantum-efficiency 60 --wavelength 550nm", "from 0"),
         ("--illuminance 5lx --time 1s -g electrons", "--wavelength, --spectrum"),
         ("--pixel-pitch 3um --pixel-area 10um2 --irradiance 1W/m2", "contradicts the other inputs"),

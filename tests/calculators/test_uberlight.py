@@ -189,7 +189,11 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1 --normal 0,0,1", "--normal 0,0,1 needs further inputs", "--intensity"),
         ("0,0,1 --intensity 1cd --normal 0,0,0", "--normal '0,0,0' has no direction", "1,0,0.5"),
         ("0,0,1 --intensity 1cd --normal 0,0,1 --incidence 0deg", "both give", "only one of them"),
-        ("0,0,1 --intensity 1cd --illuminance 2lx", "the other inputs, which give 1 lx", ""),
+        (
+            "0,0,1 --intensity 1cd --illuminance 2lx",
+            "contradicts the other inputs, which give 1 lx",
+            "",
+        ),
         ("0,0,-1 --illuminance 2lx", "no light arrives", ""),
         ("0,0,1e90", "is too large or too small", "less extreme"),
         ("0,0,1 --falloff-distance 1e90m", "is too large or too small", "less extreme"),
