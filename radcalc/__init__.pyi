@@ -36,6 +36,7 @@ from radcalc.api.keywords import (
     Surroundings,
     Text,
     Vector,
+    WholeSphere,
 )
 from radcalc.api.quantity import (
     Quantity,
@@ -157,6 +158,7 @@ def environment(
     *,
     unit: Text = None,
     projection: Projection | None = None,
+    field: Amount = None,
     aim: Vector = None,
     channel: Text = None,
     sun_elevation: Amount = None,
@@ -295,6 +297,7 @@ def irradiance_map(
     *,
     unit: Text = None,
     projection: Projection | None = None,
+    field: Amount = None,
     aim: Vector = None,
     channel: Text = None,
     sun_elevation: Amount = None,
@@ -483,11 +486,12 @@ def refraction(
 ) -> Result: ...
 def reproject(
     source: Surroundings,
-    to: Projection,
+    to: WholeSphere,
     size: Pair = None,
     *,
     unit: Text = None,
     projection: Projection | None = None,
+    field: Amount = None,
     aim: Vector = None,
     channel: Text = None,
     sun_elevation: Amount = None,

@@ -56,7 +56,16 @@ Shape: TypeAlias = Literal[
     "pixel",
 ]
 Sky: TypeAlias = Literal["overcast", "uniform", "intermediate", "clear", "turbid"] | int | str
-Projection: TypeAlias = Literal["latlong", "mirror-ball", "angular"]
+WholeSphere: TypeAlias = Literal["latlong", "mirror-ball", "angular"]
+Projection: TypeAlias = Literal[
+    WholeSphere,
+    "fisheye",
+    "equisolid",
+    "orthographic",
+    "stereographic",
+    "perspective",
+    "cylindrical",
+]
 Observer: TypeAlias = Literal[
     "photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10"
 ]

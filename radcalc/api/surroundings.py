@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any, Literal
 
 from radcalc.api.calculate import calculate
-from radcalc.api.keywords import Pair, Projection, Sky, Surroundings
+from radcalc.api.keywords import Pair, Sky, Surroundings, WholeSphere
 from radcalc.api.pages import of_page
 from radcalc.api.quantity import Quantity, is_quantity, quantity, unit_of
 from radcalc.api.reading import one_of, read_inputs, refuse_column
@@ -20,7 +20,7 @@ from radcalc.calculators.sky import sky as of_sky
 from radcalc.distributions.environments import picture_of
 from radcalc.errors import ConditionError
 from radcalc.inputs.given import refuse_uncertain
-from radcalc.quantities.symbols import PROJECTIONS
+from radcalc.quantities.symbols import WHOLE_SPHERE
 from radcalc.units.table import resolve
 
 
@@ -114,7 +114,7 @@ def irradiance_map(
 
 
 @of_page("environment", without=("normal", "toward", "size"))
-def reproject(source: Surroundings, to: Projection, size: Pair = None, **given: Any) -> Quantity:
+def reproject(source: Surroundings, to: WholeSphere, size: Pair = None, **given: Any) -> Quantity:
     """Reproject a map: each pixel is the mean over its solid angle.
 
     Parameters
@@ -141,7 +141,7 @@ def reproject(source: Surroundings, to: Projection, size: Pair = None, **given: 
     >>> print(reproject("sky:uniform", "angular", (64, 64), zenith_luminance="9 cd/m2").max())
     9.0 candela / metre ** 2
     """
-    name = one_of(to, PROJECTIONS, "projection")
+    name = one_of(to, WHOLE_SPHERE, "projection")
     return _map(source, {"size": size, **given}, partial(page.reprojection, to=name))
 
 

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from radcalc.geometry.numerics.cubature import Integral
 
 SKY = "sky:"  # before the type of a sky
-OF_MAP = ("unit", "projection", "aim", "channel")
+OF_MAP = ("unit", "projection", "field", "aim", "channel")
 OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
@@ -57,7 +57,7 @@ PAGE = Page(
     texts={
         "toward": "Direction to where the light comes from, as POLAR (from +z), "
         "POLAR,AZIMUTH or X,Y,Z.",
-        "aim": "Direction in the middle of the map (default 1,0,0).",
+        "aim": "Direction in the middle of the map (default: that of its file, else 1,0,0).",
         "normal": "Normal of the receiver (default 0,0,1: up).",
     },
     draws=True,
@@ -67,6 +67,7 @@ PAGE = Page(
         "room.hdr unit=W/m2/sr",
         "room.exr unit=cd/m2 normal=1,0,0 toward=60deg,90deg",
         "ball.hdr projection=mirror-ball aim=0,-1,0 unit=1",
+        "lens.exr projection=fisheye field=180deg aim=0,0,1 unit=cd/m2",
         "sky:overcast zenith-luminance=9000cd/m2 normal=1,0,0",
         "sky:12 sun-elevation=40deg sun-azimuth=0deg toward=0deg:90deg:15deg,90deg",
         "room.hdr unit=cd/m2 plot=room.png",
@@ -82,8 +83,10 @@ PAGE = Page(
     in watts, lumens or photons: the unit decides.
 
     The middle of a map shows the direction {aim}.  The map is turned so that its upward direction
-    is as close to +z as possible.  A 2:1 map is latlong; a square map needs {projection}.  Few
-    files state the unit of their values: give {unit}; with {unit} 1 every result is relative.
+    is as close to +z as possible.  A 2:1 map is latlong; a square map needs {projection}, and a
+    picture of a part of the sphere also {field}, unless its file has a VIEW= of the program
+    Radiance.  Few files state the unit of their values: give {unit}; with {unit} 1 every result is
+    relative.
     Luminance is a weighted sum of R, G and B.  The weights follow from the primaries in the file,
     or from those of Rec. 709 if it has none.  With {unit} W/m2/sr the weights are those of the
     program Radiance, and a watt counts as 179 lm.
@@ -262,6 +265,7 @@ class _Surroundings:
             "mean-radiance": mean,
             "peak-radiance": peak.value,
         }
+        self._note_share(normal)
         if "toward" in given:
             if not radiances.is_axial:
                 require_azimuth(given["toward"], "the radiance depends on it")
@@ -296,6 +300,13 @@ class _Surroundings:
         return Answer(
             values, (*self.assumptions, *results.assumptions), (*self.notes, *results.notes), steps
         )
+
+    def _note_share(self, normal: Vector) -> None:
+        """Note how much of what the receiver faces is in the map, if it is not the whole sphere."""
+        seen = getattr(self.environment.radiances, "seen", None)
+        if seen and self.environment.radiances.coverage < 1:
+            share = f"{100 * seen(normal):.2g} %"
+            self.notes.append(f"it covers {share} of the receiver's hemisphere, by cosine")
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
         from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map

@@ -19,7 +19,7 @@ from radcalc.geometry.projections import (
     pixel_solid_angle,
 )
 from radcalc.inputs.given import Input, Inputs, one_of
-from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL
+from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, WHOLE_SPHERE
 
 TAKES = ("size", "pixel", "projection")
 RESULTS = ("solid-angle", "sphere-fraction", "half-angle", "apex-angle")
@@ -52,6 +52,9 @@ def pixel(given: Inputs) -> Answer:
     size = one_of(given, "the size of the map", "size")
     place = one_of(given, "the pixel", "pixel")
     projection = given["projection"].value if "projection" in given else LATLONG
+    if projection not in WHOLE_SPHERE:
+        problem = f"{option('projection', projection)} does not show the whole sphere"
+        raise ConditionError(problem, " or ".join(option("projection", p) for p in WHOLE_SPHERE))
     (width, height), (column, row) = size.value, place.value
     refuse_shape(size, projection, "projection" in given)
     if column >= width or row >= height:

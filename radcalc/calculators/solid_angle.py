@@ -482,6 +482,8 @@ PAGE = Page(
         "area": "Area of a small patch.",
         "tilt": "Angle between the normal of a patch and the line of sight.",
         "solid-angle": "Solid angle of the shape (cone or sphere).",
+        "projection": "Projection of a map of the sphere: latlong (2:1 image), mirror-ball or "
+        "angular (square images).",
         "polar": ("30deg:60deg", "Polar angles of a zone, from +z."),
         "azimuth": ("0deg:90deg", "Azimuths of a zone (default: all)."),
         "distance": "Straight-line distance to the centre of the shape.",

@@ -17,7 +17,7 @@ from radcalc.cli.options import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, quote_path
 from radcalc.inputs.given import Inputs, shown_inputs
-from radcalc.quantities.symbols import PROJECTIONS
+from radcalc.quantities.symbols import WHOLE_SPHERE
 
 EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky:overcast"
 IRRADIANCE_MAP = click.Option(
@@ -35,7 +35,7 @@ REPROJECT = click.Option(
     ["--reproject"], metavar="FILE", help="Write the map in another projection (with --to)."
 )
 TO = click.Option(
-    ["--to"], type=click.Choice(PROJECTIONS), help="Projection of the map written by --reproject."
+    ["--to"], type=click.Choice(WHOLE_SPHERE), help="Projection of the map written by --reproject."
 )
 
 
@@ -95,7 +95,7 @@ def command(
     if order:
         raise UsageError("--order does not apply to --reproject", "leave out --order")
     if not to:
-        ways = " or ".join(f"--to {name}" for name in PROJECTIONS)
+        ways = " or ".join(f"--to {name}" for name in WHOLE_SPHERE)
         raise UsageError("the projection to write is missing", ways)
     make = partial(page.reprojection, source, given, to)
     inputs = (*texts_of({**operands, "reproject": path, "to": to}), *shown_inputs(given))

@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.distributions.radiances import FormulaRadiances, Radiances
 from radcalc.distributions.sources import formula_with_unit, is_unknown_word, path_pattern, unseen
-from radcalc.errors import ConditionError, MissingInput, mention, option, quote
+from radcalc.errors import ConditionError, MissingInput, Unused, mention, option, quote
 from radcalc.geometry.directions import FORWARD
+from radcalc.geometry.lenses import View, field_text, view_of_field
 from radcalc.geometry.numerics.vectors import Vector
 from radcalc.geometry.projections import has_shape, name_of_map
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities.light import read as read_light
-from radcalc.quantities.symbols import LATLONG, PROJECTIONS, light_unit
+from radcalc.quantities.symbols import FISHEYE, LATLONG, WHOLE_SPHERE, light_unit
 from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Unit
 
@@ -72,20 +73,23 @@ def of_picture(
     picture: "Picture",
     unit: Unit | None = None,
     projection: str = "",
+    field: float | None = None,
     aim: Vector | None = None,
     channel: str = "",
 ) -> Environment:
     """Return the environment of a map, with the world direction of its centre (+x by default).
 
-    `unit`, `projection` and `channel` are choices of the user.  Raise a ConditionError or a
-    MissingInput if one of them is impossible or missing, or the pixels do not fit the projection.
+    `unit`, `projection`, `field` [rad] and `channel` are choices of the user.  Raise a
+    ConditionError or a MissingInput if one of them is impossible or missing, or the pixels do
+    not fit the projection.
     """
     from radcalc.distributions.maps.pictures import BY_REC_709, Y
     from radcalc.distributions.maps.radiance_map import RadianceMap
 
     map_projection = projection_of(picture, projection)
+    view = view_of(picture, map_projection, field)
     factor, kind = unit_of(picture, unit)
-    statements, overruled = _file_statements(picture, unit, projection)
+    statements, overruled = _file_statements(picture, unit, projection, field)
     alone = list[str]()
     if channel:
         picture = channel_of(picture, channel)
@@ -93,11 +97,24 @@ def of_picture(
             alone.append(f"the channel {quote(picture.channels[0])} alone")
     sums = weighted(picture, kind)
     pixels = RadianceMap(
-        picture.pixels, map_projection, aim or FORWARD, sums.weights, factor, kind, picture.frame
+        picture.pixels,
+        map_projection,
+        aim or picture.aim or FORWARD,
+        sums.weights,
+        factor,
+        kind,
+        picture.frame,
+        view,
+        None if aim else picture.up,
     )
     width, height = pixels.size
     assumptions = [f"{name_of_map(map_projection)} of {width} x {height} pixels"]
-    if not aim:
+    if field:
+        assumptions[0] += f", {field_text(field)} wide"
+    if picture.aim and not aim:
+        at = "{:g},{:g},{:g}".format(*picture.aim)
+        assumptions[0] += mention(f", with {at} at the centre by its file ({{aim}})")
+    elif not aim:
         assumptions[0] += mention(", with +x at the centre ({aim})")
     elif aim[0] == aim[1] == 0:  # the rotation about a vertical axis is open
         assumptions[0] += ", with +y on the left"
@@ -176,14 +193,19 @@ def picture_of(pixels: Any) -> "Picture":
 
 
 def _file_statements(
-    picture: "Picture", unit: Unit | None, projection: str
+    picture: "Picture", unit: Unit | None, projection: str, field: float | None
 ) -> tuple[list[str], list[str]]:
     """Return which declarations of the file are used, and which the user overrules."""
     used, overruled = list[str](), list[str]()
-    if picture.projection and not projection:
-        used.append(picture.projection)
-    elif picture.projection not in ("", projection):
-        overruled.append(f"{picture.projection}; it is read as {projection}")
+    declared = picture.projection
+    if picture.view_text:
+        declared += f" ({picture.view_text})"
+    is_agreed = projection == picture.projection
+    if declared and not field and (not projection or (is_agreed and picture.view)):
+        used.append(declared)
+    elif declared and (field or not is_agreed):
+        wide = f", {field_text(field)} wide" if field else ""
+        overruled.append(f"{declared}; it is read as {projection or picture.projection}{wide}")
     file_unit = resolve(picture.unit) if picture.unit else None
     if file_unit and not unit:
         used.append(_in(file_unit))
@@ -293,24 +315,55 @@ def _sum(weights: Sequence[float], names: Sequence[str]) -> str:
     )
 
 
+def view_of(picture: "Picture", projection: str, field: float | None) -> View | None:
+    """Return the view of a picture of a part of the sphere; a field [rad] given by the user first.
+
+    Raise an Unused or a MissingInput for a field that does not apply, or is missing.
+    """
+    if projection in WHOLE_SPHERE:
+        if field:
+            raise Unused(
+                ["field"],
+                f"to {name_of_map(projection)}, which shows the whole sphere",
+                option("projection", FISHEYE),
+            )
+        return None
+    if field:
+        height, width = picture.pixels.shape[:2]
+        return view_of_field(projection, field, *(picture.frame or (0, 0, width, height))[2:])
+    if picture.view and picture.projection == projection:
+        return picture.view
+    raise MissingInput(
+        f"the field of view of the {projection} picture is missing", option("field", "180deg")
+    )
+
+
 def projection_of(picture: "Picture", given: str) -> str:
     """Return the projection: given by the user, declared by the file, or latlong for a 2:1 picture.
 
     Raise a MissingInput if there is none.
     """
+    from radcalc.distributions.maps.pictures import PARALLEL
+
     height, width = picture.pixels.shape[:2]
     if picture.frame:
         width, height = picture.frame[2:]
+    if not given and picture.projection == PARALLEL:
+        raise ConditionError(
+            f"the map is a parallel view ({picture.view_text}), which shows a single direction",
+            "a picture with another view",
+        )
     if given or picture.projection:
         return given or picture.projection
     if has_shape(LATLONG, width, height):
         return LATLONG
-    round_ones = [name for name in PROJECTIONS if name != LATLONG]
+    round_ones = [name for name in WHOLE_SPHERE if name != LATLONG]
     if width != height:
         from radcalc.distributions.maps.radiance_map import check_shape
 
         check_shape(LATLONG, width, height)  # refuses it
     raise MissingInput(
         f"the projection of the map is missing: {width} x {height} pixels fit several",
-        " or ".join(option("projection", name) for name in round_ones),
+        " or ".join(option("projection", name) for name in round_ones)
+        + f", or {option('projection', FISHEYE)} {option('field', '180deg')}",
     )

@@ -11,7 +11,17 @@ import math
 
 from radcalc.errors import ConditionError, option
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.numerics.vectors import Vector, dot, length, minus, plus, scaled, times, unit
+from radcalc.geometry.numerics.vectors import (
+    Vector,
+    cross,
+    dot,
+    length,
+    minus,
+    plus,
+    scaled,
+    times,
+    unit,
+)
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin
 
 TURN = 2 * math.pi  # [rad]
@@ -120,6 +130,38 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
         raise ConditionError("the azimuth is infinite", "any number of turns")
     across = sin(polar)
     return across * cos(azimuth), across * sin(azimuth), cos(polar)
+
+
+def upright(direction: Vector, up: Vector) -> tuple[Vector, Vector, Vector]:
+    """Return the axes of an observer who faces in a direction, with another vector as up.
+
+    Parameters
+    ----------
+    direction, up : tuple of 3 floats
+        Vectors of any length except 0, and not parallel.
+
+    Returns
+    -------
+    forward, left, up : tuple of 3 floats [1]
+        Unit vectors at right angles, as from `facing`; `up` is as close as possible to the given.
+
+    Raises
+    ------
+    ConditionError
+        If the vectors are parallel.
+
+    Examples
+    --------
+    >>> upright((0.0, 0.0, 1.0), (0.0, 2.0, 0.0))
+    ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+    """
+    refuse(length(direction) * length(up) == 0, *NO_DIRECTION)
+    forward, above = unit(direction), unit(up)
+    left = cross(above, forward)
+    parallel = f"the direction up is parallel to {','.join(f'{x:g}' for x in direction)}"
+    refuse(length(left) < 1e-9, parallel, "another direction up")
+    left = unit(left)
+    return forward, left, cross(forward, left)
 
 
 def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:

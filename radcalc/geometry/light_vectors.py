@@ -12,8 +12,15 @@ import numpy
 
 from radcalc.geometry.numerics.quadrature import gauss
 from radcalc.geometry.numerics.vectors import Vector
-from radcalc.geometry.projections import direction_at, solid_angles_in_circle
-from radcalc.quantities.symbols import LATLONG, MIRROR_BALL
+from radcalc.geometry.projections import ROUND, density, direction_at, solid_angles_in_circle
+from radcalc.quantities.symbols import (
+    ANGULAR,
+    CYLINDRICAL,
+    EQUISOLID,
+    LATLONG,
+    MIRROR_BALL,
+    ORTHOGRAPHIC,
+)
 
 
 def light_vectors(projection: str, u: Any, v: Any) -> Any:
@@ -44,11 +51,13 @@ def light_vectors(projection: str, u: Any, v: Any) -> Any:
         latlong      x, y: integral of sin(t)^2 dt times that of cos(a), sin(a) da
                      z: integral of sin(t) cos(t) dt times the width in a
         mirror-ball  4 times the integrals of (2 n^2 - 1, 2 n u, 2 n v) du dv
+        equisolid    the same, with -u for u
+        orthographic integrals of (1, -u / n, v / n) du dv
 
-    Those of a mirror ball are differences of antiderivatives, with an error of about 1e-15 sr.  For
-    an angular map the density pi sin(pi r) / r is integrated by two Gauss-Legendre points each way;
-    a rectangle that the circle cuts has the mean direction of the points inside, and the exact
-    solid angle.
+    Those with n are differences of antiderivatives, with an error of about 1e-15 sr.  For the
+    others the density is integrated by two Gauss-Legendre points each way; a rectangle that the
+    circle of an angular map cuts has the mean direction of the points inside, and the exact solid
+    angle.
 
     Examples
     --------
@@ -58,13 +67,52 @@ def light_vectors(projection: str, u: Any, v: Any) -> Any:
     >>> (light_vectors("latlong", *edges).ravel().round(12) + 0).tolist()
     [0.0, 0.0, 3.14159265359]
     """
-    if projection == LATLONG:
-        return _latlong(u, v)
+    if projection in (LATLONG, CYLINDRICAL):
+        t = (1 - v) * (math.pi / 2) if projection == LATLONG else numpy.arctan2(1.0, v)
+        return _by_rows(u, t)
     across, down = u[..., None, :], v[..., :, None]
-    if projection == MIRROR_BALL:
-        sides = [_corners(_cubed, across, down), _corners(_cubed, down, across)]
+    if projection in (MIRROR_BALL, EQUISOLID):
+        sign = 1 if projection == MIRROR_BALL else -1
+        sides = [sign * _corners(_cubed, across, down), _corners(_cubed, down, across)]
         return numpy.stack([4 * _corners(_forward, across, down), *(-8 / 3 * s for s in sides)])
-    return _angular(across, down)
+    if projection == ORTHOGRAPHIC:
+        sides = [_corners(_normal, across, down), -_corners(_normal, down, across)]
+        return numpy.stack([_corners(_area, across, down), *sides])
+    if projection == ANGULAR:
+        return _angular(across, down)
+    return _by_points(projection, across, down)[0]
+
+
+def solid_angles(projection: str, u: Any, v: Any) -> Any:
+    """Return the solid angles of the rectangles of an image that shows a part of the sphere.
+
+    Parameters
+    ----------
+    projection : str
+        One of those with a field of view.
+    u, v
+        As in `light_vectors`.
+
+    Returns
+    -------
+    ndarray of shape (..., m, n) [sr]
+
+    Examples
+    --------
+    The upper half of a hemisphere, and a face of a cube:
+
+    >>> edges = numpy.array([-1.0, 1.0]), numpy.array([1.0, 0.0])
+    >>> round(float(solid_angles("orthographic", *edges)[0, 0]), 12)
+    3.14159265359
+    """
+    across, down = u[..., None, :], v[..., :, None]
+    if projection == CYLINDRICAL:  # the height of a zone of the unit sphere
+        return math.pi * numpy.diff(across) * -numpy.diff(down / numpy.hypot(1.0, down), axis=-2)
+    if projection == EQUISOLID:
+        return 4 * _corners(_area, across, down)
+    if projection == ORTHOGRAPHIC:
+        return _corners(_above, across, down)
+    return _by_points(projection, across, down)[1]
 
 
 def half_edges(projection: str, u: Any, v: Any) -> tuple[Any, Any]:
@@ -127,7 +175,7 @@ def shown_directions(projection: str, u: Any, v: Any) -> Vector:
     >>> [round(float(x), 12) for x in shown_directions("angular", u, v)]
     [-1.0, -0.0, 0.0]
     """
-    if projection != LATLONG:
+    if projection in ROUND:
         beyond = numpy.maximum(numpy.hypot(u, v), 1.0)
         u, v = u / beyond, v / beyond
     return direction_at(projection, u, v)
@@ -153,12 +201,13 @@ def is_shown(projection: str, u: Any, v: Any) -> Any:
     """
     near_u = numpy.clip(0.0, u[..., :-1], u[..., 1:])[..., None, :]
     near_v = numpy.clip(0.0, v[..., 1:], v[..., :-1])[..., :, None]
-    return (numpy.hypot(near_u, near_v) < 1) | (projection == LATLONG)
+    if projection == CYLINDRICAL:
+        return (abs(near_u) < 1) & (near_v == near_v)
+    return (numpy.hypot(near_u, near_v) < 1) | (projection not in ROUND)
 
 
-def _latlong(u: Any, v: Any) -> Any:
-    """Return the light vectors of a latlong map, as products, which keep their digits."""
-    t = (1 - v) * (math.pi / 2)
+def _by_rows(u: Any, t: Any) -> Any:
+    """Return the light vectors of rows between polar angles, as products, which keep digits."""
     half, middle = numpy.diff(t) / 2, (t[..., 1:] + t[..., :-1]) / 2
     sine = numpy.sin(2 * half) / 2
     level, upright = half - sine * numpy.cos(2 * middle), sine * numpy.sin(2 * middle)
@@ -188,6 +237,7 @@ def _cubed(u: Any, v: Any) -> Any:
 
 def _forward(u: Any, v: Any) -> Any:
     """Return the integral of 2 n^2 - 1 over the part in the circle of the rectangle 0 to (u, v)."""
+    v = numpy.clip(v, -1.0, 1.0)
     reach = numpy.sqrt(numpy.maximum(1 - u * u, 0.0))
     t = numpy.clip(v, -reach, reach)
     inside = u * t * (1 - 2 / 3 * (u * u + t * t))
@@ -200,8 +250,36 @@ def _strip(v: Any) -> Any:
     return v * c * c * c / 3
 
 
-def _angular(across: Any, down: Any) -> Any:
-    """Return the light vectors of an angular map, by four points of each rectangle."""
+def _normal(u: Any, v: Any) -> Any:
+    """Return the integral of n over v from 0; that of u / n over u is -n."""
+    wide = numpy.maximum(1 - u * u, 0.0)
+    reach = numpy.sqrt(wide)
+    t = numpy.clip(v, -reach, reach)
+    n = numpy.sqrt(numpy.maximum(wide - t * t, 0.0))
+    return (t * n + wide * numpy.arctan2(t, n)) / 2
+
+
+def _area(u: Any, v: Any) -> Any:
+    """Return the area of the part in the circle of the rectangle from 0 to (u, v)."""
+    reach = numpy.sqrt(numpy.maximum(1 - u * u, 0.0))
+    v = numpy.clip(v, -1.0, 1.0)
+    t = numpy.clip(v, -reach, reach)
+    zero = numpy.zeros(1)
+    return u.clip(-1, 1) * t + numpy.sign(u) * (_normal(zero, v) - _normal(zero, t))
+
+
+def _above(u: Any, v: Any) -> Any:
+    """Return the integral of 1 / n over the part in the circle of the rectangle 0 to (u, v)."""
+    u, v = numpy.clip(u, -1.0, 1.0), numpy.clip(v, -1.0, 1.0)
+    reach = numpy.sqrt(1 - u * u)
+    t = numpy.clip(v, -reach, reach)
+    n = numpy.sqrt(numpy.maximum(1 - u * u - t * t, 0.0))
+    inside = t * numpy.arctan2(u, n) + u * numpy.arctan2(t, n) - numpy.arctan2(u * t, n)
+    return inside + numpy.sign(u) * math.pi / 2 * (v - t)
+
+
+def _by_points(projection: str, across: Any, down: Any) -> tuple[Any, Any]:
+    """Return light vectors and solid angles of rectangles, by four points of each."""
     x, wide = (across[..., 1:] + across[..., :-1]) / 2, numpy.diff(across) / 2
     y, high = (down[..., :-1, :] + down[..., 1:, :]) / 2, -numpy.diff(down, axis=-2) / 2
     points = gauss(2)[0]
@@ -210,10 +288,18 @@ def _angular(across: Any, down: Any) -> Any:
     for a in points:
         for b in points:
             u, v = x + a * wide, y + b * high
-            r = numpy.hypot(u, v)
-            weight = math.pi**2 * numpy.sinc(numpy.minimum(r, 1.0)) * (wide * high)
-            total = total + weight * numpy.stack(shown_directions("angular", u, v))
+            is_inside = projection not in ROUND or numpy.hypot(u, v) < 1
+            weight = numpy.where(is_inside, density(projection, u, v), 0.0) * (wide * high)
+            total = total + weight * numpy.stack(shown_directions(projection, u, v))
             solid_angle = solid_angle + weight
+    return total, solid_angle
+
+
+def _angular(across: Any, down: Any) -> Any:
+    """Return the light vectors of an angular map."""
+    total, solid_angle = _by_points(ANGULAR, across, down)
+    x, wide = (across[..., 1:] + across[..., :-1]) / 2, numpy.diff(across) / 2
+    y, high = (down[..., :-1, :] + down[..., 1:, :]) / 2, -numpy.diff(down, axis=-2) / 2
     is_out = numpy.hypot(abs(x) + wide, abs(y) + high) > 1
     cut = is_out & (numpy.hypot(abs(x) - wide, abs(y) - high) < 1)
     if cut.any():

@@ -1,4 +1,4 @@
-"""Projections of the sphere of directions onto an image: latlong, mirror-ball and angular.
+"""Projections of directions onto an image: of the whole sphere, or of a part of it.
 
 A place in an image has the coordinates u (to the right) and v (up), both from -1 to 1 over the
 whole image; pixel (0, 0) is at the top left.  A direction has the coordinates x, y, z in the map's
@@ -11,6 +11,12 @@ of an observer who looks along +x.
   rim the opposite direction.
 - "angular" (light probe): the distance from the middle is proportional to the angle from +x, and 1
   at 180 degrees.
+
+The others show a part of the sphere, and their u and v have other limits (see `lenses`):
+
+- "fisheye", "equisolid", "orthographic", "stereographic" and "perspective": a direction at the
+  angle t from +x has the distance t / pi, sin(t/2), sin(t), tan(t/2) or tan(t) from u = v = 0.
+- "cylindrical": azimuth -pi u, and v is the tangent of the elevation.
 
 These are the axes of OpenEXR's latitude-longitude maps [1]_ (whose z, x and y are x, y and z here),
 but there the poles are at the centres of the first and last row, here at the edges.  Places and
@@ -40,13 +46,30 @@ from radcalc.maths import (
     is_array,
     larger,
     piecewise,
+    power,
     sin,
     smaller,
     sqrt,
     square,
+    tan,
 )
-from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, PROJECTIONS
+from radcalc.quantities.symbols import (
+    ANGULAR,
+    CYLINDRICAL,
+    EQUISOLID,
+    FISHEYE,
+    LATLONG,
+    MIRROR_BALL,
+    ORTHOGRAPHIC,
+    PERSPECTIVE,
+    PROJECTIONS,
+    STEREOGRAPHIC,
+    WHOLE_SPHERE,
+)
 
+# Projections whose places are in a circle of the radius 1.
+ROUND = (MIRROR_BALL, ANGULAR, FISHEYE, EQUISOLID, ORTHOGRAPHIC)
+FAR = 1e99  # distance from the middle of a direction that a projection cannot show
 FEW, MANY = 4, 16  # points of a rule each way, over a small and a large pixel
 INSIDE = 1 - 1e-9  # of half a side: the rest is rounding
 USUAL_SIZE = (1024, 512)  # default size of a new latlong map [pixels]
@@ -79,14 +102,14 @@ def is_outside(projection: str, u: Number, v: Number) -> Any:
     """
     if _is_latlong(projection):
         return (abs(u) > 1 + SLACK) | (abs(v) > 1 + SLACK)
-    return hypot(u, v) > 1 + SLACK
+    if projection in ROUND:
+        return hypot(u, v) > 1 + SLACK
+    return (abs(u) > 1 + SLACK) & (projection == CYLINDRICAL)
 
 
-def _is_latlong(projection: str) -> bool:
+def _is_latlong(projection: str, known: tuple[str, ...] = PROJECTIONS) -> bool:
     """Return whether a projection is latlong, which has no circle; refuse an unknown one."""
-    refuse(
-        projection not in PROJECTIONS, f"unknown projection '{projection}'", ", ".join(PROJECTIONS)
-    )
+    refuse(projection not in known, f"unknown projection '{projection}'", ", ".join(known))
     return projection == LATLONG
 
 
@@ -106,7 +129,8 @@ def name_of_map(projection: str) -> str:
     >>> name_of_map("angular")
     'an angular map'
     """
-    return f"{'an' if projection == ANGULAR else 'a'} {projection} map"
+    noun = "map" if projection in WHOLE_SPHERE else "picture"
+    return f"{'an' if projection[0] in 'aeo' else 'a'} {projection} {noun}"
 
 
 def has_shape(projection: str, width: int, height: int) -> bool:
@@ -121,13 +145,16 @@ def has_shape(projection: str, width: int, height: int) -> bool:
     Returns
     -------
     bool
-        A latlong map is twice as wide as high, the others are square.
+        A latlong map is twice as wide as high, a mirror ball and an angular map are square; a
+        picture of a part of the sphere has any shape.
 
     Examples
     --------
     >>> has_shape("latlong", 64, 32), has_shape("angular", 64, 32)
     (True, False)
     """
+    if projection not in WHOLE_SPHERE:
+        return True
     return width == (2 * height if projection == LATLONG else height)
 
 
@@ -155,10 +182,12 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
     ::
 
         latlong      (cos(e) cos(a), cos(e) sin(a), sin(e)),  a = -pi u,  e = v pi/2
+        cylindrical  the same, e = atan(v)
         mirror-ball  (2 n^2 - 1, 2 n u, 2 n v),  n = sqrt(1 - u^2 - v^2)
-        angular      (cos(pi r), -sin(pi r) u / r, sin(pi r) v / r),  r = sqrt(u^2 + v^2)
+        the others   (cos(t), -sin(t) u / r, sin(t) v / r),  r = sqrt(u^2 + v^2)
 
-    (n, u, v) is the normal of the mirror ball, at which the camera's direction, +x, is reflected.
+    (n, u, v) is the normal of the mirror ball, at which the camera's direction, +x, is reflected;
+    t is the angle of which r is the distance.
 
     Examples
     --------
@@ -176,16 +205,68 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
             piecewise(outside, lambda a: a * math.nan, lambda a: a, coordinate)
             for coordinate in (u, v)
         )
-    if projection == LATLONG:
-        azimuth, elevation = -math.pi * u, math.pi / 2 * v
+    if projection in (LATLONG, CYLINDRICAL):
+        azimuth = -math.pi * u
+        elevation = math.pi / 2 * v if projection == LATLONG else atan2(v, 1.0)
         across = cos(elevation)
         return across * cos(azimuth), across * sin(azimuth), sin(elevation)
     r = hypot(u, v)
     if projection == MIRROR_BALL:
         normal = sqrt(larger(0.0, (1 - r) * (1 + r)))
         return 2 * square(normal) - 1, 2 * normal * u, 2 * normal * v
-    share = piecewise(r == 0, lambda a: a + math.pi, lambda a: sin(math.pi * a) / a, r)
-    return cos(math.pi * r), -share * u, share * v
+    forward, share = _cosine_and_share(projection, r)
+    return forward, -share * u, share * v
+
+
+def _cosine_and_share(projection: str, r: Number) -> tuple[Number, Number]:
+    """Return the cosine of the angle of a distance from the middle, and its sine over r."""
+    if projection == PERSPECTIVE:
+        cosine = 1 / hypot(1.0, r)
+        return cosine, cosine
+    if projection == STEREOGRAPHIC:
+        share = 2 / (1 + square(r))
+        return share - 1, share
+    if projection in (ANGULAR, FISHEYE):
+        share = piecewise(r == 0, lambda a: a + math.pi, lambda a: sin(math.pi * a) / a, r)
+        return cos(math.pi * r), share
+    normal = sqrt(larger(0.0, (1 - r) * (1 + r)))
+    if projection == ORTHOGRAPHIC:
+        return normal, 1.0 + 0.0 * r
+    return 2 * square(normal) - 1, 2 * normal
+
+
+def density(projection: str, u: Number, v: Number) -> Number:
+    """Return the solid angle per area of an image, d omega / (du dv), within its limits.
+
+    Parameters
+    ----------
+    projection : str
+        One of `PROJECTIONS`.
+    u, v : float or ndarray [1]
+        The place.
+
+    Returns
+    -------
+    float or ndarray [sr]
+
+    Examples
+    --------
+    >>> density("equisolid", 0.3, 0.4), round(density("perspective", 0.0, 1.0), 6)
+    (4.0, 0.353553)
+    """
+    if projection == LATLONG:
+        return math.pi**2 / 2 * cos(math.pi / 2 * v)
+    if projection == CYLINDRICAL:
+        return math.pi / power(hypot(1.0, v), 3)
+    r = hypot(u, v)
+    if projection in (MIRROR_BALL, EQUISOLID):
+        return 4.0 + 0.0 * r
+    cosine, share = _cosine_and_share(projection, r)
+    if projection in (ANGULAR, FISHEYE):
+        return math.pi * share
+    if projection == ORTHOGRAPHIC:
+        return 1 / larger(cosine, 1e-9)
+    return power(share, 2 if projection == STEREOGRAPHIC else 3)
 
 
 def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, Number]:
@@ -213,6 +294,7 @@ def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, 
     ::
 
         latlong      u = -atan2(y, x) / pi,  v = atan2(z, sqrt(x^2 + y^2)) 2 / pi
+        cylindrical  u = -atan2(y, x) / pi,  v = z / sqrt(x^2 + y^2)
         the others   (u, v) = r (+-y, z) / sqrt(y^2 + z^2),  + for a mirror ball
         mirror-ball  r = sin(theta/2),  theta = atan2(sqrt(y^2 + z^2), x)
         angular      r = theta / pi
@@ -227,16 +309,49 @@ def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, 
     """
     zero = (x == 0) & (y == 0) & (z == 0)
     refuse(zero, *NO_DIRECTION)
-    if _is_latlong(projection):
+    if _is_latlong(projection) or projection == CYLINDRICAL:
         azimuth = atan2(y + 0.0, x + 0.0)  # + 0.0 because -0.0 would give the other edge
-        return 0.0 - azimuth / math.pi, atan2(z, hypot(x, y)) * (2 / math.pi)
+        elevation = atan2(z, hypot(x, y))
+        v = elevation * (2 / math.pi) if projection == LATLONG else tan(elevation)
+        return 0.0 - azimuth / math.pi, v
     across = hypot(y, z)
-    theta = atan2(across, x)
-    r, sign = (sin(theta / 2), 1.0) if projection == MIRROR_BALL else (theta / math.pi, -1.0)
+    r = radius_of(projection, atan2(across, x))
+    sign = 1.0 if projection == MIRROR_BALL else -1.0
     on_axis = across == 0
     u = piecewise(on_axis, lambda r, a, b: r, lambda r, a, b: sign * r * (a / b), r, y, across)
     v = piecewise(on_axis, lambda r, a, b: 0 * r, lambda r, a, b: r * (a / b), r, z, across)
     return u, v
+
+
+def radius_of(projection: str, angle: Number) -> Number:
+    """Return the distance from the middle, in u and v, of directions at an angle from it.
+
+    Parameters
+    ----------
+    projection : str
+        One of `PROJECTIONS`, but not "latlong" or "cylindrical".
+    angle : float or ndarray [rad]
+        From 0 to pi.
+
+    Returns
+    -------
+    float or ndarray [1]
+        Very large for an angle that the projection cannot show.
+
+    Examples
+    --------
+    >>> round(radius_of("orthographic", math.pi / 6), 12), radius_of("fisheye", math.pi / 4)
+    (0.5, 0.25)
+    """
+    if projection in (ANGULAR, FISHEYE):
+        return angle / math.pi
+    if projection in (MIRROR_BALL, EQUISOLID):
+        return sin(angle / 2)
+    if projection == STEREOGRAPHIC:
+        return smaller(tan(angle / 2), FAR)
+    function = sin if projection == ORTHOGRAPHIC else tan
+    limit = math.pi / 2 * (1 + SLACK) if projection == ORTHOGRAPHIC else math.pi / 2
+    return piecewise(angle < limit, function, lambda a: FAR + 0 * a, angle)
 
 
 def middle_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any, Any]:
@@ -325,7 +440,7 @@ def pixel_solid_angle(projection: str, width: int, height: int, column: int, row
     >>> f"{pixel_solid_angle('latlong', 1024, 512, 0, 255):.6e}"
     '3.764932e-05'
     """
-    if _is_latlong(projection):
+    if _is_latlong(projection, WHOLE_SPHERE):
         return float(_latlong(width, height, row))
     ball = projection == MIRROR_BALL
     return float(_in_quadrant(ball, *_span(column, width), *_span(row, height)))
@@ -361,7 +476,7 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
     import numpy
 
     row = numpy.arange(height)[rows]
-    if _is_latlong(projection):
+    if _is_latlong(projection, WHOLE_SPHERE):
         return _latlong(width, height, row[:, None])
     # Left and right, top and bottom are mirror images, so the lower right quadrant is enough.
     below, down = numpy.unique(abs(2 * row + 1 - height) // 2, return_inverse=True)

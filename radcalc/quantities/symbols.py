@@ -181,7 +181,12 @@ def _pair(name: str, example: str, help_: str, limits: Limits) -> Symbol:
     return _text(PAIR, name, "two whole numbers", example, help_)._replace(limits=limits)
 
 
-PROJECTIONS = LATLONG, MIRROR_BALL, ANGULAR = "latlong", "mirror-ball", "angular"
+WHOLE_SPHERE = LATLONG, MIRROR_BALL, ANGULAR = "latlong", "mirror-ball", "angular"
+CIRCLES = FISHEYE, EQUISOLID, ORTHOGRAPHIC, STEREOGRAPHIC = (
+    "fisheye", "equisolid", "orthographic", "stereographic"
+)  # fmt: skip
+RECTANGLES = PERSPECTIVE, CYLINDRICAL = "perspective", "cylindrical"
+PROJECTIONS = (*WHOLE_SPHERE, *CIRCLES, *RECTANGLES)
 MOST_PIXELS = 1_000_000  # in each direction
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
 PROFILES = GAUSSIAN, UNIFORM = "gaussian", "uniform"
@@ -472,8 +477,14 @@ _ROWS = (
     _symbol(NUMBER, "falloff-attenuation", "a_d", label="attenuation by the fall-off"),
     # Maps of the sphere.
     _text(CHOICE, "projection", "a projection", "latlong",
-        "Projection of a map: latlong (2:1 image), mirror-ball or angular (square images).",
+        "Projection of a map: latlong (2:1 image), mirror-ball or angular (square images); with "
+        "{field}: fisheye (equidistant), equisolid, orthographic, stereographic, perspective or "
+        "cylindrical.",
         PROJECTIONS),
+    _symbol(ANGLE, "field", "", "180deg",
+        "Full angle that a picture shows: across the circle of a fisheye picture, or across the "
+        "width.", Limits(0.0, 2 * math.pi, "at most 360 deg", without_low=True),
+        label="field of view"),
     _text(NUMBERS, "mirror-ball", "two numbers", "0.6,0",
         "Point on a mirror ball: U to the right, V up, both divided by the radius."),
     _text(VECTOR, "reflect-at", "a direction", "X,Y,Z",

@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy
 
+from radcalc.geometry.lenses import View
 from radcalc.geometry.light_vectors import half_edges, light_vectors, shown_directions
 from radcalc.geometry.projections import corner_of_pixel
 
@@ -39,13 +40,19 @@ Pixels = tuple[Any, Any, Any, Any]  # light vectors at radiance 1, both half edg
 class Raster:
     """An image, or a rectangle of it, divided into blocks of pixels.
 
-    `part` is left, top, width and height of the rectangle [pixels].
+    `part` is left, top, width and height of the rectangle [pixels], and `view` what the whole image
+    shows.
     """
 
     def __init__(
-        self, projection: str, size: tuple[int, int], part: tuple[int, int, int, int]
+        self,
+        projection: str,
+        size: tuple[int, int],
+        part: tuple[int, int, int, int],
+        view: View | None = None,
     ) -> None:
         self.projection, self.size, self.part = projection, size, part
+        self.view = view or View()
         self.side = max(1, min(SIDE, size[0] // FEWEST))
         self.across, self.down = (-(-count // self.side) for count in part[2:])
 
@@ -60,8 +67,15 @@ class Raster:
             numpy.arange(self.across)[:, None] * self.side + steps, columns
         )
         row = top + numpy.minimum(down * self.side + steps, rows)
-        u, v = corner_of_pixel(width, height, column, row)
+        u, v = self.view.places(*corner_of_pixel(width, height, column, row))
         return u, v[None]
+
+    def row_edges(self, first: int, last: int) -> tuple[Any, Any]:
+        """Return the pixel edges of a range of rows, as u and v."""
+        left, top, columns, _ = self.part
+        column = numpy.arange(left, left + columns + 1)
+        row = numpy.arange(top + first, top + last + 1)
+        return self.view.places(*corner_of_pixel(*self.size, column, row))
 
     def rows(self, down: int) -> tuple[int, int]:
         """Return the first row of a row of blocks, and the row after its last."""

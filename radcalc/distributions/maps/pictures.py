@@ -13,6 +13,8 @@ import numpy as np
 
 from radcalc.distributions import contents
 from radcalc.errors import SHOWN, ConditionError, quote, quote_path
+from radcalc.geometry.lenses import View
+from radcalc.geometry.numerics.vectors import Vector
 
 # share of the sum of all values: smaller negative values are due to lossy encoding
 NOISE = 1e-6
@@ -30,6 +32,7 @@ BRIGHTEST, FAINTEST = 3e38, 1e-36  # limits of 32 bits, and of RGBE, without los
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
 READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
 OLD_RADIANCE = b"FORMAT=32-bit_rle_"  # in the header of a Radiance picture without the first bytes
+PARALLEL = "parallel"  # a projection that does not show directions
 POINTER = b"version https://git-lfs"  # of Git LFS
 OTHERS = {
     b"\xff\xd8\xff": "JPEG",
@@ -60,6 +63,10 @@ class Picture(NamedTuple):
         Those declared by the file, or empty.
     frame : tuple of int, or None
         Left, top, full width and full height, if the pixels are a part of a larger picture.
+    view : View, or None
+        What the whole picture shows, of the sphere, and `view_text`, by which the file declares it.
+    aim, up : tuple of 3 floats, or None
+        World directions of its middle and of its top.
     """
 
     pixels: Any
@@ -71,6 +78,10 @@ class Picture(NamedTuple):
     frame: tuple[int, int, int, int] | None = None
     assumptions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    view: View | None = None
+    view_text: str = ""
+    aim: Vector | None = None
+    up: Vector | None = None
 
 
 def read_picture(path: str, channel: str = "") -> Picture:

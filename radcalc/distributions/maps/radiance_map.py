@@ -9,12 +9,12 @@ import numpy
 from radcalc.distributions.distribution import Peak
 from radcalc.distributions.maps.light_sums import LightSums, Progress, Raster
 from radcalc.errors import ConditionError
-from radcalc.geometry.directions import FORWARD, cartesian, facing, spherical
-from radcalc.geometry.light_vectors import is_shown, shown_directions
+from radcalc.geometry.directions import FORWARD, cartesian, facing, spherical, upright
+from radcalc.geometry.lenses import View
+from radcalc.geometry.light_vectors import is_shown, shown_directions, solid_angles
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.numerics.vectors import Vector, components, from_components, unit, vector
 from radcalc.geometry.projections import (
-    corner_of_pixel,
     has_shape,
     middle_of_pixel,
     name_of_map,
@@ -22,7 +22,7 @@ from radcalc.geometry.projections import (
     place_of,
 )
 from radcalc.maths import Number
-from radcalc.quantities.symbols import LATLONG, PROJECTIONS
+from radcalc.quantities.symbols import LATLONG, PROJECTIONS, WHOLE_SPHERE
 from radcalc.units.ranges import refuse_masked
 
 STRIP = 1 << 22  # numbers to read at a time, if the pixels are not in memory
@@ -30,6 +30,7 @@ GROUP = 1 << 18  # pixels for which solid angles are computed at a time
 LEAST = 4  # rows: with fewer, even the sign of a direction is uncertain
 CUBES = ((3, 4), (4, 3), (6, 1), (1, 6))  # layouts of cube maps: faces across and down
 INSIDE = 1 - 1e-12
+SEEN = 300
 
 
 class RadianceMap:
@@ -40,8 +41,9 @@ class RadianceMap:
     pixels : array of shape (height, width) or (height, width, channels)
         0 or more, row 0 at the top.  NumPy arrays, also memory-mapped ones, and Dask arrays,
         of which a strip of rows is computed at a time.
-    projection : {"latlong", "mirror-ball", "angular"}
-        As in `radcalc.geometry.projections`; latlong maps are 2:1, the others square.
+    projection : str
+        As in `radcalc.geometry.projections`; latlong maps are 2:1, mirror balls and angular maps
+        square.
     aim : tuple of 3 floats, optional
         World direction of the image centre; +x by default.  The top of the image is as close to
         world up as possible; see `facing`.
@@ -53,6 +55,10 @@ class RadianceMap:
         Kind of light; empty for relative values.
     frame : tuple of 4 ints, optional
         Left, top, full width and full height, if the pixels are a part of a larger image.
+    view : View, optional
+        What the whole image shows, in a projection of a part of the sphere.
+    up : tuple of 3 floats, optional
+        World direction of the top of the image, instead of world up.
 
     Attributes
     ----------
@@ -94,6 +100,8 @@ class RadianceMap:
         factor: float = 1.0,
         kind: str = "",
         frame: tuple[int, int, int, int] | None = None,
+        view: View | None = None,
+        up: Vector | None = None,
     ) -> None:
         if not (hasattr(pixels, "shape") and hasattr(pixels, "dtype")):
             pixels = numpy.asarray(pixels)
@@ -119,16 +127,16 @@ class RadianceMap:
             )
         self.projection, self.kind, self.is_axial = projection, kind, False
         self.size, self.part = (width, height), (left, top, columns, rows)
-        self.axes = facing(aim)
+        self.axes = upright(aim, up) if up else facing(aim)
         self._weights = factor * numpy.array(weights or (1.0,), float)
         self.factor = factor
-        self.raster = Raster(projection, self.size, self.part)
+        self.raster = Raster(projection, self.size, self.part, view)
         self._strip = _rows_of_a_strip(self.pixels, self.raster.side)
         self._read = self._angles = (-1, numpy.empty(0))  # last strip read, last angles computed
         self.solid_angle = self._flux = 0.0
         self._peak = (-1.0, 0, 0)  # value, column and row in the whole image
         self._sums = LightSums(self.raster, self.luminances, self._survey)
-        is_whole = (columns, rows) == self.size
+        is_whole = (columns, rows) == self.size and projection in WHOLE_SPHERE
         self.coverage = 1.0 if is_whole else self.solid_angle / (4 * math.pi)
 
     def channels(self, first: int, last: int) -> Any:
@@ -146,15 +154,23 @@ class RadianceMap:
             return numpy.asarray(sum(parts))[..., None]
 
     def _inside(self, first: int, last: int) -> Any:
-        """Return the pixels, with 0 for those that are entirely outside the circle."""
+        """Return the pixels times their shares inside the circle."""
         number, start = divmod(first, self._strip)
         pixels = self._rows(number)[start : start + last - first]
         if self.projection == LATLONG:
             return pixels
-        (left, top, columns, _), (width, height) = self.part, self.size
-        column = numpy.arange(left, left + columns + 1)
-        u, v = corner_of_pixel(width, height, column, numpy.arange(top + first, top + last + 1))
-        return numpy.where(is_shown(self.projection, u, v)[..., None], pixels, 0)
+        u, v = self.raster.row_edges(first, last)
+        inside = numpy.where(is_shown(self.projection, u, v)[..., None], pixels, 0)
+        if self.raster.view.circle == math.inf:
+            return inside
+        share = self._share(u, v)[..., None]
+        return numpy.where(share > 0, inside, 0) * share
+
+    def _share(self, u: Any, v: Any) -> Any:
+        """Return the shares of pixels inside the circle of the view, by the distance from it."""
+        u, v = (u[1:] + u[:-1]) / 2, (v[1:] + v[:-1])[:, None] / 2
+        pixel = 2 * self.raster.view.right / self.size[0]
+        return ((self.raster.view.circle - numpy.hypot(u, v)) / pixel + 0.5).clip(0, 1)
 
     def _rows(self, strip: int) -> Any:
         if strip != self._read[0]:
@@ -167,6 +183,8 @@ class RadianceMap:
 
     def solid_angles(self, first: int, last: int) -> Any:
         """Return the solid angles [sr] of the pixels in a range of rows."""
+        if self.projection not in WHOLE_SPHERE:
+            return solid_angles(self.projection, *self.raster.row_edges(first, last))
         # many rows are computed at a time, and cached
         (left, top, columns, rows), side = self.part, self.raster.side
         many = -(-GROUP // (self.size[0] * side)) * side
@@ -190,10 +208,12 @@ class RadianceMap:
                 f"top left, is {pixels[row, column, channel]:g}",
                 "a map of radiances, which are 0 or more",
             )
-        solid_angles = self.solid_angles(first, last)
-        self.solid_angle += float(solid_angles.sum())
+        sizes = self.solid_angles(first, last)
         # numpy.vdot is slower on a busy machine, as its threads wait for each other
-        self._flux += float((values[..., 0] * solid_angles).sum())
+        self._flux += float((values[..., 0] * sizes).sum())
+        if self.raster.view.circle < math.inf:
+            sizes = sizes * self._share(*self.raster.row_edges(first, last))
+        self.solid_angle += float(sizes.sum())
         row, column, _ = numpy.unravel_index(numpy.argmax(values), values.shape)
         highest = float(values[row, column, 0])
         if highest > self._peak[0]:
@@ -249,13 +269,25 @@ class RadianceMap:
         values, _ = sums.irradiances(in_map, progress)
         return values.reshape(*numpy.shape(x), -1)
 
+    def seen(self, normal: Vector) -> float:
+        """Return the share of a receiver's hemisphere, weighted by the cosine, that the map shows.
+
+        It is the share of `SEEN` squared directions that all have the same weight.
+        """
+        share = (numpy.arange(SEEN) + 0.5) / SEEN
+        across, azimuth = numpy.sqrt(share)[:, None], 2 * math.pi * share
+        cosine = numpy.broadcast_to(numpy.sqrt(1 - share)[:, None], (SEEN, SEEN))
+        about = numpy.stack([cosine, across * numpy.cos(azimuth), across * numpy.sin(azimuth)])
+        world = from_components(facing(normal), vector(about.reshape(3, -1).T))
+        return float((self._pixel_of(self.in_map_axes(world))[0] >= 0).mean())
+
     def mean(self) -> float:
         return self._flux / self.solid_angle
 
     def peak(self) -> Peak:
         """Return the first pixel with the greatest radiance, and the direction of its centre."""
         value, column, row = self._peak
-        u, v = middle_of_pixel(*self.size, column, row)
+        u, v = self.raster.view.places(*middle_of_pixel(*self.size, column, row))
         polar, azimuth, _ = spherical(*self.world(shown_directions(self.projection, u, v)))
         return Peak(value, float(polar), float(azimuth))
 
@@ -269,9 +301,11 @@ class RadianceMap:
         """Return column and row of the pixels that show directions; -1 if none does."""
         (left, top, columns, rows), (width, height) = self.part, self.size
         u, v = place_of(self.projection, *direction)
+        is_seen = numpy.hypot(u, v) <= self.raster.view.circle
+        u, v = self.raster.view.in_image(u, v)
         # a point on the edge belongs to the pixel inside it
         column, row = (1 + INSIDE * u) / 2 * width - left, (1 - INSIDE * v) / 2 * height - top
-        is_there = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+        is_there = (column >= 0) & (column < columns) & (row >= 0) & (row < rows) & is_seen
         column, row = (numpy.where(is_there, place, -1).astype(int) for place in (column, row))
         return column, row
 

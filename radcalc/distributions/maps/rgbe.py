@@ -7,6 +7,10 @@ A channel is mantissa * 2^(exponent - 136), as in OpenImageIO, stb_image and mos
 Radiance itself reads (mantissa + 0.5) * 2^(exponent - 136), as its writers truncate: its values are
 0.2 % to 0.4 % brighter in the brightest channel.  `write` rounds to the nearest value, so that
 values read here are right on average.
+
+References
+----------
+.. [1] Radiance, src/common/image.c, `setview` and `getviewopt`; rpict(1).
 """
 
 import math
@@ -20,6 +24,7 @@ import numpy as np
 from radcalc._version import __version__
 from radcalc.distributions.maps.pictures import (
     BY_REC_709,
+    PARALLEL,
     REC_709,
     RGB,
     XYZ,
@@ -30,6 +35,17 @@ from radcalc.distributions.maps.pictures import (
 )
 from radcalc.errors import ConditionError, quote
 from radcalc.files import columns
+from radcalc.geometry.directions import UP
+from radcalc.geometry.directions import upright as upright_axes
+from radcalc.geometry.lenses import view_of_angles
+from radcalc.quantities.symbols import (
+    ANGULAR,
+    CYLINDRICAL,
+    FISHEYE,
+    ORTHOGRAPHIC,
+    PERSPECTIVE,
+    STEREOGRAPHIC,
+)
 
 FORMAT = "Radiance RGBE"
 RGBE, XYZE = "32-bit_rle_rgbe", "32-bit_rle_xyze"
@@ -41,7 +57,17 @@ VARIABLES = {"EXPOSURE": 1, "COLORCORR": 3, "PIXASPECT": 1, "GAMMA": 1, "PRIMARI
 CUMULATIVE = {"EXPOSURE", "COLORCORR", "PIXASPECT"}
 HEADER = 1 << 20  # largest header [bytes]
 RESOLUTION = re.compile(r"([-+])([XY])\s+(-?\d{1,15})\s+([-+])([XY])\s+(-?\d{1,15})\s*")
-VIEW = re.compile(r"-v([thv])\s*(\S+)")  # type, and horizontal and vertical angle
+# Types of Radiance's views, and the count of numbers of other options: horizontal and vertical
+# angle, shift and lift, direction and up.
+VIEWS = {
+    "a": FISHEYE,
+    "h": ORTHOGRAPHIC,
+    "s": STEREOGRAPHIC,
+    "v": PERSPECTIVE,
+    "c": CYLINDRICAL,
+    "l": PARALLEL,
+}
+NUMBERS_OF_VIEW = {"h": 1, "v": 1, "s": 1, "l": 1, "d": 3, "u": 3}
 EXTREME = 1e20  # limit of factors of pixels, and of their inverses
 BIAS = 136  # of the exponent, with the 8 bits of a mantissa
 BLOCK = 1 << 17  # pixels to decode at a time, so that they stay in a cache
@@ -200,10 +226,9 @@ def _header(data: bytes, name: str) -> _Header:
     if not variables.get("SOFTWARE", "").startswith(SOFTWARE):
         assumptions.append(HALF_STEP)
     notes = []
-    if aspect != 1:
+    viewed = {} if variables.get(PROJECTION, "").strip() else _viewed(lines, name)
+    if aspect != 1 and "view" not in viewed:
         notes.append(f"{name} has PIXASPECT={aspect:g}, but its pixels are read as square")
-    if view := _view(lines):
-        notes.append(f"{name} has VIEW={view}, which is not the whole sphere")
     picture = Picture(
         None,
         Y if len(weights) == 1 else XYZ if is_xyz else RGB,
@@ -213,7 +238,7 @@ def _header(data: bytes, name: str) -> _Header:
         quote(variables.get(PROJECTION, "").strip()),
         assumptions=tuple(assumptions),
         notes=tuple(notes),
-    )
+    )._replace(**viewed)
     correction = tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0)))
     return _Header(picture, exposure, correction, *_resolution(data, start, name))
 
@@ -248,14 +273,51 @@ def _numbers(lines: list[str], name: str) -> dict[str, list[float]]:
     return values
 
 
-def _view(lines: list[str]) -> str:
-    """Return the view that Radiance declares, unless it is an angular map of the whole sphere."""
-    views = " ".join(line for line in lines if line.startswith("VIEW="))
-    options = dict(VIEW.findall(views))  # the last of each counts
-    angles = [options.get(letter, "45") for letter in "hv"]
-    if "t" not in options or (options["t"] == "a" and angles == ["360", "360"]):
-        return ""
-    return quote("-vt{} -vh {} -vv {}".format(options["t"], *angles))
+def _viewed(lines: list[str], name: str) -> dict[str, Any]:
+    """Return the fields of a picture by its view in Radiance [1]_; none without type and angles."""
+    views = " ".join(line.partition("=")[2] for line in lines if line.startswith("VIEW="))
+    found: dict[str, Any] = {}
+    for part in re.split(r"(?:^|\s)-v", views)[1:]:
+        letter, cells = part[:1], part[1:].split()
+        if letter == "t":
+            found["t"] = "".join(cells[:1])
+        elif letter in NUMBERS_OF_VIEW:
+            numbers = [columns.finite(cell, False) for cell in cells]
+            if len(numbers) != NUMBERS_OF_VIEW[letter] or None in numbers:
+                raise _wrong_view(f"-v{part}", name)
+            found[letter] = numbers
+    if not found.keys() & {"t", "h", "v"}:
+        return {}
+    kind = found.get("t", "v")
+    (across,), (upright,) = found.get("h", [45.0]), found.get("v", [45.0])
+    (shift,), (lift,) = found.get("s", [0.0]), found.get("l", [0.0])
+    text = f"-vt{kind} -vh {across:g} -vv {upright:g}"
+    text += f" -vs {shift:g} -vl {lift:g}" if shift or lift else ""
+    if kind not in VIEWS:
+        raise _wrong_view(text, name)
+    fields: dict[str, Any] = {"view_text": quote(f"VIEW= {text}")}
+    if "d" in found:
+        fields |= {"aim": tuple(found["d"]), "up": tuple(found.get("u", UP))}
+        try:
+            upright_axes(fields["aim"], fields["up"])
+        except ConditionError:
+            directions = "-vd {:g} {:g} {:g} -vu {:g} {:g} {:g}"
+            text = directions.format(*fields["aim"], *fields["up"])
+            raise _wrong_view(text, name) from None
+    fields["projection"] = VIEWS[kind]
+    if VIEWS[kind] == PARALLEL:
+        return fields
+    if (kind, across, upright, shift, lift) == ("a", 360, 360, 0, 0):
+        return {**fields, "projection": ANGULAR}
+    try:
+        angles = math.radians(across), math.radians(upright)
+        return {**fields, "view": view_of_angles(VIEWS[kind], *angles, shift, lift)}
+    except ConditionError:
+        raise _wrong_view(text, name) from None
+
+
+def _wrong_view(text: str, name: str) -> ConditionError:
+    return ConditionError(f"{name} has an impossible view: 'VIEW= {quote(text)}'", "rpict(1), -v")
 
 
 def _wrong_line(line: str, name: str) -> ConditionError:

@@ -214,14 +214,43 @@ def test_repetitions_of_one_pixel_are_decoded():
             "-vta -vh 180 -vv 175",
         ),
         (["VIEW= -vtv", "VIEW= -vh 30"], "-vtv -vh 30 -vv 45"),
-        (["VIEW= -vta -vv 360 -vh 360"], ""),
+        (["VIEW= -vth -vs .5 -vh 90 -vv 20 -vl -1"], "-vth -vh 90 -vv 20 -vs 0.5 -vl -1"),
+        (["VIEW= -vtl -vh 3 -vv 2"], "-vtl -vh 3 -vv 2"),
+        (["VIEW= -vta -vv 360 -vh 360"], "-vta -vh 360 -vv 360"),
         (["VIEW= -vp 0 0 1"], ""),
         (["\tVIEW= -vtv -vh 30"], ""),
+        (["VIEW= -vta -vh 180 -vv 180", "RADCALC_PROJECTION=latlong"], ""),
     ],
 )
-def test_a_view_of_a_part_of_the_sphere_has_a_note(lines, told):
-    notes = read(hdr.picture(hdr.noise(1, 9), hdr.new, *lines), NAME).notes
-    assert notes == ((f"sky.hdr has VIEW={told}, which is not the whole sphere",) if told else ())
+def test_the_view_of_the_file_is_read(lines, told):
+    found = read(hdr.picture(hdr.noise(1, 9), hdr.new, *lines), NAME)
+    assert found.view_text == (f"VIEW= {told}" if told else "")
+    assert not found.notes
+
+
+@pytest.mark.parametrize(
+    "view",
+    [
+        "-vtx -vh 60 -vv 40",
+        "-vt -vh 60",
+        "-vtv -vh 180",
+        "-vtv -vh 0",
+        "-vta -vh 361",
+        "-vth -vh 181",
+        "-vts -vh 360",
+        "-vtc -vv 180",
+        "-vta -vh wide",
+        "-vta -vh 180 90",
+        "-vta -vh nan",
+        "-vta -vd 0 0 0",
+        "-vta -vd 0 0 -2",
+        "-vta -vd 1 0",
+    ],
+)
+def test_an_impossible_view_is_refused(view):
+    """As by `setview` of Radiance's src/common/image.c."""
+    with pytest.raises(ConditionError, match=r"sky\.hdr has an impossible view: 'VIEW= "):
+        read(hdr.picture(hdr.noise(1, 9), hdr.new, f"VIEW= {view}"), NAME)
 
 
 def test_oddities_have_notes():
