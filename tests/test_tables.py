@@ -197,3 +197,73 @@ def test_no_column_is_guessed_among_several_of_light_or_none(titles):
     text = f"nm,{titles}\n400,1,2\n500,3,4\n"
     assert spectrum_of(text)[0] == ""
     assert "--column" in spectrum_of(text)[1]
+
+
+def dose_of(text, *words):
+    """Return the exposure in lx h, and what is said."""
+    done = run("dose", "-", "-g", "exposure:lx.h", *words, input=text)
+    return done.stdout.strip(), done.stderr
+
+
+# Actiware: a table of intervals, a legend of the columns, and the table of epochs, with decimal
+# commas in quotes; pyActigraphy has examples.  A trailing comma may be missing at the end.
+ACTIWARE = """"Epoch Length:","30","minutes"
+"White Light Threshold:","1000.00","lux"
+
+"Interval Type","Start Date","Start Time","End Date","End Time","Total Light"
+"","","","","","(lux-minutes)"
+
+"REST","19.09.2019","21:00:00","20.09.2019","06:30:00","304,60"
+
+"Line:","Line number"
+"White Light:","White Light"
+
+"Line","Date","Time","Activity","White Light","Sleep",
+
+1,19.09.2019,14:00:00,0,"184,5","NaN",
+2,19.09.2019,14:30:00,5,"200,25","NaN",
+3,19.09.2019,15:00:00,7,"1,5","NaN"
+"""
+
+
+def test_the_largest_of_several_tables_in_a_log_is_read():
+    exposure, said = dose_of(
+        ACTIWARE, "--column", "White Light", "--unit", "lx", "--samples", "means"
+    )
+    assert float(exposure) == (184.5 + 200.25 + 1.5) / 2
+    assert "the largest of several tables is read, with the titles in line 12" in said
+    assert "Line, Activity, White Light" in dose_of(ACTIWARE)[1]  # not the dates of intervals
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "exposure"),
+    [
+        # NSRDB: metadata in two lines, and a column for each part of the time
+        ("Source,Location ID,GHI Units\nNSRDB,157537,w/m2\nYear,Month,Day,Hour,Minute,DNI,GHI,,\n"
+         "2017,1,1,9,0,7,100,,\n2017,1,1,9,30,8,200,,\n2017,1,1,10,0,8,300,,\n",
+         ("--column", "GHI", "--unit", "lx"), 200),
+        # pandas: an index without a title
+        (",Year,Month,Day,Hour,E [lx]\n0,2017,1,31,23,10\n1,2017,2,1,0,20\n2,2017,2,1,1,30\n",
+         (), 40),
+        # PCE 174 and Extech HD450: the unit in a column (philpagel/PCE174-communication)
+        ("date,weekday,time,value,rawvalue,unit,range\n2019-03-10,7,17:00:00,10,10,lux,400\n"
+         "2019-03-10,7,18:00:00,20,20,lux,400\n", ("--column", "value"), 15),
+        # a unit in the preamble
+        ("Meter,HD450\nUnit:,Lux\n\nNo.,Date,Time,Value\n1,2019-03-10,17:00:00,10\n"
+         "2,2019-03-10,18:00:00,20\n", ("--column", "Value"), 15),
+        # HOBOware: serial numbers in the titles
+        ('"Plot Title: pond"\n"#","Date Time, GMT+01:00","Intensity, Lux (LGR S/N: 1)"\n'
+         "1,2019-06-01 12:00:00,10\n2,2019-06-01 13:00:00,20\n", (), 15),
+        ('time,E [lx]\n2024-06-01 12:00Z,"1,5"\n2024-06-01 13:00Z,"2,25"\n', (), 1.875),
+    ],
+)  # fmt: skip
+def test_logs_of_programs_are_read(text, words, exposure):
+    printed, said = dose_of(text, *words)
+    assert float(printed) == exposure, said
+
+
+def test_a_line_of_titles_in_a_table_does_not_hide_the_rows_before_it():
+    rows = "".join(f"2024-06-01 {10 + k}:00Z,1\n" for k in range(3))
+    exposure, said = dose_of(f"time,E [lx]\n{rows}time,E [lx]\n{rows.replace('1:', '2:')}")
+    assert exposure == ""
+    assert "line 5" in said

@@ -156,7 +156,7 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
 
 def _check_marks(row: Row, line: int, table: Table) -> None:
     for column, cell in row.cells.items():
-        if table.has_commas and column in COLUMNS:
+        if column in COLUMNS:
             for number in MARKED.findall(cell):
                 if problem := table.decimals.conflict(number, line):
                     raise row.error(column, problem, columns.MARKS)

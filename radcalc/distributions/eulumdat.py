@@ -178,7 +178,7 @@ class _Reader:
         values = self.intensities(stored, angles)
         self.check_end()
         if doubt := self.decimals.doubt():
-            self.refuse(*doubt, MARKS)
+            self.refuse(*doubt)
         values *= factor * lumens / KILOLUMEN
         around, values = self.around(symmetry, azimuths, values, start)
         grid = Grid(numpy.radians(polar), numpy.radians(around), values)

@@ -187,14 +187,14 @@ class _Reader:
         return angles, values
 
     def row(self, number: int, line: str, table: Table) -> list[float]:
-        if not table.has_commas:
+        if table.delimiter == ",":
             values = columns.numbers_at_once(line, line.split(self.delimiter))
             if values is not None and len(values) == table.width:
                 return values
         cells = table.cells(number, line)
         row_values = []
         for k, cell in enumerate(cells):
-            value = columns.finite(cell, self.comma)
+            value = columns.finite(cell, True)
             if value is None:
                 what = "an intensity" if k else "an angle"
                 self.refuse(number, f"'{quote(cell)}' in column {k + 1} is not {what}", "a number")

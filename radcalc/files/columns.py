@@ -144,16 +144,17 @@ class Decimals:
             else:
                 self.is_sure = True
 
-    def doubt(self) -> tuple[int, str] | tuple[()]:
-        """Return the line of an ambiguous number, and the problem, if any."""
+    def doubt(self) -> tuple[int, str, str] | tuple[()]:
+        """Return the line of an ambiguous number, the problem and the hint, if any."""
         doubtful = () if self.comma else self.doubtful
         if not doubtful and self.has_whole and not self.is_sure:
             doubtful = self.thousand
-        return (
-            (doubtful[0], f"'{doubtful[1]}' is ambiguous: a thousand or a decimal")
-            if doubtful
-            else ()
-        )
+        if not doubtful:
+            return ()
+        line, text = doubtful
+        whole = re.sub(r"[.,]", "", text)
+        hint = f"{whole} or {float(text.replace(',', '.'))} in every such number"
+        return line, f"'{text}' is ambiguous: a thousand or a decimal", hint
 
 
 def unit_column(titles: Sequence[str], place: int) -> int | None:

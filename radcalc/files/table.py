@@ -43,11 +43,6 @@ class Table:
         self.decimals = columns.Decimals()
 
     @property
-    def has_commas(self) -> bool:
-        """Whether numbers may have decimal commas."""
-        return self.delimiter != ","
-
-    @property
     def columns(self) -> list[Column]:
         names, *others = self.titles or [[""] * self.width]
         units = [next(filter(None, texts), "") for texts in zip(*others, strict=True)]
@@ -71,6 +66,8 @@ class Table:
     def cells(self, number: int, line: str) -> list[str]:
         """Return the cells of a row; raise for too few or many, without blank ones at its end."""
         cells = columns.cells(line, self.delimiter)
+        if len(cells) == self.width - 1 and self.titles and not self.titles[0][-1]:
+            cells.append("")  # the delimiter at the end of other lines
         while len(cells) > self.width and not cells[-1]:
             cells.pop()
         if len(cells) != self.width:
@@ -84,7 +81,7 @@ class Table:
 
         The values, unlike wavelengths and times, show what a point means.
         """
-        value = columns.finite(cell, self.has_commas)
+        value = columns.finite(cell, True)  # between commas, one in a cell was in quotes
         if value is None:
             problem = f"'{quote(cell)}' is not a number" if cell else "a value is missing"
             raise self.refuse(line, problem, "a number in every row, or # before a comment")
@@ -93,12 +90,10 @@ class Table:
 
     def check_marks(self, texts: Iterable[str], line: int, are_values: bool = True) -> None:
         """Raise for a number with another decimal mark than the numbers before."""
-        if not self.has_commas:
-            return
         for text in texts:
             if problem := self.decimals.conflict(text, line):
                 raise self.refuse(line, problem, columns.MARKS)
-            if are_values:
+            if are_values and self.delimiter != ",":
                 self.decimals.watch([text], line)
 
     def at_once(self, lines: Sequence[str]) -> list[list[str]]:
@@ -127,8 +122,6 @@ class Table:
         joined = " ".join(texts)
         if columns.has_odd_digits(joined):
             raise ValueError
-        if not self.has_commas:
-            return texts
         marks, has_point = self.decimals, "." in joined
         if "," in joined:
             if has_point or not marks.comma:
@@ -139,14 +132,14 @@ class Table:
                 raise ValueError
             if not marks.point:
                 marks.point = next(k for k, text in enumerate(texts, line) if "." in text)
-        if are_values:
+        if are_values and self.delimiter != ",":
             marks.watch(texts, line)
         return texts
 
     def finish(self) -> None:
         """Raise if a number of the table is ambiguous."""
         if doubt := self.decimals.doubt():
-            raise self.refuse(*doubt, columns.MARKS)
+            raise self.refuse(*doubt)
 
 
 def _unquoted(lines: Sequence[str], delimiter: str) -> list[list[str]]:

@@ -244,7 +244,7 @@ class _Reader:
         if not marks.point:
             pointed = (n for n, line in enumerate(lines, number) if "." in line)
             marks.point = next(pointed, 0)
-        if layout.table.has_commas and not marks.is_sure:
+        if layout.table.delimiter != "," and not marks.is_sure:
             marks.watch((_cell(line, layout) for line in lines), number)
         self.grid.extend(numbers[0])
         self.values.extend(numbers[1])
@@ -460,7 +460,7 @@ def _before(rows: Sequence[tuple[int, str]]) -> int:
     for count, (_, line) in enumerate(rows):
         delimiter, _ = columns.dialect(line)
         first, *others = columns.cells(line, delimiter)
-        if columns.is_number(first, delimiter != ","):
+        if columns.is_number(first, True):
             words = sum(not columns.is_number(cell, True) for cell in others)
             if delimiter or words < WORDS:
                 return count

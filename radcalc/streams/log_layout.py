@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from radcalc.errors import (
@@ -41,10 +42,14 @@ from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
-HEAD = 100  # lines searched for the data, without comments and blank lines
+HEAD = 1000  # lines searched for the data, without comments and blank lines
 MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 SECONDS = resolve("s")
+DIRECT_NORMAL = "DNI"  # an irradiance; dni are days in Czech
+PARTS = ("year", "month", "day", "hour", "minute", "second")  # titles of the parts of times
+FORMATS = ("%Y", "%m", "%d", "%H", "%M", "%S")  # of the parts
+LEAST_PARTS = 3  # a date; with an hour, it is a time
 PPFD_UNIT = light_unit("irradiance", PHOTON)
 PAR_ALSO = " (meters give PAR in W/m2, too: its unit in the title, PAR [W/m2], tells)"
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
@@ -99,6 +104,7 @@ class Head:
         self.settings = settings
         self.assumptions: list[str] = []
         rows = [row for row in lines if not is_remark(row[1])][:HEAD]
+        rows = rows[self._largest(rows) :]
         named = self._named_row(rows)
         start = 0 if named is None else named + 1
         first = next((k for k in range(start, len(rows)) if self._is_data(rows[k][1], named)), None)
@@ -124,6 +130,7 @@ class Head:
             of_comment = columns.titles_in_comments(comments, len(cells), settings.delimiter)
             titles = [of_comment] if of_comment else []
         table = Table(self.error, delimiter, len(cells), titles, rows[:first])
+        self.pairs = table.pairs
         self.layout = self._columns(number, cells, table)
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
@@ -131,6 +138,28 @@ class Head:
 
     def _delimiter(self, line: str) -> str | None:
         return self.settings.delimiter or columns.dialect(line)[0]
+
+    def _largest(self, rows: Sequence[NumberedLine]) -> int:
+        """Return the row of titles of the largest table, if there are several; else 0."""
+        cells = [columns.cells(line, self._delimiter(line)) for _, line in rows]
+        starts = [
+            k
+            for k in range(1, len(rows) - 1)
+            if len(cells[k]) == len(cells[k + 1]) > 1
+            and (rows[k][0] - rows[k - 1][0] > 1 or len(cells[k - 1]) != len(cells[k]))
+            and not any(_is_number(cell) or self._is_stamp(cell) for cell in cells[k])
+            and self._is_data(rows[k + 1][1], None)
+        ]
+        if not starts:
+            return 0
+        sizes = [end - start for start, end in pairwise([*starts, len(rows)])]
+        largest = starts[sizes.index(max(sizes))]
+        if any(self._is_data(line, None) for _, line in rows[:largest]):
+            self.assumptions.append(
+                f"the largest of several tables is read, with the titles in line {rows[largest][0]}"
+            )
+            return largest
+        return 0
 
     def _named_row(self, rows: Sequence[NumberedLine]) -> int | None:
         wanted = (*self.settings.times, self.settings.column)
@@ -212,18 +241,29 @@ class Head:
     def _columns(self, number: int, cells: list[str], table: Table) -> LogLayout:
         titles = [list(row) for row in table.titles]
         names = titles[0] if titles else []
-        times = self._time_columns(number, cells, names)
+        parts = self._parts_of_times(names)
+        times = parts or self._time_columns(number, cells, names)
         place = self._value_column(number, cells, titles, times)
         units = columns.unit_column(names, place)
         unit = self._unit([row[place] for row in titles], None if units is None else cells[units])
-        title = " ".join([names[k] for k in times]) if names else ""
+        title = " ".join([names[k] for k in times]) if names and not parts else ""
         text = " ".join([cells[k] for k in times])
         try:
             settings = self.settings.clock._replace(title=title, declared=_unit_of_time(title))
+            if parts:
+                settings = settings._replace(format=" ".join(FORMATS[: len(parts)]))
             clock = clock_for(text, settings)
         except (NumberError, UnitError) as error:
             raise self.error(number, error.message, error.hint) from None
         return LogLayout(table, times, place, clock, unit, units)
+
+    def _parts_of_times(self, names: list[str]) -> tuple[int, ...]:
+        """Return the columns of the year, month, day, hour ..., if each has its own."""
+        if self.settings.times or self.settings.clock.format:
+            return ()
+        plain = [columns.plain(name) for name in names]
+        count = next((k for k, part in enumerate(PARTS) if plain.count(part) != 1), len(PARTS))
+        return tuple([plain.index(part) for part in PARTS[:count]]) if count > LEAST_PARTS else ()
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
         if self.settings.times:
@@ -286,6 +326,15 @@ class Head:
         if cell is not None:
             declared = declared or unit_of_meter(cell)
             self.assumptions.append("each value is in the unit of its line")
+        if declared is None and cell is None:
+            stated = [text for key, text in self.pairs.items() if key in columns.UNIT_TITLES]
+            declared = unit_of_meter(stated[0]) if stated else None
+            if declared and read_light(declared):
+                self.assumptions.append(
+                    f"the values are in {quote(stated[0])}, as the preamble says"
+                )
+            else:
+                declared = None
         unit = resolve_any(self.settings.unit) if self.settings.unit else declared
         if declared is None:
             for title in titles:
@@ -363,7 +412,9 @@ def _is_of_time(title: str) -> bool:
     if OF_TIME.search(columns.plain(title).replace("_", " ")):
         return True
     unit = unit_in(title, SECONDS)
-    return bool(unit and unit.dimension == TIME) and not _may_be_light(title)
+    if unit is None or unit.dimension != TIME or unit.text == DIRECT_NORMAL:
+        return False
+    return not _may_be_light(title)
 
 
 def _unit_of_time(title: str) -> Unit | None:

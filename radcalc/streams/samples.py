@@ -193,7 +193,7 @@ class Log:
         if text.lower() in MISSING or MARKED.fullmatch(text):
             hint = mention("{invalid=ignore}, to skip the line")
             raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
-        value = columns.finite(text, layout.table.has_commas)
+        value = columns.finite(text, True)
         if value is None:
             try:
                 parse_number(text)
