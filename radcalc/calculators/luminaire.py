@@ -18,6 +18,8 @@ from radcalc.calculators.point_laws import (
     RECEIVER,
     SHAPED,
     compare_mean,
+    lies_at_incidence,
+    place_at_incidence,
     place_hemisphere,
     refuse_light_of_surfaces,
     require_height,
@@ -77,6 +79,7 @@ PAGE = Page(
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
 OF_DIRECTION = ("intensity-toward", "off-axis", "azimuth")  # shown if a direction is given
+HORIZONTAL = "the receiver is horizontal"
 EXPRESSION = "expression"  # a format of distributions
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))
 PLANES = (("", 0.0), ("-90", math.pi / 2))
@@ -313,7 +316,9 @@ class _Luminaire:
         placed.laws += laws_of.direction(self.pose, self.bearing)
         if self.is_aside and not offsets:
             placed.laws.append(OFFSET)
-        if "incidence" not in given:
+        if "incidence" in given:
+            place_at_incidence(given, placed, HORIZONTAL if "aim" in given else LYING)
+        else:
             placed.laws.append(laws_of.FLAT)
         if "aim" in given:
             placed.assume(
@@ -321,7 +326,7 @@ class _Luminaire:
                 "measured from the vertical through the source"
             )
             if "incidence" not in given:
-                placed.assume("the receiver is horizontal")
+                placed.assume(HORIZONTAL)
         else:
             placed.assume("the source points straight down")
             if "incidence" not in given:
@@ -347,7 +352,8 @@ class _Luminaire:
 
     @property
     def is_flat(self) -> bool:
-        return self.is_below and "incidence" not in self.given
+        given = self.given
+        return self.is_below and ("incidence" not in given or lies_at_incidence(given))
 
     @property
     def is_turned(self) -> bool:

@@ -9,10 +9,10 @@ from radcalc.calculators.solved import Solved, solve, solve_all
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet
 from radcalc.derivation import coherent_unit_of, format_value
 from radcalc.errors import ConditionError, Exclusive, MissingInput, command, mention, option, quote
-from radcalc.inputs.given import Inputs
+from radcalc.inputs.given import Inputs, angle_of, require
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED
-from radcalc.maths import is_array
+from radcalc.laws.point import ASIDE, CONICAL, ISOTROPIC, LOBED
+from radcalc.maths import any_true, is_array
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
 # Inputs that need the distribution as a function of direction, not the laws of its shape.
@@ -30,6 +30,27 @@ ASSUMED = {
     LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
 }
 LYING = "the receiver lies in a plane perpendicular to the source's axis"
+TURNED = "the receiver is turned to that incidence"
+
+
+def lies_at_incidence(given: Inputs) -> bool:
+    """Return whether an incidence places a receiver that lies flat: no other input does."""
+    if "incidence" not in given or "height" not in given:
+        return False
+    if not given.keys().isdisjoint(("distance", *OFFSETS)):
+        return False
+    is_above = not any_true(angle_of(given, "incidence") >= math.pi / 2)
+    require(given["incidence"], is_above, "less than 90 deg for a receiver that lies flat")
+    return True
+
+
+def place_at_incidence(given: Inputs, placed: Placed, lying: str = LYING) -> None:
+    """Add the law and the meaning of an incidence below a source."""
+    if lies_at_incidence(given):
+        placed.laws.append(ASIDE)
+        placed.assume(mention(f"{lying}, and {{incidence}} is the light's angle to its normal"))
+    else:
+        placed.assume(TURNED)
 
 
 def require_height(solved: Solved) -> None:

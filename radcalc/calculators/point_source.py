@@ -18,6 +18,8 @@ from radcalc.calculators.point_laws import (
     RECEIVER,
     SHAPED,
     compare_mean,
+    lies_at_incidence,
+    place_at_incidence,
     place_hemisphere,
     refuse_light_of_surfaces,
     require_height,
@@ -107,6 +109,8 @@ PAGE = Page(
     texts={
         "distance": "Straight line from the source to the receiver.",
         "height": "Height of the source above the receiver's plane, along the source's axis.",
+        "incidence": "Angle between the light and the receiver's normal; with {height} and neither "
+        "{offset} nor {distance}, it places a receiver that lies flat.",
         "solid-angle": "Solid angle of a uniform cone.",
     },
     draws=True,
@@ -180,7 +184,7 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     if not shaped or {item.symbol.generic or name for name, item in given.items()} & set(DIRECTED):
         from radcalc.calculators.luminaire import luminaire as work_out
     offsets = set(OFFSETS) & set(given)
-    if "height" not in given or offsets or "distance" in given:
+    if "height" not in given or offsets or {"distance", "incidence"} & set(given):
         return work_out(given, bool(offsets or "height" in given), any_incidence)
     try:
         return work_out(given, False, any_incidence)
@@ -278,8 +282,10 @@ def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
         placed.add("lateral", reduce(hypot, (offset.value for offset in offsets), 0.0), *offsets)
     else:
         laws.append(OFFSET)
-    is_flat = "incidence" not in given
-    if is_flat:
+    is_flat = "incidence" not in given or lies_at_incidence(given)
+    if "incidence" in given:
+        place_at_incidence(given, placed)
+    else:
         laws.append(FLAT)
         placed.assume(LYING)
     laws.append((RECEIVER_FLAT if is_flat else RECEIVER_TURNED)[shape])

@@ -7,8 +7,8 @@ receiver may have any size and distance, and its solid angle is weighted with f.
 
 - `LAWS`: flux and share of each distribution; `WIDTHS`: those that contain only its angles
 - `ANY_LAWS`: those of all distributions
-- `FLOOR`, `AXIS`, `FLAT`, `SPOT`: a place on the floor, at the distance x from the foot of the
-  axis of a source at the height h; up to two heights, or exponents of a lobe, fit
+- `FLOOR`, `AXIS`, `FLAT`, `ASIDE`, `SPOT`: a place on the floor, at the distance x from the foot of
+  the axis of a source at the height h; up to two heights, or exponents of a lobe, fit
 
 Lengths [m], angles [rad]; light in coherent SI of one kind.
 """
@@ -284,6 +284,11 @@ AXIS = relation(
     {"off-axis": lambda at: atan2(at("lateral"), at("height"))},
 )
 FLAT = law("a receiver that lies flat", "{incidence} = {off-axis}")
+ASIDE = relation(
+    "place of a receiver that lies flat, by its incidence",
+    "{lateral} = {height} tan({incidence})",
+    {"lateral": lambda at: at("height") * tan(at("incidence"))},
+)
 
 
 def _floor(shape: str, of_energy: bool) -> Relation:

@@ -381,6 +381,8 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
         other = _follow(law, name, sheet)
     except ConditionError:
         if isinstance(law, Relation):
+            if _holds(law, sheet):
+                return
             raise
         name = law.result  # if no light arrives, the law can be solved only for its result
         other = _follow(law, name, sheet)
@@ -397,6 +399,15 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
     if any_true(difference > allowed):
         raise Disagreement(law, name, value, other)
     sheet.rounded.append(law)
+
+
+def _holds(law: Relation, sheet: _Sheet) -> bool:
+    """Return whether values fit a relation that has no single solution: any lobe, on its axis."""
+    result = law.names[0]
+    if result not in law.targets:
+        return False
+    value, other = sheet.values[result].value, _follow(law, result, sheet)
+    return not isinstance(other, Several) and not any_true(abs(value - other) > EXACT * abs(value))
 
 
 def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:

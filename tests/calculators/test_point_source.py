@@ -210,3 +210,41 @@ def test_isotropic_and_hemisphere_are_the_same_as_in_a_conversion(flag, angle, p
     same = {"isotropic": {"distribution": "isotropic"}, "hemisphere": {"half_angle": "90deg"}}
     other = point_source(flux="800lm", **same[flag], **place)
     assert {n: str(q) for n, q in answer.items()} == {n: str(q) for n, q in other.items()}
+
+
+SHAPES = {
+    "isotropic": ({}, lambda cosine: 1.0),
+    "a lobe": ({"exponent": 5}, lambda cosine: cosine**5),
+    "a cone": ({"half_angle": "80 deg"}, lambda cosine: 1.0),
+    "an expression": ({"distribution": "max(cos(theta), 0)"}, lambda cosine: cosine),
+}
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("offset", [0.0, 0.4, 1.0, 7.0])
+def test_the_place_on_a_floor_is_the_same_by_any_two_of_its_sizes(shape, offset):
+    """E = I f(gamma) h / d^3 on a floor; an answer that is fed back gives the same answer."""
+    given, fall = SHAPES[shape]
+    given = {"intensity": "100 cd", **given}
+    distance = math.hypot(2, offset)
+    expected = 100 * fall(2 / distance) * 2 / distance**3
+    first = point_source(height="2 m", offset=Q(offset, "m"), **given)
+    assert number(first, "irradiance", "lx") == pytest.approx(expected, rel=1e-12)
+    for name in ("offset", "distance", "incidence"):
+        for more in ({}, {"illuminance": first["illuminance"]}):
+            again = point_source(height="2 m", **{name: first[name]}, **given, **more)
+            for result in ("illuminance", "offset", "distance", "incidence", "off_axis"):
+                if result not in again:  # on the axis
+                    continue
+                unit = first[result].units
+                found = number(again, result, unit)
+                assert found == pytest.approx(first[result].magnitude, rel=1e-6, abs=1e-6), name
+
+
+def test_an_incidence_turns_a_receiver_whose_place_is_given():
+    """E = I cos(30 deg) / d^2 = 100 * 0.866025 / 4 = 21.6506 lx below the source."""
+    for place in ({"distance": "2 m"}, {"height": "2 m", "offset": "0 m"}):
+        found = point_source(intensity="100 cd", incidence="30 deg", **place)
+        assert number(found, "illuminance", "lx") == pytest.approx(21.6506, rel=1e-5)
+    with pytest.raises(ConditionError, match="out of range"):
+        point_source(intensity="100 cd", incidence="90 deg", height="2 m")

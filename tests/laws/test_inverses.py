@@ -205,6 +205,9 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         lambda flux, up: flux - flux * up),
     ("a receiver that lies flat, under any source", "incidence"): (
         {"lateral": SIZE, "height": SIZE}, "incidence", math.atan2),
+    ("place of a receiver that lies flat, by its incidence", "lateral"): (
+        {"height": SIZE, "incidence": st.floats(0.01, 1.5)}, "lateral",
+        lambda h, angle: h * math.tan(angle)),
     ("part of a distribution", "part"): (
         {"within": ANGLE}, "part", lambda within: 1 - math.cos(within) ** (EXPONENT + 1)),
     ("distribution in a direction", "relative-intensity"): (
