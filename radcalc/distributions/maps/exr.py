@@ -237,11 +237,12 @@ def _parts(file: io.BytesIO, name: str) -> list[_Part]:
             "a flat picture",
         )
     for part in parts:
-        _check_size(part, name)
+        _check_size(part, name, len(data))
     room = sum(map(_Part.room, parts))
-    if room > pictures.MOST_BYTES:
+    most = 16 * pictures.most_pixels(len(data))  # of four channels
+    if room > most:
         raise ConditionError(
-            f"{name} has {room >> 20} MiB of pixels, more than {pictures.MOST_BYTES >> 20}",
+            f"{name} has {room >> 20} MiB of pixels in {len(data)} bytes, more than {most >> 20}",
             "only the needed part and channels, in a separate file",
         )
     return parts
@@ -269,9 +270,9 @@ def _opened(file: io.BytesIO, header_only: bool = False) -> list[Any]:
     return parts
 
 
-def _check_size(part: _Part, name: str) -> None:
+def _check_size(part: _Part, name: str, size: int) -> None:
     _, _, width, height = part.pixels
-    pictures.check_size(width, height, name)
+    pictures.check_size(width, height, name, size)
     pictures.check_size(part.display.width, part.display.height, f"the display window of {name}")
     wide, high = part.tile
     if wide * high > max(TILE, width * height):

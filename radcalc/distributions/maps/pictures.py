@@ -28,6 +28,9 @@ REC_709 = (0.2126, 0.7152, 0.0722)  # luminance of linear R, G, B in the standar
 # the memory of a common computer.
 PIXELS = 1 << 28
 MOST_BYTES = 16 * PIXELS  # of a file: four floats a pixel
+# A small file can announce, or expand to, a very large picture: above 4096x2048 pixels, their number
+# is limited by the bytes of the file.  The largest map of one colour in RGBE has 15.7 a byte.
+FREE_PIXELS, PIXELS_PER_BYTE = 1 << 23, 16
 BRIGHTEST, FAINTEST = 3e38, 1e-36  # limits of 32 bits, and of RGBE, without loss of digits
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
 READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
@@ -150,13 +153,25 @@ def check_target(path: str) -> str:
     return contents.check_place(path, WRITERS, "a map", ".hdr (Radiance), .exr (OpenEXR) or .pfm")
 
 
-def check_size(width: int, height: int, name: str) -> None:
-    """Raise an error for a picture with no or too many pixels, before memory is allocated."""
+def most_pixels(size: int) -> int:
+    """Return the number of pixels that a file of a size [bytes] may have."""
+    return min(PIXELS, FREE_PIXELS + PIXELS_PER_BYTE * size)
+
+
+def check_size(width: int, height: int, name: str, size: int | None = None) -> None:
+    """Raise an error for a picture with no or too many pixels, before memory is allocated.
+
+    `size` [bytes] is that of the file.
+    """
     if width < 1 or height < 1:
         raise ConditionError(f"{name} has {width} x {height} pixels", "a picture that has some")
     if width * height > PIXELS:
         problem = f"{name} has {width} x {height} pixels, more than {PIXELS}"
         raise ConditionError(problem, "a smaller picture")
+    if size is not None and width * height > most_pixels(size):
+        problem = f"{name} has {width} x {height} pixels in only {size} bytes"
+        limit = f"{most_pixels(size)} pixels (a file may have {FREE_PIXELS}, and"
+        raise ConditionError(problem, f"at most {limit} {PIXELS_PER_BYTE} for each byte)")
 
 
 def as_floats(values: Any, unit: str) -> Any:

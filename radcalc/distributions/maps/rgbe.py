@@ -337,7 +337,8 @@ def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], in
         raise ConditionError(problem, "-Y HEIGHT +X WIDTH, or another order of the axes")
     order = (match[1] + match[2], match[4] + match[5])
     count, length = int(match[3]), int(match[6])
-    check_size(*((length, count) if match[2] == "Y" else (count, length)), name)
+    size = (length, count) if match[2] == "Y" else (count, length)
+    check_size(*size, name)
     # a pixel, and the bytes of its count of repetitions
     least = count * 4 * (1 + ((length - 1).bit_length() + 7) // 8)
     if len(data) - end - 1 < least:

@@ -298,10 +298,12 @@ def test_sizes_of_tiles_are_limited():
 
 
 def test_the_memory_of_channels_is_limited():
-    """The library would allocate memory for five channels of 2^28 pixels."""
+    """The library would allocate memory for five channels of 2^23 pixels."""
     data = made(planes(np.ones((1, 1, 5), np.float32), ("R", "G", "B", "A", "Z")))
-    window = struct.pack("<4i", 0, 0, (1 << 14) - 1, (1 << 14) - 1)
-    assert "5120 MiB of pixels, more than 4096" in refused(edited(data, "dataWindow", window))
+    window = struct.pack("<4i", 0, 0, (1 << 12) - 1, (1 << 11) - 1)
+    assert f"160 MiB of pixels in {len(data)} bytes, more than 128" in refused(
+        edited(data, "dataWindow", window)
+    )
 
 
 MEMORY = """
@@ -320,15 +322,25 @@ assert after < 2 * before, (before, after)
 
 @pytest.mark.parametrize("compression", ["NO", "ZIP", "PIZ", "DWAB", "HTJ2K256", "ZSTD"])
 def test_the_size_in_a_small_file_costs_no_memory(compression, tmp_path):
-    """Four channels of 2^28 pixels, 4 GiB, in a few hundred bytes."""
+    """Four channels of 2^23 pixels, 128 MiB, or of 2^28, 4 GiB, in a few hundred bytes."""
     pytest.importorskip("resource")
     packed = getattr(OpenEXR, f"{compression}_COMPRESSION")
     data = made(planes(np.ones((1, 1, 4), np.float32), (*RGB, "A")), compression=packed)
     path = tmp_path / "sky.exr"
-    path.write_bytes(edited(data, "dataWindow", struct.pack("<4i", 0, 0, (1 << 20) - 1, 255)))
-    command = [sys.executable, "-c", MEMORY, path]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert "its pixels cannot be read" in done.stdout
+    for rows, problem in [(8, "its pixels cannot be read"), (256, "in only")]:
+        window = struct.pack("<4i", 0, 0, (1 << 20) - 1, rows - 1)
+        path.write_bytes(edited(data, "dataWindow", window))
+        command = [sys.executable, "-c", MEMORY, path]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        assert problem in done.stdout
+
+
+def test_pixels_are_limited_by_the_bytes_of_the_file():
+    """ZIP packs 2^24 equal floats of a channel into a thousandth of their bytes."""
+    data = made(
+        {"Y": np.zeros((1 << 12, 1 << 12), np.float32)}, compression=OpenEXR.ZIP_COMPRESSION
+    )
+    assert f"4096 x 4096 pixels in only {len(data)} bytes" in refused(data)
 
 
 @pytest.mark.parametrize("window", ["dataWindow", "displayWindow"])

@@ -355,11 +355,17 @@ def test_a_file_is_refused_wherever_it_is_cut_off():
 
 
 def test_memory_is_limited_by_the_contents(tmp_path):
-    """No memory is allocated for a picture of 3 GiB with a damaged second scanline."""
-    line = hdr.old([(200, 100, 50, 130)] * 16384)
-    data = hdr.head(size="-Y 16384 +X 16384") + line + bytes([1, 1, 1, 1]) + line * 20000
+    """No memory is allocated for a picture of 96 MiB with a damaged second scanline.
+
+    A picture that expands to 32,000 times the size of its file is refused.
+    """
+    line = hdr.old([(200, 100, 50, 130)] * 4096)
+    data = hdr.head(size="-Y 2048 +X 4096") + line + bytes([1, 1, 1, 1]) + line * 20000
     path = tmp_path / NAME
     path.write_bytes(data)
+    bomb = hdr.head(size="-Y 8192 +X 16384") + hdr.old([(200, 100, 50, 130)] * 16384) * 8192
+    with pytest.raises(ConditionError, match="16384 x 8192 pixels in only 98356 bytes"):
+        read(bomb, NAME)
     script = (
         "import resource, sys\n"
         "from radcalc.distributions.maps.pictures import read_picture\n"
