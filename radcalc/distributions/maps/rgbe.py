@@ -344,6 +344,7 @@ def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], in
     if len(data) - end - 1 < least:
         problem = f"{name} is cut off: {count} scanlines of {length} pixels need {least} bytes or "
         raise ConditionError(f"{problem}more, but it has {len(data) - end - 1}", MENDED)
+    check_size(*size, name, len(data))  # repeated pixels take almost no bytes
     return order, count, length, end + 1
 
 
