@@ -267,3 +267,37 @@ def test_a_line_of_titles_in_a_table_does_not_hide_the_rows_before_it():
     exposure, said = dose_of(f"time,E [lx]\n{rows}time,E [lx]\n{rows.replace('1:', '2:')}")
     assert exposure == ""
     assert "line 5" in said
+
+
+LAMP = "gamma,I (cd)\n0,300\n45,200\n90,0\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"Lab 7\nLamp: X\n\n{LAMP}",
+        "Report\ngamma;I\ndeg;cd\n0;300,0\n45;200,5\n90;0\n".replace("200,5", "200,0"),
+        LAMP.replace(",", "\t").replace("0\t300", '0\t"300,0"'),
+    ],
+)
+def test_a_table_of_a_luminaire_has_lines_above_it(text, tmp_path):
+    path, plain = tmp_path / "a.csv", tmp_path / "b.csv"
+    path.write_text(text, encoding="utf-8")
+    plain.write_text(LAMP, encoding="utf-8")
+    flux = [run("point-source", "--distribution", str(p), "-g", "flux:lm") for p in (path, plain)]
+    assert flux[0].stdout == flux[1].stdout != "", flux[0].stderr
+
+
+def test_rows_of_a_luminaire_are_not_taken_for_lines_above_the_table(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("gamma,I (cd)\nx,1\ny,1\n0,300\n90,0\n", encoding="utf-8")
+    done = run("point-source", "--distribution", str(path), "-g", "flux:lm")
+    assert "line 2: 'x' in column 1 is not an angle" in done.stderr
+
+
+def test_a_scene_has_lines_above_its_titles_and_units_below_them(tmp_path):
+    path = tmp_path / "a.csv"
+    for text in ("Project A\n\nx,y,z,flux\nm,m,m,lm\n0,0,2,800\n", "x,y,z,flux\n0m,0m,2m,800lm\n"):
+        path.write_text(text, encoding="utf-8")
+        done = run("scene", str(path), "--at", "0,0,0", "-g", "irradiance:lx")
+        assert float(done.stdout) == pytest.approx(800 / (4 * 3.141592653589793 * 4))

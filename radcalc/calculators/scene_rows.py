@@ -46,7 +46,7 @@ from radcalc.quantities.light import KIND_NAMES, describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import LENGTH
-from radcalc.units.table import resolve
+from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import NUMBER, Unit
 
 LAMBERTIAN = "lambertian"
@@ -130,13 +130,22 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     if len(lines) < 2:
         problem = "the file has a header but no source" if lines else "the file has no source"
         raise ConditionError(f"{name}: {problem}", "a header such as x,y,z,flux and rows below it")
+    begin = _header_place([line for _, line in lines])
+    skipped, lines = lines[:begin], lines[begin:]
     number, header = lines[0]
     delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
     if delimiter is None:
         raise ConditionError(
             f"{text.where(name, number)}: there is only one column", "a header such as x,y,z,flux"
         )
-    titles, units = _header(columns.cells(header, delimiter), text.where(name, number))
+    cells = columns.cells(header, delimiter)
+    below = columns.cells(lines[1][1], delimiter) if len(lines) > 2 else []
+    if len(below) == len(cells) and all(not unit or unit_of(unit) for unit in below):
+        del lines[1]
+        cells = [
+            f"{title} ({unit})" if unit else title for title, unit in zip(cells, below, strict=True)
+        ]
+    titles, units = _header(cells, text.where(name, number))
     rows = []
     table = Table(partial(text.refusal, name), delimiter, len(titles), [list(titles.values())])
     for number, line in lines[1:]:
@@ -151,7 +160,24 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         if len(columns.cells(line, delimiter)) == len(titles)
     ]
     notes = [f"{name}: comments with as many cells as the rows, skipped: lines {listed(like_rows)}"]
-    return rows, notes if like_rows else []
+    notes = notes if like_rows else []
+    if skipped:
+        notes.append(
+            f"{name}: the titles are in line {number}; the lines of text above are skipped"
+        )
+    return rows, notes
+
+
+def _header_place(lines: Sequence[str]) -> int:
+    """Return the place of the titles: the first line with a column x, if it is below text alone."""
+    for place, line in enumerate(lines):
+        mark = next((mark for mark in columns.DELIMITERS if mark in line), None)
+        cells = columns.cells(line, mark) if mark else [line]
+        if any(re.fullmatch(r"x(?![^\W_]).*", _name(cell)) for cell in cells):
+            return place
+        if any(columns.is_number(cell, True) for cell in cells[1:]):
+            return 0
+    return 0
 
 
 def _check_marks(row: Row, line: int, table: Table) -> None:

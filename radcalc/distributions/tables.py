@@ -121,6 +121,7 @@ class _Reader:
         """Take out the titles of the columns; return them and their line."""
         if not self.rows:
             self.refuse(0, "there is no data", "rows of an angle and an intensity")
+        self.skip_preamble()
         self.delimiter, comma = columns.dialect(self.rows[min(1, len(self.rows) - 1)][1])
         self.comma = comma or (
             self.delimiter != "," and any("," in line for _, line in self.rows[1:])
@@ -145,6 +146,25 @@ class _Reader:
             pairs = zip(titles, units, strict=True)
             return [f"{title} ({unit})" if unit else title for title, unit in pairs], head
         return titles, head
+
+    def is_row(self, line: str) -> bool:
+        cells = columns.cells(line, columns.dialect(line)[0])
+        return len(cells) > 1 and columns.is_number(cells[0], True)
+
+    def skip_preamble(self) -> None:
+        """Take the lines of text above the titles for comments, unless they may be rows."""
+        lines = [line for _, line in self.rows]
+        starts = (k for k, line in enumerate(lines) if self.is_row(line))
+        first = next(starts, 0)
+        delimiter = columns.dialect(lines[first])[0]
+        above = [columns.cells(line, delimiter) for line in lines[:first]]
+        width = len(columns.cells(lines[first], delimiter))
+        head = first - (2 if [len(cells) for cells in above[-2:]] == [width, width] else 1)
+        of_numbers = (columns.is_number(cell, True) for cells in above for cell in cells)
+        if head > 0 and delimiter and not any(of_numbers):
+            self.comments += [line.strip() for _, line in self.rows[:head]]
+            self.assumptions.append(f"the titles are in line {self.rows[head][0]}")
+            del self.rows[:head]
 
     def split(self, line: str) -> list[str]:
         """Split titles; if blanks separate them, a bracket belongs to the word before it."""
