@@ -185,7 +185,7 @@ class Try:
             left_out = f"in place of {options(self.without, ' and ')}"
         text = f"{added} {left_out}".strip() if added else left_out
         if self.instead:
-            text = self.instead[1]
+            text = " ".join(self.instead[1:])
         if self.words:
             text = command(*self.words)
         return f"{text}, {self.remark}" if self.remark else text
@@ -201,15 +201,65 @@ def leave_out(*names: str) -> Try:
     return Try(without=names)
 
 
-def correct(typed: str, correction: str, remark: str = "") -> Try:
-    """Propose a correction of a word."""
-    return Try(instead=(typed, correction), remark=remark)
+def correct(typed: str, *words: str, remark: str = "") -> Try:
+    """Propose a correction of a part of a word, or several words in place of a word."""
+    return Try(instead=(typed, *words), remark=remark)
+
+
+def corrections(typed: str, *others: str, remark: str = "") -> "list[Try]":
+    """Propose several corrections of a word."""
+    return [correct(typed, other, remark=remark) for other in others]
+
+
+def one_of(*names: str) -> "list[Try]":
+    """Propose each of several symbols without the others."""
+    return [leave_out(*(other for other in names if other != name)) for name in names]
 
 
 def call(*words: str, remark: str = "", **inputs: str) -> Try:
     """Propose a call of a command: `call("solid-angle", "cone", half_angle="1deg")`."""
     given = [f"{key.replace('_', '-')}={value}" for key, value in inputs.items()]
     return Try(words=(*words, *given), remark=remark)
+
+
+APART, TOGETHER = (" or ", ", or ", ", ", ""), (" and ", " with ")  # between mentions
+
+
+def proposed(hint: str) -> "list[Try]":
+    """Return the calls that a hint of mentions alone proposes; none for a hint in prose.
+
+    The mentions are alternatives, or are joined by `and` or `with`; a remark may follow the last.
+    """
+    head, *parts = hint.split(START)
+    if not parts or head not in ("", "add ", "leave out ", "leave out one of "):
+        return []
+    groups: list[list[str]] = [[]]
+    remark = ""
+    for place, part in enumerate(parts, 1):
+        mention, _, rest = part.partition(END)
+        groups[-1].append(mention)
+        if rest in APART:
+            groups.append([])
+        elif place == len(parts) and rest.startswith((",", ":", " for ")):
+            remark = rest.lstrip(",: ")
+        elif rest not in TOGETHER:
+            return []
+    groups = [group for group in groups if group]
+    if head.startswith("leave out"):
+        return [leave_out(*(mention.partition(VALUE)[0] for mention in group)) for group in groups]
+    tries = [_of_mentions(group) for group in groups]
+    if tries[-1]:
+        tries[-1].remark = remark
+    return [one for one in tries if one]
+
+
+def _of_mentions(mentions: "list[str]") -> "Try | None":
+    if any(mention.startswith((WORD, VALUE + WORD)) for mention in mentions):
+        return None
+    if mentions[0].startswith(VALUE):
+        return Try(words=tuple(mentions[0][1:].split(WORD))) if len(mentions) == 1 else None
+    pairs = [mention.split(VALUE) for mention in mentions]
+    return Try(tuple([(name, "" if value.isupper() else value) for name, value in pairs]))
 
 
 Hint: "TypeAlias" = "str | Try | Sequence[Try]"
@@ -228,6 +278,8 @@ class RadcalcError(Exception):
         if not isinstance(hint, str):
             tries = (hint,) if isinstance(hint, Try) else hint
             hint = " or ".join(map(str, tries))
+        elif not tries:
+            tries = proposed(hint)
         self.message = message
         self.hint = hint
         self.tries = tuple(tries)
@@ -358,11 +410,17 @@ class Idle(ConditionError):
 
 
 class Impossible(ConditionError):
-    """A value outside the range of its symbol: `limit` is that range, `because` the reason."""
+    """A value outside the range of its symbol: `limit` is that range, `because` the reason.
 
-    def __init__(self, symbol: str, text: str, limit: str, because: str = "") -> None:
+    `nearest` is the nearest value in the range, as it would be typed.
+    """
+
+    def __init__(
+        self, symbol: str, text: str, limit: str, because: str = "", nearest: str = ""
+    ) -> None:
         reason = f": {because}" if because else ""
-        super().__init__(f"{option(symbol, quote(text))} is out of range{reason}", limit)
+        tries = [add(symbol, nearest, limit)] if nearest else []
+        super().__init__(f"{option(symbol, quote(text))} is out of range{reason}", limit, tries)
         self.symbol, self.text, self.limit, self.because = symbol, text, limit, because
 
 
@@ -417,8 +475,7 @@ class Exclusive(ConditionError):
         first, *others = symbols
         reason = f": {because}" if because else ""
         message = f"{option(first)} cannot be used with {options(others, ' and ')}{reason}"
-        alone = [leave_out(*(other for other in symbols if other != name)) for name in symbols]
-        super().__init__(message, hint, alone)
+        super().__init__(message, hint, one_of(*symbols))
         self.symbols = tuple(symbols)
 
 

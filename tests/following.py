@@ -100,14 +100,16 @@ def call(words: Words, lines: bytes = LINES[0]) -> Outcome:
         return Outcome(status, out.read().decode(), caught[0] if caught else None, hinted)
 
 
-NUMBER = re.compile(r"-?[0-9.]+(?:e[+-]?[0-9]+)?")
+NUMBER = re.compile(r"-?[0-9]+\.?[0-9]*(?:e[+-]?[0-9]+)?")
 
 
 def unlike(words: Words, answer: str, lines: bytes) -> str:
     """Return what is wrong with a call in a hint: it is refused, or its number is another."""
-    outcome = call(words, lines)
-    if outcome.status not in (terminal.ANSWERED, terminal.WRONG):
-        return f"refused: {outcome.error}"
+    outcomes = [call(words, each) for each in (LINES if any(map(is_stream, words)) else [lines])]
+    good = [one for one in outcomes if one.status in (terminal.ANSWERED, terminal.WRONG)]
+    if not good:
+        return f"refused: {outcomes[0].error}"
+    outcome = good[0]
     if not answer:
         return ""
     shown = NUMBER.search(answer.rpartition(" ")[0] or answer)

@@ -69,7 +69,7 @@ def _changed(
     page = page_of(command if command in SUMMARIES else "convert")
     arguments = {name: value for name, value in given.items() if value not in (None, False)}
     if proposal.instead:
-        typed, correction = proposal.instead
+        typed, correction = proposal.instead[0], " ".join(proposal.instead[1:])
         (name,) = [name for name, value in arguments.items() if typed in str(value)]
         arguments[name] = str(arguments[name]).replace(typed, correction)
     for symbol in (*proposal.without, *(symbol for symbol, _ in proposal.inputs)):

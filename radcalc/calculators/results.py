@@ -13,6 +13,7 @@ from radcalc.errors import (
     RadcalcError,
     UsageError,
     ambiguous,
+    corrections,
     mention,
     nearest,
     quote,
@@ -103,7 +104,8 @@ def _wrong_unit(value: Value, unit: Unit, among: Sequence[Value]) -> UsageError:
         name = unit_name(unit)
         described = f"{described}, a unit of {name}" if name else f"'{described}'"
     ways = [*_results_in(unit.text, among), *(f"{value.name}:{text}" for text in value.units)]
-    return UsageError(f"{value.name} cannot be in {described}", ", ".join(ways))
+    problem = f"{value.name} cannot be in {described}"
+    return UsageError(problem, corrections(f"{value.name}:{unit.text}", *ways))
 
 
 def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
@@ -240,7 +242,8 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     if generic in names:
         raise MissingInput(f"{name} {NEEDS_LINK}", f"{LINKS_HINT}, or {generic}")
     of_case = f"{case}: " if case else ""
-    hint = _right_names(name, values, names)
+    right = _right_names(name, values, names)
+    hint = corrections(name, *right) if len(right) <= MOST_OF_A_UNIT else ", ".join(right)
     raise UsageError(f"{of_case}unknown result '{quote(name)}'", hint)
 
 
@@ -291,12 +294,12 @@ def _results_in(text: str, values: Sequence[Value]) -> list[str]:
     return [f"{v.name}:{quote(text)}" for v in suitable[:MOST_OF_A_UNIT]]
 
 
-def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> str:
+def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> Sequence[str]:
     if ways := _results_in(name, values):
-        return ", ".join(ways)
+        return ways
     word = "-".join(name.lower().replace("_", " ").split())
     taken = [v.also for v in values if v.also and not v.is_absent]
-    return word if word in (*names, *taken) else ", ".join(nearest(word, names) or names)
+    return [word] if word in (*names, *taken) else nearest(word, names) or names
 
 
 def _ends(value: Value, of: Callable[[Value], Any]) -> Ends | None:

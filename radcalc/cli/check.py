@@ -7,7 +7,7 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Row, ShownInput
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, leave_out
 
 if TYPE_CHECKING:
     from radcalc.cli.options import Output
@@ -58,7 +58,7 @@ def judge(
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
-    output.refuse_auto("--check compares it with the answer given", "leave out --auto")
+    output.refuse_auto("--check compares it with the answer given", leave_out("auto"))
     verdict = check(question, claim, tolerance)
     answer = question.answer
     right = next(value for value in answer.values if value.name == verdict.result)

@@ -117,7 +117,7 @@ def command(
 
         checking.refuse_stream(check)
         return streams.convert(list(words), options, all_cases, steps, output)
-    line_options.refuse(options)
+    line_options.refuse(options, correct(words[0], "-") if words else "a - as VALUE")
     try:
         calls = conversions(list(words), all_cases)
     except NumberError:

@@ -15,11 +15,14 @@ from radcalc.cli.command import define
 from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError, quote_path
+from radcalc.errors import UsageError, call, leave_out, quote_path
 from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.quantities.symbols import WHOLE_SPHERE
 
-EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky:overcast"
+EXAMPLES = (
+    call("environment", "sky:overcast"),
+    call("environment", "map.hdr", unit="cd/m2", remark="for a picture"),
+)
 IRRADIANCE_MAP = click.Option(
     ["--irradiance-map"],
     metavar="FILE",
@@ -78,7 +81,7 @@ def command(
     for name in ("normal", "toward"):
         if name in typed:
             problem = f"--{name} does not apply when a map is written"
-            raise UsageError(problem, f"leave out --{name}")
+            raise UsageError(problem, leave_out(name))
     _refuse_source(path, operands["source"])
     given = one_case(typed, request)
     if irradiance_map:
@@ -86,14 +89,14 @@ def command(
             message = "--irradiance-map cannot be used with --reproject: each makes a file"
             raise UsageError(message, "only one of them")
         if to:
-            raise UsageError("--to does not apply to --irradiance-map", "leave out --to")
+            raise UsageError("--to does not apply to --irradiance-map", leave_out("to"))
         make = partial(page.irradiance_map, source, given, 2 if order else None)
         inputs = texts_of({**operands, "irradiance-map": path, "order": order or ""})
         return write_map(
             path, "irradiance map", make, request, output, (*inputs, *shown_inputs(given))
         )
     if order:
-        raise UsageError("--order does not apply to --reproject", "leave out --order")
+        raise UsageError("--order does not apply to --reproject", leave_out("order"))
     if not to:
         ways = " or ".join(f"--to {name}" for name in WHOLE_SPHERE)
         raise UsageError("the projection to write is missing", ways)

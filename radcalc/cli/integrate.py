@@ -10,7 +10,7 @@ from radcalc.cli.cases import cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, call
 
 UNIT = click.Option(
     ["--unit"],
@@ -29,7 +29,7 @@ def command(
 ) -> int:
     """Answer for an expression, with or without a unit."""
     if not words:
-        raise UsageError("an expression is missing", "radcalc integrate 'cos(theta)' --hemisphere")
+        raise UsageError("an expression is missing", call("integrate", "cos(theta)", hemisphere=""))
     all_cases = cases(typed, arrays=False, intervals=PAGE.intervals)
     text = " ".join(words)
     of = integrand(unit) if unit else BARE

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from radcalc.cli.options import Whole
-from radcalc.errors import UsageError, command, option
+from radcalc.errors import Hint, UsageError, command, option
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.terminal import INVALID
 from radcalc.tuples import NamedTuple
@@ -76,7 +76,7 @@ OPTIONS = (
 )
 
 
-def refuse(options: LineOptions, hint: str = command("convert", "-", "UNIT", "TARGET")) -> None:
+def refuse(options: LineOptions, hint: Hint) -> None:
     """Refuse an option for streams if there is no stream."""
     for name, value in zip(LineOptions._fields, options, strict=True):
         if value is not None and value in SYMBOLS["electric-field"].choices:

@@ -10,7 +10,7 @@ from radcalc.cli.answers import Answered, refuse_bare, show
 from radcalc.cli.cases import cases
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError, quote_path
+from radcalc.errors import UsageError, leave_out, quote_path
 from radcalc.inputs.given import Inputs, refuse_uncertain
 from radcalc.render.progress import progress
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 def one_case(typed: dict[str, str], request: Request) -> Inputs:
     """Return the inputs of the only map of a call."""
     if request.check is not None:
-        raise UsageError("--check does not apply when a map is written", "leave out --check")
+        raise UsageError("--check does not apply when a map is written", leave_out("check"))
     if request.plot:
-        raise UsageError("--plot does not apply when a map is written", "leave out --plot")
+        raise UsageError("--plot does not apply when a map is written", leave_out("plot"))
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1 or all_cases[0].stream:
         raise UsageError("one map is written at a time", "one value of everything")

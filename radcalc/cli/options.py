@@ -8,7 +8,7 @@ import click
 from radcalc import terminal
 from radcalc.answer import Result
 from radcalc.cli.spelling import spelled
-from radcalc.errors import UsageError
+from radcalc.errors import Hint, UsageError, leave_out, one_of
 from radcalc.quantities.language import ENGLISH, language
 from radcalc.render.formats import (
     CSV,
@@ -102,7 +102,7 @@ class Output(NamedTuple):
             lines = folded([spelled(line) for line in dict.fromkeys(remarks)])
         terminal.say(lines + [line for r in results for line in derivation(r.steps)])
 
-    def refuse_auto(self, problem: str, hint: str) -> None:
+    def refuse_auto(self, problem: str, hint: Hint) -> None:
         if self.style.auto:
             raise UsageError(f"--auto chooses a unit, but {problem}", hint)
 
@@ -199,12 +199,12 @@ def decide(
 ) -> Output:
     """Choose the format from the options and the kind of standard output."""
     if json_ and format_ not in (None, JSON):
-        raise UsageError(f"--json cannot be used with --format {format_}", "only one of them")
+        raise UsageError(f"--json cannot be used with --format {format_}", one_of("json", "format"))
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number cannot be used with another format than plain", "-n alone")
     if number and auto:
         raise UsageError(
-            "--number cannot be used with --auto: it prints no unit", "leave out --auto"
+            "--number cannot be used with --auto: it prints no unit", leave_out("auto")
         )
     asked = JSON if json_ else PLAIN if number else format_
     is_terminal = terminal.is_terminal()

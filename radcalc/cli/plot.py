@@ -10,7 +10,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, result, show
 from radcalc.cli.options import Output, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, leave_out
 from radcalc.inputs.given import Inputs
 from radcalc.render.formats import CSV, JSON, TABLE
 
@@ -24,7 +24,7 @@ IN_A_FILE = "--plot FILE.svg, which leaves the numbers alone"
 def refuse(request: Request, output: Output) -> None:
     """Refuse an impossible picture before anything is calculated."""
     if request.check is not None:
-        raise UsageError("--plot cannot be used with --check", "leave out --plot")
+        raise UsageError("--plot cannot be used with --check", leave_out("plot"))
     if request.plot != TO_TERMINAL:
         from radcalc.plots.figure import check_place, load_apart
 

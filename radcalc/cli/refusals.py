@@ -8,7 +8,16 @@ from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.cli.group import commands, context
 from radcalc.cli.help import COMMANDS
-from radcalc.errors import MINUS, MissingUnit, RadcalcError, correct, nearest, quote
+from radcalc.errors import (
+    MINUS,
+    MissingUnit,
+    RadcalcError,
+    Try,
+    correct,
+    corrections,
+    nearest,
+    quote,
+)
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
 from radcalc.render.formats import FORMATS
@@ -49,7 +58,9 @@ def join_unit(error: MissingUnit, words: list[str]) -> RadcalcError:
     try:
         if following and symbol and resolve(following[0]).dimension in symbol.dimensions:
             typed = f"{error.text} {following[0]}"
-            return error.reworded(hint=correct(typed, f"{error.text}{following[0]}", "one word"))
+            return error.reworded(
+                hint=correct(typed, f"{error.text}{following[0]}", remark="one word")
+            )
     except RadcalcError:
         pass
     called = "convert" if is_sentence(words) else next((w for w in words if w in SUMMARIES), "")
@@ -82,17 +93,17 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
         return RadcalcError(problem, after_command)
     if called == "convert" and typed in GET.opts:
         problem = f"convert has no {quote(typed)} option: a conversion has one result"
-        return RadcalcError(problem, "-n, for its bare number")
+        return RadcalcError(problem, Try((("number", ""),), (typed.lstrip("-"),)))
     problem = f"{called or 'radcalc'} has no {quote(typed)} option"
     if typed[2:] in FORMATS:
-        return RadcalcError(problem, f"--format {typed[2:]}")
+        return RadcalcError(problem, correct(typed, "--format", typed[2:]))
     known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
     near = [name for name in known if name.startswith(typed)] or _synonyms(typed, known)
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
         hint = f"{help_of(takers[0])}; commands with it: {', '.join(takers)}"
         return RadcalcError(problem, hint)
     near = near or nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
-    return RadcalcError(problem, f"{', '.join(near)} (see {help_})" if near else help_)
+    return RadcalcError(problem, corrections(typed, *near) if near else help_)
 
 
 def _synonyms(typed: str, known: list[str]) -> list[str]:

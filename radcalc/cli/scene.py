@@ -17,7 +17,7 @@ from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import ConditionError, UsageError, quote
+from radcalc.errors import ConditionError, UsageError, one_of, quote
 from radcalc.errors import command as call_of
 from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
@@ -269,7 +269,7 @@ def _points(at: tuple[str, ...], grid: Input | None) -> Points:
     from radcalc.distributions import scene
 
     if at and grid:
-        raise UsageError("--at cannot be used with --grid", "only one of them")
+        raise UsageError("--at cannot be used with --grid", one_of("at", "grid"))
     if grid:
         axes = [scene.Axis(*axis) for axis in grid.value]
         size = math.prod(axis.size for axis in axes)

@@ -14,7 +14,7 @@ from radcalc.cli.cases import Case, as_typed
 from radcalc.cli.command import define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, call
 from radcalc.inputs.given import Input
 from radcalc.inputs.reading import read
 from radcalc.quantities.language import ENGLISH
@@ -59,12 +59,12 @@ def command(
     if list_:
         if typed or column or unit or request != Request((), False, None, None):
             raise UsageError(
-                "--list takes no options, only words to search for", "radcalc spectrum --list"
+                "--list takes no options, only words to search for", call("spectrum", list="")
             )
         _show_list(" ".join(words), output)
         return terminal.ANSWERED
     if not words:
-        hint = "radcalc spectrum D65, or radcalc spectrum --list"
+        hint = [call("spectrum", "D65"), call("spectrum", list="")]
         raise UsageError("a source is missing", hint)
     refined = {name: read(name, text) for name, text in typed.items()}
     texts = [text for word in words for text in read_spectra(word)]

@@ -13,7 +13,16 @@ from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer, plan, target_of
-from radcalc.errors import NumberError, RadcalcError, Unused, UsageError, option, quote
+from radcalc.errors import (
+    NumberError,
+    RadcalcError,
+    Unused,
+    UsageError,
+    leave_out,
+    one_of,
+    option,
+    quote,
+)
 from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE
@@ -170,7 +179,7 @@ def calculate(
     """
     source = case.stream
     assert source is not None
-    output.refuse_auto("a stream has one unit for all lines", "leave out --auto")
+    output.refuse_auto("a stream has one unit for all lines", leave_out("auto"))
     _refuse_format(output)
     refuse_uncertain(case.given.values(), "a stream")
     layout = Layout.of(options, source.is_bare)
@@ -403,9 +412,9 @@ class Layout(NamedTuple):
 
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
     if options.field is not None and options.column is not None:
-        raise UsageError("--field cannot be used with --column", "only one of them")
+        raise UsageError("--field cannot be used with --column", one_of("field", "column"))
     if options.add is not None and options.rename is not None:
-        raise UsageError("--add cannot be used with --rename", "only one of them")
+        raise UsageError("--add cannot be used with --rename", one_of("add", "rename"))
     if options.rename is not None and not lines:
         raise UsageError("--rename needs a header", "--header, or --column NAME")
     if not has_unit and options.delimiter is None and options.field is not None and not lines:

@@ -1,9 +1,7 @@
 """Suggestions for a word that is not a command."""
 
 from radcalc.cli.help import COMMANDS
-from radcalc.errors import command as call_of
-from radcalc.errors import manual as help_of
-from radcalc.errors import nearest, quote
+from radcalc.errors import Hint, Try, call, correct, corrections, nearest
 
 # Words for the subjects of commands, if unlike the command's name.
 MEANT = {
@@ -24,30 +22,31 @@ MEANT = {
 }
 
 
-def meant(args: list[str]) -> str:
+def meant(args: list[str]) -> Hint:
     """Return the hint for a word that is not a command."""
     word = args[0].lower()
     if near := nearest(word, COMMANDS, 1, 0.75):
-        return f"{near[0]} (see radcalc --help)"
+        return correct(args[0], near[0])
     from radcalc.calculators.solid_angle import NAMES
 
     if word in NAMES:
-        return f"{call_of('solid-angle', word)} (see {help_of('solid-angle')})"
+        return correct(args[0], "solid-angle", word)
     names = [name for name, synonyms in MEANT.items() if word in synonyms.split()]
     if names:
-        return f"{names[0]} (see {help_of(names[0])})"
+        tries = corrections(args[0], *names[:2])
+        return tries if args[1:] else [call(names[0], "--help")]
     return _looked_up(args[0]) or _looked_up(" ".join(args)) or "radcalc --help"
 
 
-def _looked_up(word: str) -> str:
-    """Return the call that explains a unit, a quantity or a spectrum; '' for other words."""
+def _looked_up(word: str) -> Try | None:
+    """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
     from radcalc.quantities.targets import is_name
     from radcalc.spectra.sources import find_named
     from radcalc.units.scales import find
     from radcalc.units.table import unit_of
 
     if unit_of(word) or find(word):
-        return call_of("units", quote(word))
+        return call("units", word)
     if is_name(word):
-        return call_of("quantities", quote(word))
-    return call_of("spectrum", quote(word)) if find_named(word) else ""
+        return call("quantities", word)
+    return call("spectrum", word) if find_named(word) else None

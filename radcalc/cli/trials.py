@@ -23,7 +23,7 @@ Words = list[str]
 MOST = 3  # calls to make
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
-LONG = ("dose", "environment", "scene")
+LONG = ("dose", "scene")
 WRITES = ("--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 
@@ -45,10 +45,7 @@ class Trial(NamedTuple):
         """Return the first results, with their names unless the call names them."""
         named = called_in(self.words) != "convert" and "-g" not in self.words
         shown = self.rows[: NAMED if named else SHOWN]
-        texts = [
-            f"{row.name} " * named + f"{row.value:.6g} {row.unit.removesuffix('1')}".strip()
-            for row in shown
-        ]
+        texts = [f"{row.name} " * named + _shown(row) for row in shown]
         more = ["..."] if len(self.rows) > SHOWN and not named else []
         return ", ".join(filter(None, [*texts, *more, spelled(self.remark)]))
 
@@ -56,6 +53,11 @@ class Trial(NamedTuple):
         """Return the fields of JSON."""
         first = [{"value": row.value, "unit": row.unit} for row in self.rows[:1]]
         return {"command": self.command, "call": _in_python(self.words)} | dict(*first)
+
+
+def _shown(row: Row) -> str:
+    unit = "" if row.unit == "1" else f" {row.unit}"
+    return f"{row.value:.6g}{f' ± {row.uncertainty:.2g}' if row.uncertainty else ''}{unit}"
 
 
 def refuse(error: RadcalcError, words: Words) -> int:
@@ -131,13 +133,13 @@ def changed(words: Words, proposal: Try) -> Words | None:
         return list(_typed(proposal.words))
     call = list(words)
     if proposal.instead:
-        typed, correction = proposal.instead
+        typed, correction, *more = proposal.instead
         places = [k for k, word in enumerate(call) if typed in word]
         exact = [k for k in places if call[k] == typed]
         if not places:
             return _joined(call, typed, correction)
         k = (exact or places)[0]
-        call[k] = call[k].replace(typed, correction)
+        call[k : k + 1] = [call[k].replace(typed, correction), *more]
     command = called_in(call)
     known = {name: p for p in _parameters(command) for name in p.opts}
     for name in proposal.without:

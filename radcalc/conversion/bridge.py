@@ -161,7 +161,7 @@ class Bridge:
             slow = self.source.text.endswith(SLOW) and not self.target.text.endswith(SLOW)
             rate = self.source if slow else self.target
             total = _over_time(rate, end)
-            return correct(rate.text, total, "in all of that time")
+            return correct(rate.text, total, remark="in all of that time")
         return ""
 
     def _missing(self, unused: Sequence[str]) -> MissingCondition:

@@ -4,7 +4,7 @@ import math
 from decimal import ROUND_HALF_DOWN, ROUND_HALF_UP, Context, Decimal
 from typing import NamedTuple
 
-from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, option, quote
+from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, add, option, quote
 from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
 from radcalc.quantities.symbols import ANY, Symbol
@@ -164,7 +164,7 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
     """Read a tolerance: 1%, 0.01, 0.5lx or 3sf."""
     text = text.strip().lower() if text.strip().lower().endswith("sf") else text.strip()
     typed = option("tolerance", quote(text))
-    hint = f"{option('tolerance', '1%')}, 0.5lx (in the answer's unit) or 3sf (significant digits)"
+    hint = add("tolerance", "1%", "or a size such as 0.5lx, or 3sf for three significant digits")
     if text.endswith("sf"):
         if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
             raise ConditionError(f"{typed} is out of range", hint)

@@ -163,9 +163,24 @@ def check_limits(given: Input, limits: Limits) -> None:
         limit_text = limits.said
         if low == 0 and limits.without_low:
             limit_text = "more than 0"
-        raise Impossible(given.name, given.text, limit_text)
+        raise Impossible(given.name, given.text, limit_text, nearest=_nearest(given, low, limits))
     if maths.any_true(above):
-        raise Impossible(given.name, given.text, limits.said)
+        nearest = _nearest(given, high, limits) if not limits.without_high else ""
+        raise Impossible(given.name, given.text, limits.said, nearest=nearest)
+
+
+def _nearest(given: Input, bound: float, limits: Limits) -> str:
+    """Return the bound in the typed unit; for a negative value the value without its sign."""
+    text = given.text.lstrip("-")
+    if maths.is_array(given.value) or given.symbol.form != QUANTITY:
+        return ""
+    if bound == 0:
+        return text if given.value < 0 and abs(given.value) <= limits.high else ""
+    unit = given.unit
+    if unit and unit.is_scale:
+        return ""
+    number = bound / (unit.factor if unit else 1)
+    return f"{number:.12g}{given.unit_text if unit else ''}"
 
 
 def require(given: Input, good: bool, limit: str) -> None:

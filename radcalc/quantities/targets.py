@@ -5,7 +5,7 @@ The name of a unit takes precedence over that of a quantity.
 
 from typing import NamedTuple
 
-from radcalc.errors import UnitError, manual, nearest, quote
+from radcalc.errors import UnitError, corrections, manual, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import EXITANCES, KINDS, read
 from radcalc.quantities.names import MISNOMERS, PPF, PPFD, QUANTITIES, Quantity
@@ -152,10 +152,11 @@ def _unknown(text: str) -> UnitError:
         alike = [known[name] for name in nearest(comparable(text), known, 4, 0.75)]
         near = [name for name in alike if len(_meanings(name, None)) == 1][:2]
         if near:
-            hint = ", ".join(dict.fromkeys([*near, *suggest(text)]))
-            unknown = unknown.reworded(hint=hint)
+            others = dict.fromkeys([*near, *suggest(text)])
+            unknown = unknown.reworded(hint=corrections(text, *others))
         elif " " in text.strip() and (similar := names_like(text, 2)):  # a quantity, not a unit
-            unknown = UnitError(f"unknown unit or quantity '{quote(text)}'", ", ".join(similar))
+            problem = f"unknown unit or quantity '{quote(text)}'"
+            unknown = UnitError(problem, corrections(text, *similar))
     return unknown
 
 
@@ -163,5 +164,6 @@ def _ambiguous(text: str, meanings: list[Target]) -> UnitError:
     names = [f"{target.name} ({target.unit})" for target in meanings]
     units = dict.fromkeys(target.unit.replace(" ", ".") for target in meanings)
     return UnitError(
-        f"'{quote(text)}' is ambiguous: {', '.join(names[:-1])} or {names[-1]}", ", ".join(units)
+        f"'{quote(text)}' is ambiguous: {', '.join(names[:-1])} or {names[-1]}",
+        corrections(text, *units),
     )

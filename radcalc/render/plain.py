@@ -156,11 +156,11 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
 
 def refuse_verdict() -> None:
     """Raise an error for a verdict in a format of values only."""
-    from radcalc.errors import UsageError, option
+    from radcalc.errors import Try, UsageError, option
 
     raise UsageError(
         f"the result of {option('check')} is a verdict, in words or as JSON",
-        f"{option('json')}, or neither",
+        Try((("json", ""),), ("format",)),
     )
 
 

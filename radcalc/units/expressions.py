@@ -13,7 +13,17 @@ Units belong to the number before them: `800 lm / 2 m2` is 400 lm/m2.  Ambiguous
 
 import math
 
-from radcalc.errors import ExpressionError, NumberError, UnitError, command, measured, quote
+from radcalc.errors import (
+    ExpressionError,
+    Hint,
+    NumberError,
+    UnitError,
+    command,
+    correct,
+    corrections,
+    measured,
+    quote,
+)
 from radcalc.units.compiled import NAMES
 from radcalc.units.dimensions import ANGLE
 from radcalc.units.grammar import MAX_DEPTH, NAMED, SUPERSCRIPTS, Scanner, parse_unit, plain
@@ -187,12 +197,12 @@ class Calculator(Scanner):
     def error(self, problem: str, hint: str = "") -> ExpressionError:
         return self.wrong(problem, hint or HINT)
 
-    def wrong(self, problem: str, hint: str = HINT) -> ExpressionError:
+    def wrong(self, problem: str, hint: Hint = HINT) -> ExpressionError:
         return ExpressionError(f"'{quote(self.text)}' {problem}", hint)
 
     def two_ways(self, first: str, second: str) -> ExpressionError:
-        ways = " or ".join(quote(" ".join(reading.split())) for reading in (first, second))
-        return self.wrong("is ambiguous", ways)
+        ways = [" ".join(reading.split()) for reading in (first, second)]
+        return self.wrong("is ambiguous", corrections(self.text, *ways))
 
     def slice(self, start: int, end: int) -> str:
         return self.text[start:end].strip()
@@ -240,7 +250,7 @@ class Calculator(Scanner):
             term, is_numbered = self.product()
             if not has_number or not is_numbered:
                 bare = self.slice(start, self.at) if has_number else self.slice(before, start - 1)
-                raise self.wrong(f"has no number at '{quote(bare)}'", f"1 {quote(bare)}")
+                raise self.wrong(f"has no number at '{quote(bare)}'", correct(bare, f"1 {bare}"))
             terms_before = self.slice(before, start).rstrip(f"{SIGNS} ")
             self.refuse_unlike(value, term, sign, terms_before, self.slice(start, self.at))
             value = value.plus(term, sign)
@@ -259,15 +269,15 @@ class Calculator(Scanner):
             return
         if a == b:
             return
-        hint = "terms of one quantity"
+        hint: Hint = "terms of one quantity"
         plus = "+" if sign > 0 else "-"
         if other.dimension == NUMBER and other.units:  # 100 lx + 10%
-            hint = f"{quote(terms_before)} * (1 {plus} {quote(term)})"
+            hint = correct(f"{terms_before} {plus} {term}", f"{terms_before} * (1 {plus} {term})")
         elif units[0] and not units[1]:  # 100 lx + 3
-            hint = quote(f"{terms_before} {plus} {term} {units[0].text}")
+            hint = correct(term, f"{term} {units[0].text}")
         elif units[1] and not units[0] and term.endswith(units[1].text):  # 500 + 200 lx
             number = term.removesuffix(units[1].text).strip()
-            hint = quote(f"({terms_before} {plus} {number}) {units[1].text}")
+            hint = correct(self.text, f"({terms_before} {plus} {number}) {units[1].text}")
         named = [measured(unit.text) if unit else "a bare number" for unit in units]
         link = " and " if sign > 0 else " from "
         if sign < 0:

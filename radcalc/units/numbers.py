@@ -10,7 +10,7 @@ A DECIMAL after a solidus cannot be followed by pi: `2/3pi` is ambiguous.
 import math
 from sys import float_info
 
-from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, quote
+from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, corrections, quote
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -239,7 +239,7 @@ def _rewritten(
     is_power = text[:start].rstrip(SIGNS)[-1:] in ("e", "E")  # 1e3,5
     runs = [] if is_power else readings(text[start:end])
     rewritten = [f"{text[:start]}{run}{text[end:]}".strip() for run in runs]
-    hint = " or ".join(map(quote, rewritten)) or "a number such as 1500 or 1.5, without commas"
+    hint = corrections(text, *rewritten) or "a number such as 1500 or 1.5, without commas"
     return NumberError(f"'{quote(text)}' {problem}", hint)
 
 

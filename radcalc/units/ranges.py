@@ -12,6 +12,7 @@ from radcalc.errors import (
     RadcalcError,
     TooMany,
     ambiguous,
+    correct,
     quote,
 )
 from radcalc.units.amounts import split_value
@@ -128,7 +129,7 @@ def _cut_unit(text: str) -> tuple[str, str]:
     if _is_part(last) and not all(map(_is_part, values)):
         bracketed = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*values, last)]
         problem = ambiguous(text, "only the last value or all are in %")
-        raise ConditionError(problem, quote(mark.join(bracketed)))
+        raise ConditionError(problem, correct(text, mark.join(bracketed)))
     unit = "" if any(map(_unit_in, values)) else _unit_in(last)
     if not unit or not last.endswith(unit):
         return mark.join([*values, last]), ""
@@ -167,7 +168,8 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
         for word, next_word in pairwise(words):
             if word.endswith(","):
                 problem = f"'{quote(word)} {quote(next_word)}' has a blank in its list"
-                raise ConditionError(problem, quote(_without_blank(word, next_word)))
+                better = correct(f"{word} {next_word}", _without_blank(word, next_word))
+                raise ConditionError(problem, better)
         values, between = read_values(words[0]), words[1:-1]
         _refuse_commas(words[0], values, *words[1:2])
         targets = _targets(words[-1]) if len(words) > 1 else []
@@ -204,7 +206,8 @@ def _targets(text: str) -> list[str]:
     targets = [target.strip() for target in text.split(",")]
     if len(targets) > 1 and not all(targets):
         there = ",".join(filter(None, targets)) or "lx,fc"
-        raise ConditionError(f"a unit is missing in the list '{quote(text)}'", quote(there))
+        problem = f"a unit is missing in the list '{quote(text)}'"
+        raise ConditionError(problem, correct(text, there))
     return targets
 
 

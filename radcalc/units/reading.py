@@ -2,11 +2,13 @@
 
 from radcalc.errors import (
     ExpressionError,
+    Hint,
     NumberError,
     RadcalcError,
     UnitError,
     UsageError,
-    command,
+    call,
+    correct,
     quote,
 )
 from radcalc.units.amount import Amount
@@ -55,7 +57,7 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     if is_signed and (amount := read_sum(text)):
         return amount
     if meant := sum_meant(text):
-        raise UnitError(f"'{quote(text)}' has several numbers", f"'{quote(meant)}'")
+        raise UnitError(f"'{quote(text)}' has several numbers", correct(text, meant))
     if problem:
         raise problem
     return read_plain(text, number, unit, dimensions)
@@ -111,7 +113,7 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
                 continue
             if meant := sum_meant(" ".join(words[:end])):
                 typed = quote(" ".join(words[:end]))
-                hint = command("convert", meant, *words[end:])
+                hint = call("convert", meant, *words[end:])
                 raise UsageError(f"'{typed}' has several numbers", hint) from None
         raise
 
@@ -133,7 +135,7 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
         amount = with_unit(amount, "1")
     if amount.unit is None:
         is_plain = words[0].replace(".", "").isalnum()
-        hint = EXAMPLE if is_plain else command("convert", quote(words[0]), "to", "1")
+        hint: Hint = EXAMPLE if is_plain else call("convert", words[0], "to", "1")
         raise UsageError(f"the unit of '{quote(words[0])}' is missing", hint)
     if rest and not rest[0].strip():
         raise UsageError("the unit to convert to is missing", EXAMPLE)
@@ -217,7 +219,8 @@ def _has_unit(text: str) -> bool:
 def _too_many(unit: str, rest: list[str]) -> UsageError:
     if rest[0].lower() in SEPARATORS + ALSO_UNITS and rest[1:]:
         return UsageError(
-            f"'{quote(rest[0])}' does not separate units", f"{quote(unit)} to {quote(rest[1])}"
+            f"'{quote(rest[0])}' does not separate units",
+            correct(f"{rest[0]} {rest[1]}", f"to {rest[1]}"),
         )
     hint = "quotes around a unit of several words, or 'to' between the units"
     if any(word in OPERATORS for word in rest):

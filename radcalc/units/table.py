@@ -3,7 +3,17 @@
 Factors are exact ratios of whole numbers, so the factor between any two units is rounded once.
 """
 
-from radcalc.errors import RadcalcError, UnitError, ambiguous, command, nearest, quote
+from radcalc.errors import (
+    RadcalcError,
+    Try,
+    UnitError,
+    ambiguous,
+    command,
+    correct,
+    corrections,
+    nearest,
+    quote,
+)
 from radcalc.units.compiled import (
     NAMES,
     NOTES,
@@ -148,8 +158,12 @@ def _multiplied_by_length(text: str, length: str) -> UnitError:
     """Return the error for W m and the like, where a blank may mean a division."""
     return UnitError(
         f"the unit '{quote(text)}' has a length that multiplies light",
-        f"{_with(text, length, f'({length}-1)-1')} for a density per wavenumber, "
-        f"{_with(text, length, f'{length}-1')} for one per length",
+        [
+            correct(
+                text, _with(text, length, f"({length}-1)-1"), remark="a density per wavenumber"
+            ),
+            correct(text, _with(text, length, f"{length}-1"), remark="a density per length"),
+        ],
     )
 
 
@@ -206,32 +220,30 @@ def _unknown(spelling: str) -> UnitError:
     folded = spelling.lower()
     same = [s for s in (*_prefixed(), *scale_table.spellings()) if s.lower() == folded]
     if same:
-        return UnitError(f"unknown unit '{typed}'", ", ".join(same[:3]))
+        return UnitError(f"unknown unit '{typed}'", corrections(spelling, *same[:3]))
     for prefixes, text in ((PREFIX_SYMBOLS, spelling), (PREFIX_NAMES, name)):
         for prefix in prefixes:
             stem = text[len(prefix) :]
             if text.startswith(prefix) and (stem in SYMBOLS or stem.lower() in NAMES):
                 return UnitError(
                     f"unknown unit '{typed}': the prefix {prefix} does not go before {quote(stem)}",
-                    _respelt(PREFIX_SYMBOLS.get(prefix, prefix), stem),
+                    _respelt(spelling, PREFIX_SYMBOLS.get(prefix, prefix), stem),
                 )
     near = suggest(spelling)
     if not near and not spelling.isascii():
         from radcalc.units import languages
 
         near = languages.near(spelling)
-    return UnitError(
-        f"unknown unit '{typed}'",
-        ", ".join(near) if near else f"{command('units')}, which lists them all",
-    )
+    hint = corrections(spelling, *near) or f"{command('units')}, which lists them all"
+    return UnitError(f"unknown unit '{typed}'", hint)
 
 
-def _respelt(prefix: str, rest: str) -> str:
+def _respelt(typed: str, prefix: str, rest: str) -> Try:
     """Return the unit with its prefix in full if it takes the prefix, else without."""
     name = NAMES.get(rest.lower(), "")
     if name and prefix in UNITS[name][3]:
-        return prefix + rest.lower()
-    return f"{rest}, with the power of ten in the number"
+        return correct(typed, prefix + rest.lower())
+    return correct(typed, rest, remark="with the power of ten in the number")
 
 
 def suggest(spelling: str) -> list[str]:

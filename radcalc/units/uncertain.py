@@ -13,7 +13,16 @@ from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
 
-from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, ambiguous, quote
+from radcalc.errors import (
+    MINUS,
+    NumberError,
+    RadcalcError,
+    UnitError,
+    ambiguous,
+    correct,
+    corrections,
+    quote,
+)
 from radcalc.units.numbers import (
     DIGITS,
     SEPARATORS,
@@ -131,8 +140,8 @@ def _with_sign(text: str) -> Reading | None:
         return _of_quantity(text, value, resolve_any(unit_text), uncertainty, after)
     if after == PERCENT:
         as_percents = f"({value_text}±{uncertainty_text[:-1].strip()})%"
-        ways = f"{as_percents}, or {value_text}±{abs(value) * uncertainty / 100:.6g}"
-        raise NumberError(ambiguous(text), quote(ways))
+        as_part = f"{value_text}±{abs(value) * uncertainty / 100:.6g}"
+        raise NumberError(ambiguous(text), corrections(text, as_percents, as_part))
     if after.startswith(PERCENT):
         unit = resolve_any(after[1:].strip())
         return Reading(value, unit, _part_of(text, value, uncertainty, unit))
@@ -143,12 +152,12 @@ def _of_quantity(
     text: str, value: float, unit: Unit, number: float, unit_of_uncertainty: str
 ) -> Reading:
     if not unit_of_uncertainty:
-        better = f"{value:.15g}±{number:.15g} {unit.text}"
-        raise UnitError(f"the unit of the uncertainty of '{quote(text)}' is missing", quote(better))
+        better = correct(text, f"{value:.15g}±{number:.15g} {unit.text}")
+        raise UnitError(f"the unit of the uncertainty of '{quote(text)}' is missing", better)
     if unit_of_uncertainty == PERCENT and unit.text == PERCENT:
         as_percents = f"({value:.15g}±{number:.15g})%"
-        ways = f"{as_percents}, or ({value:.15g}±{abs(value) * number / 100:.6g})%"
-        raise NumberError(ambiguous(text), ways)
+        as_part = f"({value:.15g}±{abs(value) * number / 100:.6g})%"
+        raise NumberError(ambiguous(text), corrections(text, as_percents, as_part))
     if unit_of_uncertainty == PERCENT:
         return Reading(value, unit, _part_of(text, value, number, unit))
     other_unit = resolve_any(unit_of_uncertainty)
