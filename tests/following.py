@@ -27,7 +27,14 @@ from radcalc.units.uncertain import SIGN, signed
 
 Words = list[str]
 STEPS = 6  # hints followed one after another, if a call has several errors
-LINES = (b"1\n", b"1 lx\n", b"E,F\n1,2\n", b"E,F\n1 lx,2 lx\n", b"1 2\n")  # for a stream
+LINES = (
+    b"1\n",
+    b"1 lx\n",
+    b"E,F\n1,2\n",
+    b"E,F\n1 lx,2 lx\n",
+    b"1 2\n",
+    b"E F\n1 2\n",
+)  # for a stream
 
 # Hints in prose: they describe what is possible, without a call to type.
 PROSE = (
@@ -110,11 +117,14 @@ def unlike(words: Words, answer: str, lines: bytes) -> str:
     if not good:
         return f"refused: {outcomes[0].error}"
     outcome = good[0]
-    if not answer:
+    if not answer or "--check" in words:
         return ""
     shown = NUMBER.search(answer.rpartition(" ")[0] or answer)
     numbers = [float(number) for number in NUMBER.findall(outcome.output)]
-    if shown and not any(isclose(float(shown[0]), number, rel_tol=1e-5) for number in numbers):
+    if shown and not any(
+        isclose(float(shown[0]), number, rel_tol=0.01 if "±" in answer else 1e-5)
+        for number in numbers
+    ):
         return f"answers {outcome.output!r}, not {answer!r}"
     return ""
 

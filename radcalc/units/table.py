@@ -162,7 +162,7 @@ def _multiplied_by_length(text: str, length: str) -> UnitError:
             correct(
                 text, _with(text, length, f"({length}-1)-1"), remark="a density per wavenumber"
             ),
-            correct(text, _with(text, length, f"{length}-1"), remark="a density per length"),
+            correct(text, _with(text, length, f"{length}-1"), remark="per length"),
         ],
     )
 
