@@ -11,13 +11,16 @@ from radcalc.errors import (
     MissingUnit,
     NumberError,
     RadcalcError,
+    Try,
+    add,
     option,
     quote,
 )
 from radcalc.inputs.given import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
 from radcalc.quantities.light import describe
-from radcalc.quantities.symbols import SPECTRUM, Symbol
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
 from radcalc.units.amount import Amount
 from radcalc.units.dimensions import ANGLE, ENERGY, TIME
 from radcalc.units.numbers import parse_number, relative_rounding
@@ -167,7 +170,14 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
 
         example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
     problem = f"{option(name)} takes {symbol.takes}, not {describe(unit)}"
-    return ConditionError(problem, option(name, example))
+    light = read_light(unit)
+    if light and symbol.kind and light.kind != symbol.kind:  # 5 W as a luminous flux
+        other = specific_name(symbol.generic, light.kind)
+        if other in SYMBOLS and unit.dimension in SYMBOLS[other].dimensions:
+            return ConditionError(problem, Try(((other, text),), (name,)))
+    if name != "bandwidth" and not unit.is_scale and not maths.is_array(amount.number):
+        example = with_likely_unit(symbol, f"{amount.number:.12g}")
+    return ConditionError(problem, add(name, example))
 
 
 def takes_scale(name: str, scale: Unit) -> bool:
