@@ -13,6 +13,7 @@ from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity
 from radcalc.api.reading import broadcast, read_inputs, refuse_lazy, together
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
+from radcalc.conversion.formulas import as_law
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer as answer_of
 from radcalc.conversion.plan import plan, target_of
@@ -257,6 +258,8 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     else:
         magnitude, source = value, None
     given = [*read_inputs(conditions).values()]
+    if isinstance(value, str) and source and not given and amount.rounding is not None:
+        source, _ = as_law(amount.text, source, target_of(target, source))
     is_one = isinstance(magnitude, (int, float)) and abs(magnitude) < LARGEST
     conversion = _plan_of(source, target, given, f"{magnitude:.12g}" if is_one else "1")
     if _has_uncertainty(magnitude):

@@ -150,6 +150,7 @@ class Conversion(NamedTuple):
     source: Unit
     targets: Sequence[Unit]
     case: Case
+    formula: str = ""
 
     @property
     def conditions(self) -> list[Input]:
@@ -172,7 +173,11 @@ class Conversion(NamedTuple):
             results.append(result)
         return Result(
             tuple(row for result in results for row in result.rows),
-            tuple(dict.fromkeys(text for result in results for text in result.assumptions)),
+            tuple(
+                dict.fromkeys(
+                    filter(None, (self.formula, *(a for r in results for a in r.assumptions)))
+                )
+            ),
             tuple(
                 dict.fromkeys((*self.case.notes, *(n for result in results for n in result.notes)))
             ),
@@ -210,9 +215,14 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
         assert source is not None
         targets = [target_of(text, source) for text in texts]
         which = (ShownInput("", text=amount.text),) if len(lists) > 1 else ()
+        formula = ""
+        if amount.rounding is not None and len(targets) == 1 and not all_cases[0].given:
+            from radcalc.conversion.formulas import as_law
+
+            source, formula = as_law(amount.text, source, targets[0])
         for case in all_cases:
             labelled = Case(case.given, (*which, *case.varied), (*notes, *case.notes))
-            calls.append(Conversion(amount, value, source, targets, labelled))
+            calls.append(Conversion(amount, value, source, targets, labelled, formula))
     return calls
 
 
