@@ -179,15 +179,15 @@ class Try:
 
     def __str__(self) -> str:
         """Return the change in words, or the call, with mentions."""
-        added = " with ".join([option(name, value) for name, value in self.inputs])
+        added = " with ".join([option(name, quote(value)) for name, value in self.inputs])
         left_out = f"leave out {options(self.without, ' and ')}" if self.without else ""
         if added and left_out:
             left_out = f"in place of {options(self.without, ' and ')}"
         text = f"{added} {left_out}".strip() if added else left_out
         if self.instead:
-            text = " ".join(self.instead[1:])
+            text = quote(" ".join(self.instead[1:]))
         if self.words:
-            text = command(*self.words)
+            text = command(*map(quote, self.words))
         return f"{text}, {self.remark}" if self.remark else text
 
 

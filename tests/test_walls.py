@@ -375,7 +375,7 @@ def test_a_calculator_imports_only_its_own_page(words):
 
 
 @pytest.mark.parametrize(
-    "words", [("--help",), ("-h",), ("--version",), (), ("covnert",), ("covnert", "1"), ("--hlep",)]
+    "words", [("--help",), ("-h",), ("--version",), (), ("quxqux",), ("quxqux", "1"), ("--hlep",)]
 )
 def test_the_help_and_a_wrong_command_import_no_commands(words):
     assert not loaded_by(*words) & (OF_COMMANDS | HEAVY - {"click"})

@@ -49,11 +49,11 @@ def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str,
             call, answer = (
                 _other(proposal) if proposal.words else _changed(proposal, function, given)
             )
-        except (RadcalcError, TypeError, LookupError):
+        except (RadcalcError, TypeError, ValueError, LookupError):
             continue
         remark = spell(proposal.remark, PythonHint)
         texts.append("\n     ".join([call, ", ".join(filter(None, [_text(answer), remark]))]))
-    typed = {name for proposal in error.tries for name, _ in proposal.inputs}
+    typed = {name for proposal in error.tries[:MOST] for name, _ in proposal.inputs}
     typed |= {name for proposal in error.tries for name in (*proposal.without, "get")}
     if texts and (others := [name for name in mentioned(error.hint) if name not in typed]):
         help_ = Python.manual(symbol_name(function.__name__))
@@ -99,7 +99,9 @@ def _other(proposal: Try) -> tuple[str, Any]:
         keyword(name): value or SYMBOLS[name].form == FLAG or page_of(command).symbol(name).example
         for name, value in inputs.items()
     }
-    function = getattr(sys.modules["radcalc"], keyword(command)).__wrapped__
+    function = getattr(getattr(sys.modules["radcalc"], keyword(command), None), "__wrapped__", None)
+    if function is None:
+        raise LookupError
     answer = function(*operands, **arguments)
     if wanted:
         name, _, unit = wanted.partition(":")

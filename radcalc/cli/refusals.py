@@ -12,7 +12,6 @@ from radcalc.errors import (
     MINUS,
     MissingUnit,
     RadcalcError,
-    Try,
     correct,
     corrections,
     nearest,
@@ -93,7 +92,7 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
         return RadcalcError(problem, after_command)
     if called == "convert" and typed in GET.opts:
         problem = f"convert has no {quote(typed)} option: a conversion has one result"
-        return RadcalcError(problem, Try((("number", ""),), (typed.lstrip("-"),)))
+        return RadcalcError(problem, "-n, for its bare number")
     problem = f"{called or 'radcalc'} has no {quote(typed)} option"
     if typed[2:] in FORMATS:
         return RadcalcError(problem, correct(typed, "--format", typed[2:]))

@@ -70,7 +70,7 @@ def refuse(error: RadcalcError, words: Words) -> int:
         terminal.write(refusal(error, message, hint, [trial.record() for trial in shown]))
     hints = lines(error, words, shown) if shown else None
     if error.tries and not shown and is_refused(error, words):
-        hints = [f"try: {' '.join(['radcalc', called_in(words), '--help'])}"]
+        hints = [f"try: {' '.join(filter(None, ['radcalc', called_in(words), '--help']))}"]
     return terminal.complain(error, Shell, hints)
 
 
@@ -84,6 +84,8 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
         while proposal and count < MOST:
             changed_call = changed(call, proposal)
             if changed_call is None or changed_call in (words, *(other.words for other in made)):
+                break
+            if not all(map(str.isprintable, changed_call)):  # cannot be pasted
                 break
             call, remark = changed_call, ", ".join(filter(None, [remark, proposal.remark]))
             count += 1
@@ -112,7 +114,7 @@ def lines(error: RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str
         texts.append(start + trial.command)
         if trial.outcome:
             texts.append("     " + trial.outcome)
-    typed = {name for proposal in error.tries for name, _ in proposal.inputs}
+    typed = {name for proposal in error.tries[:MOST] for name, _ in proposal.inputs}
     left_out = {name for proposal in error.tries for name in proposal.without}
     known = {*typed, *left_out, "get"}
     others = [f"--{name}" for name in mentioned(error.hint) if name not in known]
@@ -213,9 +215,9 @@ def _is_short(words: Words) -> bool:
 
     A call that reads standard input or a file, or writes one, or works long, is not tried.
     """
-    quick = called_in(words) in SUMMARIES and called_in(words) not in LONG
+    quick = words[0] != "help" and called_in(words) in SUMMARIES and called_in(words) not in LONG
     if not quick or any(map(is_stream, words)) or {*words} & {*WRITES}:
-        if not {*words} & {*HELP_NAMES, "-"}:
+        if not {*words} & {*HELP_NAMES, "help", "-"}:
             top = context()
             name, command, rest = commands.resolve_command(top, protect_negatives(words))
             if command:

@@ -170,14 +170,14 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
 
         example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
     problem = f"{option(name)} takes {symbol.takes}, not {describe(unit)}"
-    light = read_light(unit)
+    light, hints = read_light(unit), []
     if light and symbol.kind and light.kind != symbol.kind:  # 5 W as a luminous flux
         other = specific_name(symbol.generic, light.kind)
         if other in SYMBOLS and unit.dimension in SYMBOLS[other].dimensions:
-            return ConditionError(problem, Try(((other, text),), (name,)))
+            hints.append(Try(((other, text),), (name,)))
     if name != "bandwidth" and not unit.is_scale and not maths.is_array(amount.number):
         example = with_likely_unit(symbol, f"{amount.number:.12g}")
-    return ConditionError(problem, add(name, example))
+    return ConditionError(problem, [*hints, add(name, example)])
 
 
 def takes_scale(name: str, scale: Unit) -> bool:
