@@ -45,7 +45,7 @@ class Parts(io.RawIOBase):
     def __init__(self, room: int) -> None:
         super().__init__()
         self.room = room
-        self.taken = b""
+        self.taken = bytearray()  # an answer may have megabytes
 
     def writable(self) -> bool:
         return True
@@ -74,7 +74,7 @@ def call(words: list[str], text: bytes, parts: Parts | None = None) -> Seen:
     stdin = io.TextIOWrapper(io.BytesIO(text))
     with redirect_stdout(out), redirect_stderr(err), patch.object(sys, "stdin", stdin):
         status = run(words)
-    return Seen(status, parts.taken if parts else whole.getvalue(), said.getvalue().decode())
+    return Seen(status, bytes(parts.taken) if parts else whole.getvalue(), said.getvalue().decode())
 
 
 def corpus() -> list[list[str]]:
