@@ -21,6 +21,7 @@ from radcalc.maths import Number, each
 ACCURACY = 1e-6  # [1] best accuracy of the flux through arcs above the horizon
 UNCERTAIN = 0.01  # [1] share of the whole flux's error that a part may add to it
 ANGLES = 20_000  # angles between straight down and the horizon in the search for an irradiance
+FAR = 80  # largest -ln of the angle from straight down, or from the horizon: 1e-35 rad
 SAME = 1e-9  # [1] relative difference at which a place found has the wanted irradiance
 COUNTS = (4, 8, 16, 32, 64, 128)  # radii sampled in a disc, each at twice as many angles
 ENOUGH = 1e-5  # [1] of the light on a disc: a smaller change ends the refinement
@@ -160,10 +161,10 @@ def heights(
     """
     x, y = lateral * math.cos(bearing), lateral * math.sin(bearing)
 
-    def light(off: Any) -> Any:
-        return relative_irradiance(distribution, pose, x, y, lateral / numpy.tan(off))
+    def light(slope: Any) -> Any:
+        return relative_irradiance(distribution, pose, x, y, lateral * numpy.exp(-slope))
 
-    return tuple(lateral / math.tan(off) for off in _angles_with(light, wanted, "height"))
+    return tuple(lateral * math.exp(-slope) for slope in _slopes_with(light, wanted, "height"))
 
 
 def laterals(
@@ -182,33 +183,35 @@ def laterals(
     """
     x, y = math.cos(bearing), math.sin(bearing)
 
-    def light(off: Any) -> Any:
-        lateral = height * numpy.tan(off)
+    def light(slope: Any) -> Any:
+        lateral = height * numpy.exp(slope)
         return relative_irradiance(distribution, pose, x * lateral, y * lateral, height)
 
-    return tuple(height * math.tan(off) for off in _angles_with(light, wanted, "offset"))
+    return tuple(height * math.exp(slope) for slope in _slopes_with(light, wanted, "offset"))
 
 
-def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[float]:
-    off = numpy.linspace(0.0, math.pi / 2, ANGLES + 1)[:-1]
-    off[0] = 1e-9  # straight down, but not 0, for which the height would be infinite
-    above = light(off) >= wanted
-    angles = []
+def _slopes_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[float]:
+    """Return ln(tan(off)) of the angles off the vertical at which the light is as wanted."""
+    off = numpy.linspace(0.0, math.pi / 2, ANGLES + 1)[1:-1]
+    steep = numpy.linspace(math.log(off[0]), -FAR, FAR)  # near straight down, and the horizon
+    slopes = numpy.concatenate([steep[:0:-1], numpy.log(numpy.tan(off)), -steep[1:]])
+    above = light(slopes) >= wanted
+    found = []
     for k in numpy.flatnonzero(above[:-1] != above[1:]):
         holds = partial(_is_so, light, wanted, above[k])
-        low = last_where(holds, float(off[k]), float(off[k + 1]))
+        low = last_where(holds, float(slopes[k]), float(slopes[k + 1]))
         # at a jump of the light, as at the edge of a table, no place has exactly this irradiance
         if abs(light(numpy.array([low]))[0] - wanted) <= SAME * wanted:
-            angles.append(low)
-    if not angles:
+            found.append(low)
+    if not found:
         raise ConditionError(
             f"no {what} gives exactly that irradiance", "another irradiance, flux or intensity"
         )
-    return angles
+    return found
 
 
-def _is_so(light: Callable[[Any], Any], wanted: float, is_above: bool, off: Any) -> Any:
-    return (light(off) >= wanted) == is_above
+def _is_so(light: Callable[[Any], Any], wanted: float, is_above: bool, slope: Any) -> Any:
+    return (light(slope) >= wanted) == is_above
 
 
 def on_plane(

@@ -28,7 +28,6 @@ from radcalc.maths import (
     acos,
     atan,
     atan2,
-    cos,
     exp,
     expm1,
     hypot,
@@ -336,17 +335,21 @@ def _heights_of(part: Any, lateral: Any, exponent: Any) -> Any:
     if lateral == 0:
         return sqrt(1 / part)
 
-    def excess(off: float) -> float:
-        return float(
-            (exponent + 1) * log(cos(off)) + 2 * log(sin(off)) - log(part * lateral * lateral)
-        )
+    wanted = log(part) + 2 * log(lateral)
 
-    brightest = atan(sqrt(2 / (exponent + 1)))
-    angles = _both_sides(excess, 1e-9, brightest, math.pi / 2 - 1e-9, "height")
-    return Several(lateral / tan(off) for off in angles)
+    def excess(slope: float) -> float:  # ln(tan(gamma)), which is precise at both ends
+        dimming = math.log1p(math.exp(-2 * abs(slope))) + 2 * max(slope, 0.0)  # -2 ln(cos(gamma))
+        return float(2 * slope - (exponent + 3) / 2 * dimming - wanted)
+
+    brightest = log(2 / (exponent + 1)) / 2
+    low, high = wanted / 2, -wanted / (exponent + 1)  # with the cosine or the sine as 1
+    ends = min(low, brightest) - 1, max(high, brightest) + 1
+    slopes = _both_sides(excess, ends[0], brightest, ends[1], "height")
+    return Several(lateral * exp(-slope) for slope in slopes)
 
 
 ROUNDING = 1e-12  # [1] of the light at the brightest place
+SAME = 4e-15  # [1] of it: with less than this to spare, two places are one
 
 
 def _both_sides(
@@ -359,7 +362,7 @@ def _both_sides(
         f"more light than any {what} gives there",
         "less irradiance, or more flux or intensity",
     )
-    if most <= 0:
+    if most <= SAME:
         return (top,)
     ends = [end for end in (low, high) if excess(end) < 0]
     return tuple(limit(lambda at: excess(at) >= 0, end, top) for end in ends)

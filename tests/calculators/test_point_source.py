@@ -248,3 +248,31 @@ def test_an_incidence_turns_a_receiver_whose_place_is_given():
         assert number(found, "illuminance", "lx") == pytest.approx(21.6506, rel=1e-5)
     with pytest.raises(ConditionError, match="out of range"):
         point_source(intensity="100 cd", incidence="90 deg", height="2 m")
+
+
+@pytest.mark.parametrize(
+    "source", [{"intensity": "100 cd"}, {"distribution": "100 cd"}], ids=["law", "distribution"]
+)
+@pytest.mark.parametrize("offset", [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0, 1.13])
+def test_both_heights_are_found_however_small_the_offset(offset, source):
+    """E / I = h / d^3, so that p = E x^2 / I = y - y^3 with y = h / d; the cubic's two roots."""
+    found = point_source(offset=Q(offset, "m"), illuminance="30 lx", **source)
+    with mpmath.workdps(60):
+        third = mpmath.acos(-mpf(0.3) * mpf(offset) ** 2 * mpmath.sqrt(27) / 2) / 3
+        roots = [2 / mpmath.sqrt(3) * mpmath.cos(third - k * mpmath.pi * 2 / 3) for k in (0, 1)]
+        heights = sorted(float(offset * y / mpmath.sqrt(1 - y * y)) for y in roots)
+    assert sorted(found["height"].to("m").magnitude) == pytest.approx(heights, rel=1e-9)
+
+
+@pytest.mark.parametrize("exponent", [0.5, 3, 80])
+@pytest.mark.parametrize("offset", [1e-3, 0.03, 0.2])
+def test_both_heights_of_a_lobe_give_its_light(offset, exponent):
+    """E = I cos^(n + 1)(gamma) / d^2 below and beside the source."""
+    found = point_source(
+        offset=Q(offset, "m"), illuminance="2 lx", intensity="100 cd", exponent=exponent
+    )
+    heights = found["height"].to("m").magnitude
+    assert len(heights) == 2
+    for height in heights:
+        away = math.hypot(height, offset)
+        assert 100 * (height / away) ** (exponent + 1) / away**2 == pytest.approx(2, rel=1e-9)
