@@ -305,7 +305,7 @@ class _Surroundings:
         """Note how much of what the receiver faces is in the map, if it is not the whole sphere."""
         seen = getattr(self.environment.radiances, "seen", None)
         if seen and self.environment.radiances.coverage < 1:
-            share = f"{100 * seen(normal):.2g} %"
+            share = f"{round(100 * seen(normal), 1):g} %"
             self.notes.append(f"it covers {share} of the receiver's hemisphere, by cosine")
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:

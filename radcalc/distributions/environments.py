@@ -106,6 +106,7 @@ def of_picture(
         picture.frame,
         view,
         None if aim else picture.up,
+        picture.grain,
     )
     width, height = pixels.size
     assumptions = [f"{name_of_map(map_projection)} of {width} x {height} pixels"]

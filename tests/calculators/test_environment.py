@@ -8,6 +8,7 @@ import re
 import numpy
 import pytest
 from conftest import python, run
+from distributions.maps import hdr
 from helpers import results
 
 import radcalc
@@ -659,3 +660,29 @@ def test_arrays_make_arrays():
         radcalc.irradiance_map(pixels, normal=(0, 0, 1))
     with pytest.raises(radcalc.errors.RadcalcError, match="order 3"):
         radcalc.irradiance_map(pixels, order=3)
+
+
+def test_the_error_includes_that_of_the_encoding(tmp_path):
+    """A byte from 128 to 255 for the brightest channel, cut off or rounded: a step, or half of one.
+
+    The true irradiance is that of the same pixels as floats.
+    """
+
+    def read(path):
+        rows = results(run("environment", path, "--unit=cd/m2", "--json").stdout)
+        return {name: row["value"] for name, row in rows.items()}
+
+    pixels = numpy.random.default_rng(7).lognormal(0, 1, (32, 64, 3)) * [1.0, 0.3, 2.0]
+    highest = numpy.broadcast_to(pixels.max(2, keepdims=True), pixels.shape)
+    true, brightest = (read(written(tmp_path / "sky.pfm", rgb)) for rgb in (pixels, highest))
+    exponent = numpy.frexp(pixels.max(2))[1]
+    mantissas = numpy.floor(numpy.ldexp(pixels, 8 - exponent[..., None]))
+    rows = numpy.concatenate([mantissas, exponent[..., None] + 128.0], 2)
+    cut_off = tmp_path / "cut.hdr"
+    cut_off.write_bytes(hdr.picture(rows, hdr.flat))
+    rounded = written(tmp_path / "rounded.hdr", pixels)
+    for path, share in ((cut_off, 1 / 128), (rounded, 1 / 256)):
+        found = read(str(path))
+        off = abs(found["irradiance"] - true["irradiance"])
+        assert share / 50 * brightest["irradiance"] * (path == cut_off) < off < found["error"]
+        assert found["error"] == pytest.approx(share * brightest["irradiance"], rel=0.01)

@@ -28,8 +28,8 @@ REC_709 = (0.2126, 0.7152, 0.0722)  # luminance of linear R, G, B in the standar
 # the memory of a common computer.
 PIXELS = 1 << 28
 MOST_BYTES = 16 * PIXELS  # of a file: four floats a pixel
-# A small file can expand to a very large picture: above 4096x2048 pixels, their number is limited by
-# the bytes of the file.  A large map of one colour in RGBE has 15.7 a byte.
+# A small file can expand to a very large picture: above 4096x2048 pixels, their number is limited
+# by the bytes of the file.  A large map of one colour in RGBE has 15.7 a byte.
 FREE_PIXELS, PIXELS_PER_BYTE = 1 << 23, 16
 BRIGHTEST, FAINTEST = 3e38, 1e-36  # limits of 32 bits, and of RGBE, without loss of digits
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
@@ -70,6 +70,8 @@ class Picture(NamedTuple):
         What the whole picture shows, of the sphere, and `view_text`, by which the file declares it.
     aim, up : tuple of 3 floats, or None
         World directions of its middle and of its top.
+    grain : float
+        Largest error of a channel by its encoding, as a share of the pixel's brightest channel.
     """
 
     pixels: Any
@@ -85,6 +87,7 @@ class Picture(NamedTuple):
     view_text: str = ""
     aim: Vector | None = None
     up: Vector | None = None
+    grain: float = 0.0
 
 
 def read_picture(path: str, channel: str = "") -> Picture:

@@ -59,6 +59,8 @@ class RadianceMap:
         What the whole image shows, in a projection of a part of the sphere.
     up : tuple of 3 floats, optional
         World direction of the top of the image, instead of world up.
+    grain : float, optional
+        Largest error of each channel, as a share of the brightest channel of its pixel.
 
     Attributes
     ----------
@@ -80,7 +82,8 @@ class RadianceMap:
     A pixel has the same radiance in all its directions.  The irradiance is the sum over pixels of
     their radiance times the integral of cos(theta) over their solid angle (see `light_sums`).  Its
     reported error is the light of pixels cut by the receiver's horizon that may come from the
-    other side of it.  It does not include the loss of detail when the image was made.
+    other side of it, and the grain.  It does not include the loss of detail when the image was
+    made.
 
     Examples
     --------
@@ -102,6 +105,7 @@ class RadianceMap:
         frame: tuple[int, int, int, int] | None = None,
         view: View | None = None,
         up: Vector | None = None,
+        grain: float = 0.0,
     ) -> None:
         if not (hasattr(pixels, "shape") and hasattr(pixels, "dtype")):
             pixels = numpy.asarray(pixels)
@@ -129,7 +133,7 @@ class RadianceMap:
         self.size, self.part = (width, height), (left, top, columns, rows)
         self.axes = upright(aim, up) if up else facing(aim)
         self._weights = factor * numpy.array(weights or (1.0,), float)
-        self.factor = factor
+        self.factor, self.grain = factor, grain
         self.raster = Raster(projection, self.size, self.part, view)
         self._strip = _rows_of_a_strip(self.pixels, self.raster.side)
         self._read = self._angles = (-1, numpy.empty(0))  # last strip read, last angles computed
@@ -144,14 +148,17 @@ class RadianceMap:
         return numpy.multiply(self._inside(first, last), self.factor, dtype=float)
 
     def luminances(self, first: int, last: int) -> Any:
-        """Return weighted sums of the channels as a single channel."""
+        """Return weighted sums of the channels, and with a grain their largest errors."""
         channels = numpy.moveaxis(self._inside(first, last), -1, 0)
         with numpy.errstate(invalid="ignore"):  # NaN and infinity are refused later
             # faster than a matrix product for a few channels
             parts = (
                 weight * channel for weight, channel in zip(self._weights, channels, strict=True)
             )
-            return numpy.asarray(sum(parts))[..., None]
+            sums = numpy.asarray(sum(parts))
+            if not self.grain:
+                return sums[..., None]
+            return numpy.stack([sums, self.grain * self._weights.sum() * channels.max(0)], -1)
 
     def _inside(self, first: int, last: int) -> Any:
         """Return the pixels times their shares inside the circle."""
@@ -214,7 +221,7 @@ class RadianceMap:
         if self.raster.view.circle < math.inf:
             sizes = sizes * self._share(*self.raster.row_edges(first, last))
         self.solid_angle += float(sizes.sum())
-        row, column, _ = numpy.unravel_index(numpy.argmax(values), values.shape)
+        row, column = numpy.unravel_index(numpy.argmax(values[..., 0]), values.shape[:2])
         highest = float(values[row, column, 0])
         if highest > self._peak[0]:
             self._peak = (highest, left + int(column), top + first + int(row))
@@ -238,6 +245,7 @@ class RadianceMap:
         in_map = numpy.array([self.in_map_axes(_unit(normal))])
         values, errors = self._sums.irradiances(in_map, has_errors=True)
         value, error = float(values[0, 0]), float(errors[0, 0])
+        error += float(values[0, 1:].sum())
         return Integral(value, error + ROUNDING * value, self.part[2] * self.part[3])
 
     def irradiances(
@@ -264,7 +272,7 @@ class RadianceMap:
         in_map = numpy.stack([numpy.ravel(component) for component in (x, y, z)], -1)
         if not is_each:
             values, _ = self._sums.irradiances(in_map, progress)
-            return values.reshape(numpy.shape(x))[()]
+            return values[:, 0].reshape(numpy.shape(x))[()]
         sums = LightSums(self.raster, self.channels)
         values, _ = sums.irradiances(in_map, progress)
         return values.reshape(*numpy.shape(x), -1)

@@ -80,6 +80,11 @@ BEYOND = 1.69e38  # limit of the exponent 255
 HALF_STEP = (
     "RGBE is read as in most programs; Radiance itself reads half a step, 0.2 % to 0.4 %, more"
 )
+# The brightest mantissa is from 128 to 255, and other writers may truncate it.
+STEP = 1 / 128
+OF_PIXEL = "of the brightest channel of each pixel"
+TRUNCATED = f"the error includes a step of RGBE, 0.4 % to 0.8 % {OF_PIXEL}"
+ROUNDED = f"the error includes half a step of RGBE, 0.2 % to 0.4 % {OF_PIXEL}"
 STEPS = "RGBE has a resolution of 1/256 of the brightest channel of a pixel"
 CUT_OFF = "is cut off"
 MENDED = "the complete file"
@@ -223,8 +228,8 @@ def _header(data: bytes, name: str) -> _Header:
         weights = luminance_weights(numbers["PRIMARIES"], name)
     else:
         assumptions.append(BY_REC_709)
-    if not variables.get("SOFTWARE", "").startswith(SOFTWARE):
-        assumptions.append(HALF_STEP)
+    is_own = variables.get("SOFTWARE", "").startswith(SOFTWARE)
+    assumptions += [ROUNDED] if is_own else [HALF_STEP, TRUNCATED]
     notes = []
     viewed = {} if variables.get(PROJECTION, "").strip() else _viewed(lines, name)
     if aspect != 1 and "view" not in viewed:
@@ -238,6 +243,7 @@ def _header(data: bytes, name: str) -> _Header:
         quote(variables.get(PROJECTION, "").strip()),
         assumptions=tuple(assumptions),
         notes=tuple(notes),
+        grain=STEP / 2 if is_own else STEP,
     )._replace(**viewed)
     correction = tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0)))
     return _Header(picture, exposure, correction, *_resolution(data, start, name))
