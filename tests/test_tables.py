@@ -301,3 +301,16 @@ def test_a_scene_has_lines_above_its_titles_and_units_below_them(tmp_path):
         path.write_text(text, encoding="utf-8")
         done = run("scene", str(path), "--at", "0,0,0", "-g", "irradiance:lx")
         assert float(done.stdout) == pytest.approx(800 / (4 * 3.141592653589793 * 4))
+
+
+@pytest.mark.parametrize(
+    ("unit", "exposure"), [("", 1.5), ("klx", 1500), ("lux", 1.5), ("W/m2", None)]
+)
+@pytest.mark.parametrize("head", ["Unit: lux\n\n", "Unit: lux\n\ntime;value\n"])
+def test_a_unit_above_a_log_gives_way_to_the_users(unit, exposure, head):
+    text = f"{head}2024-06-01 12:00Z;1\n2024-06-01 13:00Z;2\n"
+    printed, said = dose_of(text, *(["--unit", unit] if unit else []))
+    assert printed == ("" if exposure is None else f"{exposure:g}")
+    assert "the preamble" in said or unit == "lux"
+    counts = dose_of(text.replace("value", "value (counts)"))
+    assert counts[0] == ("" if "value" in head else "1.5")

@@ -321,41 +321,47 @@ class Head:
         return place
 
     def _unit(self, titles: list[str], cell: str | None) -> Unit:
-        """Return the unit of the values: that of the user, in the titles, or in a cell."""
-        declared = self._unit_in(titles)
-        if cell is not None:
-            declared = declared or unit_of_meter(cell)
-            self.assumptions.append("each value is in the unit of its line")
-        if declared is None and cell is None:
-            stated = [text for key, text in self.pairs.items() if key in columns.UNIT_TITLES]
-            declared = unit_of_meter(stated[0]) if stated else None
-            if declared and read_light(declared):
-                self.assumptions.append(
-                    f"the values are in {quote(stated[0])}, as the preamble says"
-                )
-            else:
-                declared = None
-        unit = resolve_any(self.settings.unit) if self.settings.unit else declared
+        """Return the unit of the values: that of the user, in the titles, in a cell or above."""
+        declared, where = self._unit_in(titles), f"the title '{quote(' '.join(titles))}'"
         if declared is None:
+            declared, where = self._stated(cell), "the preamble"
             for title in titles:
-                self._refuse_unlike(title, unit)
+                self._refuse_unlike(
+                    title, resolve_any(self.settings.unit) if self.settings.unit else declared
+                )
+        unit = resolve_any(self.settings.unit) if self.settings.unit else declared
         if unit is None:
             raise MissingInput(
                 f"{self.name}: the unit of the values is missing",
                 mention("{unit=lx}, or a title such as E [lx]"),
             )
-        if declared and cell is None and not is_same(declared, unit):
-            reading = read_light(unit)
-            may_be_par = any(map(_is_ppfd, titles)) and reading and reading.kind == RADIANT
-            if declared.dimension != unit.dimension and not may_be_par:
-                raise UsageError(
-                    f"{option('unit', quote(unit.text))} contradicts the unit "
-                    f"{quote(declared.text)} of the title '{quote(titles[0])}'",
-                    "leave it out, or use another column",
-                )
-            title = f"the title '{quote(titles[0])}' is in {quote(declared.text)}"
-            self.assumptions.append(f"the values are in {quote(unit.text)}, as given; {title}")
+        if cell is not None:
+            self.assumptions.append("each value is in the unit of its line")
+        elif declared and not is_same(declared, unit):
+            self._override(unit, declared, where, any(map(_is_ppfd, titles)))
+        elif where == "the preamble" and declared:
+            self.assumptions.append(f"the values are in {quote(unit.text)}, as {where} says")
         return unit
+
+    def _stated(self, cell: str | None) -> Unit | None:
+        """Return the unit of light in a cell, or else in the lines before the table."""
+        stated = [text for key, text in self.pairs.items() if key in columns.UNIT_TITLES]
+        unit = unit_of_meter(cell if cell is not None else stated[0]) if stated or cell else None
+        return unit if unit and read_light(unit) else None
+
+    def _override(self, unit: Unit, declared: Unit, where: str, is_ppfd: bool) -> None:
+        """State that the typed unit wins; refuse another quantity, but PAR may be in W/m2."""
+        reading = read_light(unit)
+        may_be_par = is_ppfd and reading and reading.kind == RADIANT
+        if declared.dimension != unit.dimension and not may_be_par:
+            raise UsageError(
+                f"{option('unit', quote(unit.text))} contradicts the unit "
+                f"{quote(declared.text)} of {where}",
+                "leave it out, or use another column",
+            )
+        self.assumptions.append(
+            f"the values are in {quote(unit.text)}, as given; {where} is in {quote(declared.text)}"
+        )
 
     def _refuse_unlike(self, title: str, unit: Unit | None) -> None:
         """Raise for a title without a known unit of light that does not fit the typed unit."""
