@@ -314,3 +314,11 @@ def test_a_unit_above_a_log_gives_way_to_the_users(unit, exposure, head):
     assert "the preamble" in said or unit == "lux"
     counts = dose_of(text.replace("value", "value (counts)"))
     assert counts[0] == ("" if "value" in head else "1.5")
+
+
+@pytest.mark.parametrize("unit", ["lx", "W/m2"])
+@pytest.mark.parametrize("title", ["PPFD", "SPFD", "PFD"])
+def test_photons_in_a_log_are_not_in_another_unit(title, unit):
+    assert dose_of(LOG.format(title), "--unit", unit)[0] == ""
+    rows = f"2024-06-01 12:00Z,1,{unit}\n2024-06-01 13:00Z,2,{unit}\n"
+    assert dose_of(f"time,PPFD,unit\n{rows}")[0] == ""

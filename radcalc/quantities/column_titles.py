@@ -91,7 +91,7 @@ SUBSCRIPTS = ("e", "v", "p", "ph", "q")
 SYMBOL = re.compile(r"[EL](?![^\W_²³])")  # symbols, not the einstein and the lambert
 BRACKETS = re.compile(r"[()\[\]]")
 # Names of photon quantities: PPFD, but PAR may also be in watts; PPF was once a name of PPFD.
-PHOTON_IRRADIANCES = ("pfd", *[name for name in PPFD if name != "par"])
+PHOTON_IRRADIANCES = ("pfd", "spfd", "sppfd", *[name for name in PPFD if name != "par"])
 PHOTONS = ("photon", "photons", "quanta", *PPF)
 COMPARED = 1000  # titles to search for names similar to an unknown one
 

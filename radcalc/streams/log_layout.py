@@ -336,9 +336,12 @@ class Head:
                 mention("{unit=lx}, or a title such as E [lx]"),
             )
         if cell is not None:
+            if declared and declared.dimension != (unit_of_meter(cell) or declared).dimension:
+                problem = f"{where} is in {quote(declared.text)}, its first value in {quote(cell)}"
+                raise self.error(0, problem, "titles that fit the units of the lines")
             self.assumptions.append("each value is in the unit of its line")
         elif declared and not is_same(declared, unit):
-            self._override(unit, declared, where, any(map(_is_ppfd, titles)))
+            self._override(unit, declared, where, any("par" in _words(title) for title in titles))
         elif where == "the preamble" and declared:
             self.assumptions.append(f"the values are in {quote(unit.text)}, as {where} says")
         return unit
@@ -349,10 +352,10 @@ class Head:
         unit = unit_of_meter(cell if cell is not None else stated[0]) if stated or cell else None
         return unit if unit and read_light(unit) else None
 
-    def _override(self, unit: Unit, declared: Unit, where: str, is_ppfd: bool) -> None:
+    def _override(self, unit: Unit, declared: Unit, where: str, is_par: bool) -> None:
         """State that the typed unit wins; refuse another quantity, but PAR may be in W/m2."""
         reading = read_light(unit)
-        may_be_par = is_ppfd and reading and reading.kind == RADIANT
+        may_be_par = is_par and reading and reading.kind == RADIANT
         if declared.dimension != unit.dimension and not may_be_par:
             raise UsageError(
                 f"{option('unit', quote(unit.text))} contradicts the unit "
