@@ -38,7 +38,7 @@ def test_arrays_without_elements_have_results_without_elements():
     assert radcalc.convert("1 W/sr", "W", distance=Q(none, "m"), area="1 mm2").m.shape == (2, 0)
     found = radcalc.point_source(intensity="100 cd", distance=Q(none, "m"))
     assert {name: np.shape(one.m) for name, one in found.items()} == {
-        "intensity": (), "flux": (), "incidence": (), "distance": (2, 0), "irradiance": (2, 0)
+        "intensity": (), "flux": (), "incidence": (), "distance": (2, 0), "illuminance": (2, 0)
     }  # fmt: skip
     assert radcalc.uberlight(np.zeros((0, 3)), intensity="1 cd")["irradiance"].m.shape == (0,)
 

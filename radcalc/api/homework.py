@@ -52,8 +52,8 @@ def check(
     result : Result
         The result of a calculator, or of `explain` for a conversion.
     claim : str, Quantity or float
-        The answer: ``"16 lx"``, ``"illuminance=16 lx"`` if several results have the unit, or
-        a bare number if it is unambiguous.  A name may have hyphens or underscores.
+        The answer: ``"16 lx"``, ``"illuminance=16 lx"`` for a certain result, or a bare number
+        if it is unambiguous.  A name may have hyphens or underscores.
     tolerance : str, Quantity or float, optional
         ``"1%"`` (the default), ``"0.5 lx"``, or ``"3sf"`` for significant digits; a bare number
         is a fraction of the right value.
@@ -68,7 +68,7 @@ def check(
     Raises
     ------
     radcalc.RadcalcError
-        If the answer is invalid or fits several results, or the result has arrays.
+        If the answer is invalid or ambiguous, or the result has arrays.
 
     Examples
     --------

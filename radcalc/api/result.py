@@ -10,7 +10,7 @@ from radcalc.api.drawing import Drawing
 from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, quantity, unit_of
 from radcalc.api.refusals import in_python
 from radcalc.api.spelling import in_words, keyword, symbol_name
-from radcalc.calculators.results import in_unit, name_of, rows
+from radcalc.calculators.results import in_unit, name_in, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.inputs.given import Inputs
 from radcalc.maths import is_column
@@ -334,17 +334,21 @@ def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:
 
 
 def _quantities(solution: Answer) -> tuple[dict[str, Any], list[str]]:
-    """Return the results by all of their names, and the first name of each."""
+    """Return the results by all of their names, and the shown name of each."""
     first: dict[str, Any] = {}
     aliases: dict[str, dict[str, Any]] = {}
+    shown: dict[str, None] = {}
     for value in solution.values:
         name, also = keyword(value.name), keyword(value.also)
         if value.is_absent:
             continue
         unit = in_which(value.units[0], value.dimensions)
         result = quantity(in_unit(value, unit), unit)
+        in_kind = keyword(name_in(value, value.dimensions[0]))
         first.setdefault(name, result)
+        first.setdefault(in_kind, result)
+        shown.setdefault(in_kind)
         if also:
             aliases.setdefault(also, {}).setdefault(name, result)
     single = {also: next(iter(of.values())) for also, of in aliases.items() if len(of) == 1}
-    return {**first, **single, **first}, [*first]  # a first name comes before an alias
+    return {**first, **single, **first}, [*shown]  # a first name comes before an alias

@@ -21,12 +21,12 @@ from radcalc.errors import (
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities.light import GRID, LUMINOUS
+from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import unit_of
-from radcalc.units.unit import Unit
+from radcalc.units.unit import Dimension, Unit
 
 if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit
@@ -87,7 +87,7 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
         own_grid, wanted_grid = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
         is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
         if is_other_kind and not _results_in(unit.text, among):
-            message = f"{value.name} in {quote(unit.text)} {NEEDS_LINK}"
+            message = f"{name_in(value, unit.dimension)} in {quote(unit.text)} {NEEDS_LINK}"
             raise MissingInput(message, LINKS_HINT)
         raise _wrong_unit(value, unit, among)
     if value.in_first is not None and unit.text == value.units[0]:
@@ -321,14 +321,15 @@ def _apart(row: Row) -> Row:
     return row._replace(value=row.value.nominal_value, uncertainty=0.0 if math.isnan(off) else off)
 
 
-def name_in(value: Value, unit: Unit) -> str:
+def name_in(value: Value, dimension: Dimension) -> str:
     """Return the name of a result in a unit: illuminance, not irradiance, in lux."""
-    symbol, place = SYMBOLS.get(value.name), GRID.get(unit.dimension)
-    if place is None or symbol is None or "radiance" not in symbol.generic:
-        return value.name
-    if unit.dimension in value.dimensions and place[0] != LUMINOUS:
-        return value.name
-    return specific_name(symbol.generic, place[0])
+    place = GRID.get(dimension)
+    if place is None or dimension in value.dimensions:
+        is_luminous = "radiance" in value.name and "luminance" in value.also
+        return value.also if is_luminous else value.name
+    symbol = SYMBOLS.get(value.name)
+    generic = symbol.generic if symbol else ""
+    return specific_name(generic, place[0]) if "radiance" in generic else value.name
 
 
 def of_kind(value: Value, unit: Unit) -> tuple[str, str]:
@@ -350,11 +351,13 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     """
     result_rows = []
     for v in values:
+        # As in `name_in`, without a call for each row.
+        name = v.also if "radiance" in v.name and "luminance" in v.also else v.name
+        is_given = v.given is not None
         for text in v.units:
             number = _in_shown_unit(v, text)
             ends = _ends(v, partial(_in_shown_unit, text=text)) if v.ends else None
-            is_given = v.given is not None
-            row = Row(v.label, v.letter, number, text, case, v.name, is_given, 0.0, v.form, ends)
+            row = Row(v.label, v.letter, number, text, case, name, is_given, 0.0, v.form, ends)
             result_rows.append(row if type(number) is float else _apart(row))
     if case:
         result_rows.sort(key=lambda row: not row.given)

@@ -15,7 +15,7 @@ from radcalc.laws import solver
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import Derivation, Disagreement, Solution
 from radcalc.maths import any_true
-from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, specific_name
+from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, in_kind, specific_name
 
 LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
 ROUNDING = 1e-9  # relative tolerance of limits of results
@@ -77,7 +77,7 @@ class Solved(Remarks):
         if name in self.given:
             return option(name, quote(self.given[name].text))
         size = format_value(self.value(name), coherent_unit_of(name, self.lit.kind))
-        return f"{article(SYMBOLS[name].label)} of {size}"
+        return f"{article(SYMBOLS[in_kind(name, self.lit.kind)].label)} of {size}"
 
     def refuse_impossible(self, *names: str, because: str = "", hint: str = "") -> None:
         for name in names:
@@ -169,7 +169,8 @@ def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]
         )
     unit = coherent_unit_of(error.name, sheet.lit.kind)
     digits = digits_apart(error.given, error.implied)
-    first = f"{error.name} {format_value(error.given, unit, digits)}"
+    name = in_kind(error.name, sheet.lit.kind)
+    first = f"{name} {format_value(error.given, unit, digits)}"
     if item := inputs.get(error.name):
         first = option(item.name, item.text)
     ratio = ""

@@ -9,7 +9,7 @@ import click
 from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput, texts_of
 from radcalc.calculators import scene as page
-from radcalc.calculators.results import element, name_of, pick
+from radcalc.calculators.results import element, name_in, name_of, pick
 from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, refuse_bare, result, show
 from radcalc.cli.calculator import run
@@ -184,7 +184,9 @@ def _stream(
 
     is_first = True
     for answer in survey.at_points(points.blocks()):
-        wanted = request.wanted or [f"{v.name}:{unit}" for v in answer.values for unit in v.units]
+        wanted = request.wanted or [
+            f"{name_in(v, v.dimensions[0])}:{unit}" for v in answer.values for unit in v.units
+        ]
         rows = [pick(answer.values, name) for name in wanted]
         if is_first:  # the answer is not a single number
             output.hear([Result(tuple(rows))])

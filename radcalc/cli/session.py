@@ -19,7 +19,7 @@ from radcalc.cli.cases import is_stream
 from radcalc.cli.help import COMMANDS
 from radcalc.cli.options import decide, defaults
 from radcalc.errors import RadcalcError, UsageError, ambiguous, listed, option, quote
-from radcalc.quantities.light import name_of
+from radcalc.quantities.light import LUMINOUS, name_of
 from radcalc.quantities.symbols import (
     DIRECTION,
     GRID,
@@ -29,6 +29,7 @@ from radcalc.quantities.symbols import (
     QUANTITY,
     SYMBOLS,
     VECTOR,
+    in_kind,
 )
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
@@ -215,7 +216,8 @@ class Session:
     def _only_row(self, result: str, rows: Sequence[Row], name: str) -> Row:
         if not rows:
             raise UsageError(f"{name} has no value yet", "an answer before it, such as 100 lx fc")
-        matching = [row for row in rows if not result or row.name == result]
+        known = (result, in_kind(result, LUMINOUS))
+        matching = [row for row in rows if not result or row.name in known]
         if len(matching) == 1:
             return matching[0]
         names = list(dict.fromkeys(row.name for row in rows if row.name))

@@ -8,7 +8,7 @@ from typing import NamedTuple, cast
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import in_unit, measured_in, name_in, of_kind, pick
 from radcalc.derivation import format_number, with_unit
-from radcalc.errors import ConditionError, option, quote
+from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework import uncertainty
 from radcalc.homework.answer import (
     Claim,
@@ -66,7 +66,8 @@ class Verdict(NamedTuple):
 class Reading(NamedTuple):
     """A result in the unit of an answer; on a scale, `right` is its reading.
 
-    `size` is the quantity in the `unit`, which a scale's reading stands for; 1 for a logarithm.
+    `size` is the quantity in the `unit`, which a scale's reading stands for.  A number that is a
+    logarithm stands for a ratio, with the size 1.
     """
 
     target: Value
@@ -75,10 +76,7 @@ class Reading(NamedTuple):
     right: float
     size: float
     scale: Scale | None = None
-
-    @property
-    def is_logarithm(self) -> bool:
-        return self.scale is not None and self.unit.dimension == NUMBER and self.size == 1
+    is_logarithm: bool = False
 
     def times(self, claimed: float, right: float) -> float:
         """Return the ratio of the quantities of two readings."""
@@ -110,12 +108,14 @@ class Reading(NamedTuple):
     def spans(self, claim: Claim) -> bool:
         """Return whether the right value is within the uncertainty of an answer.
 
-        An uncertainty that is larger than the answer says nothing.
+        An uncertainty that is larger than the answer, or a factor of 2, says nothing.
         """
         value, off = claim.value, claim.uncertainty
         if not off or abs(decimal(value) - decimal(self.right)) > decimal(off):
             return False
-        return off < abs(value) if self.scale is None else abs(self.times(value + off, value)) < 2
+        if self.scale is None or not self.scale.steps:
+            return off < abs(value)
+        return abs(off / self.scale.steps) * math.log2(self.scale.base) < 1 + 1e-9
 
 
 def check(question: Question, claim: str, tolerance: str | None = None) -> Verdict:
@@ -127,8 +127,9 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
     """
     uncertain = question.uncertain
     uncertain_answers = (uncertain, *uncertain.more) if uncertain else repeat(None)
+    typed = read_claim(claim)
     verdicts = (
-        _check(question._replace(answer=answer, uncertain=other), read_claim(claim), tolerance)
+        _check(question._replace(answer=answer, uncertain=other), typed, tolerance)
         for answer, other in zip(
             (question.answer, *question.answer.more), uncertain_answers, strict=False
         )
@@ -163,14 +164,14 @@ def _judged(
     number = uncertainty.of_result(question, target, unit)
     off = getattr(number, "std_dev", 0.0)
     allowed = read_tolerance(asked_tolerance or TOLERANCE, unit)
-    size = abs(right) if reading.is_logarithm else abs(reading.size)
-    if not asked_tolerance and off > ONE_PERCENT * size:
+    slope = abs(reading.scale.slope(0.0)) if reading.scale and reading.is_logarithm else 1.0
+    if not asked_tolerance and off * slope > ONE_PERCENT * abs(reading.size):
         allowed = uncertainty.tolerance(off, unit.text)
     is_number = reading.scale is None or reading.is_logarithm
     ratio = claim.value / right if right and is_number else math.inf
     verdict = Verdict(
         False,
-        name_in(target, unit),
+        name_in(target, unit.dimension),
         reading.text,
         right,
         claim.value,
@@ -183,9 +184,10 @@ def _judged(
         claim.uncertainty,
         target.name,
     )
+    claim = _turned(claim, reading)
     if not asked_tolerance and not off and reading.spans(claim):
         return verdict._replace(right=True, tolerance="within the uncertainty given")
-    if reading.is_near(_turned(claim, reading).value, allowed):
+    if reading.is_near(claim.value, allowed):
         width = allowed.width(reading.size)
         claim = claim._replace(uncertainty=claim.uncertainty * reading.slope(claim.value))
         diagnoses = uncertainty.judge(number, claim, unit.text, width)
@@ -200,9 +202,10 @@ def _turned(claim: Claim, reading: Reading) -> Claim:
     """Return the answer nearest to the right azimuth: whole turns make no difference."""
     if not reading.target.name.endswith("azimuth"):
         return claim
-    turn = 2 * math.pi / reading.unit.factor
-    turns = round((reading.right - claim.value) / turn)
-    return claim._replace(value=claim.value + turn * turns) if turns else claim
+    turn, off = 2 * math.pi / reading.unit.factor, claim.value - reading.right
+    if abs(off) <= turn / 2:
+        return claim
+    return claim._replace(value=reading.right + math.remainder(off, turn))
 
 
 def _explained(
@@ -250,7 +253,7 @@ def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagno
         return ()
     if _is_marked(question, claim, reading):
         return (Diagnosis(ROUNDED, "as marked on cameras", "whole and third stops are exact"),)
-    if not is_rounded(_turned(claim, reading), reading.right):
+    if not is_rounded(claim, reading.right):
         return ()
     digits_given = "the digit" if claim.digits == 1 else f"the {claim.digits} digits"
     nearer = f"{reading.right:.{max(3, claim.digits + 1)}g}"
@@ -290,9 +293,12 @@ def _is_marked(question: Question, claim: Claim, reading: Reading) -> bool:
         item.value == question.given[name].value for name, item in given.items()
     ):
         return False
-    values = question.work_out(given).values
-    target = next(value for value in values if value.name == reading.target.name)
-    right = _reading(question, target, reading.text)
+    try:
+        values = question.work_out(given).values
+        target = next(value for value in values if value.name == reading.target.name)
+        right = _reading(question, target, reading.text)
+    except RadcalcError:
+        return False
     allowed = read_tolerance(TOLERANCE, right.unit)
     return right.is_near(meant, allowed) or is_rounded(claim, right.right)
 
@@ -300,7 +306,7 @@ def _is_marked(question: Question, claim: Claim, reading: Reading) -> bool:
 def _relative(claim: Claim, other: Reading) -> Diagnosis:
     """Return the diagnosis of an answer that is right for an approximation or a relative."""
     label, _ = of_kind(other.target, other.unit)
-    name = name_in(other.target, other.unit)
+    name = name_in(other.target, other.unit.dimension)
     named = f"{name}={claim.number}{claim.unit.replace(' ', '.')}"
     return Diagnosis(RELATIVE, f"this is the {label}", f"it counts only with its name: {named}")
 
@@ -384,7 +390,7 @@ def _reading(question: Question, target: Value, text: str) -> Reading:
         return Reading(target, text, unit, scale.reading(size), size, scale.scale)
     if (name := LOGARITHMS.get(target.name)) and unit.factor == 1:
         row = next(row for row in SCALES if row.name == name)
-        return Reading(target, text, unit, size, 1.0, row)
+        return Reading(target, text, unit, size, 1.0, row, True)
     return Reading(target, text, unit, size, size)
 
 
@@ -418,6 +424,6 @@ def _ways(values: Sequence[Value], claim: Claim) -> str:
         option("check", f"{name}={claim.number}{unit.replace(' ', '.').removeprefix('1')}")
         for value in values
         for unit in ([claim.unit] if claim.unit else value.units)
-        for name in [name_in(value, measured_in(unit, value.name))]
+        for name in [name_in(value, measured_in(unit, value.name).dimension)]
     ]
     return ", ".join([*dict.fromkeys(clear_answers)][:WAYS])

@@ -675,6 +675,16 @@ for _name, _row in _LIGHT_ROWS.items():
         if _own != _name:
             SPECIFIC[_own] = (_name, _kind)
             SYMBOLS[_own] = _of_light(_own, _name, _kind, _row)
+
+
+def in_kind(name: str, kind: str) -> str:
+    """Return a name in a kind of light: irradiance of lumens is illuminance."""
+    symbol = SYMBOLS.get(name)
+    if kind != LUMINOUS or symbol is None or "radiance" not in symbol.generic:
+        return name
+    return specific_name(symbol.generic, kind)
+
+
 METER_UNITS = {"k": "cd.s/m2", "c": "lx.s"}  # units of bare light meter constants
 LINKS = ("wavelength", "spectrum", "efficacy")  # links between the kinds of light
 EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under

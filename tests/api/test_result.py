@@ -25,7 +25,7 @@ def test_results_are_attributes_and_items_under_each_of_their_names():
         assert getattr(LAMP, name) == LAMP[name]
         assert getattr(LAMP, name).m_as("lx") == pytest.approx(PER_SR / 4)
     assert {"irradiance", "illuminance", "luminous_intensity", "steps"} <= {*dir(LAMP)}
-    assert [*LAMP] == ["intensity", "flux", "irradiance", "distance", "incidence"]
+    assert [*LAMP] == ["intensity", "flux", "illuminance", "distance", "incidence"]
     assert len(LAMP) == 5
     assert "illuminance" in LAMP._ipython_key_completions_()
     assert {**LAMP}["flux"] == Q(800, "lm")
@@ -130,7 +130,7 @@ def test_a_dict_equals_the_json_of_the_command(call):
 
 def test_the_dict_of_arrays_has_lists():
     found = radcalc.point_source(flux="800 lm", distance=["1 m", "2 m"]).to_dict()
-    assert found["results"]["irradiance"]["value"] == pytest.approx([PER_SR, PER_SR / 4])
+    assert found["results"]["illuminance"]["value"] == pytest.approx([PER_SR, PER_SR / 4])
     assert found["inputs"]["distance"] == {"value": [1.0, 2.0], "unit": "m"}
 
 
@@ -220,8 +220,8 @@ def test_the_page_has_no_colours_scripts_or_links():
 def test_an_interpreter_shows_the_results_with_units_and_assumptions():
     lines = repr(LAMP).splitlines()
     assert lines[0] == "radcalc point-source"
-    assert "  irradiance  15.9155 lx" in lines
-    assert "  flux        800 lm (given)" in lines
+    assert "  illuminance  15.9155 lx" in lines
+    assert "  flux         800 lm (given)" in lines
     assert f"  assumed: {LAMP.assumptions[0]}" in lines
 
 
@@ -230,7 +230,7 @@ def test_values_that_dask_has_not_computed_are_shown_as_lazy():
 
     array = dask.array.from_array(np.array([1.0, 2.0]))
     found = radcalc.point_source(intensity="1 cd", distance=Q(array, "m"))
-    assert "irradiance  an array of the shape (2,), not computed yet lx" in repr(found)
+    assert "illuminance  an array of the shape (2,), not computed yet lx" in repr(found)
     assert found.assumptions
     with pytest.raises(radcalc.ConditionError, match="not computed yet"):
         found.to_dict()

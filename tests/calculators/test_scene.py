@@ -243,8 +243,8 @@ def test_a_grid_of_four_lamps_is_symmetric_and_its_statistics_match_its_rows(tmp
     grid = ("--grid", "0:4:9,0:3:7,0.5")
     done = scene(tmp_path, text, *grid, "--format", "csv", "-q")
     rows = list(csv.DictReader(io.StringIO(done.stdout)))
-    assert list(rows[0]) == ["x:m", "y:m", "z:m", "irradiance:lx"]
-    values = {(float(r["x:m"]), float(r["y:m"])): float(r["irradiance:lx"]) for r in rows}
+    assert list(rows[0]) == ["x:m", "y:m", "z:m", "illuminance:lx"]
+    values = {(float(r["x:m"]), float(r["y:m"])): float(r["illuminance:lx"]) for r in rows}
     assert len(values) == 63
     for (x, y), value in values.items():
         assert values[4 - x, y] == pytest.approx(value)
@@ -262,11 +262,11 @@ def test_several_points_have_a_row_each_and_statistics(tmp_path):
     done = scene(tmp_path, LAMPS, "--at", "0,0,0", "--at", "2m,0m,100cm", "-q", "--json")
     first, second, told = answers(done.stdout)
     value = {name: row["value"] for name, row in told["results"].items()}
-    lights = [one["results"]["irradiance"]["value"] for one in (first, second)]
+    lights = [one["results"]["illuminance"]["value"] for one in (first, second)]
     # 100*3/13^1.5 + 200*9/13^2; 100*2/20^1.5 + 200/4
     expected = [300 / 13**1.5 + 1800 / 169, 200 / 20**1.5 + 50]
     assert lights == pytest.approx(expected)
-    assert value["mean-irradiance"] == pytest.approx(sum(expected) / 2)
+    assert value["mean-illuminance"] == pytest.approx(sum(expected) / 2)
     assert value["uniformity"] == pytest.approx(2 * min(expected) / sum(expected))
     assert [second["inputs"][axis]["value"] for axis in "xyz"] == [2, 0, 1]
     assert [second["results"][axis]["value"] for axis in "xyz"] == [2, 0, 1]

@@ -70,7 +70,7 @@ def test_several_points_and_lists_make_a_row_each():
     words = "uberlight 0,0,1 0,0,2 --intensity 8cd --falloff 0,1,2 --format csv"
     done = run(*words.split())
     head, *lines = [line.split(",") for line in done.stdout.splitlines()]
-    columns = [head.index(name) for name in ("z:m", "falloff:1", "irradiance:lx")]
+    columns = [head.index(name) for name in ("z:m", "falloff:1", "illuminance:lx")]
     rows = [tuple(float(line[k]) for k in columns) for line in lines]
     assert rows == [(1, 0, 8), (1, 1, 8), (1, 2, 8), (2, 0, 8), (2, 1, 4), (2, 2, 2)]
 

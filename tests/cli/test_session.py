@@ -123,9 +123,13 @@ def test_points_one_per_line_are_not_a_value(typed, tmp_path, monkeypatch):
 def test_one_of_several_results_is_selected_by_name(typed):
     typed("point-source --flux 800lm --distance 2m")
     assert "ans is one value, but the answer has several" in typed("ans fc")
-    assert "ans.irradiance" in typed("ans fc")
+    assert "ans.illuminance" in typed("ans fc")
     assert "no 'exitance'" in typed("ans.exitance fc")
     assert typed("ans.distance ft") == "6.56167979003\tft\n"  # 2 / 0.3048
+    for name in ("irradiance", "illuminance"):  # 800/(4 pi 2^2) 0.3048^2
+        assert typed("point-source --flux 800lm --distance 2m", f"ans.{name} fc").endswith(
+            "1.47859780443\tfc\n"
+        )
 
 
 def test_several_answers_are_not_a_value(typed):

@@ -1,6 +1,7 @@
 """Right answers are accepted, by the library and by the commands."""
 
 import math
+from itertools import product
 
 import pytest
 from conftest import python, run
@@ -14,6 +15,7 @@ from radcalc.cli import help
 from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
 from radcalc.homework import Question, Verdict, check
+from radcalc.homework.answer import read_claim
 from radcalc.homework.question import of_conversion, of_task
 from radcalc.inputs.reading import read
 from radcalc.units.reading import read_amount
@@ -36,6 +38,8 @@ def first_result(name: str) -> tuple[str, str, str]:
     return words, result.replace("_", "-"), follows[result]["unit"].removeprefix("1")
 
 
+DISC = "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm"
+REFLECTED = "lambertian --incident-illuminance 500lx --reflectance 0.8"
 QUESTIONS = [*RIGHT, *map(first_result, PLAIN)]
 
 
@@ -101,6 +105,72 @@ def test_verdicts_are_decimal(value, claim, is_right):
     assert found.right is is_right
     if claim in ("100", "110"):
         assert found.diagnoses[0].right in ("write 1e2", "write 1.1e2")
+
+
+def test_a_value_half_way_between_two_numbers_is_rounded_to_either():
+    for n, power in product(range(10, 100), range(-8, 9, 4)):
+        value = float(f"{n}.5e{power}")
+        question = of_conversion(value, resolve("lx"), resolve("lx"), [])
+        for claim in (f"{n}e{power}", f"{(n + 1) / 10:.1f}e{power + 1}"):
+            assert check(question, claim).right, (value, claim)
+
+
+@pytest.mark.parametrize(
+    ("words", "claim", "chosen"),
+    [
+        (DISC, "3142 lm/m2", "illuminance"),  # pi 1e4 0.25^2/(0.25^2 + 0.75^2)
+        (DISC, "31.4klx", "exitance"),
+        (DISC, "0.314sr", ""), (DISC, "3491lx", ""),  # pi 0.1, and pi 1e4 0.25^2/0.75^2
+        (REFLECTED, "400 lx", "exitance"), (REFLECTED, "500lx", ""),
+        ("direction 1 1 -1.4", "-0.7035", "z"),
+        ("solid-angle cone --half-angle 30deg", "60deg", "apex-angle"),
+        ("solid-angle cone --half-angle 30deg", "0.785sr", ""),  # pi sin(30 deg)^2
+    ],
+)  # fmt: skip
+def test_an_answer_without_a_name_is_for_any_result_that_was_not_given(words, claim, chosen):
+    found = check(asked(words), claim)
+    assert found.right is bool(chosen)
+    if chosen:
+        assert found.name == chosen
+    elif claim in ("0.314sr", "3491lx", "0.785sr"):
+        (diagnosis,) = found.diagnoses
+        assert diagnosis.mistake == "another-result"
+        name = diagnosis.right.rpartition(": ")[2]
+        assert check(asked(words, name.partition("=")[0]), name).right
+
+
+@pytest.mark.parametrize("claim", ["800lm", "700lm"])
+def test_an_answer_in_the_unit_of_an_input_needs_its_name(claim):
+    question = asked("point-source --flux 800lm --distance 2m")
+    with pytest.raises(ConditionError, match="has the unit of flux, an input"):
+        check(question, claim)
+    assert "wrong-unit" in [one.mistake for one in check(question, "15.9lm").diagnoses]
+
+
+@pytest.mark.parametrize(
+    ("words", "claim"),
+    [
+        ("point-source --flux 800lm --distance 2m --spectrum D65", "0.2W/m2"),
+        ("convert 10 mW dBm", "4000dBm"), ("convert 10 mW dBm", "-4000dBm"),
+        ("spectrum D65", "cct=0mired"), ("spectrum D65", "cct=-5mired"),
+        ("ev --ev100 12", "ev=4000"), ("direction -1 -2 0", "azimuth=1e308deg"),
+        ("direction -1 -2 0", "azimuth=63.43deg"),
+    ],
+)  # fmt: skip
+def test_any_wrong_answer_has_a_verdict_that_quotes_it(words, claim):
+    found = check(asked(words, claim.rpartition("=")[0]), claim)
+    assert not found.right
+    assert found.claimed == read_claim(claim).value
+
+
+@pytest.mark.parametrize(("ev", "is_right"), [("8.6", True), ("8.65", True), ("8.7", False)])
+def test_exposure_values_are_judged_alike_by_ev_and_convert(ev, is_right):
+    # 1 % of the light is 0.0144 EV; lb(1000 / 2.5) is 8.6439
+    for words, claim in [
+        ("convert 1000 lx EV", ev), ("ev --illuminance 1000lx", f"ev100={ev}"),
+        ("ev --illuminance 1000lx", f"illuminance={ev}EV"),
+    ]:  # fmt: skip
+        assert check(asked(words, claim.rpartition("=")[0]), claim).right is is_right
 
 
 @pytest.mark.parametrize("claim", ["0", "0.00", "0e309"])
@@ -188,6 +258,7 @@ CHECK_ALONE = """
 import sys
 from radcalc.inputs.reading import read
 from radcalc.homework import check
+from radcalc.homework.answer import read_claim
 from radcalc.homework.question import of_conversion
 from radcalc.units.reading import read_amount
 from radcalc.units.scales import resolve_any
