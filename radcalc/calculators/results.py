@@ -114,7 +114,12 @@ def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
     scale = unit.measures((*value.dimensions, *value.reach))
     if not takes_scale(value.name, scale):
         raise _wrong_unit(value, unit, among)
-    return scale.reading(in_unit(value, scale.unit, among))
+    try:
+        return scale.reading(in_unit(value, scale.unit, among))
+    except MissingInput:
+        raise
+    except UsageError:
+        raise _wrong_unit(value, unit, among) from None
 
 
 def measured_in(text: str, *names: str) -> Unit:
@@ -256,7 +261,7 @@ def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:
         return found
     if not text:
         problem = ambiguous(name, "light is given in two kinds")
-        raise UsageError(problem, ", ".join(names))
+        raise UsageError(problem, corrections(name, *names))
     dimension = measured_in(text).dimension
     return [value for value in found if dimension in value.dimensions] or found
 
