@@ -73,7 +73,7 @@ def quick_lane(words: list[str]) -> int | None:
         made = between(amount.unit, unit)
         if amount.number < 0 and made.source.is_light:  # it needs a note
             return None
-        text = line(made.apply(amount.number), made.target.text, bare=number)
+        text = line(made.apply(amount.exact), made.target.text, bare=number)
     except Exception:  # an error or a bug, which Click's boundary reports
         return None
     try:

@@ -251,7 +251,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         value = _as_array(value)
     if isinstance(value, str):
         amount = read_amount(value)
-        magnitude, source = amount.typed
+        magnitude, source = amount.exact, amount.typed[1]
         magnitude = amount if amount.is_uncertain else magnitude
     elif is_quantity(value):
         magnitude, source = value.magnitude, unit_of(value)

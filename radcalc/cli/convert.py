@@ -135,7 +135,7 @@ def command(
 
         checking.refuse_several(len(calls) * len(first.targets))
         target, conditions = first.targets[0], first.conditions
-        amount, value = first.amount, first.value
+        amount, value = first.amount, float(first.value)
         question = of_conversion(value, first.source, target, conditions, steps, amount)
         return checking.judge(question, check, tolerance, output, first.inputs)
     output.show(answers(calls, steps))
@@ -211,7 +211,7 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
     calls = []
     for of_value in lists:
         amount, texts = _read_value(of_value)
-        value, source = amount.typed
+        value, source = amount.exact, amount.typed[1]
         assert source is not None
         targets = [target_of(text, source) for text in texts]
         which = (ShownInput("", text=amount.text),) if len(lists) > 1 else ()

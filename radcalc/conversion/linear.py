@@ -40,6 +40,7 @@ class Plan:
 
     def apply(self, value: "Any") -> "Any":
         """Convert a number or an array; a negative value, a difference, only within a quantity."""
+        typed = value
         if isinstance(value, (int, float)):
             value = _as_float(value)
             if value != value:
@@ -59,7 +60,7 @@ class Plan:
             result = value * self.factor
         else:
             # one rounding of an exact fraction: 100 lx are 1e-05 klm/cm2, not 9.99e-06
-            over, under = value.as_integer_ratio()
+            over, under = typed.as_integer_ratio()
             over *= self.source.top * self.target.bottom
             under *= self.source.bottom * self.target.top
             result = divide(over, under)

@@ -54,6 +54,7 @@ class ScaledPlan(Plan):
         return self.linear.apply(source.quantity(value) if isinstance(source, ScaleUnit) else value)
 
     def apply(self, value: Any) -> Any:
+        value = float(value) if isinstance(value, float) else value
         quantity, target = self._in_target_unit(value), self.ends[1]
         if not isinstance(target, ScaleUnit):
             return quantity

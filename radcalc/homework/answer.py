@@ -107,7 +107,7 @@ def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
     result = read_expression(text)
     if result is None:
         return None
-    value, unit, off = result
+    value, unit, off, _ = result
     half = abs(value) * off
     digits = min(DIGITS_OF_EXACT, max(1, -math.floor(math.log10(2 * off))))
     return value, unit.text if unit else "", f"{value:.12g}", digits, half, half

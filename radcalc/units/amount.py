@@ -16,13 +16,15 @@ class Amount:
     none was given; `assumptions` explain how the text was read, if that needs an explanation.  A
     `reading` on a `scale` is kept together with the number that it represents.  `rounding` is the
     relative rounding error of a typed expression, None for other texts.  `parts` are the
-    contributions of the uncertain numbers of an expression, or of the reading.
+    contributions of the uncertain numbers of an expression, or of the reading.  `ratio` is the
+    number of an expression, which `number` rounds.
     """
 
     __slots__ = (
         "assumptions",
         "number",
         "parts",
+        "ratio",
         "reading",
         "rounding",
         "scale",
@@ -42,6 +44,7 @@ class Amount:
         reading: float = 0.0,
         rounding: float | None = None,
         parts: "tuple[Part, ...]" = (),
+        ratio: "tuple[int, int] | None" = None,
     ) -> None:
         self.text = text
         self.number = number
@@ -52,10 +55,20 @@ class Amount:
         self.reading = reading
         self.rounding = rounding
         self.parts = parts
+        self.ratio = ratio
 
     @property
     def typed(self) -> tuple[float, Unit | None]:
         return (self.reading, self.scale) if self.scale else (self.number, self.unit)
+
+    @property
+    def exact(self) -> float:
+        """The typed number or reading, with its ratio if the text has one."""
+        if self.scale:
+            return self.reading
+        from radcalc.units.numbers import Typed, exactly
+
+        return Typed(self.number, self.ratio) if self.ratio else exactly(self.text, self.number)
 
     @property
     def is_uncertain(self) -> bool:

@@ -38,7 +38,7 @@ def read_sum(text: str) -> Amount | None:
     from radcalc.units.expressions import read_expression
 
     result = read_expression(text)
-    return Amount(text, result[0], result[1], rounding=result[2]) if result else None
+    return Amount(text, *result[:2], rounding=result[2], ratio=result[3]) if result else None
 
 
 def split_value(text: str) -> tuple[float, str]:

@@ -679,8 +679,8 @@ def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
 
 def read_expression(
     text: str, leaves: Leaves | None = None
-) -> tuple[float, Unit | None, float] | None:
-    """Return the number, the unit and the relative rounding error of an expression, or None.
+) -> tuple[float, Unit | None, float, tuple[int, int]] | None:
+    """Return the number, unit, relative rounding error and exact ratio of an expression, or None.
 
     `leaves` are parts of a `plain` text that are already read.
     """
@@ -696,4 +696,4 @@ def read_expression(
         raise ExpressionError(f"'{quote(text)}' is too large for a number", "less than 1.8e308")
     if abs(number) < SMALLEST and top:
         raise ExpressionError(f"'{quote(text)}' is too small for a number", "more than 2.3e-308")
-    return number, unit, max(value.rounding, EXACT)
+    return number, unit, max(value.rounding, EXACT), (top, bottom)

@@ -113,6 +113,46 @@ def parse_number(text: str) -> float:
     return value
 
 
+class Typed(float):
+    """A number with the `ratio` of whole numbers that was typed, which a float may only be near.
+
+    Arithmetic with it gives floats; a conversion by an exact ratio rounds once.
+    """
+
+    __slots__ = ("ratio",)
+    ratio: tuple[int, int]
+
+    def __new__(cls, number: float, ratio: tuple[int, int]) -> "Typed":
+        """Return the number with its ratio."""
+        made = super().__new__(cls, number)
+        made.ratio = ratio
+        return made
+
+    def as_integer_ratio(self) -> tuple[int, int]:
+        """Return the ratio as typed."""
+        return self.ratio
+
+
+def exactly(text: str, number: float) -> float:
+    """Return the number at the start of a text with its exact ratio; the number if it has none.
+
+    Decimals, their products and quotients have one; multiples of pi and other texts have none.
+    """
+    top = bottom = 1
+    for part in text[: read_number(text)[1]].replace("/", "*/").split("*"):
+        typed = typed_digits(part.removeprefix("/"))
+        if typed is None:
+            return number
+        digits, power = int(typed[0]), typed[1]
+        over, under = digits * 10 ** max(power, 0), 10 ** max(-power, 0)
+        if part[0] == "/":
+            over, under = under, over
+        top, bottom = top * over, bottom * under
+    if not bottom or top / bottom != abs(number):  # the text is read in another way
+        return number
+    return Typed(number, (-top if number < 0 else top, bottom))
+
+
 def split_quantity(text: str) -> tuple[float, str]:
     """Split '100 lx' into its number and the text of its unit, which may be empty."""
     text = text.strip()
