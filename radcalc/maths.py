@@ -35,6 +35,15 @@ def is_array(x: Any) -> bool:
     return hasattr(x, "dtype") and not isinstance(x, float) and not is_uncertain(x)
 
 
+def frozen(x: Any) -> Any:
+    """Return a view of a NumPy array that cannot be changed; anything else unchanged."""
+    if not (hasattr(x, "setflags") and x.ndim):
+        return x
+    view = x.view()
+    view.setflags(write=False)
+    return view
+
+
 def is_uncertain(x: Any) -> bool:
     """Return whether x is a number of the `uncertainties` package (not an array)."""
     return hasattr(x, "error_components")

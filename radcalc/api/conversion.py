@@ -19,7 +19,7 @@ from radcalc.conversion.plan import answer as answer_of
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import ConditionError, ConversionError, UnitError, option, quote
 from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
-from radcalc.maths import LARGEST, is_array, is_column, is_uncertain
+from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe, result_name
 from radcalc.quantities.symbols import article
 from radcalc.units.amount import Amount as ReadAmount
@@ -82,7 +82,7 @@ def convert(value: Number, target: str, **conditions: Any) -> Quantity:
         number = _converted(conversion, magnitude, given).number
     else:
         number = broadcast(lambda: conversion.apply(magnitude))
-    return number if conversion.target.is_scale else quantity(number, conversion.target)
+    return frozen(number) if conversion.target.is_scale else quantity(number, conversion.target)
 
 
 @of_page("convert")

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from radcalc.errors import UnitError, quote
+from radcalc.maths import frozen
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.unit import Unit
 
@@ -48,6 +49,6 @@ def plain(value: Any) -> Any:
 
 
 def quantity(magnitude: Any, unit: Unit) -> Quantity:
-    """Return a number, or an array, in a unit."""
-    result: Quantity = Quantity(magnitude, light_registry().container(unit))
+    """Return a number, or an array, in a unit; nobody can change the array."""
+    result: Quantity = Quantity(frozen(magnitude), light_registry().container(unit))
     return result

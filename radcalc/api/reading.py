@@ -11,7 +11,7 @@ from radcalc.errors import ConditionError, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.places import TOO_FAR, read_place
 from radcalc.inputs.reading import read, read_interval, split_values
-from radcalc.maths import LARGEST, is_column
+from radcalc.maths import LARGEST, frozen, is_column
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -63,7 +63,14 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
         value = ",".join(map(as_text, value))
     if form == INTERVAL:
         value = as_interval(value)
-    return read(name, plain(value), uncertain=True)
+    return read(name, _owned(plain(value)), uncertain=True)
+
+
+def _owned(value: Any) -> Any:
+    """Return a copy of an array of a user, who may change it later."""
+    if isinstance(value, tuple):
+        return tuple(map(_owned, value))
+    return frozen(value.copy()) if isinstance(value, numpy.ndarray) and value.ndim else value
 
 
 def gathered(keyword: str, value: Any) -> Any:

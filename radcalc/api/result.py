@@ -13,7 +13,7 @@ from radcalc.api.spelling import in_words, keyword, symbol_name
 from radcalc.calculators.results import in_unit, name_in, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.inputs.given import Inputs
-from radcalc.maths import is_column
+from radcalc.maths import frozen, is_column
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
 
@@ -308,11 +308,12 @@ def of_answer(
     parts = [_quantities(part) for part in answers]
     every, names = parts[0]
     if len(parts) > 1:
-        every = {name: Quantity.from_list([part[name] for part, _ in parts]) for name in every}
+        every = {name: _stacked([part[name] for part, _ in parts]) for name in every}
 
     def show() -> answer.Result:
+        all_rows = _together([rows(part.values) for part in answers])
         return answer.Result(
-            _together([rows(part.values) for part in answers]),
+            tuple([row._replace(value=frozen(row.value)) for row in all_rows]),
             tuple(dict.fromkeys(text for part in answers for text in part.assumptions)),
             tuple(dict.fromkeys(text for part in answers for text in part.notes)),
             tuple(solution.steps),
@@ -320,6 +321,11 @@ def of_answer(
         ).spelled(in_words)
 
     return Result(command, show, every, names, ask, solved)
+
+
+def _stacked(quantities: list[Any]) -> Any:
+    stacked = Quantity.from_list(quantities)
+    return Quantity(frozen(stacked.magnitude), stacked.units)
 
 
 def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:

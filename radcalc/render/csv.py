@@ -101,7 +101,7 @@ def _of_row(row: Row, style: Style) -> dict[str, str]:
         numbers |= {"-low": row.ends[0], "-high": row.ends[1]}
     if row.uncertainty:
         value, off = rounded(row.value, row.uncertainty, style.precision)
-        cells = {"": repr(value), "-uncertainty": repr(off)}
+        cells = {"": repr(float(value)), "-uncertainty": repr(off)}
     else:
         cells = {suffix: _cell(x, style) for suffix, x in numbers.items()}
     return {f"{row.name}{suffix}:{row.unit}": cell for suffix, cell in cells.items()}

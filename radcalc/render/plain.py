@@ -5,6 +5,7 @@ from radcalc.units.unit import unit_behind
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
     from radcalc.answer import Ends, Result, Row, Step
     from radcalc.render.formats import Judgement, Records, Style
@@ -67,10 +68,10 @@ def omitted(rows: "Sequence[Row]") -> tuple[str, ...]:
     return tuple(notes)
 
 
-def rounded(value: float, off: float, precision: int | None) -> tuple[float, float]:
+def rounded(value: "Any", off: float, precision: int | None) -> "tuple[Any, float]":
     """Return a number and its uncertainty as they are shown, with a precision; else as they are."""
     if not precision:
-        return float(value), off
+        return value, off
     if not off:
         return float(number(value, precision)), off
     tens = int(f"{off:.1e}".partition("e")[2]) - 1

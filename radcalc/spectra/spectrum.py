@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from operator import mul
 
 from radcalc.errors import ConditionError
+from radcalc.maths import frozen
 from radcalc.spectra import planck
 from radcalc.spectra.integrals import clip, integral, moment_between, moments
 from radcalc.spectra.observers import Observer
@@ -123,8 +124,8 @@ class Table(Spectrum):
             ends = range_text(self.known)
             notes += (f"the data covers {ends}, not all of the visible {range_text(PAR)}",)
         super().__init__(label, self.known if limits == WHOLE else limits, notes)
-        self.grid = grid
-        self.values = values
+        self.grid = frozen(grid)
+        self.values = frozen(values)
         self.absolute = absolute
 
     def part(self, limits: Range) -> Spectrum | None:

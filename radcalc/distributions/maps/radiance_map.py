@@ -21,7 +21,7 @@ from radcalc.geometry.projections import (
     pixel_solid_angles,
     place_of,
 )
-from radcalc.maths import Number
+from radcalc.maths import Number, frozen
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS, WHOLE_SPHERE
 from radcalc.units.ranges import refuse_masked
 
@@ -114,7 +114,7 @@ class RadianceMap:
                 f"pixels of the shape {pixels.shape} and the type {pixels.dtype} are not a map",
                 "real numbers of the shape (height, width) or (height, width, channels)",
             )
-        self.pixels = pixels if len(pixels.shape) == 3 else pixels[:, :, None]
+        self.pixels = frozen(pixels if len(pixels.shape) == 3 else pixels[:, :, None])
         rows, columns, channels = self.pixels.shape
         if len(weights or (1.0,)) != channels:
             raise ConditionError(
