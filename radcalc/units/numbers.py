@@ -138,8 +138,12 @@ def exactly(text: str, number: float) -> float:
 
     Decimals, their products and quotients have one; multiples of pi and other texts have none.
     """
+    try:
+        end = read_number(text)[1]
+    except NumberError:  # a number in a bracket, or a function
+        return number
     top = bottom = 1
-    for part in text[: read_number(text)[1]].replace("/", "*/").split("*"):
+    for part in text[:end].replace("/", "*/").split("*"):
         typed = typed_digits(part.removeprefix("/"))
         if typed is None:
             return number

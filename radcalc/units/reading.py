@@ -92,6 +92,7 @@ def with_unit(amount: Amount, unit: str) -> Amount:
             0.0,
             amount.rounding,
             amount.parts,
+            amount.ratio,
         )
     if amount.rounding is not None or amount.parts:
         return read_amount(text)

@@ -102,3 +102,18 @@ def test_an_expression_is_rounded_once():
         found = plan(amount.unit, resolve(end)).apply(amount.exact)
         exact = (Fraction(a) + Fraction(b)) * Fraction(c) * ratio(DEFINED[start, end])
         assert found == float(exact)
+
+
+def test_a_text_that_begins_with_no_decimal_is_converted():
+    for text, target, value in (
+        ("(100+-3) lx * (2.0+-0.1) m2", "lm", 200.0), ("(10±1)%", "1", 0.1),
+        ("sin(30deg)", "%", 50.0),
+        ("4pi sr", "sr", 4 * math.pi), ("sqrt(4) lx", "mlx", 2000.0), ("100(3)e2 lx", "klx", 10.0),
+        ("(1/3) lx", "lx", 1 / 3), ("-(2) lx", "mlx", -2000.0), ("10 dBm", "mW", 10.0),
+    ):  # fmt: skip
+        found = radcalc.convert(text, target)
+        found = getattr(found, "magnitude", found)
+        assert getattr(found, "nominal_value", found) == value
+        done = run("convert", text, "to", target, "--json")
+        (result,) = json.loads(done.stdout)["results"].values()
+        assert result["value"] == value
