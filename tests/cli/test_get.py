@@ -19,6 +19,7 @@ from test_cases import FILES, transcripts
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.calculators.results import pick
 from radcalc.cli import answers
+from radcalc.cli.compile import command_of
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
 from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit, specific_name
@@ -246,3 +247,40 @@ def test_the_order_of_two_kinds_does_not_matter():
                 assert (refused.returncode, refused.stdout) == (2, ""), (calls, key)
                 assert f"'{key}' is ambiguous" in refused.stderr
     assert answered > 40
+
+
+def answers_of(words):
+    """Return the results of a call in JSON, for each of its answers, or its refusal."""
+    done = run(*words, "--json", cwd=ROOT)
+    return done.stderr if done.returncode else [found["results"] for found in read(done.stdout)]
+
+
+def test_a_result_that_is_fed_back_as_an_option_gives_the_same_answer():
+    """It is compared with the laws; some options exclude each other, but none contradicts."""
+    chance, same = random.Random(27), 0
+    for text in chance.sample(LISTINGS, 90):
+        words = shlex.split(text)
+        before = answers_of(words)
+        if len(before) != 1 or "±" in text or "+-" in text:
+            continue
+        options = {spelling for option in command_of(words[0]).params for spelling in option.opts}
+        for name, result in before[0].items():
+            if f"--{name}" not in options or result["given"]:
+                continue
+            unit = result["unit"].replace(" ", ".").removeprefix("1")
+            after = answers_of([*words, f"--{name}", f"{result['value']!r}{unit}"])
+            if isinstance(after, str):
+                assert "contradict" not in after, (text, name)
+            else:
+                same += 1
+                assert any(is_same(before[0], found) for found in after), (text, name)
+    assert same > 100
+
+
+def is_same(before, after):
+    """Compare the results in both; the error of a sum depends on how it was found."""
+    return all(
+        before[name]["unit"] != after[name]["unit"]
+        or math.isclose(before[name]["value"], after[name]["value"], rel_tol=1e-6, abs_tol=1e-9)
+        for name in before.keys() & after.keys() - {"error"}
+    )
