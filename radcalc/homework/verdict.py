@@ -218,8 +218,6 @@ def _explained(
     """Add the likely mistakes to the verdict on a wrong answer."""
     if verdict.diagnoses:
         return verdict
-    if not asked_tolerance and (zeros := _zeros(claim, reading)):
-        return verdict._replace(diagnoses=(zeros,))
     from radcalc.homework.diagnosis import diagnose  # not needed for right answers
 
     target, meant = reading.target, _turned(claim, reading)
@@ -235,6 +233,8 @@ def _explained(
         return verdict
     scale = float(target.amount) / right if right else scale
     diagnoses = diagnose(question, target, meant, scale)
+    if not diagnoses and not asked_tolerance and (zeros := _zeros(claim, reading)):
+        return verdict._replace(diagnoses=(zeros,))
     if question.steps and diagnoses and verdict.ratio is not None:
         verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, diagnoses[0])))
     return verdict._replace(diagnoses=diagnoses)
