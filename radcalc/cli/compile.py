@@ -212,7 +212,7 @@ def results_of(command: SectionedCommand) -> list[str]:
             with commands.make_context("radcalc", [*words, "-g", "?"]) as call_context:
                 commands.invoke(call_context)
         except UsageError as error:
-            names += error.hint.split(", ")
+            names += error.hint.replace(" or ", ", ").split(", ")
         except (RadcalcError, click.ClickException):
             continue  # the file is missing here
     kinds = [name for generic in names for name in names_of_kinds(generic)]
