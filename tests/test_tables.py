@@ -30,7 +30,7 @@ def test_numbers_in_an_unknown_unit_are_never_taken_for_light(title):
 def test_another_spelling_of_the_typed_unit_is_read(title):
     done = run("dose", "-", "--unit", "fc", "-g", "exposure:lx.h", input=LOG.format(title))
     assert float(done.stdout) == pytest.approx(1.5 / 0.09290304)  # lx per fc: 1 ft = 0.3048 m
-    assert "try: --unit fc" in run("dose", "-", input=LOG.format(title)).stderr
+    assert "--unit fc" in run("dose", "-", input=LOG.format(title)).stderr
 
 
 def test_the_users_unit_wins_over_a_known_title_and_is_said():
@@ -114,6 +114,10 @@ def test_the_remark_of_a_li1800_tells_photons_from_reflectances():
         "spectrum", "-", "-g", "illuminance:lx", input=f"nm;umol/m2/s/nm\n{rows}".replace("  ", ";")
     )
     assert done.stdout == flat.stdout
+    unknown = run("spectrum", "-", input=LI1800.format("TUBE 36W/865") + rows)
+    assert (unknown.returncode, "--unit W/m2/nm" in unknown.stderr) == (2, True)
+    watts = ("spectrum", "-", "-g", "x", "--unit", "W/m2/nm")
+    assert run(*watts, input=LI1800.format("TUBE 36W/865") + rows).returncode == 0
     for remark in ("REFL GREEN", "LEAF 3 TRANS", "reflectance"):
         bad = run("spectrum", "-", input=LI1800.format(remark) + rows)
         assert (bad.returncode, "is not light" in bad.stderr) == (2, True)

@@ -88,9 +88,10 @@ TYPED = {"relative": RELATIVE_WATTS, "photons": RELATIVE_PHOTONS}  # words for u
 # The settings of a spectrometer, whose program may write counts; and words for calibrated values.
 INTEGRATED = re.compile(
     r"(?:integration|int\.|exposure|vnir integration) ?time|scope ?->|csm:|spectra averaged"
+    r"|^\W?lims ?:"
 )
 CALIBRATED = re.compile(
-    WORD.format("(?:ir)?rad(?:iance)?") + r"|ir?radiance|watts?|w/|wm-2|spectral power"
+    WORD.format("(?:ir)?rad(?:iance)?") + r"|ir?radiance|watts?|(?<![0-9])w/|wm-2|spectral power"
 )
 LI1800 = re.compile(r'"?(?:lims|int) *:', re.IGNORECASE)
 LI180 = re.compile(r"PFD ?\(umol m-2 s-1\)")  # of each nanometre, in its table of photons
