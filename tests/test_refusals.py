@@ -157,7 +157,7 @@ CONVERSIONS = {
     "a tilt of 90 degrees is refused": (
         "cd", "nit", {"area": "1m2", "tilt": "90deg"}, "no light arrives", "below 90"),
     "a wide solid angle has no single angle from the normal": (
-        "nit", "lx", {"solid-angle": "1sr", "tilt": "60deg"}, "is not small",
+        "nit", "lx", {"solid-angle": "1sr", "tilt": "60deg"}, "is too large for one --tilt",
         "--half-angle 32.7705deg in place"),
     "a tilted disc that is near is not in the far field": (
         "nit", "lx", {"radius": "1m", "distance": "2m", "tilt": "60deg"}, "five times", "more"),

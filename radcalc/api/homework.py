@@ -55,7 +55,7 @@ def check(
         The answer: ``"16 lx"``, ``"illuminance=16 lx"`` for a certain result, or a bare number
         if it is unambiguous.  A name may have hyphens or underscores.
     tolerance : str, Quantity or float, optional
-        ``"1%"`` (the default), ``"0.5 lx"``, or ``"3sf"`` for significant digits; a bare number
+        ``"1%"`` (the default), ``"0.5 lx"``, or ``"3sf"`` (3 significant digits); a bare number
         is a fraction of the right value.
 
     Returns

@@ -32,8 +32,8 @@ PAGE = Page(
         "400nm:700nm:50nm get=wavelength:nm get=luminous-efficacy:lm/W",
     ),
     remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  The "
-    "luminous efficacy is that at the wavelength as given, or at the wavelength in standard air "
-    "of a frequency, a wavenumber or an energy.",
+    "luminous efficacy is taken at the wavelength that you give.  A frequency, wavenumber or "
+    "energy is first converted to a wavelength in standard air.",
 )
 
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}

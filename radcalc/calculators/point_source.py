@@ -142,15 +142,16 @@ PAGE = Page(
     The source may be a lamp, a spot or the file of a luminaire.  Give the quantities that you know;
     radcalc calculates those that follow from them.  Redundant quantities are checked against each
     other, to the precision of the digits typed.  The irradiance is that on the receiver.  Light is
-    assumed to arrive along the receiver's normal, unless {incidence} is given or {get=incidence}
-    requests the angle; with a {height} the source points straight down and the receiver is
-    horizontal.  An offset, a height or an exponent can be calculated from the light; if two values
-    fit, both are shown.
+    assumed to arrive along the receiver's normal, unless you give {incidence}, or ask for the
+    angle with {get=incidence}.  With a {height} the source points straight down and the receiver is
+    horizontal.  An offset, a height or an exponent can be calculated from the given quantities of
+    light (such as {illuminance}); if two values fit, both are shown.
 
     {distribution} also takes the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
     intensities (CSV), - for standard input, or an expression with a blank and a unit at its end.
-    In the expression, theta is the angle from the source's axis and phi the azimuth around it.  A
-    light quantity scales such a source.  {offset} is measured towards C0, {offset-y} towards C90.
+    In the expression, theta is the angle from the source's axis and phi the azimuth around it.  If
+    you also give a quantity of light, such as {flux}, the intensities are scaled to match it.
+    {offset} is measured towards C0, {offset-y} towards C90.
 
     Several sources add up (see also radcalc scene):
 
@@ -212,9 +213,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     placed.assume(ASSUMED[shape])
     is_explicit = not given.keys().isdisjoint(("distribution", "isotropic"))
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_explicit:
-        placed.note(
-            mention("this is the flux of an isotropic source; for a beam, give {beam-angle}")
-        )
+        placed.note(mention("the source is taken as isotropic; for a beam, give {beam-angle}"))
     solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
     if is_aside:
         require_height(solutions[0])

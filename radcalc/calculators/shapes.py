@@ -396,7 +396,9 @@ def _part_of_hemisphere(sheet: Worksheet) -> Placed:
     """Place a luminous cone of a hemisphere, whose half angle the irradiance gives."""
     placed = Seen(sheet.given, PROJECTED_CONE, CONE)
     placed.face()
-    placed.assume("a cone of the hemisphere shines, of the half angle that the light gives")
+    placed.assume(
+        "only a cone around the zenith is luminous; its half angle follows from the irradiance"
+    )
     return placed
 
 

@@ -267,8 +267,8 @@ class _Run:
             return self.work_out({**self.given, self.name: moved(nominal_input, shift)})
         except (Contradiction, Exclusive) as error:
             raise ConditionError(
-                f"{_option_text(self.input)} is uncertain, and redundant inputs contradict its "
-                "other values",
+                f"{_option_text(self.input)} is uncertain, and cannot be checked against "
+                "redundant inputs",
                 error.hint,
             ) from None
         except RadcalcError as error:

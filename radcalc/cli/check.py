@@ -23,7 +23,7 @@ OPTIONS = (
     click.Option(
         ["--tolerance"],
         metavar="1%",
-        help="Allowed deviation: 1% (default), 0.5lx, or 3sf for significant digits.",
+        help="Allowed deviation: 1% (default), 0.5lx, or 3sf (3 significant digits).",
     ),
 )
 

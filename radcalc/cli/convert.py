@@ -65,9 +65,9 @@ Unit symbols are case-sensitive, full names are not.  TARGET may also be the
 name of a quantity in English, Czech or Russian, which stands for its usual unit.  Without
 TARGET, the value is shown in every unit of its quantity.  Write the value of a condition, such
 as --distance, as one word with its unit (2m, 30deg).
-VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), and TARGET a list; the last
-list varies fastest.  A condition that no answer needs is an error.  Values and conditions may
-have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
+VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), and TARGET a list; with
+several lists, the last one changes first.  A condition that no answer needs is an error.
+Values and conditions may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
 
 With - as VALUE, each line of standard input is a number, and the result replaces it.
 With - instead of VALUE UNIT, the unit is in each line or in the title of the column (E [lx]).

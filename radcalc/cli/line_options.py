@@ -70,8 +70,8 @@ OPTIONS = (
         ["--invalid"],
         type=click.Choice(INVALID),
         help="Treatment of unreadable lines.  abort (default): stop at the first.  fail, warn, "
-        "ignore: pass them through, and fail at the end (status 2), warn (status 0) or say nothing "
-        "(status 0).",
+        "ignore: copy them unchanged, and fail at the end (status 2), warn (status 0) or say "
+        "nothing (status 0).",
     ),
 )
 

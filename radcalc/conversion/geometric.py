@@ -143,8 +143,8 @@ def _slanting(given: Input, turn: Input) -> Factor:
         if maths.any_true(half > NARROW * (1 + maths.SLACK)):
             size = "ANGLE" if maths.is_array(half) else f"{half * (180 / math.pi):.6g}deg"
             raise ConditionError(
-                f"{option('solid-angle', quote(given.text))} is not small: its directions differ "
-                "in their angle from the normal",
+                f"{option('solid-angle', quote(given.text))} is too large for one "
+                f"{option(turn.name)}: its directions are at different angles to the normal",
                 Try((("half-angle", size),), ("solid-angle",), remark="a cone"),
             )
         omega = given.value * cosine

@@ -110,7 +110,7 @@ class Law(NamedTuple):
         is_dark = product == 0
         if (is_dark is not False and any_true(is_dark)) or (root < 0 and any_true(result == 0)):
             raise ConditionError(
-                f"no light arrives, so the {target.replace('-', ' ')} does not follow from it",
+                f"no light arrives, so the {target.replace('-', ' ')} cannot be calculated",
                 "a receiver in the light",
             )
         quotient = result / product

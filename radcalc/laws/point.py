@@ -423,9 +423,9 @@ def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
         place = {name.replace("-", "_"): at(name) for name in places}
         return getattr(receivers, shape)(*map(at, parameters), radius, at("distance"), **place)
 
-    title = f"{shape}, a receiver in its light"
+    title = f"solid angle of a receiver lit by {LIT_BY[shape]}"
     if aside:
-        title += f" off the axis{', turned' if turned else ''}"
+        title += f", off the axis{', turned' if turned else ''}"
     return relation(
         title,
         f"{{received-solid-angle}} = integral of {texts}, over {where}",
@@ -433,6 +433,7 @@ def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
     )
 
 
+LIT_BY = {ISOTROPIC: "an isotropic source", CONICAL: "a cone", LOBED: "a lobe"}
 # The symbols of a distribution's shape, and its integrand over a receiver.
 _INTEGRANDS: dict[str, tuple[tuple[str, ...], str]] = {
     ISOTROPIC: ((), "cos(theta) / r^2"),

@@ -137,7 +137,8 @@ SCALES = (
     ),
     Scale(
         ("bril", "brils"), "L", "lambert", 1, 2, 1, 100,
-        "a step is twice the luminance; bril is also used for 1e-7 lambert and for a sensation",
+        "each step doubles the luminance; 'bril' is also a name for 1e-7 lambert, and for a unit "
+        "of sensation",
         "GNU units, bril",
     ),
 )  # fmt: skip

@@ -163,7 +163,8 @@ def _of_quantity(
     other_unit = resolve_any(unit_of_uncertainty)
     if other_unit.dimension != unit.dimension or scale_of(other_unit) != scale_of(unit):
         raise UnitError(
-            f"the uncertainty of '{quote(text)}' is in a unit of another quantity than the value",
+            f"the value and the uncertainty of '{quote(text)}' are in units of different "
+            "quantities",
             f"an uncertainty in {quote(unit.text)}",
         )
     ratio = divide(other_unit.top * unit.bottom, other_unit.bottom * unit.top)

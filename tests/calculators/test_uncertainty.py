@@ -280,7 +280,7 @@ def test_other_values_than_numbers_are_refused(number, problem, make):
     [
         (
             lambda: radcalc.point_source(flux="800+-20lm", intensity="63.66cd", distance="2m"),
-            "redundant inputs contradict",
+            "cannot be checked against redundant inputs",
         ),
         (
             lambda: radcalc.convert(Q(numpy.ones(2), "cd"), "lx", distance="1+-0.1m"),

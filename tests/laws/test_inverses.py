@@ -118,25 +118,25 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("fall of a lobe", "relative-intensity"): (
         {"off-axis": ANGLE, "exponent": st.floats(0, 100)}, "relative-intensity",
         lambda off, n: math.cos(off) ** n),
-    ("isotropic, a receiver in its light", "received-solid-angle"): (
+    ("solid angle of a receiver lit by an isotropic source", "received-solid-angle"): (
         {**RECEIVER, "incidence": ANGLE}, "received-solid-angle", _on_disc),
-    ("cone, a receiver in its light", "received-solid-angle"): (
+    ("solid angle of a receiver lit by a cone", "received-solid-angle"): (
         {"half-angle": st.floats(0.01, 3.1), **RECEIVER, "incidence": st.just(0.0)},
         "received-solid-angle", lambda *at: _lit(*at[:3])),
-    ("lobe, a receiver in its light", "received-solid-angle"): (
+    ("solid angle of a receiver lit by a lobe", "received-solid-angle"): (
         {"exponent": st.floats(0, 100), **RECEIVER, "incidence": st.just(0.0)},
         "received-solid-angle", lambda n, a, d, t: _on_disc(a, d, t, n)),
-    ("cone, a receiver in its light off the axis", "received-solid-angle"): (
+    ("solid angle of a receiver lit by a cone, off the axis", "received-solid-angle"): (
         {"half-angle": st.floats(1.5, 3.1), **SMALL, "off-axis": st.floats(0, 1.4)},
         "received-solid-angle", lambda _, a, d, off: _on_disc(a, d, off)),
-    ("lobe, a receiver in its light off the axis", "received-solid-angle"): (
+    ("solid angle of a receiver lit by a lobe, off the axis", "received-solid-angle"): (
         {"exponent": st.just(0.0), **RECEIVER, "off-axis": st.floats(0, 1.0)},
         "received-solid-angle", lambda _, a, d, off: _on_disc(a, d, off)),
-    ("cone, a receiver in its light off the axis, turned", "received-solid-angle"): (
+    ("solid angle of a receiver lit by a cone, off the axis, turned", "received-solid-angle"): (
         {"half-angle": st.floats(1.5, 3.1), **SMALL, "off-axis": st.floats(0, 1.4),
          "incidence": ANGLE},
         "received-solid-angle", lambda _, a, d, off, t: _on_disc(a, d, t)),
-    ("lobe, a receiver in its light off the axis, turned", "received-solid-angle"): (
+    ("solid angle of a receiver lit by a lobe, off the axis, turned", "received-solid-angle"): (
         {"exponent": st.just(0.0), **SMALL, "off-axis": st.floats(0, 1.4), "incidence": ANGLE},
         "received-solid-angle", lambda _, a, d, off, t: _on_disc(a, d, t)),
     ("disc on its axis, cut by the receiver's horizon", "projected-solid-angle"): (

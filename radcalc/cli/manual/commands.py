@@ -109,7 +109,9 @@ def sections_of(of: str) -> Sections:
     if of == "radcalc":
         return {"": main_options()}
     sections = {title: group for title, group in command_of(of).sections.items() if title != LINES}
-    return sections | {"Output": [*sections["Output"], HELP]}
+    # a hidden option of the output does not apply to the command
+    shown = [option for option in sections["Output"] if not option.hidden]
+    return sections | {"Output": [*shown, HELP]}
 
 
 def results(of: str) -> Iterator[str]:
