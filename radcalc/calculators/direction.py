@@ -10,7 +10,16 @@ from radcalc.calculators.results import known, value
 from radcalc.calculators.task import Task, Wants
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, Exclusive, UsageError, command, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    UsageError,
+    command,
+    leave_out,
+    mention,
+    option,
+    quote,
+)
 from radcalc.geometry.directions import cartesian, mirror_normal, reflected, spherical
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, unit
 from radcalc.geometry.projections import direction_at, is_outside, place_of
@@ -75,7 +84,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
         names = [name for name in given if name not in MIRRORS]
         if vector and names:
             what = option("mirror-ball") if "mirror-ball" in names else "angles"
-            raise ConditionError(f"a vector cannot be used with {what}", "only one of them")
+            raise ConditionError(f"a vector cannot be used with {what}", leave_out(*names))
         if not vector and not names:
             hint = mention("X Y Z, or {polar=45deg} {azimuth=30deg}")
             raise UsageError("a direction is missing", hint)

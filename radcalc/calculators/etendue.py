@@ -8,7 +8,15 @@ from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, HorizonCuts, MissingInput, NumberError, TooNear, mention
+from radcalc.errors import (
+    ConditionError,
+    HorizonCuts,
+    MissingInput,
+    NumberError,
+    TooNear,
+    leave_out,
+    mention,
+)
 from radcalc.geometry import cones, far_field
 from radcalc.inputs.given import Inputs, angle_of, at_most_one, half_angle_of, one_of
 from radcalc.laws import etendue as laws_of
@@ -70,7 +78,11 @@ def etendue(given: Inputs) -> Answer:
     has_receiver |= "distance" in given and not has_cone
     if has_receiver and has_cone:
         raise ConditionError(
-            "a receiver cannot be used with a cone: both limit the light", "only one of them"
+            "a receiver cannot be used with a cone: both limit the light",
+            [
+                leave_out(*(name for name in CONES if name in given)),
+                leave_out(*(name for name in (*RECEIVERS, "distance") if name in given)),
+            ],
         )
     takes = WITH_RECEIVER if has_receiver else WITH_CONE
     named = f"a source and a {'receiver' if has_receiver else 'cone'}"
@@ -106,7 +118,9 @@ def _unlimited(given: Inputs) -> MissingInput:
 def _source(given: Inputs) -> list[AnyLaw]:
     if "width" in given or "length" in given:
         if set(given) & {"area", *ROUND}:
-            raise ConditionError("the size of the source is given twice", "only one of them")
+            sides = {"width", "length"} & set(given)
+            hint = [leave_out(*sides), leave_out(*({"area", *ROUND} & set(given)))]
+            raise ConditionError("the size of the source is given twice", hint)
         return [RECTANGLE]
     size = at_most_one(given, "the size of the source", "area", *ROUND)
     return [*round_sizes(given), CIRCLE] if size and size.name in ROUND else []

@@ -7,7 +7,7 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
-from radcalc.errors import ConditionError, Contradiction, MissingInput, mention, option, quote
+from radcalc.errors import ConditionError, Contradiction, MissingInput, Try, mention, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.laws.exposure import (
     FILTERED,
@@ -143,7 +143,8 @@ def _solve_exposure(given: Inputs) -> Answer:
     for item in given.values():
         if isinstance(item.unit, ScaleUnit) and item.unit.scale.constant:
             problem = f"{option(item.name, quote(item.text))} is an exposure value"
-            raise ConditionError(problem, f"{option('ev100', f'{item.number:.12g}')} in its place")
+            better = Try((("ev100", f"{item.number:.12g}"),), (item.name,))
+            raise ConditionError(problem, better)
     if set(OF_FLASH) & set(given):
         return _flash(given)
     filtered = bool(set(FILTER) & set(given))

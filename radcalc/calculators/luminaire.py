@@ -34,6 +34,7 @@ from radcalc.errors import (
     ConditionError,
     Exclusive,
     MissingInput,
+    Try,
     Unused,
     mention,
     option,
@@ -215,7 +216,10 @@ class _Luminaire:
             name = option(light["intensity"].name)
             raise ConditionError(
                 f"{name} is the intensity on the axis, which is 0 in this distribution",
-                mention("{flux} or {peak-intensity} in its place"),
+                [
+                    Try((("peak-intensity", light["intensity"].text),), (light["intensity"].name,)),
+                    Try((("flux", ""),), (light["intensity"].name,)),
+                ],
             )
         if isinstance(flux, ConditionError):
             if {"flux", "energy"} & set(light):

@@ -8,7 +8,17 @@ from radcalc.calculators.kinds import LightInputs
 from radcalc.calculators.solved import Solved, solve, solve_all
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet
 from radcalc.derivation import coherent_unit_of, format_value
-from radcalc.errors import ConditionError, Exclusive, MissingInput, command, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    MissingInput,
+    add,
+    command,
+    mention,
+    one_of,
+    option,
+    quote,
+)
 from radcalc.inputs.given import Inputs, angle_of, require
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import ASIDE, CONICAL, ISOTROPIC, LOBED
@@ -87,9 +97,8 @@ def solve_facing(
         angle = _explaining_incidence(sheet, laws, placed)
         if angle is None or is_array(angle):
             raise
-        degrees = f"{math.degrees(angle):.6g} deg"
-        hint = f"{error.hint}; an incidence of {degrees} would explain it"
-        raise error.reworded(hint=hint) from None
+        turned = add("incidence", f"{math.degrees(angle):.6g}deg", "would explain it")
+        raise error.reworded(hint=[turned, *error.tries]) from None
 
 
 def _explaining_incidence(sheet: Worksheet, laws: list[AnyLaw], placed: Placed) -> Any:
@@ -121,14 +130,14 @@ def spread(given: Inputs) -> str:
         if other != shape:
             raise ConditionError(
                 f"{option(first)} describes {OF[shape]}, {option(name)} {OF[other]}",
-                "only one of them",
+                one_of(first, name),
             )
         if name in FLAGS:
             raise Exclusive([first, name], "both give the cone")
     if chosen not in (None, shape):
         distribution = option("distribution", quote(given["distribution"].text))
         message = f"{option(first)} cannot be used with {distribution}: it describes {OF[shape]}"
-        raise ConditionError(message, "only one of them")
+        raise ConditionError(message, one_of(first, "distribution"))
     return shape
 
 

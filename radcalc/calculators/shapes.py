@@ -7,7 +7,15 @@ from typing import Any
 
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, refuse_slant_for_height
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, Exclusive, HorizonCuts, MissingInput, mention, option
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    HorizonCuts,
+    MissingInput,
+    leave_out,
+    mention,
+    option,
+)
 from radcalc.geometry import cones, far_field, projected, solid, spheres
 from radcalc.inputs.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.cones import CONE, PROJECTED_CONE
@@ -211,7 +219,7 @@ def _height(given: Inputs) -> Any:
     if not given_names:
         return None
     if given_names == ["distance"] and set(OFFSETS) & set(given):
-        refuse_slant_for_height()
+        refuse_slant_for_height(given["distance"])
     return given[given_names[0]].value
 
 
@@ -340,7 +348,8 @@ def _corner(given: Inputs) -> tuple[Any, Any]:
     """Return the offsets of a rectangle's corner; refuse other offsets and a distance."""
     if {*OFFSETS, "distance"} & set(given):
         message = mention("{corner} with {height} already places the receiver")
-        raise ConditionError(message, "only one of them")
+        others = [name for name in (*OFFSETS, "distance") if name in given]
+        raise ConditionError(message, [leave_out(*others), leave_out("corner")])
     return given["width"].value / 2, given["length"].value / 2
 
 

@@ -262,7 +262,7 @@ def _height_above(given: Inputs) -> Input:
     """Return the height above a flat shape; on the axis it may be given as the distance."""
     height = one_of(given, "the height above the source", "height", "distance")
     if height.name == "distance" and {"corner", *OFFSETS} & set(given):
-        refuse_slant_for_height()
+        refuse_slant_for_height(given["distance"])
     return height
 
 

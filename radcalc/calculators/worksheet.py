@@ -9,7 +9,7 @@ from typing import Any
 from radcalc.answer import Step
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
-from radcalc.errors import ConditionError, Unused, mention, option, quote
+from radcalc.errors import ConditionError, Try, Unused, mention, option, quote
 from radcalc.inputs.given import Input, Inputs, split_by_light
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import Known, reached
@@ -207,9 +207,9 @@ def _refuse_disparate(given: Inputs) -> None:
         raise ConditionError(f"{option_texts} are too far apart", "less extreme values")
 
 
-def refuse_slant_for_height() -> None:
+def refuse_slant_for_height(distance: Input) -> None:
     """Refuse a distance that is not the height above a flat source."""
     raise ConditionError(
         mention("{distance} is the straight line to the centre, not the height"),
-        mention("{height} in its place"),
+        Try((("height", distance.text),), ("distance",)),
     )

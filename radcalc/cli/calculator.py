@@ -59,7 +59,7 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
     from radcalc.homework.question import of_task
 
     assert request.check is not None
-    check.refuse_several(sum(case.size for case in cases))
+    check.refuse_several(sum(case.size for case in cases), cases[0].varied)
     question = of_task(task, cases[0].given, request.steps)
     (inputs,) = _shown_inputs(cases, task)
     return check.judge(question, request.check, request.tolerance, output, inputs)

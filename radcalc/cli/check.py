@@ -7,7 +7,7 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Row, ShownInput
-from radcalc.errors import UsageError, leave_out
+from radcalc.errors import Try, UsageError, leave_out
 
 if TYPE_CHECKING:
     from radcalc.cli.options import Output
@@ -31,13 +31,15 @@ OPTIONS = (
 def refuse_idle(check: str | None, tolerance: str | None) -> None:
     """Refuse --tolerance without --check."""
     if tolerance is not None and check is None:
-        raise UsageError("--tolerance does not apply without --check", "--check VALUE with it")
+        raise UsageError("--tolerance does not apply without --check", leave_out("tolerance"))
 
 
-def refuse_several(count: int) -> None:
-    """Refuse --check with several answers."""
+def refuse_several(count: int, varied: Sequence[ShownInput] = ()) -> None:
+    """Refuse --check with several answers; propose the first of the `varied` inputs."""
     if count > 1:
-        raise UsageError("--check takes one answer, not several", "one value a call")
+        first = Try(tuple([(given.name, given.text) for given in varied if given.name]))
+        hint = first if first.inputs else "one value a call"
+        raise UsageError("--check takes one answer, not several", hint)
 
 
 def refuse_stream(check: str | None) -> None:

@@ -127,13 +127,13 @@ def command(
     if not first.targets:
         for name, given in (("--steps", steps), ("--check", check), ("--auto", output.style.auto)):
             if given:
-                raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
+                raise UsageError(f"{name} needs a unit to convert to", _with_target(words, first))
         output.show([every_unit(call, typed, output.style.bare) for call in calls])
         return terminal.ANSWERED
     if check is not None:
         from radcalc.homework.question import of_conversion
 
-        checking.refuse_several(len(calls) * len(first.targets))
+        checking.refuse_several(len(calls) * len(first.targets), first.case.varied)
         target, conditions = first.targets[0], first.conditions
         amount, value = first.amount, float(first.value)
         question = of_conversion(value, first.source, target, conditions, steps, amount)
@@ -284,6 +284,14 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> Hint:
         return error.tries
     is_small = read_number(error.text)[0] < 1
     return add("efficacy", f"{error.text}{units[is_small]}")
+
+
+def _with_target(words: Sequence[str], call: Conversion) -> Hint:
+    """Propose the first other unit of the quantity as the target."""
+    from radcalc.quantities.units import units_of
+
+    others = [text for text in units_of(call.source) if text != call.source.text]
+    return correct(words[-1], words[-1], others[0]) if others else "a TARGET unit"
 
 
 def _cut(unit: str) -> str:

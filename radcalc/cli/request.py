@@ -3,7 +3,7 @@
 from typing import Any
 
 from radcalc.cli import check, line_options
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, one_of
 from radcalc.tuples import NamedTuple
 
 
@@ -32,7 +32,7 @@ class Request(NamedTuple):
         request = cls(wanted, steps, checked, tolerance, lines, values.pop("plot", None) or "")
         check.refuse_idle(request.check, request.tolerance)
         if request.check is not None and request.wanted:
-            raise UsageError("--check cannot be used with --get", "--check NAME=VALUE")
+            raise UsageError("--check cannot be used with --get", one_of("check", "get"))
         return request
 
     def wants(self, name: str) -> bool:

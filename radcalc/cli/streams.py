@@ -351,7 +351,8 @@ def _likely(source: Source, of_line: Callable[[Input], Answer]) -> Sequence[Valu
 def _refuse_format(output: Output) -> None:
     if output.is_chosen and output.format in (TABLE, CSV):
         raise UsageError(
-            f"--format {output.format} cannot be used with a stream", "--format plain or json"
+            f"--format {output.format} cannot be used with a stream",
+            [add("format", "json"), leave_out("format")],
         )
 
 

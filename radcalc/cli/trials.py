@@ -24,7 +24,7 @@ MOST = 3  # calls to make
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "scene")
-WRITES = ("--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
+UNTRIED = ("--auto", "--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 
 
@@ -216,7 +216,7 @@ def _is_short(words: Words) -> bool:
     A call that reads standard input or a file, or writes one, or works long, is not tried.
     """
     quick = words[0] != "help" and called_in(words) in SUMMARIES and called_in(words) not in LONG
-    if not quick or any(map(is_stream, words)) or {*words} & {*WRITES}:
+    if not quick or any(map(is_stream, words)) or {*words} & {*UNTRIED}:
         if not {*words} & {*HELP_NAMES, "help", "-"}:
             top = context()
             name, command, rest = commands.resolve_command(top, protect_negatives(words))

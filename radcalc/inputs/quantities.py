@@ -8,6 +8,7 @@ from radcalc.derivation import format_number
 from radcalc.errors import (
     MINUS,
     ConditionError,
+    Hint,
     MissingUnit,
     NumberError,
     RadcalcError,
@@ -196,7 +197,9 @@ def _read_amount(symbol: Symbol, text: str) -> Amount:
     try:
         return read_amount(text, symbol.dimensions)
     except NumberError as error:
-        hint = with_list(error.hint, text) if "," in text else error.hint
+        hint: Hint = error.tries or error.hint
+        if "," in text and error.tries:
+            hint = with_list(error.tries, text)
         raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
 
 

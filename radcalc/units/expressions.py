@@ -622,7 +622,7 @@ class Calculator(Scanner):
             return self.root(value, call)
         dimension = ANGLE if name in OF_ANGLES else NUMBER
         if value.dimension != dimension and dimension == ANGLE:
-            hint = f"{name}(30deg)" if value.dimension == NUMBER else "an angle"
+            hint = correct(call, f"{call[:-1]}deg)") if value.dimension == NUMBER else "an angle"
             raise self.wrong(NO_ANGLE.format(call), hint)
         if value.dimension != dimension:
             unit = value.unit()

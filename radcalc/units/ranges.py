@@ -11,6 +11,7 @@ from radcalc.errors import (
     OutOfRange,
     RadcalcError,
     TooMany,
+    Try,
     ambiguous,
     correct,
     quote,
@@ -63,8 +64,8 @@ def _is_one_number(whole: str, decimals: str) -> bool:
     return bool(without_commas(f"{whole},{decimals}"))
 
 
-def with_list(hint: str, text: str, unit: str = "") -> str:
-    """Return the hint for a number with a comma, with the list that may be meant.
+def with_list(tries: "Sequence[Try]", text: str, unit: str = "") -> "Sequence[Try]":
+    """Return the proposals for a number with a comma, with the list that may be meant.
 
     A unit after the last value, or in another word, applies to each value.
     """
@@ -73,11 +74,12 @@ def with_list(hint: str, text: str, unit: str = "") -> str:
     parts = [*others, last.removesuffix(unit).strip()]
     is_begun = any(len(part.partition(".")[0]) > 1 and part[0] == "0" for part in parts)
     if is_begun or not all(map(_is_number, parts)):
-        return hint
+        return tries
     unit = unit.replace(" ", ".")
     ending = "" if unit else ".0"
     listed = ",".join(f"{part}{unit or ending * ('.' not in part)}" for part in parts)
-    return f"{hint}, or {quote(listed)} if that is a list"
+    whole = f"{text} {unit}" if unit and not text.endswith(unit) else text
+    return [*tries, correct(whole, listed, remark="a list")]
 
 
 def _is_number(text: str) -> bool:
@@ -199,7 +201,7 @@ def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
     try:
         split_value(whole)
     except NumberError as error:
-        raise NumberError(error.message, with_list(error.hint, text, unit)) from None
+        raise NumberError(error.message, with_list(error.tries, text, unit)) from None
 
 
 def _targets(text: str) -> list[str]:
