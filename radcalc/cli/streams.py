@@ -18,6 +18,7 @@ from radcalc.errors import (
     RadcalcError,
     Unused,
     UsageError,
+    add,
     leave_out,
     one_of,
     option,
