@@ -374,10 +374,8 @@ def test_a_calculator_imports_only_its_own_page(words):
     assert loaded_by(*words.split()) & pages == {f"radcalc.calculators.{words.split()[0]}"}
 
 
-@pytest.mark.parametrize(
-    "words", [("--help",), ("-h",), ("--version",), (), ("quxqux",), ("quxqux", "1"), ("--hlep",)]
-)
-def test_the_help_and_a_wrong_command_import_no_commands(words):
+@pytest.mark.parametrize("words", [("--help",), ("-h",), ("--version",), (), ("--hlep",)])
+def test_the_help_and_a_wrong_option_import_no_commands(words):
     assert not loaded_by(*words) & (OF_COMMANDS | HEAVY - {"click"})
 
 
