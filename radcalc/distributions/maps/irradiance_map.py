@@ -13,6 +13,8 @@ from radcalc.geometry.projections import direction_at, middle_of_pixel
 from radcalc.quantities.symbols import LATLONG
 
 DIRECTIONS = 128  # receivers at which spherical harmonics are compared with the exact sum
+MOST = {True: 1 << 17, False: 1 << 21}  # pixels by the exact sum, and by harmonics
+ROUNDING = 1e-13  # of the largest irradiance: smaller differences are 0
 GOLDEN = (1 + math.sqrt(5)) / 2
 
 
@@ -54,7 +56,8 @@ def irradiance_map(
     Raises
     ------
     ConditionError
-        If the size [pixels] is not that of a latlong map, or the order is not 2.
+        If the size [pixels] is not that of a latlong map, or more than 512x256 (2048x1024 with an
+        order); or if the order is not 2.
 
     Examples
     --------
@@ -64,12 +67,18 @@ def irradiance_map(
     ((8, 16, 1), [9334.23, 90.55])
     """
     check_shape(LATLONG, width, height)
+    exact, harmonic = (f"{math.isqrt(2 * most)}x{math.isqrt(most // 2)}" for most in MOST.values())
+    if width * height > MOST[order is None]:
+        raise ConditionError(
+            f"an irradiance map of {width} x {height} pixels takes too long",
+            f"at most {exact} pixels, or {harmonic} with order {ORDER}",
+        )
     if order not in (None, ORDER):
         raise ConditionError(f"there are no irradiance maps of order {order}", f"order {ORDER}")
     places = middle_of_pixel(width, height, numpy.arange(width), numpy.arange(height)[:, None])
     normals = numpy.stack(direction_at(LATLONG, *numpy.broadcast_arrays(*places)), -1)
     if order is None:
-        return IrradianceMap(around.irradiances(normals, is_each=True, progress=progress))
+        return IrradianceMap(_exact(around, normals, progress))
     # the exact sums of all pixels would take several times as long as the harmonics
     checked = _directions()
     exact = around.irradiances(checked, is_each=True, progress=progress)
@@ -86,6 +95,26 @@ def irradiance_map(
         int(numpy.count_nonzero(below < 0)),
         float(max(0.0, -below.min() / highest)),
     )
+
+
+def _exact(around: RadianceMap, normals: Any, progress: Progress | None) -> Any:
+    """Return the irradiances of the pixels of a latlong map.
+
+    Those of opposite receivers differ by n . V, where V is the light vector of all pixels, as
+    max(0, x) - max(0, -x) = x.  So the upper half, and V from three pairs of receivers, give the
+    lower half.
+    """
+    height, width, _ = normals.shape
+    upper = (height + 1) // 2
+    axes = numpy.concatenate([numpy.eye(3), -numpy.eye(3)])
+    receivers = numpy.concatenate([normals[:upper].reshape(-1, 3), axes])
+    found = around.irradiances(receivers, is_each=True, progress=progress)
+    vector = found[-6:-3] - found[-3:]
+    above = found[:-6].reshape(upper, width, -1)
+    opposite = numpy.roll(above[height - upper - 1 :: -1], width // 2, axis=1)
+    below = opposite + normals[upper:] @ vector
+    below[below < ROUNDING * found.max()] = 0
+    return numpy.concatenate([above, below])
 
 
 def _directions() -> Any:

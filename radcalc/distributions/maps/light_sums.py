@@ -29,7 +29,7 @@ FEWEST = 64  # blocks across an image, if it has as many pixels
 ACROSS = 3  # sample points along each side, for the extent of a block
 MARGIN = 1.1  # factor of that extent, for bulges between the sample points
 WIDE = 0.02  # [rad] from the middle of a pixel to its edges
-CHUNK = 1 << 20  # numbers at a time (pixels times normals)
+CHUNK = 1 << 17  # numbers at a time (pixels times normals), which fit into a cache
 TINY = 1e-290
 
 Progress = Callable[[int, int], object]  # called with the work done and the total
@@ -206,8 +206,17 @@ def _shape(projection: str, u: Any, v: Any) -> Any:
 
 def _received(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> Any:
     mean = normals @ vectors
-    reach = numpy.hypot(normals @ along, normals @ down) * _size(vectors)
-    return (numpy.maximum(mean, 0.0) + _beyond(mean, reach)) @ light
+    sizes = _size(vectors)
+    longest = sizes * numpy.sqrt((along * along + down * down).sum(0))  # of any normal's reach
+    normal, pixel = numpy.nonzero(abs(mean) < longest)  # a few that the horizon may cut
+    near, cosine = normals[normal], mean[normal, pixel]
+    numpy.maximum(mean, 0.0, out=mean)
+    reach = numpy.hypot(
+        numpy.einsum("nx,xn->n", near, along[:, pixel]),
+        numpy.einsum("nx,xn->n", near, down[:, pixel]),
+    )
+    mean[normal, pixel] += _beyond(cosine, reach * sizes[pixel])
+    return mean @ light
 
 
 def _error(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> Any:

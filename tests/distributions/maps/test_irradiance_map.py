@@ -84,9 +84,33 @@ def test_order_2_of_a_small_sun():
     assert found.deepest == pytest.approx(-nine.min(), rel=0.02)
 
 
+@pytest.mark.parametrize(("projection", "size"), [("latlong", (16, 8)), ("angular", (10, 5))])
+def test_each_pixel_is_the_irradiance_of_its_receiver(projection, size):
+    """Half of the pixels follow from the opposite ones; all are the sum of a single receiver."""
+    count = (64, 32) if projection == "latlong" else (48, 48)
+    light = numpy.random.default_rng(5).lognormal(0, 2, count[::-1])
+    around = RadianceMap(light, projection, (1, 2, 0.5))
+    found = irradiance_map(around, *size).pixels[..., 0]
+    width, height = size
+    for row in range(height):
+        for column in range(width):
+            polar = (row + 0.5) * math.pi / height
+            azimuth = math.pi - (column + 0.5) * 2 * math.pi / width
+            across = math.sin(polar)
+            normal = across * math.cos(azimuth), across * math.sin(azimuth), math.cos(polar)
+            one = around.irradiance(normal)
+            # pixels of an angular map are integrated by a few points
+            off = 1e-10 * one.value if projection == "latlong" else one.error / 20
+            assert found[row, column] == pytest.approx(one.value, abs=off)
+
+
 def test_refusals():
     around = RadianceMap(numpy.ones((8, 16)), "latlong")
     with pytest.raises(ConditionError, match="latlong"):
         irradiance_map(around, 16, 16)
+    with pytest.raises(ConditionError, match="1024 x 512 pixels takes too long"):
+        irradiance_map(around, 1024, 512)
+    with pytest.raises(ConditionError, match="16384 x 8192 pixels takes too long"):
+        irradiance_map(around, 16384, 8192, 2)
     with pytest.raises(ConditionError, match="order 3"):
         irradiance_map(around, 16, 8, 3)
