@@ -84,13 +84,13 @@ PAGE = Page(
     bare={**METER_UNITS, "time": "s", "unfiltered-time": "s"},
     labels={"time": "exposure time"},
     forms={"time": FRACTION, "unfiltered-time": FRACTION},
-    remarks="{ev} follows from the f-number and the time.  {ev100} follows from the given "
-    "quantity of light.  At ISO 100 and without a filter the two are equal.  {luminance} gives "
-    "{illuminance} for an average scene; both together give the reflectance of the scene.  {f-number} may be written as "
-    "f/2.8.  A fraction for {time} is in seconds.  A {k} without a unit is in cd s/m2, and a "
-    "{c} without a unit in lx s.  {nd} is a density (0.9 or ND0.9), or the factor of the filter "
-    "(ND8).  For a flash, each of {guide-number}, {distance}, {f-number}, {iso} and the filter "
-    "follows from the others.",
+    remarks="{ev} follows from the f-number and the time.  {ev100} follows from the given quantity "
+    "of light.  At ISO 100 and without a filter the two are equal.  {luminance} gives "
+    "{illuminance} for an average scene; both together give the reflectance of the scene.  "
+    "{f-number} may be written as f/2.8.  A fraction for {time} is in seconds.  A {k} without a "
+    "unit is in cd s/m2, and a {c} without a unit in lx s.  {nd} is a density (0.9 or ND0.9), or "
+    "the factor of the filter (ND8).  For a flash, each of {guide-number}, {distance}, {f-number}, "
+    "{iso} and the filter follows from the others.",
 )
 LEAST_STOPS = 1e-9  # fewer stops are rounding errors
 FLASHING = PAGE._replace(
