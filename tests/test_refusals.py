@@ -309,7 +309,7 @@ COMMANDS = {
     "a lobe is limited to the flux of a hemisphere": (
         "point-source --intensity 1cd --flux 7lm --distribution lobe", "hemisphere"),
     "a cone is limited to the flux of a sphere": (
-        "point-source --intensity 1cd --flux 13lm --distribution cone", "sr"),
+        "point-source --intensity 1cd --flux 13.0lm --distribution cone", "sr"),
     "an illuminance that contradicts an intensity at its distance is refused with the ratio": (
         "point-source --intensity 1cd --distance 1m --illuminance 2lx", "contradicts", "ratio"),
     "a source at a negative distance is refused": (
@@ -343,14 +343,14 @@ COMMANDS = {
     "one quantity in three kinds is refused": (
         "point-source --flux 5lm --radiant-flux 1W --photon-flux 4umol/s", "the same quantity"),
     "two names of one quantity are refused": (
-        "point-source --flux 5lm --luminous-flux 5lm", "the same quantity"),
+        "point-source --flux 5lm --luminous-flux 6lm", "the same quantity"),
     "a calorimeter takes watts, not lumens": ("calorimeter --flux 5lm --time 1s", "watts"),
     "a cone has no exponent": (
         "point-source --flux 5lm --half-angle 9deg --exponent 3", "--half-angle", "--exponent"),
     "a lobe has no half angle": (
         "point-source --flux 5lm --half-angle 9deg --distribution lobe", "--half-angle"),
     "a hemisphere has no half angle": (
-        "point-source --flux 5lm --hemisphere --half-angle 90deg", "--hemisphere", "--half-angle"),
+        "point-source --flux 5lm --hemisphere --half-angle 80deg", "--hemisphere", "--half-angle"),
     "a hemisphere is not a lobe": (
         "point-source --flux 5lm --hemisphere --beam-angle 30deg", "--hemisphere", "--beam-angle"),
     "a hemisphere is not isotropic": (
@@ -364,8 +364,8 @@ COMMANDS = {
     "a disc has no corner": ("lambertian disc --luminance 9cd/m2 --corner --radius 1m", "--corner"),
     "a Lambertian cube is unknown": ("lambertian cube --luminance 9cd/m2", "cube"),
     "a disc has a radius or a diameter, not both": (
-        "lambertian disc --luminance 9cd/m2 --radius 1m --diameter 2m --height 1m",
-        "--radius cannot be used with --diameter"),
+        "lambertian disc --luminance 9cd/m2 --radius 1m --diameter 3m --height 1m",
+        "--diameter 3m contradicts the other inputs, which give 2 m"),
     "a grid of too many answers is refused": (
         "point-source --flux 1lm:101lm:1lm --distance 1m:101m:1m", "101 x 101 = 10201 answers"),
     "a long range comes after the other lists": (
@@ -390,7 +390,7 @@ COMMANDS = {
     "a patch seen from behind has no disc as its hint": (
         "solid-angle patch --area 1m2 --distance 2m --tilt 100deg", "is too short", "less area"),
     "a disc is solved on its axis only": (
-        "solid-angle disc --radius 1m --height 1m --offset 1m --solid-angle 1sr", "axis"),
+        "solid-angle disc --radius 1m --height 1m --offset 1m --solid-angle 1sr", "contradicts"),
     "two vertices are not a polygon": ("solid-angle polygon 0,0,1 1,0,1", "vertices"),
     "a vertex of two coordinates is refused": (
         "solid-angle polygon 0,0 1,0,1 0,1,1", "2 coordinates"),

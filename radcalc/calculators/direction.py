@@ -7,8 +7,9 @@ from typing import Any
 from radcalc.answer import Answer, Step, Value, texts_of
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
+from radcalc.calculators.solved import solve
 from radcalc.calculators.task import Task, Wants
-from radcalc.calculators.worksheet import refuse_foreign
+from radcalc.calculators.worksheet import Placed, Worksheet, place, refuse_foreign, worksheet
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
     ConditionError,
@@ -23,7 +24,7 @@ from radcalc.errors import (
 from radcalc.geometry.directions import cartesian, mirror_normal, reflected, spherical
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, unit
 from radcalc.geometry.projections import direction_at, is_outside, place_of
-from radcalc.inputs.given import Input, Inputs, at_most_one, one_of
+from radcalc.inputs.given import Input, Inputs, any_of, one_of
 from radcalc.inputs.places import read_coordinates
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin, sqrt
 from radcalc.quantities.symbols import MIRROR_BALL
@@ -124,7 +125,24 @@ def direction(
         answer = of_vector(*vector, unit)
     else:
         answer = of_angles(given)
+    answer = answer._replace(notes=(*answer.notes, *_compare(given)))
     return _on_ball(answer) if with_ball else answer
+
+
+def _compare(given: Inputs) -> list[str]:
+    """Refuse a polar angle and an elevation that contradict each other; return notes."""
+    page = Page("a direction", ("polar", "elevation"))
+    both = {name: given[name] for name in page.takes if name in given}
+    if len(both) < 2:
+        return []
+    sheet = worksheet(page, both, with_light=False)
+    return solve(sheet, [], place(sheet, _polar_of_elevation)).notes
+
+
+def _polar_of_elevation(sheet: Worksheet) -> Placed:
+    placed = Placed()
+    placed.add("polar", math.pi / 2 - sheet.given["elevation"].value)
+    return placed
 
 
 def of_vector(x: Number, y: Number, z: Number, unit: str = "") -> Answer:
@@ -156,8 +174,7 @@ def _is_at_pole(x: Number, y: Number) -> Any:
 
 
 def _from_angles(given: Inputs) -> tuple[Number, Number, Vector, Step]:
-    at_most_one(given, "the same angle", "polar", "elevation")
-    given_angle = one_of(given, "the polar angle or the elevation", "polar", "elevation")
+    given_angle = any_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = one_of(given, "the azimuth", "azimuth").value
     polar = given_angle.value if given_angle.name == "polar" else math.pi / 2 - given_angle.value
     x, y, z = cartesian(polar, azimuth)

@@ -10,6 +10,7 @@ from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import (
     ConditionError,
+    Exclusive,
     HorizonCuts,
     MissingInput,
     NumberError,
@@ -18,7 +19,7 @@ from radcalc.errors import (
     mention,
 )
 from radcalc.geometry import cones, far_field
-from radcalc.inputs.given import Inputs, angle_of, at_most_one, half_angle_of, one_of
+from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
 from radcalc.laws import etendue as laws_of
 from radcalc.laws.cones import APEX
 from radcalc.laws.law import AnyLaw
@@ -116,35 +117,34 @@ def _unlimited(given: Inputs) -> MissingInput:
 
 
 def _source(given: Inputs) -> list[AnyLaw]:
-    if "width" in given or "length" in given:
-        if set(given) & {"area", *ROUND}:
-            sides = {"width", "length"} & set(given)
-            hint = [leave_out(*sides), leave_out(*({"area", *ROUND} & set(given)))]
-            raise ConditionError("the size of the source is given twice", hint)
+    sides, radii = ([n for n in names if n in given] for names in (("width", "length"), ROUND))
+    if sides and radii:
+        raise Exclusive((sides[0], radii[0]), "a rectangle and a circle")
+    if sides:
         return [RECTANGLE]
-    size = at_most_one(given, "the size of the source", "area", *ROUND)
-    return [*round_sizes(given), CIRCLE] if size and size.name in ROUND else []
+    return [*round_sizes(given), CIRCLE] if radii else []
 
 
 def _with_cone(sheet: Worksheet) -> Placed:
     given = sheet.given
     placed = Placed(*_source(given))
-    at_most_one(given, "the cone", *CONES)
     if sheet.has("area", "radius", "diameter", "width", *CONES):
         placed.assume(
             "every point of the source sends light into the same cone around the normal",
             "in air: the numerical aperture is the sine of the half angle",
         )
+    for name in ("half-angle", "apex-angle"):
+        if name in given:
+            half_angle_of(given[name], 90)
     angles: list[AnyLaw] = [laws_of.NUMERICAL_APERTURE, APEX]
+    if "f-number" in given:
+        placed.assume("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
+        angles = [laws_of.F_NUMBER, *angles]
     if "na" in given:
         placed.laws += [laws_of.APERTURE, *angles]
     elif "f-number" in given:
-        placed.assume("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
-        placed.laws += [laws_of.LENS, laws_of.F_NUMBER, *angles]
+        placed.laws += [laws_of.LENS, *angles]
     else:
-        for name in ("half-angle", "apex-angle"):
-            if name in given:
-                half_angle_of(given[name], 90)
         placed.laws += [*angles, laws_of.CONE]
     return placed
 
@@ -152,9 +152,8 @@ def _with_cone(sheet: Worksheet) -> Placed:
 def _with_receiver(sheet: Worksheet) -> Placed:
     """Place a source and a receiver: two discs that face each other, or two small patches."""
     given = sheet.given
-    at_most_one(given, "the size of the receiver", *RECEIVERS)
     if "etendue" not in given and not {"flux", "radiance"} <= sheet.known.keys():
-        one_of(given, "the size of the receiver", *RECEIVERS)
+        any_of(given, "the size of the receiver", *RECEIVERS)
         one_of(given, "the distance", "distance")
     tilt, incidence = angle_of(given, "tilt"), angle_of(given, "incidence")
     receiver = "receiver-radius" in given or "receiver-diameter" in given
@@ -163,7 +162,10 @@ def _with_receiver(sheet: Worksheet) -> Placed:
         placed.laws.append(laws_of.RECEIVER_CIRCLE)
     if "receiver-diameter" in given:
         placed.laws.append(laws_of.RECEIVER_DIAMETER)
-    if receiver and not {"area", "width", "length"} & set(given) and not tilt and not incidence:
+    is_disc = not {"width", "length"} & set(given) and (
+        "area" not in given or {*ROUND} & set(given)
+    )
+    if receiver and is_disc and not tilt and not incidence:
         if CIRCLE not in placed.laws:
             placed.laws.append(CIRCLE)
         placed.assume("two discs that face each other on one axis")

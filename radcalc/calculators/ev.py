@@ -1,10 +1,11 @@
 """The light meter: exposure values and their luminances and illuminances; filters and flashes."""
 
 import math
+from contextlib import suppress
 
 from radcalc.answer import FRACTION, Answer
 from radcalc.calculators.page import Page
-from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.solved import TO_DIGITS, Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, Try, mention, option, quote
@@ -18,6 +19,7 @@ from radcalc.laws.exposure import (
     REFLECTANCE,
     REFLECTED,
     STEPS,
+    UNFILTERED,
     exact,
 )
 from radcalc.maths import any_true
@@ -117,7 +119,8 @@ def ev(given: Inputs) -> Answer:
             answer = _solve_exposure({**given, **loose})
         except ConditionError:
             raise contradiction from None
-        answer = answer._replace(notes=(*answer.notes, *map(_marked, marked.values())))
+        notes = [note for note in answer.notes if TO_DIGITS not in note]
+        answer = answer._replace(notes=(*notes, *map(_marked, marked.values())))
     for row in answer.values:
         if row.name == "stops" and any_true(row.amount < -LEAST_STOPS):
             problem = "the time with a filter must be longer than without it"
@@ -148,7 +151,11 @@ def _solve_exposure(given: Inputs) -> Answer:
     if set(OF_FLASH) & set(given):
         return _flash(given)
     filtered = bool(set(FILTER) & set(given))
-    page, all_laws = (PAGE._replace(goal="stops"), FILTERED) if filtered else (PAGE, LAWS)
+    page, all_laws = (
+        (PAGE._replace(goal="stops", goals=("ev100",)), FILTERED) if filtered else (PAGE, LAWS)
+    )
+    if set(FILTER) & set(given) == {"unfiltered-time"} and "time" not in given:
+        all_laws = [*all_laws, UNFILTERED]
     sheet, placed = worksheet(page, given, with_light=False), Placed()
     if filtered and not {*LIGHT, "ev", "f-number"} & set(given):
         return solve(sheet, all_laws).answer()
@@ -170,6 +177,9 @@ def _solve_exposure(given: Inputs) -> Answer:
         solved = solve(sheet, all_laws, placed, STEPS)
         _assume_average(solved)
         return solved.answer()
+    if {"k", "c"} & set(given):
+        with suppress(ConditionError):  # an average scene
+            return solve(sheet, [*all_laws, REFLECTANCE], placed, STEPS).answer()
     laws = [law for law in all_laws if law is not REFLECTED] + [REFLECTANCE]
     try:
         solved = solve(sheet, laws, placed, STEPS)

@@ -13,6 +13,7 @@ from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
 from radcalc.derivation import format_number, format_value, letter_of
 from radcalc.errors import (
     ConditionError,
+    Contradiction,
     Exclusive,
     Impossible,
     MissingInput,
@@ -23,7 +24,8 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.inputs.given import Input, Inputs
-from radcalc.laws.law import Law, law
+from radcalc.laws.law import Law, law, same
+from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.maths import is_lost, larger
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
 from radcalc.quantities.symbols import (
@@ -84,11 +86,16 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     """
     given: Inputs = {}
     given_in_two_kinds: Inputs = {}
+    notes: list[str] = []
     for item in typed.values():
         generic = item.symbol.generic
         if generic not in given:
             given[generic] = item
-        elif given_in_two_kinds or kind_of(given[generic]) == kind_of(item):
+        elif kind_of(given[generic]) == kind_of(item):
+            if item.name != generic:  # the more specific name, whatever the order
+                given[generic], item = item, given[generic]
+            notes += _compare(given[generic], item)
+        elif given_in_two_kinds:
             raise Exclusive((given[generic].name, item.name), "they are the same quantity")
         else:
             given_in_two_kinds[generic] = item
@@ -112,7 +119,6 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     kinds_given = {kind_of(item) for item in typed.values()} if len(typed) > 1 else ()
     is_mixed = len(kinds_given) > 1 and kind != preferred
     assumptions: list[str] = []
-    notes: list[str] = []
     amounts = {}
     for name, item in given.items():
         of_kind = kind_of(item)
@@ -141,6 +147,25 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
         given_in_two_kinds,
         tuple(kinds_given) if is_mixed else (),
     )
+
+
+def _compare(first: Input, second: Input) -> list[str]:
+    """Refuse two values of one quantity that differ by more than their digits; return a note."""
+    texts = [option(item.name, quote(item.text)) for item in (first, second)]
+    known = {
+        name: Known(item.value, item.rounding * abs(item.value))
+        for name, item in (("first", first), ("second", second))
+    }
+    try:
+        solution = solve([same("first", "second")], known)
+    except Disagreement:
+        problem = "{} contradicts {}: they are the same quantity".format(*texts)
+        hint = options((first.name, second.name), ", ")
+        raise Contradiction(
+            problem, f"leave out one of {hint}", first.symbol.generic, first.value, second.value
+        ) from None
+    note = "{} is used; {} agrees to the digits typed".format(*texts)
+    return [note] if solution.agreed else []
 
 
 class Ratio(NamedTuple):

@@ -8,7 +8,7 @@ from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.conversion import spectral
 from radcalc.derivation import format_number
-from radcalc.errors import MissingInput, mention, option, options, quote
+from radcalc.errors import ConditionError, MissingInput, mention, option, options, quote
 from radcalc.inputs.given import Inputs
 from radcalc.laws.laser import DISTANCE, HAZARD, laws_of
 from radcalc.laws.solver import reached
@@ -83,10 +83,19 @@ def laser(given: Inputs) -> Answer:
     placed.use("profile")
     far = laws_of(profile, with_distance=True)
     is_far = DISTANCE in reached(far, set(sheet.known))
-    is_at_exit = not is_far and not {"spot-diameter", "diameter"} <= reached(far, set(sheet.known))
-    laws = laws_of(profile, with_distance=False) if is_at_exit else far
+    at_exit = laws_of(profile, with_distance=False)
     placed.assume(PROFILES[profile])
-    solved = solve(sheet, laws, placed)
+    is_at_exit = not is_far
+    try:
+        solved = solve(sheet, at_exit if is_at_exit else far, placed)
+    except ConditionError as error:
+        if DISTANCE in given:
+            raise
+        is_at_exit = not is_at_exit
+        try:  # the spot may be wider than the beam at the exit, or as wide to the digits typed
+            solved = solve(sheet, at_exit if is_at_exit else far, placed)
+        except ConditionError:
+            raise error from None
     solved.refuse_impossible("divergence")
     if "limit" in sheet.lit.values and not solved.has(HAZARD):
         limit_text = option("limit", quote(sheet.lit.values["limit"].text))

@@ -27,7 +27,7 @@ from radcalc.calculators.point_laws import (
     spread,
 )
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, absent, value
-from radcalc.calculators.solved import Solved, contradiction
+from radcalc.calculators.solved import Solved, contradiction, remarks_on
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import (
@@ -175,9 +175,11 @@ class _Luminaire:
         if "peak-intensity" in known:
             known.setdefault("intensity", known["peak-intensity"])
         try:
-            values = follow(LAWS[shape], known).values
+            solution = follow(LAWS[shape], known)
         except Disagreement as error:
             raise contradiction(self.sheet, error, {}) from None
+        values = solution.values
+        self.placed.note(*remarks_on(self.sheet, solution))
         if name not in values:
             raise MissingInput(
                 f"the {'shape' if shape == LOBED else 'width'} of the {shape} is missing",

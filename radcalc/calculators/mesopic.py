@@ -4,7 +4,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
-from radcalc.errors import ConditionError, Exclusive, MissingInput, mention, quote
+from radcalc.errors import ConditionError, MissingInput, mention, quote
 from radcalc.inputs.given import Input, Inputs, require
 from radcalc.laws.mesopic import LAWS
 from radcalc.maths import any_true
@@ -41,8 +41,6 @@ def mesopic(given: Inputs) -> Answer:
         bright = any_true(given["luminance"].value > HIGHEST)
         require(given["luminance"], not bright, "up to 1e12 cd/m2")
     if "spectrum" in given:
-        if "sp-ratio" in given:
-            raise Exclusive(("sp-ratio", "spectrum"), "both give the S/P ratio")
         source = given["spectrum"].value
         placed.add("sp-ratio", _ratio_of(given["spectrum"]))
         placed.assume(f"the S/P ratio of {source.described.removeprefix('spectrum ')}")

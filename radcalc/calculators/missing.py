@@ -117,7 +117,7 @@ class Search(NamedTuple):
     def _live(self, known: Set[str]) -> set[str]:
         """Return the symbols of the laws that are complete and lead to light or to the goal."""
         complete = [set(law.names) for law in self.laws if known >= {*law.names}]
-        live = {*GOALS, self.sheet.page.goal}
+        live = {*GOALS, self.sheet.page.goal, *self.sheet.page.goals}
         while more := [names for names in complete if names & live and not names <= live]:
             live = live.union(*more)
         return {name for names in complete if names <= live for name in names}

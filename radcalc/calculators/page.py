@@ -40,7 +40,7 @@ class Page(NamedTuple):
 
     Fields for the worksheet: `takes` are the accepted symbols; `light` the results that are light
     quantities (generic names), and `others` the other results, in the order of the answer; `goal`
-    is a result that inputs must lead to if it is not light.
+    is a result that inputs must lead to if it is not light, and `goals` are further ones.
 
     Fields for the command and the Python function: `about` is a one-line summary; `sections` map
     titles of the help to the symbols of options, `kinds` are their kinds of light.  `texts` replace
@@ -61,6 +61,7 @@ class Page(NamedTuple):
     light: tuple[str, ...] = ()
     others: tuple[str, ...] = ()
     goal: str = ""
+    goals: tuple[str, ...] = ()
     about: str = ""
     operand: Operand | None = None
     sections: Mapping[str, tuple[str, ...]] = NOTHING

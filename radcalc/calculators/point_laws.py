@@ -10,7 +10,6 @@ from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet
 from radcalc.derivation import coherent_unit_of, format_value
 from radcalc.errors import (
     ConditionError,
-    Exclusive,
     MissingInput,
     add,
     command,
@@ -132,8 +131,6 @@ def spread(given: Inputs) -> str:
                 f"{option(first)} describes {OF[shape]}, {option(name)} {OF[other]}",
                 one_of(first, name),
             )
-        if name in FLAGS:
-            raise Exclusive([first, name], "both give the cone")
     if chosen not in (None, shape):
         distribution = option("distribution", quote(given["distribution"].text))
         message = f"{option(first)} cannot be used with {distribution}: it describes {OF[shape]}"

@@ -11,6 +11,7 @@ from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.laws.sizes import ASPECT
+from radcalc.laws.solver import reached
 from radcalc.maths import hypot, power, sqrt, square
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
@@ -63,6 +64,7 @@ PAGE = Page(
     (*SIZES, "gain"),
     ("radiance", "irradiance", "flux"),
     ("gain", *SIZES),
+    goals=("width",),
     about="Calculate the luminance and the illuminance of the picture on a projection screen.",
     sections={
         "Light": ("flux", "irradiance", "radiance"),
@@ -91,15 +93,17 @@ PAGE = Page(
 def screen(given: Inputs) -> Answer:
     """Return luminance, illuminance, flux and sizes of a picture from a sufficient set."""
     sheet, placed = worksheet(PAGE, given), Placed()
-    if not sheet.lit.values:
+    sizes = reached(LAWS, set(given))
+    if not sheet.lit.values and "aspect" not in sizes and not {"area", "diagonal"} <= sizes:
         hint = mention("{flux=3000lm}, {illuminance} or {luminance}")
         raise MissingInput("a light quantity is missing", hint)
-    placed.default(
-        sheet, LAWS, "gain", 1.0, mention("a matt white screen, with a gain of 1 ({gain})")
-    )
-    placed.assume("the whole flux falls evenly on the picture, in a dark room")
+    if sheet.lit.values:
+        white = mention("a matt white screen, with a gain of 1 ({gain})")
+        placed.default(sheet, LAWS, "gain", 1.0, white)
+        placed.assume("the whole flux falls evenly on the picture, in a dark room")
     laws = LAWS
-    if set(SIZES) & set(given) == {"diagonal", "area"}:
+    known = reached(LAWS, set(sheet.known))
+    if {"diagonal", "area"} <= known and not {"width", "height", "aspect"} & known:
         placed.assume("the picture is at least as wide as it is high")
         laws = [*LAWS, ASPECT]
     return solve(sheet, laws, placed).answer()

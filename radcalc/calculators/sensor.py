@@ -52,7 +52,7 @@ OPTICS: list[AnyLaw] = [
             "magnification": _magnification,
         },
         "a lens with pupils of equal size",
-    ),
+    )._replace(has_limit=True),
     law(
         "etendue of a pixel",
         "{etendue} = pi Omega0 {pixel-area} {cosine-off-axis}^4 / (4 {working-f-number}^2)",
@@ -110,6 +110,7 @@ PAGE = Page(
     ("irradiance", "exposure", "flux", "energy", "radiance"),
     ("photons", *DETECTOR, "etendue", *LENS, *PIXEL),
     goal="electrons",
+    goals=("working-f-number", "responsivity"),
     about="Calculate the light that a lens sends to a sensor, its photons, electrons and current.",
     sections={
         "Light": ("radiance", *ON_SENSOR),
@@ -150,10 +151,6 @@ PAGE = Page(
     "needs the number of photons: give {wavelength} or {spectrum}, or light in photon units.  Give "
     "the quantities that you know; radcalc calculates those that follow from them.",
 )
-GOALS = {  # without light
-    "responsivity": ("quantum-efficiency", "responsivity"),
-    "etendue": ("f-number", "working-f-number"),
-}
 SILICON = 1200.0  # [nm]; silicon is transparent beyond
 
 
@@ -162,11 +159,7 @@ def sensor(given: Inputs) -> Answer:
     if not given:
         hint = mention("{luminance} and {f-number}, or {irradiance} and {pixel-pitch}")
         raise MissingInput("the light is missing", hint)
-    goal = next((name for name, by in GOALS.items() if given.keys() & {*by}), PAGE.goal)
-    if given.keys() >= {"f-number", "working-f-number"}:
-        goal = "magnification"
-    page = PAGE._replace(goal=goal)
-    sheet, placed = worksheet(page, _with_photons_counted(given), preferred=_kind(given)), Placed()
+    sheet, placed = worksheet(PAGE, _with_photons_counted(given), preferred=_kind(given)), Placed()
     kind = sheet.lit.kind
     factor = kinds.linking_factor(sheet.lit.links, PHOTON, RADIANT) if kind == RADIANT else None
     if factor:

@@ -8,16 +8,22 @@ from typing import Any
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, refuse_slant_for_height
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import (
-    ConditionError,
     Exclusive,
     HorizonCuts,
     MissingInput,
-    leave_out,
     mention,
     option,
 )
 from radcalc.geometry import cones, far_field, projected, solid, spheres
-from radcalc.inputs.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
+from radcalc.inputs.given import (
+    Inputs,
+    angle_of,
+    any_of,
+    half_angle_of,
+    offset_of,
+    one_of,
+    radius_of,
+)
 from radcalc.laws.cones import CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, OFFSET, RECTANGLE, round_sizes
@@ -25,6 +31,7 @@ from radcalc.laws.solver import reached
 from radcalc.laws.surface import (
     CUT_DISC,
     DISC_ASIDE,
+    DISC_FLUX_ASIDE,
     FLAT,
     FLAT_FLUX,
     LAWS,
@@ -41,7 +48,7 @@ from radcalc.laws.surface import (
     disc_on_axis,
     rectangle_on_axis,
 )
-from radcalc.maths import any_true, atan2, cos, hypot, larger, piecewise, sin, smaller
+from radcalc.maths import any_true, atan2, cos, hypot, larger, piecewise, sin, smaller, sqrt
 from radcalc.tuples import NamedTuple
 
 SIZES = ("area", "radius", "diameter", "width", "length")
@@ -95,7 +102,7 @@ class Seen(Placed):
         distance = hypot(height, lateral)
         self.add("cosine", cones.facing(atan2(lateral, height) - tilt))
         self.add("cosine-of-source", height / distance)
-        if "distance" not in self.given:
+        if "distance" not in self.given or "height" in self.given:
             self.add("distance", distance)
 
     def stand_aside(self) -> None:
@@ -104,12 +111,14 @@ class Seen(Placed):
         self.laws += [DISC_ASIDE, OFFSET]
 
 
-def _is_sized(given: Inputs) -> bool:
-    return "radius" in given or "diameter" in given
+def _is_sized(given: Inputs, *more: str) -> bool:
+    return not {"radius", "diameter", *more}.isdisjoint(given)
 
 
-def _radius(given: Inputs) -> Any:
-    return radius_of(one_of(given, "the size of the source", "radius", "diameter"))
+def _radius(given: Inputs, circles: int = 1) -> Any:
+    """Return the radius of a disc, or of a sphere with the area of 4 circles."""
+    size = any_of(given, "the size of the source", "radius", "diameter", "area")
+    return sqrt(size.value / (circles * math.pi)) if size.name == "area" else radius_of(size)
 
 
 def _tilt(given: Inputs, height: Any, lateral: Any) -> Any:
@@ -134,7 +143,7 @@ def _patch(sheet: Worksheet) -> Placed:
         placed.laws += [*round_sizes(given), CIRCLE]
     if {"height", *OFFSETS} & set(given):
         _patch_above(placed)
-    elif "distance" in given or "irradiance" in sheet.lit.values:
+    elif "distance" in given or {"irradiance", "exposure"} & set(sheet.lit.values):
         _patch_toward(placed)
     else:
         turned = [name for name in ("incidence", "tilt") if name in given]
@@ -150,10 +159,10 @@ def _patch_above(placed: Seen) -> None:
     height = _height(given)
     if "height" not in given:
         raise _without_height(next(name for name in OFFSETS if name in given))
-    if "tilt" in given:
-        raise Exclusive(("tilt", "height"), "both turn the source")
     lateral = hypot(offset_of(given), offset_of(given, "offset-y"))
     placed.centre(height, lateral, _tilt(given, height, lateral))
+    if "tilt" in given:
+        placed.compare(given["tilt"], atan2(lateral, height))
     placed.laws += _small(given)
 
 
@@ -214,8 +223,6 @@ def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> HorizonCuts:
 def _height(given: Inputs) -> Any:
     """Return the height above a flat source, which may be given as the distance, or None."""
     given_names = [name for name in ("height", "distance") if name in given]
-    if len(given_names) == 2:
-        raise Exclusive(given_names)
     if not given_names:
         return None
     if given_names == ["distance"] and set(OFFSETS) & set(given):
@@ -227,15 +234,16 @@ def _disc(sheet: Worksheet) -> Placed:
     given = sheet.given
     placed = Seen(given, *round_sizes(given), CIRCLE, FLAT, *_without_size(given, FLAT_FLUX))
     height = _height(given)
-    if _is_sized(given) and height is not None:
+    if _is_sized(given, "area") and height is not None:
         _disc_seen(placed, height)
         return placed
     if "incidence" in given:
-        missing = mention("{height=75cm}" if _is_sized(given) else "{radius=25cm}")
+        missing = mention("{height=75cm}" if _is_sized(given, "area") else "{radius=25cm}")
         raise MissingInput(mention("{incidence} alone is not enough"), missing)
     if "offset" in given:
         placed.add("lateral", abs(offset_of(given)), given["offset"])
         placed.stand_aside()
+        placed.laws.append(DISC_FLUX_ASIDE)
         return placed
     if "irradiance" in sheet.lit.values:
         placed.assume("the receiver is on the disc's axis and faces it")
@@ -274,8 +282,8 @@ def _sphere(sheet: Worksheet) -> Placed:
     placed.face()
     placed.add("cosine", cones.facing(incidence))
     placed.add("cosine-of-source", 1.0)
-    if _is_sized(given) and "distance" in given:
-        size, away = _radius(given), given["distance"].value
+    if _is_sized(given, "area") and "distance" in given:
+        size, away = _radius(given, 4), given["distance"].value
         placed.use("radius", "diameter", "distance")
         flat = projected.sphere(size, away, incidence)
         shape = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
@@ -316,19 +324,17 @@ def _rectangle(sheet: Worksheet) -> Placed:
 
 def _lacks_side(sheet: Worksheet) -> bool:
     """Return whether one side of a rectangle is given and the light gives the other."""
-    sides = [name for name in ("width", "length") if name in sheet.given]
+    sides = [name for name in ("width", "length", "area") if name in sheet.given]
     return len(sides) == 1 and "projected-solid-angle" in reached(LAWS, {*sheet.known})
 
 
 def _rectangle_seen(placed: Seen, height: Any) -> None:
     given = placed.given
-    width, length = (
-        one_of(given, f"the {name} of the rectangle", name).value for name in ("width", "length")
-    )
+    width, length = _sides(given)
     placed.use("width", "length", *POSITION)
     x, y = offset_of(given), offset_of(given, "offset-y")
     if "corner" in given:
-        x, y = _corner(given)
+        x, y = placed.corner(given, width, length)
         placed.assume("below a corner of the rectangle")
     normal = (_sideways if "perpendicular" in given else _upward)(placed, height, x, y)
     heights = [
@@ -344,13 +350,16 @@ def _rectangle_seen(placed: Seen, height: Any) -> None:
     placed.add("extent", hypot(width, length))
 
 
-def _corner(given: Inputs) -> tuple[Any, Any]:
-    """Return the offsets of a rectangle's corner; refuse other offsets and a distance."""
-    if {*OFFSETS, "distance"} & set(given):
-        message = mention("{corner} with {height} already places the receiver")
-        others = [name for name in (*OFFSETS, "distance") if name in given]
-        raise ConditionError(message, [leave_out(*others), leave_out("corner")])
-    return given["width"].value / 2, given["length"].value / 2
+def _sides(given: Inputs) -> tuple[Any, Any]:
+    """Return the width and the length of a rectangle; one may follow from the area."""
+    names = ["width", "length"]
+    lacking = [name for name in names if name not in given]
+    if len(lacking) == 1 and "area" in given:
+        (other,) = {*names} - {*lacking}
+        sides = {other: given[other].value, lacking[0]: given["area"].value / given[other].value}
+        return sides["width"], sides["length"]
+    width, length = (one_of(given, f"the {name} of the rectangle", name).value for name in names)
+    return width, length
 
 
 def _upward(placed: Seen, height: Any, x: Any, y: Any) -> Any:
@@ -413,9 +422,13 @@ def _part_of_hemisphere(sheet: Worksheet) -> Placed:
 
 SHAPES = {
     "patch": Shape((*SIZES, *POSITION, "tilt"), _patch),
-    "disc": Shape(("radius", "diameter", "distance", "height", "offset", "incidence"), _disc),
-    "sphere": Shape(("radius", "diameter", "distance", "incidence"), _sphere),
-    "rectangle": Shape(("width", "length", *POSITION, "corner", "perpendicular"), _rectangle),
+    "disc": Shape(
+        ("radius", "diameter", "area", "distance", "height", "offset", "incidence"), _disc
+    ),
+    "sphere": Shape(("radius", "diameter", "area", "distance", "incidence"), _sphere),
+    "rectangle": Shape(
+        ("width", "length", "area", *POSITION, "corner", "perpendicular"), _rectangle
+    ),
     "plane": Shape(("incidence",), _plane),
     "hemisphere": Shape(("half-angle", "incidence"), _hemisphere),
 }

@@ -36,12 +36,12 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, angle_of, at_most_one, offset_of, one_of, radius_of
+from radcalc.inputs.given import Input, Inputs, angle_of, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, round_sizes
-from radcalc.maths import FAINTEST, SLACK, any_true, cos, sin, smaller
+from radcalc.maths import FAINTEST, SLACK, any_true, cos, hypot, sin, smaller
 from radcalc.quantities.symbols import CHOICE
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import LENGTH
@@ -199,10 +199,9 @@ def _hemisphere(sheet: Worksheet) -> Placed:
 
 
 def _cone(sheet: Worksheet) -> Placed:
-    one_of(sheet.given, "the size of the cone", *CONES)
-    placed = _onto("a plane whose normal is the cone's axis", CONE, PROJECTED_CONE)
-    if "apex-angle" in sheet.given:
-        placed.laws.append(APEX)
+    any_of(sheet.given, "the size of the cone", *CONES)
+    apex = [APEX] if "apex-angle" in sheet.given else []
+    placed = _onto("a plane whose normal is the cone's axis", *apex, CONE, PROJECTED_CONE)
     if any_true(solve(sheet, placed.laws).value("half-angle") > math.pi / 2):
         placed.note("the part behind that plane does not count: only a hemisphere does")
     return placed
@@ -243,24 +242,18 @@ def _span(interval: Input) -> str:
 def _sphere(sheet: Worksheet) -> Placed:
     from radcalc.laws.solid_angles import SPHERE
 
-    at_most_one(sheet.given, "the size of the source", *ROUND)
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
-    if len(sizes) != 2:
+    if len(sizes) < 2:
         takes = ("radius", "distance", "solid-angle")
-        if len(sizes) < 2:
-            missing = options(name for name in takes if name not in sizes)
-            raise MissingInput("an input is missing: a sphere takes two", missing)
-        given = [name for name in sheet.given if name != "solid-angle" or len(sizes) > 2]
-        raise MissingInput(
-            "too many inputs: a sphere takes two", f"leave out one of {options(given, ', ')}"
-        )
+        missing = options(name for name in takes if name not in sizes)
+        raise MissingInput("an input is missing: a sphere takes two", missing)
     laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
     return _onto("a plane whose normal points to the sphere's centre", *laws)
 
 
 def _height_above(given: Inputs) -> Input:
     """Return the height above a flat shape; on the axis it may be given as the distance."""
-    height = one_of(given, "the height above the source", "height", "distance")
+    height = any_of(given, "the height above the source", "height", "distance")
     if height.name == "distance" and {"corner", *OFFSETS} & set(given):
         refuse_slant_for_height(given["distance"])
     return height
@@ -273,17 +266,18 @@ def _disc(sheet: Worksheet) -> Placed:
     given = sheet.given
     offset = offset_of(given)
     is_aside = any_true(offset != 0)
-    if "solid-angle" in given:
+    is_sized, is_placed = (not set(given).isdisjoint(n) for n in (ROUND, ("height", "distance")))
+    if "solid-angle" in given and not (is_sized and is_placed):
         away = "height" if "height" in given else "distance"
         if is_aside:
             raise Exclusive(("solid-angle", "offset"), "it is a solid angle on the axis")
-        at_most_one(given, "the size of the source", *ROUND)
-        if not {*ROUND, "height", "distance"} & set(given):
+        if not (is_sized or is_placed):
             raise _missing_input(sheet)
         placed = _onto(FACING, *round_sizes(given), disc(away), CONE, PROJECTED_CONE)
+        _compare_distance(placed, given)
         placed.use("offset")
         return placed
-    size = radius_of(one_of(given, "the size of the source", *ROUND))
+    size = radius_of(any_of(given, "the size of the source", *ROUND))
     height = _height_above(given)
     omega = solid.disc(size, height.value, offset)
     flat = projected.disc(size, height.value, offset)
@@ -296,7 +290,15 @@ def _disc(sheet: Worksheet) -> Placed:
         )
         step = DISC_ASIDE.with_numbers(f"{where}; Omega = {_sr(omega)}")
     projection = PROJECTED_DISC.with_numbers(f"Omega_p = {_sr(flat)}")
-    return _enter(sheet, _onto(FACING), omega, flat, step, projection)
+    placed = _onto(FACING, *round_sizes(given))
+    _compare_distance(placed, given)
+    return _enter(sheet, placed, omega, flat, step, projection)
+
+
+def _compare_distance(placed: Placed, given: Inputs) -> None:
+    """Compare a distance with the height and the offset, if both are given."""
+    if {"height", "distance"} <= given.keys():
+        placed.add("distance", hypot(given["height"].value, offset_of(given)))
 
 
 def _rectangle(sheet: Worksheet) -> Placed:
@@ -310,10 +312,10 @@ def _rectangle(sheet: Worksheet) -> Placed:
     x, y = offset_of(given), offset_of(given, "offset-y")
     placed = _onto(FACING)
     if "corner" in given:
-        if any_true((x != 0) | (y != 0)):
-            raise Exclusive(("corner", "offset"))
-        x, y = width / 2, length / 2
+        x, y = placed.corner(given, width, length)
         placed.assume("seen from above a corner")
+    if {"height", "distance"} <= given.keys():
+        placed.add("distance", hypot(height, hypot(x, y)))
     omega = solid.rectangle(width, length, height, x, y)
     flat = projected.rectangle(width, length, height, x, y)
     sizes = [f"{format_number(size)} m" for size in (width, length, height, x, y)]
@@ -355,10 +357,10 @@ def _patch(sheet: Worksheet) -> Placed:
     if set(ROUND) & set(given):
         placed.laws = [*round_sizes(given), CIRCLE, PATCH]
     if "solid-angle" not in given:
-        one_of(given, "the size of the patch", "area", *ROUND)
+        any_of(given, "the size of the patch", "area", *ROUND)
         one_of(given, "the distance", "distance")
     placed.use("tilt")
-    placed.add("cosine-of-source", cones.facing(angle_of(given, "tilt")))
+    placed.merge(place(sheet, _tilted))
     solved = solve(sheet, placed.laws, placed)
     if solved.has("area") and solved.has("distance"):
         area, away, tilt = solved.value("area"), solved.value("distance"), angle_of(given, "tilt")
@@ -371,13 +373,19 @@ def _patch(sheet: Worksheet) -> Placed:
     return placed
 
 
+def _tilted(sheet: Worksheet) -> Placed:
+    placed = Placed()
+    placed.add("cosine-of-source", cones.facing(angle_of(sheet.given, "tilt")))
+    return placed
+
+
 def _on_sphere(sheet: Worksheet) -> Placed:
     """Place a patch of a sphere, seen from the sphere's centre."""
     from radcalc.laws.solid_angles import ON_SPHERE
 
     given = sheet.given
-    one_of(given, "the size of the sphere", *ROUND)
-    if foreign := [name for name in given if name not in ("area", *ROUND)]:
+    any_of(given, "the size of the sphere", *ROUND)
+    if foreign := [name for name in given if name not in ("area", *ROUND, "solid-angle")]:
         raise Unused(foreign, "to a patch of a sphere")
     plane = "a plane whose normal points to the patch, taken as a circle"
     placed = _onto(plane, *round_sizes(given), ON_SPHERE)

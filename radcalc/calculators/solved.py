@@ -14,10 +14,11 @@ from radcalc.errors import ConditionError, Contradiction, option, options, quote
 from radcalc.laws import solver
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import Derivation, Disagreement, Solution
-from radcalc.maths import any_true
+from radcalc.maths import any_true, is_array
 from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, in_kind, specific_name
 
 LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
+TO_DIGITS = "to the digits typed"
 ROUNDING = 1e-9  # relative tolerance of limits of results
 
 
@@ -48,8 +49,9 @@ def solve_all(sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed) -> list[
 def _solutions(
     sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed, steps: dict[str, float]
 ) -> list[Solution]:
+    same, seconds = sheet.given_twice(placed)
     try:
-        return solver.solve_all(laws, sheet.known_with(placed), steps, LIGHT)
+        return solver.solve_all([*same, *laws], sheet.known_with(placed) | seconds, steps, LIGHT)
     except Disagreement as error:
         raise contradiction(sheet, error, steps) from None
 
@@ -64,8 +66,9 @@ class Solved(Remarks):
         self.sheet, self.placed, self.laws, self.solution = sheet, placed, laws, solution
         self.given, self.lit = sheet.given, sheet.lit
         self.assume(*sheet.lit.assumptions, *placed.assumptions)
-        self.note(*sheet.lit.notes, *placed.notes)
+        self.note(*sheet.lit.notes, *placed.notes, *remarks_on(sheet, solution))
         self.use(*sheet.lit.given_in_two_kinds, *placed.used)
+        self.use(*(law.result for law in sheet.given_twice(placed)[0]))
 
     def has(self, *names: str) -> bool:
         return not self.solution.values.keys().isdisjoint(names)
@@ -86,13 +89,30 @@ class Solved(Remarks):
                 continue
             result = self.value(name)
             low, high = limits.low - ROUNDING * abs(limits.low), limits.high * (1 + ROUNDING)
-            if any_true((result < low) | (result > high)):
+            if any_true((result < low) | (result > high)) and not self._is_at_limit(name):
                 inputs = {**self.sheet.quantities, **self.lit.links}
                 raise ConditionError(
                     f"{self.describe(name)} follows from the rest and is out of range: "
                     f"{because or f'it must be {limits.said}'}",
                     hint or f"another value of {options(item.name for item in inputs.values())}",
                 )
+
+    def _is_at_limit(self, name: str) -> bool:
+        """Use the limit of a result in its place, if the digits typed allow that."""
+        result, limits = self.value(name), SYMBOLS[name].limits
+        if name in self.given or is_array(result):
+            return False
+        limit = limits.high if result > limits.high else limits.low
+        limited = Placed()
+        limited.merge(self.placed)
+        limited.add(name, limit)
+        try:
+            (self.solution, *_) = _solutions(self.sheet, self.laws, limited, {})
+        except ConditionError:
+            return False
+        self.placed = limited
+        self.note(*remarks_on(self.sheet, self.solution))
+        return True
 
     def note_behind(self) -> None:
         if self.has("cosine") and any_true(self.value("cosine") == 0):
@@ -153,6 +173,32 @@ class Solved(Remarks):
                     Value(name, label, "", 0.0, symbol.dimensions, (), also=also, lacking=lacking)
                 )
         return absent
+
+
+def remarks_on(sheet: Worksheet, solution: Solution) -> list[str]:
+    """Return notes on values that fit only to the digits typed, and which of them are used."""
+    notes = []
+    for name in sorted(solution.limited):
+        unit = coherent_unit_of(name, sheet.lit.kind)
+        size = format_value(solution.values[name].value, unit)
+        label = f"{article(SYMBOLS[name].label)} of {size}"
+        notes.append(f"{label} is the limit: the other inputs reach it only by their rounding")
+    for name, value_used, implied in solution.agreed:
+        if name in INNER or is_array(value_used - implied):
+            inputs = options([item.name for item in sheet.quantities.values()], " and ")
+            notes.append(f"{inputs} agree {TO_DIGITS}; each is used as typed")
+            continue
+        unit = coherent_unit_of(name, sheet.lit.kind)
+        digits = digits_apart(value_used, implied)
+        used = format_value(value_used, unit, digits)
+        if item := sheet.quantities.get(name):
+            used = option(item.name, quote(item.text))
+        other = format_value(implied, unit, digits)
+        notes.append(
+            f"{used} agrees {TO_DIGITS} with the other inputs, which give {other}; "
+            "each is used as typed"
+        )
+    return list(dict.fromkeys(notes))
 
 
 def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]) -> ConditionError:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial, reduce
+from functools import partial
 from itertools import permutations
 from typing import Any
 
@@ -11,9 +11,9 @@ from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
 from radcalc.errors import ConditionError, Try, Unused, mention, option, quote
 from radcalc.inputs.given import Input, Inputs, split_by_light
-from radcalc.laws.law import AnyLaw
+from radcalc.laws.law import AnyLaw, Law, same
 from radcalc.laws.solver import Known, reached
-from radcalc.maths import is_array, larger
+from radcalc.maths import any_true, is_array, larger
 from radcalc.quantities.symbols import QUANTITY
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import AREA, LENGTH
@@ -41,7 +41,19 @@ class Worksheet(NamedTuple):
         return not self.known.keys().isdisjoint(names)
 
     def known_with(self, placed: "Placed") -> dict[str, Known]:
-        return {**self.known, **placed.known}
+        """Return the values for the laws: a given one, or else the one that the page derives."""
+        return {**placed.known, **self.known}
+
+    def given_twice(self, placed: "Placed") -> tuple[list[Law], dict[str, Known]]:
+        """Return the laws that compare second values of symbols, and these values."""
+        seconds = [(n, known) for n, known in placed.known.items() if n in self.known]
+        laws: list[Law] = []
+        values = {}
+        for number, (name, known) in enumerate([*seconds, *placed.again]):
+            second = f"{name}#{number}"
+            laws.append(same(name, second))
+            values[second] = known
+        return laws, values
 
     @property
     def quantities(self) -> Inputs:
@@ -119,17 +131,35 @@ class Remarks:
 class Placed(Remarks):
     """Laws, values and remarks that a page or a shape derives from its inputs.
 
-    `laws` hold for the case, `known` are values for them, and `steps` derive these values.
+    `laws` hold for the case, `known` are values for them, and `steps` derive these values; `again`
+    are further values of the same symbols, to compare.
     """
 
     def __init__(self, *laws: AnyLaw) -> None:
         super().__init__()
         self.laws: list[AnyLaw] = [*laws]
         self.known: dict[str, Known] = {}
+        self.again: list[tuple[str, Known]] = []
         self.steps: list[Step] = []
 
     def add(self, name: str, value: Any, *inputs: Input) -> None:
-        self.known[name] = known_by(value, *inputs)
+        if name in self.known:
+            self.again.append((name, known_by(value, *inputs)))
+        else:
+            self.known[name] = known_by(value, *inputs)
+
+    def compare(self, given: Input, value: Any) -> None:
+        """Compare an input that is not a value of the laws with its value by other inputs."""
+        self.known[given.name] = known_by(abs(given.value), given)
+        self.add(given.name, value)
+
+    def corner(self, given: Inputs, width: Any, length: Any) -> tuple[Any, Any]:
+        """Return the offsets of a rectangle's corner, and compare them with given ones."""
+        corner = width / 2, length / 2
+        for name, half in zip(OFFSETS, corner, strict=True):
+            if name in given:
+                self.compare(given[name], half)
+        return corner
 
     def default(
         self, sheet: Worksheet, laws: Sequence[AnyLaw], name: str, value: Any, *texts: str
@@ -142,6 +172,7 @@ class Placed(Remarks):
     def merge(self, other: "Placed") -> None:
         self.laws += other.laws
         self.known |= other.known
+        self.again += other.again
         self.steps += other.steps
         self.assume(*other.assumptions)
         self.note(*other.notes)
@@ -155,7 +186,7 @@ def place(sheet: Worksheet, find: Callable[[Worksheet], Placed]) -> Placed:
     """
     placed = find(sheet)
     for name, known in placed.known.items():
-        if name not in sheet.known and not known.text:
+        if not known.text:
             rounding = partial(_moved_by_roundings, sheet, find, name, known.value)
             placed.known[name] = known._replace(rounding=rounding)
     return placed
@@ -165,20 +196,32 @@ def _moved_by_roundings(
     sheet: Worksheet, find: Callable[[Worksheet], Placed], name: str, value: Any
 ) -> Any:
     """Return the change of a value [SI] when the inputs are shifted by their rounding errors."""
-    total = 0.0 * value
+    rising, falling, most = {}, {}, 0.0 * value
+
+    def change(moved: Inputs) -> Any:
+        try:
+            placed = find(sheet._replace(given={**sheet.given, **moved}))
+        except ConditionError:  # past a limit
+            return None
+        return placed.known[name].value - value
+
     for key, item in sheet.given.items():
         if item.symbol.form != QUANTITY or not item.rounding:
             continue
-        moves = [0.0 * value]
         for factor in (1 + item.rounding, 1 - item.rounding):
-            given = {**sheet.given, key: item._replace(value=item.value * factor)}
-            try:
-                placed = find(sheet._replace(given=given))
-            except ConditionError:  # past a limit
+            moved = item._replace(value=item.value * factor)
+            by = change({key: moved})
+            if by is None:
                 continue
-            moves.append(abs(placed.known[name].value - value))
-        total = total + reduce(larger, moves)
-    return total
+            most = larger(most, abs(by))
+            if any_true(by > 0):
+                rising[key] = moved
+            if any_true(by < 0):
+                falling[key] = moved
+    for together in (rising, falling):
+        by = change(together)
+        most = most if by is None else larger(most, abs(by))
+    return most
 
 
 def refuse_foreign(given: Inputs, takes: Sequence[str], title: str) -> None:

@@ -197,6 +197,15 @@ def split_by_light(given: Inputs) -> tuple[Inputs, Inputs, Inputs]:
     return quantities, links, rest
 
 
+def any_of(inputs: Inputs, what: str, *names: str) -> Input:
+    """Return the first given one of inputs, which laws compare; refuse none."""
+    for name in names:
+        if name in inputs:
+            return inputs[name]
+    examples = " or ".join(option(name, SYMBOLS[name].example) for name in names)
+    raise MissingInput(f"{what} is missing", examples)
+
+
 def at_most_one(inputs: Inputs, what: str, *names: str) -> Input | None:
     """Return the given one of several inputs, or None; refuse two."""
     matches = [inputs[name] for name in names if name in inputs]
@@ -208,11 +217,7 @@ def at_most_one(inputs: Inputs, what: str, *names: str) -> Input | None:
 
 def one_of(inputs: Inputs, what: str, *names: str) -> Input:
     """Return the given one of several inputs; refuse none and two."""
-    match = at_most_one(inputs, what, *names)
-    if match is None:
-        examples = " or ".join(option(name, SYMBOLS[name].example) for name in names)
-        raise MissingInput(f"{what} is missing", examples)
-    return match
+    return at_most_one(inputs, what, *names) or any_of(inputs, what, *names)
 
 
 def radius_of(given: Input) -> Any:

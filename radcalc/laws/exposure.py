@@ -164,6 +164,26 @@ FILTERED: list[AnyLaw] = [
         "ISO 2720",
     ),
 ]
+# For a filter of unknown density.
+UNFILTERED = relation(
+    "exposure without the filter",
+    "{ev100} = log2({f-number}^2 / ({unfiltered-time} 1 Hz)) - log2({iso} / 100)",
+    {
+        "ev100": lambda at: (
+            log2(square(at("f-number")) / at("unfiltered-time")) - log2(at("iso") / 100)
+        ),
+        "f-number": lambda at: sqrt(
+            power(2.0, at("ev100")) * at("unfiltered-time") * (at("iso") / 100)
+        ),
+        "unfiltered-time": lambda at: (
+            square(at("f-number")) / (power(2.0, at("ev100")) * (at("iso") / 100))
+        ),
+        "iso": lambda at: (
+            100 * square(at("f-number")) / (power(2.0, at("ev100")) * at("unfiltered-time"))
+        ),
+    },
+    "ISO 2720",
+)
 
 
 def _guide_number(name: str, template: str, filtered: bool) -> AnyLaw:

@@ -136,6 +136,7 @@ PEAKS = {
             "{peak-irradiance} = 8 {flux} / (pi {spot-diameter}^2)",
             PROFILE,
         ),
+        law("peak over the mean of a gaussian beam", "{peak-irradiance} = 2 {irradiance}", PROFILE),
         law(
             "limit of a gaussian beam's peak",
             "{limit} = 8 {flux} / (pi {limit-diameter}^2)",
@@ -144,6 +145,7 @@ PEAKS = {
     ],
     UNIFORM: [
         law("peak of a uniform beam", "{peak-irradiance} = 4 {flux} / (pi {spot-diameter}^2)"),
+        law("peak and mean of a uniform beam", "{peak-irradiance} = {irradiance}"),
         law("limit of a uniform beam", "{limit} = 4 {flux} / (pi {limit-diameter}^2)", RANGE),
     ],
 }

@@ -169,6 +169,30 @@ def law(
     return Law(name, template, names, tuple(powers), constant, unit, reference)
 
 
+SAME = "the same quantity"
+
+
+def same(first: str, second: str) -> Law:
+    """Make the law that two symbols have one value.
+
+    Parameters
+    ----------
+    first, second : str
+        The symbols.
+
+    Returns
+    -------
+    Law
+        It compares values of one quantity that are given or found in two ways.
+
+    Examples
+    --------
+    >>> same("polar", "polar#1").solve("polar", {"polar#1": 0.5}.get)
+    0.5
+    """
+    return law(SAME, f"{{{first}}} = {{{second}}}")
+
+
 class Several(tuple[float, ...]):
     """Values of a symbol [SI] that fit a law equally well, if there is more than one.
 
@@ -226,6 +250,9 @@ class Relation(NamedTuple):
         every other symbol by its name) and returns that symbol's value [SI], or `Several` of them.
     reference : str
         Source of the law.
+    has_limit : bool
+        Whether values that are impossible only by their rounding mean the limit: the f-numbers
+        of a lens focused far away, the area and the diagonal of a square.
 
     Examples
     --------
@@ -239,6 +266,7 @@ class Relation(NamedTuple):
     names: tuple[str, ...]
     solvers: dict[str, Callable[[At], Any]]
     reference: str = ""
+    has_limit: bool = False
 
     @property
     def targets(self) -> tuple[str, ...]:

@@ -25,7 +25,7 @@ ASPECT = relation(
     "aspect of a rectangle, by its area and diagonal",
     "{diagonal}^2 = {area} ({aspect} + 1 / {aspect})",
     {"aspect": lambda at: _aspect(square(at("diagonal")) / at("area"))},
-)
+)._replace(has_limit=True)
 
 
 def round_sizes(given: Container[str]) -> list[AnyLaw]:

@@ -3,16 +3,16 @@
 Values are in coherent SI units, floats or arrays.
 """
 
-from collections.abc import Sequence, Set
-from functools import cached_property
+from collections.abc import Callable, Sequence, Set
+from functools import cached_property, partial
 from itertools import product
 from typing import Any
 
 from radcalc.answer import Step
 from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
-from radcalc.laws.law import AnyLaw, Law, Relation, Several
-from radcalc.maths import any_true, is_array, is_lost, larger, limit
+from radcalc.laws.law import AnyLaw, At, Law, Relation, Several
+from radcalc.maths import any_true, is_array, is_lost, larger, limit, piecewise, smaller
 from radcalc.tuples import NamedTuple
 from radcalc.units.numbers import EXACT
 
@@ -44,6 +44,31 @@ class Known(NamedTuple):
 Values = dict[str, Known]
 
 
+class Agreement(NamedTuple):
+    """Two values of one symbol that agree only to the digits typed.
+
+    Attributes
+    ----------
+    name : str
+        The symbol.
+    value : float or ndarray [SI]
+        The value that is used: the given one if there is one.
+    implied : float or ndarray [SI]
+        Its value by a law.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import DIAMETER
+    >>> given = {"diameter": Known(2.0, 0.05), "radius": Known(1.01, 0.005)}
+    >>> solve([DIAMETER], given).agreed[0].implied
+    2.02
+    """
+
+    name: str
+    value: Any
+    implied: Any
+
+
 class Solution(NamedTuple):
     """All values, and the laws that gave them.
 
@@ -53,6 +78,10 @@ class Solution(NamedTuple):
         Given and derived values, by the names of symbols.
     used : list of (law, str)
         The laws used, in order, and the symbol that each was solved for.
+    agreed : sequence of Agreement
+        The surplus values that agree only to the digits typed.
+    limited : set of str
+        The symbols at the limit of a law, which the digits typed reach.
 
     Examples
     --------
@@ -63,6 +92,8 @@ class Solution(NamedTuple):
 
     values: Values
     used: list[tuple[AnyLaw, str]]
+    agreed: Sequence[Agreement] = ()
+    limited: Set[str] = frozenset()
 
 
 class Disagreement(ConditionError):
@@ -130,8 +161,8 @@ def solve(
     Notes
     -----
     Each law with one unknown symbol is solved for it, until no law has exactly one.  A law whose
-    symbols are all known, and that gave none of them, is checked to the precision typed: the
-    rounding errors of given values propagate to derived values.
+    symbols are all known, and that gave none of them, is checked to the precision typed: its two
+    values agree if the given values, each moved within its rounding error, can make them equal.
 
     If two laws could give a symbol, and their values differ within the digits typed, the choice
     matters: the sides of a room determine its area better than a flux typed with three digits.
@@ -176,18 +207,18 @@ def solve_all(
     >>> len(solve_all([CIRCLE], {"area": Known(1.0)}))
     1
     """
-    sheet = _Sheet(dict(given), {}, given, steps or {}, frozenset(), [])
+    sheet = _Sheet(dict(given), {}, given, steps or {}, frozenset(), [], [], set())
     refused: Disagreement | None = None
     try:
         solutions = _follow_all(list(laws), sheet)
-        if not (sheet.rounded and last):
+        if not (last and any(solution.agreed for solution in solutions)):
             return solutions
     except Disagreement as error:
         if not last:
             raise
         refused = error
     try:
-        return _follow_all(list(laws), sheet._replace(values=dict(given), laws={}, last=last))
+        return _follow_all(list(laws), sheet._replace(**_anew(given), last=last))
     except ConditionError as error:
         if refused and not (isinstance(error, Disagreement) and error.name in given):
             raise refused from None  # the first error is more specific
@@ -197,7 +228,9 @@ def solve_all(
 class _Sheet(NamedTuple):
     """The values so far, the law of each derived value, and the given values.
 
-    `rounded` are the laws that hold only within the digits typed.
+    `checked` are the surplus laws, each with the compared symbol and its value by the law;
+    `agreed` those that hold only to the digits typed.  `limited` are symbols at the limit of a law
+    that has no value for the others.
     """
 
     values: Values
@@ -205,21 +238,29 @@ class _Sheet(NamedTuple):
     given: Values
     steps: dict[str, float]
     last: Set[str]
-    rounded: list[AnyLaw]
+    agreed: list[Agreement]
+    checked: list[tuple[AnyLaw, str, Any]]
+    limited: set[str]
 
     def off(self, name: str) -> Any:
         """Return the largest error of a value [SI], from the roundings that it depends on."""
+        value = self.values[name].value
+        low, high = _range(self, {name}, lambda at: at(name))
+        return larger(high - value, value - low)
+
+    def rounding(self, name: str) -> Any:
+        """Return the rounding error of a symbol's own digits or steps [SI]; 0 without any."""
         known = self.values[name]
-        off = known.rounding
-        if off is UNKNOWN:
-            off = _spread(self, self.laws[name], name)
-        elif callable(off):
-            off = off()
-        self.values[name] = known._replace(rounding=off)
+        off = 0.0
+        if name in self.given:
+            off = known.rounding() if callable(known.rounding) else known.rounding
+            self.values[name] = known._replace(rounding=off)
         return larger(off, self.steps[name]) if name in self.steps else off
 
 
-UNKNOWN = None  # a rounding that is not computed yet
+def _anew(given: Values) -> dict[str, Any]:
+    """Return the fields of a sheet without derived values."""
+    return {"values": dict(given), "laws": {}, "agreed": [], "checked": [], "limited": set()}
 
 
 def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
@@ -242,9 +283,12 @@ def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
                 sheet.laws[target] = law
                 if isinstance(value, Several):
                     return _follow_each(waiting, sheet, target, value)
-                values[target] = Known(value, UNKNOWN)
+                values[target] = Known(value)
                 is_followed = True
-    return [Solution(values, [(law, target) for target, law in sheet.laws.items()])]
+    if sheet.agreed:
+        _compare_together(sheet)
+    used = [(law, name) for name, law in sheet.laws.items()]
+    return [Solution(values, used, sheet.agreed, sheet.limited)]
 
 
 def _follow_each(
@@ -254,11 +298,16 @@ def _follow_each(
     solutions: list[Solution] = []
     refused: ConditionError | None = None
     for value in several:
-        values = {**sheet.values, target: Known(value, UNKNOWN)}
+        values = {**sheet.values, target: Known(value)}
+        branch = sheet._replace(
+            values=values,
+            laws=dict(sheet.laws),
+            agreed=[*sheet.agreed],
+            checked=[*sheet.checked],
+            limited={*sheet.limited},
+        )
         try:
-            solutions += _follow_all(
-                list(waiting), sheet._replace(values=values, laws=dict(sheet.laws))
-            )
+            solutions += _follow_all(list(waiting), branch)
         except ConditionError as error:
             refused = refused or error
     if not solutions and refused:
@@ -302,75 +351,110 @@ def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any
     """Return the target at the limit of a relation, or None if the roundings do not reach it.
 
     A cosine of 1.004 from numbers typed with three digits counts as 1; a typed value that is
-    impossible is still refused.
+    impossible is still refused, except where the limit is a usual value.
     """
-    follows = isinstance(law, Relation) and not at.keys() <= sheet.given.keys()
-    if not follows or any(map(is_array, at.values())):
+    if not isinstance(law, Relation) or any(map(is_array, at.values())):
+        return None
+    if at.keys() <= sheet.given.keys() and not law.has_limit:
         return None
     off = {name: sheet.off(name) for name in at}
     moving = [name for name in at if off[name]]
     best, least = None, 1.0
     for signs in product((1, -1), repeat=len(moving)):
         move = {name: sign * off[name] for name, sign in zip(moving, signs, strict=True)}
-        if _moved(law, target, at, move, least) is None:
-            continue
-        least = _limit(law, target, at, move, 0.0, least)
-        best = _moved(law, target, at, move, least)
+
+        def moved(part: float, move: dict[str, Any] = move) -> Any:
+            places = at | {name: at[name] + part * size for name, size in move.items()}
+            return _solved(law, target, places.__getitem__)
+
+        if moved(least) is not None:
+            least = limit(lambda part: moved(part) is not None, 0.0, least)
+            best = moved(least)
+    if best is not None:
+        sheet.limited.add(target)
     return best
 
 
-def _moved(
-    law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], part: float = 1.0
-) -> Any:
-    """Return the target with other symbols moved by a part of `move`; None past a limit."""
-    moved = at | {name: at[name] + part * size for name, size in move.items()}
+def _solved(law: AnyLaw, target: str, at: At) -> Any:
+    """Return the target of a law; None past a limit."""
     try:
-        value = law.solve(target, moved.__getitem__)
+        value = law.solve(target, at)
     except (ConditionError, *ARITHMETIC):
         return None
     return None if isinstance(value, complex) else value
 
 
-def _limit(
-    law: AnyLaw,
-    target: str,
-    at: dict[str, Any],
-    move: dict[str, Any],
-    outside: float,
-    inside: float,
-) -> float:
-    """Return the part of `move` at which the law begins or ceases to have a target."""
-    return limit(lambda part: _moved(law, target, at, move, part) is not None, outside, inside)
+Result = Callable[[At], Any]  # a number or an array from values; None past a limit
 
 
-def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
-    """Return the largest error of a law's target, from the roundings of its other symbols."""
-    at = {name: sheet.values[name].value for name in law.names if name != target}
-    value = sheet.values[target].value
-    total = 0.0 * value
-    for name in at:
-        off = sheet.off(name)
-        if any_true(off != 0):
-            moves = ({name: off}, {name: -off})
-            moved = [_moved_to_limit(law, target, at, move, value) for move in moves]
-            total = total + larger(*(abs(other - value) for other in moved))
-    return total
+def _range(sheet: _Sheet, names: Set[str], result: Result) -> tuple[Any, Any]:
+    """Return the lowest and the highest result of values within the digits typed.
+
+    Each value is moved by its rounding error alone, and then all of them to the same side.
+    """
+    needed = _needed(sheet, names)
+    centre = result(lambda name: sheet.values[name].value)
+    low = high = centre
+    falls, rises = {}, {}
+    for name in needed:
+        off = sheet.rounding(name)
+        if not any_true(off != 0):
+            continue
+        up, down = (_at_limit(sheet, needed, result, {name: o}, centre) for o in (off, -off))
+        low, high = smaller(low, smaller(up, down)), larger(high, larger(up, down))
+        rise = piecewise(up >= down, lambda o: o, lambda o: -o, off)
+        rises[name] = rise * (larger(up, down) > centre)
+        falls[name] = -rise * (smaller(up, down) < centre)
+    if len(rises) > 1:
+        low = smaller(low, _at_limit(sheet, needed, result, falls, centre))
+        high = larger(high, _at_limit(sheet, needed, result, rises, centre))
+    return low, high
 
 
-def _moved_to_limit(
-    law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], value: Any
+def _needed(sheet: _Sheet, names: Set[str]) -> list[str]:
+    """Return the symbols on which values depend, themselves included, in order of derivation."""
+    needed = set(names)
+    for target, law in reversed(sheet.laws.items()):
+        if target in needed:
+            needed.update(law.names)
+    return [name for name in sheet.values if name in needed]
+
+
+def _at_limit(
+    sheet: _Sheet, needed: list[str], result: Result, moves: dict[str, Any], centre: Any
 ) -> Any:
-    """Return the target with one symbol moved as far as possible; the nearest of several values.
+    """Return the result for values moved as far as possible.
 
     An incidence typed as 90 deg is not meant as 90.05.
     """
-    moved = _moved(law, target, at, move)
-    if moved is None and not is_array(value):
-        most = _limit(law, target, at, move, 1.0, 0.0)
-        moved = _moved(law, target, at, move, most)
-    if isinstance(moved, Several):
-        return min(moved, key=lambda candidate: abs(candidate - value))
-    return value if moved is None else moved
+    moved = _moved(sheet, needed, result, moves)
+    if moved is None and not is_array(centre):
+        part = limit(lambda part: _moved(sheet, needed, result, moves, part) is not None, 1.0, 0.0)
+        moved = _moved(sheet, needed, result, moves, part)
+    return centre if moved is None else moved
+
+
+def _moved(
+    sheet: _Sheet, needed: list[str], result: Result, moves: dict[str, Any], part: float = 1.0
+) -> Any:
+    """Return the result for values moved by a part of `moves`; None past a limit."""
+    at: dict[str, Any] = {}
+    for name in needed:
+        value = sheet.values[name].value
+        if name in sheet.laws:
+            derived = _near(_solved(sheet.laws[name], name, at.__getitem__), value)
+            if derived is None and name not in sheet.limited:
+                return None
+            value = value if derived is None else derived
+        at[name] = value + part * moves[name] if name in moves else value
+    return result(at.__getitem__)
+
+
+def _near(found: Any, value: Any) -> Any:
+    """Return what a law gives; of several values the one next to another value."""
+    if isinstance(found, Several):
+        return min(found, key=lambda candidate: abs(candidate - value))
+    return found
 
 
 def _check(law: AnyLaw, sheet: _Sheet) -> None:
@@ -387,18 +471,52 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
         name = law.result  # if no light arrives, the law can be solved only for its result
         other = _follow(law, name, sheet)
     value = sheet.values[name].value
-    if isinstance(other, Several):
-        other = min(other, key=lambda candidate: abs(candidate - value))
-    difference = abs(value - other)
-    if not any_true(difference > EXACT * abs(value) + 1e-300):
-        return
-    for symbol in law.names:
-        sheet.off(symbol)  # from the present values, before `other` replaces one of them
-    aside = sheet._replace(values={**sheet.values, name: Known(other)})
-    allowed = sheet.off(name) + _spread(aside, law, name) + EXACT * abs(value)
-    if any_true(difference > allowed):
+    other = _near(other, value)
+    sheet.checked.append((law, name, other))
+    if any_true(abs(value - other) > EXACT * abs(value) + 1e-300):
+        _compare(sheet, law, name, other)
+        sheet.agreed.append(Agreement(name, value, other))
+
+
+def _compare(sheet: _Sheet, law: AnyLaw, name: str, other: Any) -> None:
+    """Refuse two values that differ by more than the digits typed allow."""
+    value = sheet.values[name].value
+    is_limited = _solved(law, name, lambda symbol: sheet.values[symbol].value) is None
+
+    def excess(at: At) -> Any:
+        implied = _near(_solved(law, name, at), at(name))
+        if implied is None:
+            return at(name) - other if is_limited else None
+        return at(name) - implied
+
+    low, high = _range(sheet, {*law.names}, excess)
+    exact = EXACT * abs(value) + 1e-300
+    if name in sheet.given and name in _needed(sheet, {*law.names} - {name}):
+        exact = exact + sheet.rounding(name)  # the others follow from it: errors of arithmetic
+    if any_true((low > exact) | (high < -exact)):
         raise Disagreement(law, name, value, other)
-    sheet.rounded.append(law)
+
+
+def _compare_together(sheet: _Sheet) -> None:
+    """Refuse values of which each two agree to the digits typed, but not all of them.
+
+    The sides of a room leave less room for its area than the two digits of 54 m2 do.
+    """
+    for law, *_ in sheet.checked:
+        for name in sheet.given.keys() & {*law.targets}:
+            value, off = sheet.values[name].value, sheet.rounding(name)
+            implied = partial(_implied, law, name, value)
+            if not any_true(off != 0) or implied(lambda n: sheet.values[n].value) is None:
+                continue
+            low, high = _range(sheet, {*law.names}, implied)
+            least = smaller(off, larger(high - value, value - low))
+            sheet.values[name] = sheet.values[name]._replace(rounding=least)
+    for checked in sheet.checked:
+        _compare(sheet, *checked)
+
+
+def _implied(law: AnyLaw, name: str, value: Any, at: At) -> Any:
+    return _near(_solved(law, name, at), value)
 
 
 def _holds(law: Relation, sheet: _Sheet) -> bool:

@@ -12,6 +12,7 @@ from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, refuse_arrays, relation
 from radcalc.maths import SLACK, each, limit, piecewise, sqrt, square
+from radcalc.units.numbers import EXACT
 
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
@@ -247,6 +248,48 @@ DISC_ASIDE = relation(
         "height": _disc_heights,
         "radius": _disc_radius,
     },
+    f"{HOWELL}, B-13",
+)
+
+
+def _disc_radii(at: At) -> Any:
+    """Return the one or two radii of a disc of a flux for the irradiance off its axis."""
+    height, offset = at("height"), at("lateral")
+    part = math.pi**2 * at("irradiance") / at("flux")
+    refuse_arrays("radii", part, height, offset)
+
+    def excess(logarithm: float) -> float:
+        radius = math.exp(logarithm)
+        return math.log(projected.disc(radius, height, offset) / radius**2 / part)
+
+    away = math.log(math.hypot(height, offset))
+    low, high = away - 12, away + 12  # small against the distance; the hemisphere
+    while excess(high) > 0:
+        high += 12
+    left, right = low, high
+    for _ in range(200):  # thirds around the brightest radius
+        third = (right - left) / 3
+        if excess(left + third) < excess(right - third):
+            left += third
+        else:
+            right -= third
+    top = (left + right) / 2
+    cones.refuse(
+        excess(top) < -EXACT,
+        "more irradiance than a disc of that flux gives there",
+        "more flux, or less irradiance",
+    )
+    if excess(top) <= 0:
+        return math.exp(top)
+    ends = [end for end in (low, high) if excess(end) < 0]
+    return Several(math.exp(limit(lambda r: excess(r) >= 0, end, top)) for end in ends)
+
+
+DISC_FLUX_ASIDE = relation(
+    "flux of a disc, off its axis",
+    "{flux} = pi^2 Omega0 {radius}^2 {irradiance} / Omega_p, with the projected solid angle "
+    "Omega_p of the disc with {radius}, from {height} at {lateral}",
+    {"radius": _disc_radii},
     f"{HOWELL}, B-13",
 )
 

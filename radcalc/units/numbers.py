@@ -24,7 +24,7 @@ INFINITE = float("inf")
 SMALLEST = float_info.min  # smallest float with full precision
 
 EXACT = 1e-9  # relative error of arithmetic with exact numbers
-FEWEST_DIGITS = 3  # 2m is read as 2.00 m
+OF_ONE_DIGIT = 3  # 2m is read as 2.00 m, 20m as typed
 
 FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10")  # of expressions
 OTHER_FUNCTIONS = (  # common functions that expressions do not support
@@ -319,4 +319,6 @@ def relative_rounding(number: str) -> float:
     """Return half a unit of a decimal's last digit, relative to it; 0 for other texts."""
     typed = typed_digits(number)
     digits = typed[0].lstrip("0") if typed else ""
-    return 0.5 / float(digits.ljust(FEWEST_DIGITS, "0")) if digits else 0.0
+    if len(digits) == 1:
+        digits = digits.ljust(OF_ONE_DIGIT, "0")
+    return 0.5 / float(digits) if digits else 0.0

@@ -147,7 +147,7 @@ def test_marks_of_cameras_agree_in_third_stops():
 
 
 def test_a_note_names_the_rounded_marks():
-    found = ev(f_number="22", time="1/15 s", ev="13")
+    found = ev(f_number="22", time="1/15 s", ev="13.0")
     assert [note.partition(" is rounded")[2] for note in found.notes] == [
         ", as marked on cameras: 22.63",
         ", as marked on cameras: 0.0625 s",

@@ -315,7 +315,7 @@ def test_a_source_that_is_too_near_is_refused_with_the_exact_call(texts, expecte
 def test_position_and_size_of_a_disc_follow_from_its_light_off_the_axis(r, h, x):
     lux = 1e4 * disc_integral(r, h, x, (0, 0, 1))
     lit = {"luminance": "1e4cd/m2", "illuminance": Q(lux, "lx")}
-    sizes = {"radius": f"{r}m", "height": f"{h}m", "offset": f"{x}m"}
+    sizes = {"radius": f"{r:.4f}m", "height": f"{h:.4f}m", "offset": f"{x:.4f}m"}
     for name, size in (("radius", r), ("height", h), ("offset", x)):
         others = {other: text for other, text in sizes.items() if other != name}
         found = np.atleast_1d(lambertian("disc", **lit, **others)[name].to("m").magnitude)

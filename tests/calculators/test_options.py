@@ -72,7 +72,7 @@ BASES: list[tuple[Any, tuple[str, ...], tuple[str, ...], dict[str, str]]] = [
       for base in (
           {"ev100": "15"}, {"ev": "12"}, {"luminance": "99cd/m2"}, {"illuminance": "99lx"},
           {"f-number": "16"}, {"f-number": "16", "time": "1/100s"},
-          {"ev": "12", "ev100": "10"})),
+          {"ev": "12.0", "ev100": "10.0"})),
     *((calorimeter, (), CALORIMETER, base)
       for base in (
           {"flux": "5W"}, {"energy": "5J"}, {"irradiance": "5W/m2"},

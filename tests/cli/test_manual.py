@@ -40,7 +40,7 @@ PRODUCED = {
     "--flux 800lm contradicts": "point-source --flux 800lm --intensity 100cd",
     "--incidence 30deg needs further inputs": "point-source --flux 1lm --incidence 30deg",
     "the inputs do not give": "point-source --flux 800lm --distance 2m -g exposure",
-    "--flux cannot be used with --luminous-flux": "point-source --flux 800lm --luminous-flux 800lm",
+    "--luminous-flux 900lm contradicts": "point-source --flux 800lm --luminous-flux 900lm",
     "--luminous-intensity is": "point-source --radiant-flux 3W --luminous-intensity 5cd",
     "no light arrives": "point-source --illuminance 3lx --distance 2m --incidence 100deg",
     "a reflectance of 1.25664": "lambertian --incident-illuminance 500lx --luminance 200cd/m2",

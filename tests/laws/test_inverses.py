@@ -183,6 +183,13 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("exposure value at ISO 100, behind a filter", "ev100"): (
         {"ev": st.floats(-10, 25), "iso": st.floats(1, 1e6), "stops": st.floats(0, 20)}, "ev100",
         lambda value, iso, stops: value - math.log2(iso / 100) + stops),
+    ("exposure without the filter", "ev100"): (
+        {"f-number": st.floats(1, 32), "unfiltered-time": SIZE, "iso": st.floats(1, 1e6)}, "ev100",
+        lambda n, t, iso: math.log2(n**2 / t * 100 / iso)),
+    ("flux of a disc, off its axis", "flux"): (
+        {"radius": st.floats(0.1, 10), "irradiance": SIZE, "height": st.floats(0.1, 10),
+         "lateral": st.floats(0.1, 10)},
+        "flux", lambda r, e, h, x: PI**2 * r**2 * e / _disc_aside(r, h, x)),
     ("time behind a filter", "time"): (
         {"unfiltered-time": SIZE, "stops": st.floats(0, 20)}, "time", lambda t, n: t * 2**n),
     ("guide number", "guide-number"): (
@@ -319,6 +326,7 @@ TURNING = (
     "illuminance of a floor",
     "exposure of a floor",
     "lobe of a flux, off its axis",
+    "flux of a disc, off its axis",
 )
 
 
