@@ -344,6 +344,7 @@ def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
     return value
 
 
+EPSILON = 1e-15  # relative error of arithmetic
 ARITHMETIC = (ValueError, ZeroDivisionError, OverflowError)
 
 
@@ -493,6 +494,10 @@ def _compare(sheet: _Sheet, law: AnyLaw, name: str, other: Any) -> None:
     exact = EXACT * abs(value) + 1e-300
     if name in sheet.given and name in _needed(sheet, {*law.names} - {name}):
         exact = exact + sheet.rounding(name)  # the others follow from it: errors of arithmetic
+    for symbol in {*law.names} - {name}:  # such as the cosine of nearly 90 deg
+        at = {n: sheet.values[n].value * (1 + EPSILON * (n == symbol)) for n in law.names}
+        shifted = _implied(law, name, value, at.__getitem__)
+        exact = exact + (0.0 if shifted is None else abs(shifted - other))
     if any_true((low > exact) | (high < -exact)):
         raise Disagreement(law, name, value, other)
 
