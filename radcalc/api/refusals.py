@@ -127,4 +127,4 @@ def _text(answer: Any) -> str:
 def _rows(result: Any) -> Iterator[str]:
     for row in result.rows:
         if not row.given:
-            yield f"{keyword(row.name)} {row.value:.6g} {row.unit}"
+            yield f"{keyword(row.name)} {row.value:.6g} {row.unit}".removesuffix(" 1")

@@ -20,6 +20,8 @@ MEANT = {
     "solid-angle": "steradian steradians omega",
     "uberlight": "cinematography renderman barzel superellipse barndoor falloff",
 }
+# Commands that read files, by the endings of their names.
+FILES = {"point-source": (".ies", ".ldt"), "environment": (".hdr", ".exr", ".pfm")}
 
 
 def meant(args: list[str]) -> Hint:
@@ -27,6 +29,9 @@ def meant(args: list[str]) -> Hint:
     word = args[0].lower()
     if near := nearest(word, COMMANDS, 1, 0.75):
         return correct(args[0], near[0])
+    if file := next((f for f in FILES if word.endswith(FILES[f])), ""):
+        given = {"distribution": args[0]} if file == "point-source" else {}
+        return call(file, *([] if given else args[:1]), **given)
     from radcalc.calculators.solid_angle import NAMES
 
     if word in NAMES:

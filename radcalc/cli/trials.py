@@ -96,8 +96,10 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
                 proposal = next(
                     (one for one in further.tries if one.inputs and not one.without), None
                 )
-            except click.ClickException:
-                break
+            except click.UsageError as further_usage:
+                from radcalc.cli.refusals import of_click
+
+                proposal = next(iter(of_click(further_usage, call).tries), None)
     return made
 
 

@@ -225,6 +225,10 @@ KIND_UNITS = {
 }
 
 
+PART_OF_LIGHT = (
+    "{} is less than 1/{:.0f} W/lm: these watts are a part of the radiation, such as its UV, which "
+    "the lumens do not measure"
+)
 PER_WATT_OF_LIGHT = (
     "{} is taken per watt of light; the efficacy of a lamp is per electrical watt, and the watts "
     "here would then also be electrical"
@@ -247,7 +251,10 @@ def given_ratio(given: Input, over: str, under: str, observer: Input | None) -> 
             most, limit_text = most_lumens_per_photon(seen_by), "{:.4g} lm s/umol"
             scale, unit = AVOGADRO * 1e-6, "lm.s/umol"
         lumens_per = value if pair[0] == LUMINOUS else 1 / value
-        if maths.any_true(lumens_per > most * (1 + 1e-12)):
+        is_beyond = maths.any_true(lumens_per > most * (1 + 1e-12))
+        if is_beyond and pair[0] == RADIANT:  # 75 uW/lm, the UV of museums
+            notes = (PART_OF_LIGHT.format(given.text, most),)
+        elif is_beyond:
             raise Impossible(
                 given.name,
                 given.text,

@@ -10,7 +10,7 @@ from itertools import chain, pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc.errors import ConditionError, UsageError, listed, option, quote
+from radcalc.errors import ConditionError, UsageError, call, listed, option, quote, quote_path
 from radcalc.files import columns
 from radcalc.files.table import Table as TextTable
 from radcalc.files.text import Lines, Text, reading, refusal
@@ -38,11 +38,17 @@ WORDS = 2  # after a number, between blanks, that make a line a sentence: 100 sc
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
+LUMINAIRES = (".ies", ".ldt")
+
+
 def read_file(path: str, column: str = "", unit: str = "") -> Table:
     """Read a spectrum from a file, or from standard input for the path '-'.
 
     `unit` is that of the values; it wins over the one in the file.
     """
+    if path.lower().endswith(LUMINAIRES):
+        problem = f"{quote_path(path)} is a file of a luminaire, not of a spectrum"
+        raise ConditionError(problem, call("point-source", distribution=path))
     with reading(path, "a file with a spectrum") as (name, read):
         return _Reader(name, read, column, column_titles.typed(unit) if unit else None).table()
 

@@ -4,7 +4,16 @@ import math
 import os
 from functools import cache
 
-from radcalc.errors import ConditionError, RadcalcError, TooMany, command, nearest, option, quote
+from radcalc.errors import (
+    ConditionError,
+    RadcalcError,
+    TooMany,
+    command,
+    corrections,
+    nearest,
+    option,
+    quote,
+)
 from radcalc.files.text import ENDINGS
 from radcalc.spectra.kinds import FORMS, example
 from radcalc.spectra.observers import standard_air_wavelength
@@ -45,7 +54,9 @@ MEANT = {  # suggestions for words that are not names of spectra
     "planck": example("blackbody"),
     "halogen": "A, blackbody:3000K",
     "tungsten": "A, blackbody:2856K",
-    "led": "LED-B3, LED-B1, LED-B5",
+    **dict.fromkeys(("led", "white led", "white"), "LED-B3, LED-B1, LED-B5"),
+    "warm led": "LED-B1",
+    "cool led": "LED-B5",
     "fluorescent": "F11, F2",
     "laser": "line:632.8nm",
     "line": "line:632.8nm",
@@ -128,12 +139,12 @@ def _unknown(text: str) -> RadcalcError:
         return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
     problem = f"unknown spectrum '{quote(text)}' (and no such file)"
     if meant := MEANT.get(text.strip().lower()):
-        return ConditionError(problem, meant)
+        return ConditionError(problem, corrections(text, *meant.split(", ")))
     if fitting := [form for kind in FORMS if _is_spectrum(form := f"{kind}:{text}")]:
-        return ConditionError(problem, quote(", ".join(fitting)))
+        return ConditionError(problem, corrections(text, *fitting))
     known = {_bare(name): name for name in names()}
     near = [known[f] for f in nearest(_bare(text), known, 3)]
-    return ConditionError(problem, ", ".join(near) if near else HINT)
+    return ConditionError(problem, corrections(text, *near) or HINT)
 
 
 def _of_list(text: str) -> RadcalcError | None:

@@ -4,7 +4,7 @@
 CATALOGUE = {
     'metre': (('m', 'м'), ('metre', 'meter', 'metres', 'meters'), '[length]', 'SP 811, table 1'),
     'gram': (('g', 'г'), ('gram', 'gramme', 'grams', 'grammes'), '[mass]', 'SP 811, table 1'),
-    'second': (('s', 'с', 'sec'), ('second', 'secs', 'seconds'), '[time]', 'SP 811, table 1'),
+    'second': (('s', 'с', 'сек', 'sec'), ('second', 'secs', 'seconds'), '[time]', 'SP 811, table 1'),
     'kelvin': (('K', 'К'), ('kelvin', 'kelvins'), '[temperature]', 'SP 811, table 1; no offset scale is offered'),
     'radian': (('rad', 'рад'), ('radian', 'radians'), '[angle]', 'SP 811, table 3; a base unit here'),
     'cycle': ((), ('cycle', 'cycles'), '[cycle]', 'ISO 80000-3 counts cycles as 1; a base unit here'),
@@ -46,7 +46,7 @@ CATALOGUE = {
     'gon': ((), ('gon', 'gradian', 'gons', 'gradians'), 'pi / 200 * radian', 'SI Brochure, note b: the gon, or grad, pi/200 rad'),
     'hour_angle': ((), ('hour_angle', 'hour_angles'), '15 * degree', '1/24 turn'),
     'turn': (('rev',), ('turn', 'revolution', 'turns', 'revolutions'), '2 * pi * radian', '2 pi rad'),
-    'steradian': (('sr', 'ср'), ('steradian', 'steradians'), 'radian**2', 'SP 811, table 3; the square of the radian here'),
+    'steradian': (('sr', 'ср', 'ст'), ('steradian', 'steradians'), 'radian**2', 'SP 811, table 3; the square of the radian here'),
     'square_degree': (('sqdeg',), ('square_degree', 'square_degrees'), 'degree**2', '(pi/180)^2 sr'),
     'hemisphere': ((), ('hemisphere', 'hemispheres'), '2 * pi * steradian', '2 pi sr'),
     'spat': (('sp',), ('spat', 'spats'), '4 * pi * steradian', 'the whole sphere, 4 pi sr'),

@@ -78,6 +78,13 @@ def sum_meant(text: str) -> str:
     return " + ".join(f"{number} {unit}" for number, unit in pairs)
 
 
+def temperatures(words: list[str]) -> str:
+    """Return `3200K,5600K` for `3200 K 5600 K`, which do not add up; else ''."""
+    text = "".join(words)
+    parts = [f"{number}K" for number in text.removesuffix("K").split("K")]
+    return ",".join(parts) if len(parts) > 1 and text.replace("K", "").isdigit() else ""
+
+
 def with_unit(amount: Amount, unit: str) -> Amount:
     """Return a bare number with the unit from another word, or arithmetic times that unit."""
     text = f"{amount.text} {unit}"
@@ -109,6 +116,10 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     try:
         return _read_operands(words)
     except RadcalcError:
+        if several := temperatures(words[:-1]):  # 3200 K 5600 K mired
+            typed = quote(" ".join(words[:-1]))
+            hint = call("convert", several, words[-1])
+            raise UsageError(f"'{typed}' has several temperatures", hint) from None
         for end in range(len(words), 1, -1):  # 5 ft 3 in m, 5ft 3in m
             if not (end > 3 or all(word[:1].isdigit() for word in words[:end])):
                 continue
