@@ -77,7 +77,7 @@ def test_percents_and_fractions(text, number, uncertainty):
         ("100±3%", "(100±3)%, or 100±3"),
         ("80%±2%", "(80±2)%, or (80±1.6)%"),
         ("100 lx ± 3", "100±3 lx"),
-        ("1 m ± 2 s", "another quantity"),
+        ("1 m ± 2 s", "different quantities"),
         ("100+--3 lx", "negative uncertainty"),
         ("1,5±0.1 lx", "comma"),
         ("100±3 foo", "unknown unit"),
