@@ -4,6 +4,9 @@ import gc
 import os
 import sys
 
+# The module `signal` is slow to import.
+from _signal import SIGINT, default_int_handler, getsignal, signal  # type: ignore[import-not-found]
+
 
 def main() -> None:
     """Run radcalc on the words of the command line and exit.
@@ -13,6 +16,8 @@ def main() -> None:
     takes a tenth of an answer: the threshold is above the objects of a start.
     """
     try:
+        if callable(getsignal(SIGINT)):  # also the handler of the script that starts it
+            signal(SIGINT, default_int_handler)
         gc.set_threshold(50_000)
         status = run(sys.argv[1:])
     except KeyboardInterrupt:

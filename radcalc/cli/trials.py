@@ -3,6 +3,7 @@
 import os
 import shlex
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 import click
@@ -15,7 +16,7 @@ from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.spelling import Shell, spelled
-from radcalc.errors import RadcalcError, Try, mentioned
+from radcalc.errors import OutputError, RadcalcError, Try, mentioned
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import is_sentence
 
@@ -67,7 +68,8 @@ def refuse(error: RadcalcError, words: Words) -> int:
         from radcalc.render.json import refusal
 
         message, hint = error.spelled(Shell)
-        terminal.write(refusal(error, message, hint, [trial.record() for trial in shown]))
+        with suppress(OutputError):  # often the error itself
+            terminal.write(refusal(error, message, hint, [trial.record() for trial in shown]))
     hints = lines(error, words, shown) if shown else None
     if error.tries and not shown and is_refused(error, words):
         hints = [f"try: {' '.join(filter(None, ['radcalc', called_in(words), '--help']))}"]
