@@ -66,9 +66,11 @@ class Solved(Remarks):
         self.sheet, self.placed, self.laws, self.solution = sheet, placed, laws, solution
         self.given, self.lit = sheet.given, sheet.lit
         self.assume(*sheet.lit.assumptions, *placed.assumptions)
-        self.note(*sheet.lit.notes, *placed.notes, *remarks_on(sheet, solution))
-        self.use(*sheet.lit.given_in_two_kinds, *placed.used)
-        self.use(*(law.result for law in sheet.given_twice(placed)[0]))
+        self.note(*sheet.lit.notes, *placed.notes)
+        if solution.limited or solution.agreed:
+            self.note(*remarks_on(sheet, solution))
+        compared = placed.known.keys() & sheet.known.keys()
+        self.use(*sheet.lit.given_in_two_kinds, *placed.used, *compared, *dict(placed.again))
 
     def has(self, *names: str) -> bool:
         return not self.solution.values.keys().isdisjoint(names)

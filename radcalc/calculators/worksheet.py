@@ -46,6 +46,8 @@ class Worksheet(NamedTuple):
 
     def given_twice(self, placed: "Placed") -> tuple[list[Law], dict[str, Known]]:
         """Return the laws that compare second values of symbols, and these values."""
+        if not placed.again and placed.known.keys().isdisjoint(self.known):  # the usual case
+            return [], {}
         seconds = [(n, known) for n, known in placed.known.items() if n in self.known]
         laws: list[Law] = []
         values = {}
