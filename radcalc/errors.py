@@ -444,6 +444,7 @@ class TooNear(ConditionError):
             f"{distance} is too short: {law} needs at least five times the size of the {body}, "
             f"which is {size} m",
             hint,
+            [add("distance", f"{5.001 * float(size):.4g}m")] if isinstance(hint, str) else (),
         )
 
 
@@ -485,5 +486,6 @@ class Contradiction(ConditionError):
     def __init__(
         self, message: str, hint: "Hint", symbol: str, given: "Any", follows: "Any"
     ) -> None:
-        super().__init__(message, hint, [leave_out(name) for name in mentioned(str(hint))])
+        names = sorted(mentioned(str(hint)), key=lambda name: name != symbol)
+        super().__init__(message, hint, [leave_out(name) for name in names])
         self.symbol, self.given, self.follows = symbol, given, follows

@@ -186,7 +186,7 @@ def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> A
 
 
 def _refuse_dark(given: Inputs, lit: LightInputs) -> None:
-    hint = mention("{radiance}, {exitance}, {flux} ...")
+    hint = mention("{radiance}, {exitance} or {flux}")
     if not lit.values and ({"reflectance", "time"} & set(given) or lit.links):
         raise MissingInput("a light quantity is missing", hint)
     if not given:

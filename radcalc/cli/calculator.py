@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from radcalc import terminal
 from radcalc.answer import Answer, ShownInput
+from radcalc.calculators.pages import page_of
 from radcalc.calculators.task import Task
 from radcalc.cli import check, line_options
 from radcalc.cli.answers import every_answer, show, with_notes
@@ -59,7 +60,9 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
     from radcalc.homework.question import of_task
 
     assert request.check is not None
-    check.refuse_several(sum(case.size for case in cases), cases[0].varied)
+    options = [name for names in page_of(task.command).sections.values() for name in names]
+    varied = [given for given in cases[0].varied if given.name in options]
+    check.refuse_several(sum(case.size for case in cases), varied)
     question = of_task(task, cases[0].given, request.steps)
     (inputs,) = _shown_inputs(cases, task)
     return check.judge(question, request.check, request.tolerance, output, inputs)

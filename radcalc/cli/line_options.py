@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from radcalc.cli.options import Whole
-from radcalc.errors import Hint, UsageError, command, option
+from radcalc.errors import Hint, UsageError, add, command, option
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.terminal import INVALID
 from radcalc.tuples import NamedTuple
@@ -91,7 +91,7 @@ def refuse(options: LineOptions, hint: Hint) -> None:
 def refuse_second_reader(typed: dict[str, Any]) -> None:
     """Refuse a spectrum from standard input, which has the numbers."""
     if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
-        raise UsageError("- cannot be used twice: there is one standard input", "--spectrum FILE")
+        raise UsageError("- cannot be used twice: there is one standard input", add("spectrum"))
 
 
 def refuse_condition(case: "Case") -> None:
