@@ -440,11 +440,12 @@ class TooNear(ConditionError):
     def __init__(
         self, distance: str, body: str, size: str, hint: "Hint", law: str = INVERSE_SQUARE
     ) -> None:
+        farther = add("distance", f"{5.001 * float(size):.4g}m")
         super().__init__(
             f"{distance} is too short: {law} needs at least five times the size of the {body}, "
             f"which is {size} m",
             hint,
-            [add("distance", f"{5.001 * float(size):.4g}m")] if isinstance(hint, str) else (),
+            [*proposed(hint), farther] if isinstance(hint, str) else (),
         )
 
 

@@ -219,13 +219,14 @@ def _is_short(words: Words) -> bool:
 
     A call that reads standard input or a file, or writes one, or works long, is not tried.
     """
-    quick = words[0] != "help" and called_in(words) in SUMMARIES and called_in(words) not in LONG
-    if not quick or any(map(is_stream, words)) or {*words} & {*UNTRIED}:
-        if not {*words} & {*HELP_NAMES, "help", "-"}:
-            top = context()
-            name, command, rest = commands.resolve_command(top, protect_negatives(words))
-            if command:
-                command.make_context(name, rest, parent=top)
+    command = called_in(words)
+    if {*words} & {*HELP_NAMES, "help", "-"} or any(map(is_stream, words)):
+        return False
+    if command in LONG or command not in SUMMARIES or {*words} & {*UNTRIED}:
+        top = context()
+        name, found, rest = commands.resolve_command(top, protect_negatives(words))
+        if found:
+            found.make_context(name, rest, parent=top)
         return False
     return not any(os.path.exists(word.partition("=")[2] or word) for word in words)
 
