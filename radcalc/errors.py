@@ -222,6 +222,21 @@ def call(*words: str, remark: str = "", **inputs: str) -> Try:
     return Try(words=(*words, *given), remark=remark)
 
 
+def with_correction(text: str, typed: str, correction: str) -> str:
+    """Return a text with a correction: of whole words and numbers, or else of parts of them."""
+    import re
+
+    before, after = "", ""
+    if typed[:1].isalpha():
+        before = r"(?<![^\W\d_])"
+    elif typed[:1].isdigit():
+        before = r"(?<![\d.])"
+    if typed[-1:].isalnum():
+        after = r"(?![\d.])" if typed[-1:].isdigit() else r"(?!\w)"
+    whole = re.sub(f"{before}{re.escape(typed)}{after}", lambda _: correction, text)
+    return whole if whole != text else text.replace(typed, correction)
+
+
 APART, TOGETHER = (" or ", ", or ", ", ", ""), (" and ", " with ")  # between mentions
 
 

@@ -10,7 +10,7 @@ from radcalc.api.quantity import is_quantity, plain
 from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.errors import RadcalcError, Try, mentioned, spell
+from radcalc.errors import RadcalcError, Try, mentioned, spell, with_correction
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 
 P = ParamSpec("P")
@@ -71,7 +71,7 @@ def _changed(
     if proposal.instead:
         typed, correction = proposal.instead[0], " ".join(proposal.instead[1:])
         (name,) = [name for name, value in arguments.items() if typed in str(value)]
-        arguments[name] = str(arguments[name]).replace(typed, correction)
+        arguments[name] = with_correction(str(arguments[name]), typed, correction)
     for symbol in (*proposal.without, *(symbol for symbol, _ in proposal.inputs)):
         arguments.pop(keyword(symbol), None)
     for symbol, value in proposal.inputs:

@@ -16,7 +16,7 @@ from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.spelling import Shell, spelled
-from radcalc.errors import OutputError, RadcalcError, Try, mentioned
+from radcalc.errors import MINUS, OutputError, RadcalcError, Try, mentioned, with_correction
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import is_sentence
 
@@ -139,13 +139,14 @@ def changed(words: Words, proposal: Try) -> Words | None:
         return list(_typed(proposal.words))
     call = list(words)
     if proposal.instead:
-        typed, correction, *more = proposal.instead
+        call = [word.replace(MINUS, "-") for word in call]
+        typed, correction, *more = [text.replace(MINUS, "-") for text in proposal.instead]
         places = [k for k, word in enumerate(call) if typed in word]
         exact = [k for k in places if call[k] == typed]
         if not places:
             return _joined(call, typed, correction)
         k = (exact or places)[0]
-        call[k : k + 1] = [call[k].replace(typed, correction), *more]
+        call[k : k + 1] = [with_correction(call[k], typed, correction), *more]
     command = called_in(call)
     known = {name: p for p in _parameters(command) for name in p.opts}
     for name in proposal.without:
@@ -175,12 +176,13 @@ def _typed(words: Sequence[str]) -> Iterator[str]:
 
 
 def _joined(call: Words, typed: str, correction: str) -> Words | None:
-    """Replace several words, such as a unit of several words, by one text."""
-    line = " ".join(call)
-    if line.count(typed) != 1:
-        return None
-    before, after = line.split(typed)
-    return [*before.split(), correction, *after.split()]
+    """Replace several words, such as a unit of several words, by one word."""
+    for count in range(2, len(call) + 1):
+        for k in range(len(call) - count + 1):
+            text = " ".join(call[k : k + count])
+            if typed in text:
+                return [*call[:k], text.replace(typed, correction), *call[k + count :]]
+    return None
 
 
 def _without(call: Words, name: str, known: dict[str, click.Parameter]) -> tuple[Words, int]:

@@ -148,6 +148,11 @@ def _is_part(name: str) -> bool:
     return entry is not None and entry[1] in PARTS
 
 
+def _as_factor(terms: str) -> str:
+    """Return terms as a factor: in brackets if there are signs in them."""
+    return f"({terms})" if any(sign in terms for sign in SIGNS) else terms
+
+
 def _unit_text(units: dict[str, int]) -> str:
     def factor(name: str, power: int) -> str:
         if power == 1:
@@ -200,9 +205,15 @@ class Calculator(Scanner):
     def wrong(self, problem: str, hint: Hint = HINT) -> ExpressionError:
         return ExpressionError(f"'{quote(self.text)}' {problem}", hint)
 
-    def two_ways(self, first: str, second: str) -> ExpressionError:
-        ways = [" ".join(reading.split()) for reading in (first, second)]
+    def two_ways(self, start: int, first: str, second: str) -> ExpressionError:
+        """Return the error for a part, from `start` to here, that has two readings."""
+        ways = [self.with_part(start, reading) for reading in (first, second)]
         return self.wrong("is ambiguous", corrections(self.text, *ways))
+
+    def with_part(self, start: int, part: str) -> str:
+        """Return the whole text with another part in place of that from `start` to here."""
+        end = start + len(self.text[start : self.at].rstrip())
+        return self.text[:start] + " ".join(part.split()) + self.text[end:]
 
     def slice(self, start: int, end: int) -> str:
         return self.text[start:end].strip()
@@ -228,6 +239,7 @@ class Calculator(Scanner):
 
     def sum(self) -> Value:
         self.skip_blanks()
+        begin = self.at
         is_negative = self.peek() in MINUSES and bool(self.peek())
         if self.peek() and self.peek() in SIGNS:
             self.at += 1
@@ -249,35 +261,38 @@ class Calculator(Scanner):
             start = self.at
             term, is_numbered = self.product()
             if not has_number or not is_numbered:
+                place = start if has_number else before
                 bare = self.slice(start, self.at) if has_number else self.slice(before, start - 1)
-                raise self.wrong(f"has no number at '{quote(bare)}'", correct(bare, f"1 {bare}"))
-            terms_before = self.slice(before, start).rstrip(f"{SIGNS} ")
-            self.refuse_unlike(value, term, sign, terms_before, self.slice(start, self.at))
+                better = f"{self.text[:place]}1 {self.text[place:]}"
+                raise self.wrong(f"has no number at '{quote(bare)}'", correct(self.text, better))
+            self.refuse_unlike(value, term, sign, begin, start)
             value = value.plus(term, sign)
         return value
 
-    def refuse_unlike(
-        self, value: Value, other: Value, sign: int, terms_before: str, term: str
-    ) -> None:
+    def refuse_unlike(self, value: Value, other: Value, sign: int, begin: int, start: int) -> None:
+        """Raise for a term at `start` that is unlike the sum from `begin`."""
         units = value.unit(), other.unit()
         (a, b) = [
             (unit.dimension, unit.is_exitance, unit.has_wavelength) if unit else None
             for unit in units
         ]
         if value.dimension == other.dimension == NUMBER:
-            self.refuse_share(value, other, sign, terms_before, term)
+            self.refuse_share(value, other, sign, begin, start)
             return
         if a == b:
             return
+        terms_before, term = self.slice(begin, start)[:-1].rstrip(), self.slice(start, self.at)
         hint: Hint = "terms of one quantity"
         plus = "+" if sign > 0 else "-"
         if other.dimension == NUMBER and other.units:  # 100 lx + 10%
-            hint = correct(f"{terms_before} {plus} {term}", f"{terms_before} * (1 {plus} {term})")
+            better = f"{_as_factor(terms_before)} * (1 {plus} {term})"
+            hint = correct(self.text, self.with_part(begin, better))
         elif units[0] and not units[1]:  # 100 lx + 3
-            hint = correct(term, f"{term} {units[0].text}")
+            hint = correct(self.text, self.with_part(start, f"{term} {units[0].text}"))
         elif units[1] and not units[0] and term.endswith(units[1].text):  # 500 + 200 lx
             number = term.removesuffix(units[1].text).strip()
-            hint = correct(self.text, f"({terms_before} {plus} {number}) {units[1].text}")
+            better = f"({terms_before} {plus} {number}) {units[1].text}"
+            hint = correct(self.text, self.with_part(begin, better))
         named = [measured(unit.text) if unit else "a bare number" for unit in units]
         link = " and " if sign > 0 else " from "
         if sign < 0:
@@ -286,15 +301,16 @@ class Calculator(Scanner):
             f"cannot {'add' if sign > 0 else 'subtract'} {link.join(named)}", hint
         )
 
-    def refuse_share(
-        self, value: Value, other: Value, sign: int, terms_before: str, term: str
-    ) -> None:
+    def refuse_share(self, value: Value, other: Value, sign: int, begin: int, start: int) -> None:
         """Raise for 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
         if value.is_bare() and value.top != value.bottom and any(map(_is_part, other.units)):
             plus = "+" if sign > 0 else "-"
+            terms_before, term = self.slice(begin, start)[:-1].rstrip(), self.slice(start, self.at)
             number = f"{divide(other.top, other.bottom):.12g}"
             raise self.two_ways(
-                f"{terms_before} * (1 {plus} {term})", f"{terms_before} {plus} {number}"
+                begin,
+                f"{_as_factor(terms_before)} * (1 {plus} {term})",
+                f"{terms_before} {plus} {number}",
             )
 
     def product(self, is_negative: bool = False) -> tuple[Value, bool]:
@@ -326,7 +342,8 @@ class Calculator(Scanner):
                 under = self.slice(solidus.start, term.end)
                 quotient = self.slice(first.start, solidus.end)
                 factors_after = self.slice(sign_at, term.end)
-                raise self.two_ways(f"{over} / ({under})", f"({quotient}) {factors_after}")
+                ways = f"{over} / ({under})", f"({quotient}) {factors_after}"
+                raise self.two_ways(first.start, *ways)
             if operator == "/" and (term.units or not term.has_number):
                 solidus = term
             elif term.has_number:
@@ -357,13 +374,14 @@ class Calculator(Scanner):
         has_pi = digits != number and digits[-1:] in (".", *DIGITS)
         if term.has_number and dividend.is_bare() and has_pi:
             ways = f"({over}*pi/{digits}) {units}", f"({over}/({number})) {units}"
-            raise self.two_ways(*ways)
+            raise self.two_ways(start, *ways)
         if term.has_number and term.units and dividend.is_bare():
-            raise self.two_ways(f"({over}/{number}) {units}", f"{over}/({under})")
+            raise self.two_ways(start, f"({over}/{number}) {units}", f"{over}/({under})")
         if not term.has_number and term.units > 1:
-            raise self.two_ways(f"{over} / ({under})", f"{over} / {under.replace(' ', ' * ', 1)}")
+            ways = f"{over} / ({under})", f"{over} / {under.replace(' ', ' * ', 1)}"
+            raise self.two_ways(start, *ways)
         if term.has_number and not term.units and has_pi:
-            raise self.two_ways(f"{over}/({number})", f"{over}/{digits}*pi")
+            raise self.two_ways(start, f"{over}/({number})", f"{over}/{digits}*pi")
         if term.value.top == 0:
             raise self.wrong("divides by zero", "a number other than 0")
 
@@ -500,16 +518,18 @@ class Calculator(Scanner):
             return value
         if is_negative and power % 2 == 0:
             base, raised = self.slice(start, base_end), self.slice(start, self.at)
-            raise self.two_ways(f"(-{base}){self.slice(base_end, self.at)}", f"-({raised})")
+            ways = f"(-{base}){self.slice(base_end, self.at)}", f"-({raised})"
+            raise self.two_ways(len(self.text[:start].rstrip()) - 1, *ways)
         base = self.slice(start, base_end)
         digits, _, decimals = base.partition(".")
         if c in (*DIGITS, ".") and base[-1:] in ("i", "π"):  # 2pi^2
             pi = "pi" if base.endswith("pi") else "π"
             raised = self.slice(base_end, self.at)
-            raise self.two_ways(f"({base}){raised}", f"{base.removesuffix(pi)}*{pi}{raised}")
+            ways = f"({base}){raised}", f"{base.removesuffix(pi)}*{pi}{raised}"
+            raise self.two_ways(start, *ways)
         if decimals == "10" and digits:
             exponent = self.slice(base_end, self.at)
-            raise self.two_ways(f"{digits}*10{exponent}", f"({digits}.10){exponent}")
+            raise self.two_ways(start, f"{digits}*10{exponent}", f"({digits}.10){exponent}")
         self.is_arithmetic = True
         return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
 
@@ -622,7 +642,8 @@ class Calculator(Scanner):
             return self.root(value, call)
         dimension = ANGLE if name in OF_ANGLES else NUMBER
         if value.dimension != dimension and dimension == ANGLE:
-            hint = correct(call, f"{call[:-1]}deg)") if value.dimension == NUMBER else "an angle"
+            better = self.with_part(start, f"{self.slice(start, self.at)[:-1]}deg)")
+            hint = correct(self.text, better) if value.dimension == NUMBER else "an angle"
             raise self.wrong(NO_ANGLE.format(call), hint)
         if value.dimension != dimension:
             unit = value.unit()

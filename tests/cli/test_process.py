@@ -217,7 +217,7 @@ def test_the_launcher_answers_without_the_modules_that_start_slowly():
     [
         ("convert 100 lx fc", 0),
         ("convert 100 lx fc --json", 0),
-        ("convert 100 lx fc --check 9", 1),
+        ("convert 100 lx fc --check 8", 1),
         ("convert 800 lm cd", 2),
         ("covnert", 2),
         ("--help", 0),

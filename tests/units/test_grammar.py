@@ -213,12 +213,12 @@ def test_ten_megabytes_are_refused_without_parsing_them(hostile):
 @pytest.mark.parametrize(
     ("text", "half_a_digit"),
     [
-        ("2", 0.005 / 2), ("2.5", 0.005 / 2.5), ("2.50", 0.005 / 2.5), ("-2.500", 0.0005 / 2.5),
-        ("1.25e3", 5 / 1250), ("0.0012", 0.000005 / 0.0012), ("31.6 lx", 0.05 / 31.6),
+        ("2", 0.005 / 2), ("2.5", 0.05 / 2.5), ("2.50", 0.005 / 2.5), ("-2.500", 0.0005 / 2.5),
+        ("1.25e3", 5 / 1250), ("0.0012", 0.00005 / 0.0012), ("31.6 lx", 0.05 / 31.6),
         ("1/3", 1e-9), ("4pi", 1e-9), ("0", 1e-9), ("2*3", 1e-9), ("\u22122", 0.005 / 2),
     ],
 )  # fmt: skip
-def test_the_rounding_of_a_number_is_half_its_last_digit_of_at_least_three(text, half_a_digit):
+def test_the_rounding_of_a_number_is_half_its_last_digit_and_2_is_read_as_2_00(text, half_a_digit):
     assert rounding(text) == pytest.approx(half_a_digit, rel=1e-14)
 
 

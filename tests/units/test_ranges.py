@@ -122,7 +122,7 @@ def test_a_value_that_may_be_a_list_is_refused_with_that_list(words):
     with pytest.raises(RadcalcError, match="comma in its number") as caught:
         read_lists(list(words))
     listed = LIKE_LISTS[words]
-    assert caught.value.hint.endswith(f", or {listed} if that is a list")
+    assert caught.value.hint.endswith(f" or {listed}, a list")
     assert len(read_values(listed)) == 2
 
 
