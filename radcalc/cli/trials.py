@@ -80,7 +80,7 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
     """Return the calls that the hint of an error proposes, without those that are refused."""
     made: list[Trial] = []
     count = 0
-    for first in error.tries[:MOST]:
+    for way, first in enumerate(error.tries[:MOST]):
         proposal: Try | None = first
         call, remark = words, ""
         while proposal and count < MOST:
@@ -98,6 +98,8 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
                 proposal = next(
                     (one for one in further.tries if one.inputs and not one.without), None
                 )
+                if first.instead and all(one.instead for one in further.tries):  # 1/2 m + 1/2 m
+                    proposal = next(iter(further.tries[way:]), None)
             except click.UsageError as further_usage:
                 from radcalc.cli.refusals import of_click
 
