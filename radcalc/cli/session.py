@@ -18,7 +18,7 @@ from radcalc.cli import group
 from radcalc.cli.cases import is_stream
 from radcalc.cli.help import COMMANDS
 from radcalc.cli.options import decide, defaults
-from radcalc.errors import RadcalcError, UsageError, ambiguous, listed, option, quote
+from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
 from radcalc.quantities.light import LUMINOUS, name_of
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -118,12 +118,13 @@ class Session:
             hint = f"{LEAVING[0]}, alone in its line, or Ctrl-D"
             raise UsageError(f"'{quote(line.strip())}' is not the command to exit", hint)
         self.count += 1
-        words[:] = self.read(text)
-        amount = _amount(words)
+        called = self.read(text)
+        words[:] = _as_typed(called, split(text))
+        amount = _amount(called)
         if amount and (name or not _is_plain(amount) or self._has_names(text)):
-            status = self._show(amount, words)
-        elif words or not name:
-            status = self._run(words)
+            status = self._show(amount, called)
+        elif called or not name:
+            status = self._run(called)
         else:
             raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
         if name and status == terminal.ANSWERED:
@@ -230,7 +231,7 @@ class Session:
             f"{name} is one value, but the answer has several",
             listed([f"{ANS}.{known}" for known in names])
             if name == ANS
-            else f"{option('get', names[0])}, or another of them",
+            else [add("get", known) for known in _sought(rows, names)],
         )
 
     def _operands(self, words: list[str]) -> list[str]:
@@ -340,6 +341,23 @@ def _exact(number: float, unit: str, uncertainty: float) -> str:
     if uncertainty:
         digits += f"{SIGN}{repr(float(uncertainty)).removesuffix('.0')}"
     return digits + unit_behind(unit)
+
+
+def _sought(rows: Sequence[Row], names: list[str]) -> list[str]:
+    """Return the names of the results that were not given, or of all if there is none."""
+    given = {row.name for row in rows if row.given}
+    return [name for name in names if name not in given] or names
+
+
+def _as_typed(called: list[str], typed: list[str]) -> list[str]:
+    """Return the words of a call for the hints of its refusal: in the order typed.
+
+    A call in which names or arithmetic were replaced keeps its order.
+    """
+    typed = typed[1:] if typed[:1] == ["radcalc"] else typed
+    if called[:1] == ["convert"] != typed[:1] and is_sentence(called[1:]):
+        called = called[1:]
+    return typed if sorted(typed) == sorted(called) else called
 
 
 def _takers(called: str) -> set[str]:

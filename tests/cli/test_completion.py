@@ -250,7 +250,7 @@ def test_an_option_is_offered_once_unless_it_repeats():
         ("sky ov", ["overcast"]),
         ("environment sky:ov", ["sky:overcast"]),
         ("point-source --distribution co", ["cone"]),
-        ("point-source -g lumi", ["luminous-efficacy", "luminous-intensity", "luminous-flux"]),
+        ("point-source -g lumi", ["luminous-intensity", "luminous-flux", "luminous-efficacy"]),
         ("point-source -g ", ["flux", "intensity", "irradiance", "exposure", "energy"]),
         ("environment map.hdr --unit c", ["cd/m2"]),
         ("point-source -g illuminance:", ["illuminance:lx"]),
