@@ -255,7 +255,7 @@ def proposed(hint: str) -> "list[Try]":
         groups[-1].append(mention)
         if rest in APART:
             groups.append([])
-        elif place == len(parts) and rest.startswith((",", ":", " for ")):
+        elif place == len(parts) and rest.startswith((",", ":", " for ", " (")):
             remark = rest.lstrip(",: ")
         elif rest not in TOGETHER:
             return []
@@ -434,7 +434,7 @@ class Impossible(ConditionError):
         self, symbol: str, text: str, limit: str, because: str = "", nearest: str = ""
     ) -> None:
         reason = f": {because}" if because else ""
-        tries = [add(symbol, nearest, limit)] if nearest else []
+        tries = [add(symbol, nearest, f"({option(symbol)}: {limit})")] if nearest else []
         super().__init__(f"{option(symbol, quote(text))} is out of range{reason}", limit, tries)
         self.symbol, self.text, self.limit, self.because = symbol, text, limit, because
 

@@ -270,7 +270,7 @@ def _exact_call(given: Inputs) -> str:
         return ""
     texts = {name: quote(item.text) for name, item in inputs.items()}
     circle = " if the patch is a circle" if "area" in given and not sides else ""
-    return f"{command('lambertian', shape, **texts)}, which is exact{circle}"
+    return f"{command('lambertian', shape, **texts)}, exact{circle}"
 
 
 def _length(name: str, size: float) -> Input:

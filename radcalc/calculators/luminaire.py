@@ -279,7 +279,7 @@ class _Luminaire:
         if self.of_shape:
             return ""
         if self.photometry.format == EXPRESSION:
-            return ", or a unit after the expression, such as cd"
+            return " (or a unit after the expression, such as cd)"
         return ", or a unit in the titles of the file, as in I (cd)"
 
     @property

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
-from radcalc.errors import UsageError, nearest, quote
+from radcalc.errors import UsageError, corrections, nearest, quote
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS, WORD, Symbol
 from radcalc.tuples import NamedTuple
@@ -31,8 +31,8 @@ class Operand(NamedTuple):
     def choice(self, word: str) -> str:
         if word.lower() in self.choices:
             return word.lower()
-        near = nearest(word.lower(), self.choices, 1) or self.choices
-        raise UsageError(f"unknown {self.name} '{quote(word)}'", ", ".join(near))
+        near = corrections(word, *nearest(word.lower(), self.choices, 1))
+        raise UsageError(f"unknown {self.name} '{quote(word)}'", near or ", ".join(self.choices))
 
 
 class Page(NamedTuple):

@@ -414,7 +414,7 @@ def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
             sizes = {"radius": size / 2, **(place or {"distance": away})}
             disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
             call = command("solid-angle", "disc", **disc)
-            hint = f"{call}, which is exact if the patch is a circle"
+            hint = f"{call}, exact if the patch is a circle"
         law = "A cos(theta) / d^2"
         raise TooNear(solved.describe("distance"), "source", format_number(size), hint, law)
 

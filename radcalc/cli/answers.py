@@ -9,7 +9,7 @@ from radcalc.calculators.results import LINKS_HINT, element, pick, rows, scales_
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import MissingInput, UsageError
+from radcalc.errors import MissingInput, Try, UsageError
 from radcalc.maths import is_array
 from radcalc.render.formats import CSV
 from radcalc.render.plain import omitted
@@ -29,10 +29,12 @@ class Answered(NamedTuple):
         return arrays[0] if arrays else None
 
 
-def refuse_bare(output: Output) -> None:
-    """Refuse -n if there are several results."""
+def refuse_bare(output: Output, rows: Sequence[Row] = ()) -> None:
+    """Refuse -n if there are several results; propose the first two of `rows`."""
     if output.style.bare:
-        raise UsageError("-n prints one number, but there are several results", "-g NAME:UNIT")
+        found = [f"{row.name}:{row.unit}" for row in rows if not row.given][:2]
+        hint = [Try((("get", name),), ("number",)) for name in found] or "-g NAME:UNIT"
+        raise UsageError("-n prints one number, but there are several results", hint)
 
 
 def show(
@@ -47,7 +49,8 @@ def show(
             answered._replace(answer=answered.answer._replace(steps=())) for answered in answers
         )
     if not request.wanted:
-        refuse_bare(output)
+        if output.style.bare:
+            refuse_bare(output, result(next(iter(answers))).rows)
         output.show([result(answered) for answered in _spread(answers)])
     elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
         hint = "--format table, or a unit: -g NAME:UNIT"

@@ -294,11 +294,11 @@ def _with_target(words: Sequence[str], call: Conversion) -> Hint:
     return correct(words[-1], words[-1], others[0]) if others else "a TARGET unit"
 
 
-def _cut(unit: str) -> str:
+def _cut(unit: str) -> Hint:
     """Return the hint for a unit that is not of a quantity: `lx fc` are a unit and a target."""
     first, _, target = unit.partition(" ")
     is_target = target and unit_of(first) and unit_of(target)
-    return f"{quote(first)} to {quote(target)}" if is_target else "a TARGET unit"
+    return correct(unit, f"{first} to {target}") if is_target else "a TARGET unit"
 
 
 def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result:

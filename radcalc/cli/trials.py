@@ -48,7 +48,9 @@ class Trial(NamedTuple):
         shown = self.rows[: NAMED if named else SHOWN]
         texts = [f"{row.name} " * named + _shown(row) for row in shown]
         more = ["..."] if len(self.rows) > SHOWN and not named else []
-        return ", ".join(filter(None, [*texts, *more, spelled(self.remark)]))
+        remark = spelled(self.remark)
+        mark = " " if remark.startswith("(") else ", "
+        return mark.join(filter(None, [", ".join([*texts, *more]), remark]))
 
     def record(self) -> dict[str, Any]:
         """Return the fields of JSON."""
@@ -224,9 +226,10 @@ def _is_short(words: Words) -> bool:
     A call that reads standard input or a file, or writes one, or works long, is not tried.
     """
     command = called_in(words)
-    if {*words} & {*HELP_NAMES, "help", "-"} or any(map(is_stream, words)):
+    if {*words} & {*HELP_NAMES, "help"}:
         return False
-    if command in LONG or command not in SUMMARIES or {*words} & {*UNTRIED}:
+    is_quick = command in SUMMARIES and command not in LONG and not {*words} & {*UNTRIED}
+    if not is_quick or any(map(is_stream, words)):
         top = context()
         name, found, rest = commands.resolve_command(top, protect_negatives(words))
         if found:

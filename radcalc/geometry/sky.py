@@ -12,7 +12,7 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from radcalc.errors import ConditionError, mention, nearest, quote
+from radcalc.errors import ConditionError, corrections, mention, nearest, quote
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import NO_NORMAL
 from radcalc.geometry.numerics.quadrature import gauss
@@ -181,7 +181,7 @@ def sky_type(name: str) -> SkyType:
         close = [] if name[:1].isdigit() else nearest(name, NAMES)
         raise ConditionError(
             f"unknown sky '{quote(name)}'",
-            " or ".join(close) or f"overcast, {', '.join(ALSO)}, 1 to 15",
+            corrections(name, *close) or f"overcast, {', '.join(ALSO)}, 1 to 15",
         )
     return TYPES[ALSO.get(name, name)]
 

@@ -6,7 +6,7 @@ from functools import cache
 from itertools import product
 from typing import NamedTuple, TypeVar
 
-from radcalc.errors import UsageError, command, nearest, quote
+from radcalc.errors import UsageError, command, corrections, nearest, quote
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import (
     GEOMETRIES,
@@ -92,7 +92,7 @@ def search(text: str) -> list[Found]:
         )
     raise UsageError(
         f"unknown quantity '{quote(text)}'",
-        ", ".join(near(text, 3)) or f"{command('quantities')}, which lists them all",
+        corrections(text, *near(text, 3)) or f"{command('quantities')}, which lists them all",
     )
 
 

@@ -2,7 +2,15 @@
 
 import math
 
-from radcalc.errors import NumberError, RadcalcError, UsageError, command, nearest, quote
+from radcalc.errors import (
+    NumberError,
+    RadcalcError,
+    UsageError,
+    command,
+    corrections,
+    nearest,
+    quote,
+)
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import called, comparable, matching
@@ -58,7 +66,7 @@ def search(text: str) -> list[Typical]:
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
         f"no typical value for '{quote(text)}'",
-        ", ".join(near) or f"{command('typical')}, which lists them all",
+        corrections(text, *near) or f"{command('typical')}, which lists them all",
     )
 
 

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from radcalc.errors import UsageError, command, nearest, quote
+from radcalc.errors import UsageError, command, corrections, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.search import comparable, matching
@@ -91,7 +91,8 @@ def search(text: str = "") -> list[Named]:
     words = {word for spectrum in spectra for word in comparable(spectrum.words).split()}
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
-        f"unknown spectrum '{quote(text)}'", ", ".join(near) or command("spectrum", list="")
+        f"unknown spectrum '{quote(text)}'",
+        corrections(text, *near) or command("spectrum", list=""),
     )
 
 

@@ -199,7 +199,7 @@ class Calculator(Scanner):
         self.depth = 0
         self.is_arithmetic = False  # False also for a number with an unreadable unit
 
-    def error(self, problem: str, hint: str = "") -> ExpressionError:
+    def error(self, problem: str, hint: Hint = "") -> ExpressionError:
         return self.wrong(problem, hint or HINT)
 
     def wrong(self, problem: str, hint: Hint = HINT) -> ExpressionError:

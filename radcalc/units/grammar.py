@@ -7,7 +7,7 @@ The grammar does not know the units.
     EXPONENT = digits | sign digits | ("^" | "**") [sign] digits | superscripts
 """
 
-from radcalc.errors import MINUS, RadcalcError, UnitError, quote
+from radcalc.errors import MINUS, Hint, RadcalcError, UnitError, corrections, quote
 from radcalc.units.numbers import DIGITS, MAX_LENGTH, SIGNS
 
 MAX_DEPTH = 16
@@ -69,7 +69,7 @@ class Scanner:
         self.text = text
         self.at = 0
 
-    def error(self, problem: str, hint: str = "") -> RadcalcError:
+    def error(self, problem: str, hint: Hint = "") -> RadcalcError:
         hint = hint or "a unit such as lx, cd/m2 or W/(m2 sr)"
         return UnitError(f"the unit '{quote(self.text)}' {problem}", hint)
 
@@ -144,7 +144,7 @@ class Scanner:
         rest = self.text[self.at :].strip()
         if ")" in under and "(" not in under:  # inside brackets
             under, rest = under.partition(")")[0], rest.partition(")")[0]
-        readings = f"{over}/({quote(under)}) or ({quote(first)}) {quote(rest)}"
+        readings = corrections(self.text, f"{over}/({under})", f"({first}) {rest}")
         return self.error("is ambiguous", readings)
 
     def factor(self, depth: int) -> list[Atom]:

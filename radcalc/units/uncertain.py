@@ -86,7 +86,7 @@ def read_uncertain(text: str) -> Reading | None:
     try:
         return _read(signed(text.strip()))
     except _Beside as error:
-        raise error.reworded(hint=" or ".join(map(quote, _ways(error.text)))) from None
+        raise error.reworded(hint=corrections(error.text, *_ways(error.text))) from None
 
 
 def _read(text: str) -> Reading | None:
