@@ -52,6 +52,16 @@ class Trial(NamedTuple):
         mark = " " if remark.startswith("(") else ", "
         return mark.join(filter(None, [", ".join([*texts, *more]), remark]))
 
+    def answered(self) -> "Trial":
+        """Return the trial with its results; raise the error of a call that is refused."""
+        try:
+            rows = _results(self.words) if _is_short(self.words) else ()
+        except click.UsageError as error:
+            from radcalc.cli.refusals import of_click
+
+            raise of_click(error, self.words) from None
+        return self._replace(rows=rows)
+
     def record(self) -> dict[str, Any]:
         """Return the fields of JSON."""
         first = [{"value": row.value, "unit": row.unit} for row in self.rows[:1]]
@@ -79,34 +89,45 @@ def refuse(error: RadcalcError, words: Words) -> int:
 
 
 def trials(error: RadcalcError, words: Words) -> list[Trial]:
-    """Return the calls that the hint of an error proposes, without those that are refused."""
-    made: list[Trial] = []
-    count = 0
-    for way, first in enumerate(error.tries[:MOST]):
-        proposal: Try | None = first
-        call, remark = words, ""
-        while proposal and count < MOST:
-            changed_call = changed(call, proposal)
-            if changed_call is None or changed_call in (words, *(other.words for other in made)):
-                break
-            if not all(map(str.isprintable, changed_call)):  # cannot be pasted
-                break
-            call, remark = changed_call, ", ".join(filter(None, [remark, proposal.remark]))
-            count += 1
-            proposal = None
-            try:
-                made.append(Trial(call, remark, _results(call) if _is_short(call) else ()))
-            except RadcalcError as further:  # one more is missing
-                proposal = next(
-                    (one for one in further.tries if one.inputs and not one.without), None
-                )
-                if first.instead and all(one.instead for one in further.tries):  # 1/2 m + 1/2 m
-                    proposal = next(iter(further.tries[way:]), None)
-            except click.UsageError as further_usage:
-                from radcalc.cli.refusals import of_click
+    """Return the calls that the hint of an error proposes, without those that are refused.
 
-                proposal = next(iter(of_click(further_usage, call).tries), None)
-    return made
+    If all are refused because one more input is missing, return them with that input.
+    """
+    made: list[Trial] = []
+    lacking: list[tuple[Trial, RadcalcError, int]] = []
+    for way, proposal in enumerate(error.tries[:MOST]):
+        call = changed(words, proposal)
+        if call is None or call in (words, *(trial.words for trial in made)):
+            continue
+        if not all(map(str.isprintable, call)):  # cannot be pasted
+            continue
+        trial = Trial(call, proposal.remark)
+        try:
+            made.append(trial.answered())
+        except RadcalcError as further:
+            lacking.append((trial, further, way))
+    if made:
+        return made
+    completed = [one for refused in lacking for one in _completed(*refused)]
+    return sorted(completed, key=lambda trial: len(trial.words))
+
+
+def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
+    """Return a refused call with what it lacks, if it is answered then."""
+    for _ in range(MOST - 1):
+        added = [one for one in further.tries if one.inputs and not one.without]
+        if not added:  # another word of the same kind: 1/2 m + 1/2 m
+            added = [one for one in further.tries[way:] if one.instead]
+        call = changed(trial.words, added[0]) if added else None
+        if call is None or call == trial.words:
+            return []
+        remark = ", ".join(filter(None, [trial.remark, added[0].remark]))
+        trial = Trial(call, remark)
+        try:
+            return [trial.answered()]
+        except RadcalcError as error:
+            further = error
+    return []
 
 
 def is_refused(error: RadcalcError, words: Words) -> bool:
