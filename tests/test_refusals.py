@@ -386,9 +386,11 @@ COMMANDS = {
         "solid-angle patch --area 1m2 --distance 2m --tilt 80deg", "is too short",
         "--height 0.347296m --offset 1.96962m"),
     "a patch seen from its edge has no disc as its hint": (
-        "solid-angle patch --area 1m2 --distance 2m --tilt 90deg", "is too short", "--distance 5.643m"),
+        "solid-angle patch --area 1m2 --distance 2m --tilt 90deg", "is too short",
+        "--distance 5.643m"),
     "a patch seen from behind has no disc as its hint": (
-        "solid-angle patch --area 1m2 --distance 2m --tilt 100deg", "is too short", "--distance 5.643m"),
+        "solid-angle patch --area 1m2 --distance 2m --tilt 100deg", "is too short",
+        "--distance 5.643m"),
     "a disc is solved on its axis only": (
         "solid-angle disc --radius 1m --height 1m --offset 1m --solid-angle 1sr", "contradicts"),
     "two vertices are not a polygon": ("solid-angle polygon 0,0,1 1,0,1", "vertices"),

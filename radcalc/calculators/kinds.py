@@ -136,17 +136,9 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
             assumptions.append(factor.assumption)
             notes += factor.notes
             steps += factor.steps
-    return LightInputs(
-        kind,
-        given,
-        amounts,
-        links,
-        tuple(assumptions),
-        tuple(notes),
-        tuple(steps),
-        given_in_two_kinds,
-        tuple(kinds_given) if is_mixed else (),
-    )
+    remarks = tuple(assumptions), tuple(notes), tuple(steps)
+    mixed = tuple(kinds_given) if is_mixed else ()
+    return LightInputs(kind, given, amounts, links, *remarks, given_in_two_kinds, mixed)
 
 
 def _compare(first: Input, second: Input) -> list[str]:
