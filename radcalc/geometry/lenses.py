@@ -37,8 +37,21 @@ NEAREST = 1e-6  # [rad] to that limit
 class View(NamedTuple):
     """The rectangle that an image shows, in u and v of its projection; by default -1 to 1.
 
-    The image ends at `right` and `top` from its middle, which is at (`aside`, `above`).  Pixels
-    farther than `circle` from u = v = 0 show nothing.
+    Attributes
+    ----------
+    right, top : float [1]
+        Distances of the edges of the image from its middle.
+    aside, above : float [1]
+        Place of its middle.
+    circle : float [1]
+        Pixels farther than this from u = v = 0 show nothing.
+
+    Examples
+    --------
+    The left half of a picture:
+
+    >>> View(right=0.5, aside=-0.5).places(1.0, 1.0)
+    (0.0, 1.0)
     """
 
     right: float = 1.0
@@ -48,17 +61,58 @@ class View(NamedTuple):
     circle: float = math.inf
 
     def places(self, u: Any, v: Any) -> tuple[Any, Any]:
-        """Return u and v of the projection at places from -1 to 1 of the image."""
+        """Return u and v of the projection at places of the image.
+
+        Parameters
+        ----------
+        u, v : float or ndarray [1]
+            Places from -1 to 1.
+
+        Returns
+        -------
+        tuple of float or ndarray [1]
+
+        Examples
+        --------
+        >>> View(right=0.5, top=0.25).places(1.0, -1.0)
+        (0.5, -0.25)
+        """
         return u * self.right + self.aside, v * self.top + self.above
 
     def in_image(self, u: Any, v: Any) -> tuple[Any, Any]:
-        """Return the places of the image; the inverse of `places`."""
+        """Return the places of the image; the inverse of `places`.
+
+        Parameters
+        ----------
+        u, v : float or ndarray [1]
+            Coordinates of the projection.
+
+        Returns
+        -------
+        tuple of float or ndarray [1]
+            From -1 to 1 in the image.
+
+        Examples
+        --------
+        >>> View(right=0.5, top=0.25).in_image(0.5, -0.25)
+        (1.0, -1.0)
+        """
         return (u - self.aside) / self.right, (v - self.above) / self.top
 
 
 def field_text(field: float) -> str:
-    """Return a field of view [rad] for texts.
+    """Return a field of view for texts.
 
+    Parameters
+    ----------
+    field : float [rad]
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
     >>> field_text(math.pi)
     '180 deg'
     """
@@ -106,10 +160,32 @@ def reach(projection: str, field: float, is_upright: bool = False) -> float:
 
 
 def view_of_field(projection: str, field: float, width: int, height: int) -> View:
-    """Return the view of a whole picture with square pixels, by its field [rad].
+    """Return the view of a whole picture with square pixels.
 
-    The field is measured across the circle in the middle of a square fisheye picture, or across the
-    width of the others.  Raise a ConditionError for a fisheye picture that is not square.
+    Parameters
+    ----------
+    projection : str
+        One of those with a field of view.
+    field : float [rad]
+        Full angle across the circle in the middle of a square fisheye picture, or across the width
+        of the others.
+    width, height : int
+        Size of the picture in pixels.
+
+    Returns
+    -------
+    View
+
+    Raises
+    ------
+    ConditionError
+        If the projection cannot show that field, or a fisheye picture is not square.
+
+    Examples
+    --------
+    >>> view = view_of_field("perspective", math.pi / 2, 400, 200)
+    >>> round(view.right, 12), round(view.top, 12)
+    (1.0, 0.5)
     """
     right = reach(projection, field)
     if projection in CIRCLES:
@@ -127,6 +203,31 @@ def view_of_field(projection: str, field: float, width: int, height: int) -> Vie
 def view_of_angles(
     projection: str, across: float, upright: float, shift: float = 0.0, lift: float = 0.0
 ) -> View:
-    """Return the view that Radiance defines by -vh and -vv [rad], and -vs and -vl [1] [1]_."""
+    """Return the view that Radiance defines by its options -vh, -vv, -vs and -vl [1]_.
+
+    Parameters
+    ----------
+    projection : str
+        One of those with a field of view.
+    across, upright : float [rad]
+        Full angles from edge to edge, -vh and -vv.
+    shift, lift : float, optional [1]
+        Shifts of the middle, -vs and -vl, in widths and heights of the picture.
+
+    Returns
+    -------
+    View
+
+    Raises
+    ------
+    ConditionError
+        If the projection cannot show these angles.
+
+    Examples
+    --------
+    >>> view = view_of_angles("perspective", math.pi / 2, math.pi / 2, shift=0.5)
+    >>> round(view.right, 12), round(view.aside, 12)
+    (1.0, 1.0)
+    """
     right, top = reach(projection, across), reach(projection, upright, True)
     return View(right, top, 2 * shift * right, 2 * lift * top)

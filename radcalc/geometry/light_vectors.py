@@ -97,6 +97,11 @@ def solid_angles(projection: str, u: Any, v: Any) -> Any:
     -------
     ndarray of shape (..., m, n) [sr]
 
+    Raises
+    ------
+    ConditionError
+        If the projection is unknown.
+
     Examples
     --------
     The upper half of a hemisphere, and a face of a cube:
