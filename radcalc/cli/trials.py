@@ -16,7 +16,7 @@ from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.spelling import Shell, spelled
-from radcalc.errors import MINUS, OutputError, RadcalcError, Try, mentioned, with_correction
+from radcalc.errors import MINUS, OutputError, RadcalcError, Try, mentioned, quote, with_correction
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import is_sentence
 
@@ -149,6 +149,8 @@ def lines(error: RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str
     others = [f"--{name}" for name in mentioned(error.hint) if name not in known]
     if typed and others:
         texts.append(f"or {', '.join(others)} (radcalc {called_in(words)} --help)")
+    if further := [quote(" ".join(one.instead[1:])) for one in error.tries[MOST:] if one.instead]:
+        texts.append(f"or {', '.join(further)}")
     return texts
 
 

@@ -283,6 +283,19 @@ def test_a_line_that_cannot_be_answered_is_refused_with_a_reason_and_a_hint(type
     assert session.variables == {}
 
 
+@pytest.mark.parametrize(
+    ("line", "hint"),
+    [
+        ("1,5 lx fc", "radcalc '1.5 lx' fc"),
+        ("convert 1,5 lx fc", "radcalc convert '1.5 lx' fc"),
+        ("convert 100 cd lx --distance 2 m", "radcalc convert 100 cd lx --distance 2m"),
+        ("100 cd + 3 cd lx", "radcalc '100 cd + 3 cd' lx --distance 2m"),
+    ],
+)
+def test_the_calls_of_a_hint_are_as_typed(typed, line, hint):
+    assert f"\ntry: {hint}" in typed(line)
+
+
 def test_a_conversion_to_every_unit_is_one_value(typed):
     typed("250 cd/m2")
     # a footlambert is 1/pi cd/ft2

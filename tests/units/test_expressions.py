@@ -173,6 +173,12 @@ REFUSED = {
     "100 lx + 10%": ("cannot add", "100 lx * (1 + 10%)"),
     "100 + 10%": ("ambiguous", "100 * (1 + 10%) or 100 + 0.1"),  # pocket calculators, algebra
     "0.8 - 5%": ("ambiguous", "0.8 * (1 - 5%) or 0.8 - 0.05"),
+    # a correction keeps the rest of the text
+    "3 lx + 3": ("cannot add", "3 lx + 3 lx"),
+    "2*(500+200 lx)": ("cannot add", "2*((500 + 200) lx)"),
+    "2 lx*(100 + 4 - 10%)": ("ambiguous", "2 lx*((100 + 4) * (1 - 10%)) or 2 lx*(100 + 4 - 0.1)"),
+    "5 lx + 2*(-2^2) lx": ("ambiguous", "5 lx + 2*((-2)^2) lx or 5 lx + 2*(-(2^2)) lx"),
+    "3*cos(60) + cos(60)": ("no angle in cos(60)", "3*cos(60deg) + cos(60)"),
     "2*abs(3) lx": ("unknown function 'abs'", "sqrt"),
     "3 lx * log(10)": ("unknown function 'log'", "log10 or ln"),
     "100 radlux + 5 lx": ("luminous exitance (radlux) and illuminance (lx)", "one quantity"),
