@@ -170,14 +170,14 @@ def test_a_meaningless_source_is_refused(text):
 def test_a_word_for_light_is_refused_with_spectra(word):
     with pytest.raises(ConditionError) as caught:
         spectrum(word)
-    for name in caught.value.hint.split(", "):
+    for name in caught.value.hint.split(" or "):
         spectrum(name)
 
 
 @pytest.mark.parametrize(
     ("text", "hint"),
     [
-        ("5600K", "blackbody:5600K, daylight:5600K"),
+        ("5600K", "blackbody:5600K or daylight:5600K"),
         ("2856K", "blackbody:2856K"),  # CIE 15 defines daylight from 4000 K to 25 000 K
         ("532nm", "line:532nm"),
         ("580nm:630nm", "band:580nm:630nm"),
