@@ -274,7 +274,12 @@ def _of_mentions(mentions: "list[str]") -> "Try | None":
     if mentions[0].startswith(VALUE):
         return Try(words=tuple(mentions[0][1:].split(WORD))) if len(mentions) == 1 else None
     pairs = [mention.split(VALUE) for mention in mentions]
-    return Try(tuple([(name, "" if value.isupper() else value) for name, value in pairs]))
+    return Try(tuple([(name, "" if _is_placeholder(value) else value) for name, value in pairs]))
+
+
+def _is_placeholder(value: str) -> bool:
+    """Return whether a value of a mention is a name for values: ANGLE, but not 5W or ND8."""
+    return value.isupper() and not any(map(str.isdigit, value))
 
 
 Hint: "TypeAlias" = "str | Try | Sequence[Try]"

@@ -15,6 +15,7 @@ from radcalc.errors import (
     ConditionError,
     Exclusive,
     UsageError,
+    call,
     command,
     leave_out,
     mention,
@@ -85,7 +86,9 @@ def task(words: Sequence[str], wants: Wants) -> Task:
         names = [name for name in given if name not in MIRRORS]
         if vector and names:
             what = option("mirror-ball") if "mirror-ball" in names else "angles"
-            raise ConditionError(f"a vector cannot be used with {what}", leave_out(*names))
+            without = call("direction", **{name: item.text for name, item in given.items()})
+            problem = f"a vector cannot be used with {what}"
+            raise ConditionError(problem, [leave_out(*names), without])
         if not vector and not names:
             hint = mention("X Y Z, or {polar=45deg} {azimuth=30deg}")
             raise UsageError("a direction is missing", hint)

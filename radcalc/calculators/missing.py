@@ -70,13 +70,26 @@ class Search(NamedTuple):
             for candidate in candidates
             if name in reached(self.laws, {*self.known, candidate})
         ]:
-            return self._one_of(single[:5])
-        for pair in combinations(
-            [candidate for candidate in candidates if candidate not in light], 2
-        ):
-            if name in reached(self.laws, {*self.known, *pair}):
+            used = [candidate for candidate in single if self._uses_light(name, (candidate,))]
+            if used:
+                return self._one_of(used[:5])
+        pairs = [
+            pair
+            for pair in combinations([one for one in candidates if one not in light], 2)
+            if name in reached(self.laws, {*self.known, *pair})
+        ]
+        for pair in pairs:
+            if self._uses_light(name, pair):
                 return self._all_of(pair)
-        return "more of the quantities"
+        if single:
+            return self._one_of(single[:5])
+        return self._all_of(pairs[0]) if pairs else "more of the quantities"
+
+    def _uses_light(self, name: str, added: Iterable[str]) -> bool:
+        """Return whether a result with added inputs depends on the light that is given."""
+        given = {*self.sheet.page.light} & self.sheet.quantities.keys()
+        others = self.known - given
+        return not given or name not in reached(self.laws, {*others, *added})
 
     def _one_of(self, names: Sequence[str]) -> list[Try]:
         light = self.sheet.page.light  # after the geometry, which people know

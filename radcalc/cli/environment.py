@@ -15,9 +15,9 @@ from radcalc.cli.command import define
 from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError, call, leave_out, quote_path
+from radcalc.errors import Try, UsageError, add, call, leave_out, quote_path
 from radcalc.inputs.given import Inputs, shown_inputs
-from radcalc.quantities.symbols import WHOLE_SPHERE
+from radcalc.quantities.symbols import LATLONG, WHOLE_SPHERE
 
 EXAMPLES = (
     call("environment", "sky:overcast"),
@@ -87,7 +87,8 @@ def command(
     if irradiance_map:
         if reproject:
             message = "--irradiance-map cannot be used with --reproject: each makes a file"
-            raise UsageError(message, "only one of them")
+            other = Try((("to", to or LATLONG),), without=("irradiance-map",))
+            raise UsageError(message, [leave_out("reproject", "to"), other])
         if to:
             raise UsageError("--to does not apply to --irradiance-map", leave_out("to"))
         make = partial(page.irradiance_map, source, given, 2 if order else None)
@@ -98,7 +99,7 @@ def command(
     if order:
         raise UsageError("--order does not apply to --reproject", leave_out("order"))
     if not to:
-        ways = " or ".join(f"--to {name}" for name in WHOLE_SPHERE)
+        ways = [add("to", name) for name in WHOLE_SPHERE]
         raise UsageError("the projection to write is missing", ways)
     make = partial(page.reprojection, source, given, to)
     inputs = (*texts_of({**operands, "reproject": path, "to": to}), *shown_inputs(given))

@@ -182,7 +182,7 @@ def changed(words: Words, proposal: Try) -> Words | None:
         option = known.get(f"--{name}")
         added = ["-g" if name == "get" else f"--{name}"]
         if not getattr(option, "is_flag", False):
-            added.append(value or _example(command, name))
+            added.append(value.replace(MINUS, "-") or _example(command, name))
         if option is None or not added[-1]:
             return None
         call, place = _without(call, f"--{name}", known)
@@ -199,7 +199,7 @@ def _typed(words: Sequence[str]) -> Iterator[str]:
             continue
         yield "-g" if name == "get" else f"--{name}"
         if value:
-            yield value
+            yield value.replace(MINUS, "-")
 
 
 def _joined(call: Words, typed: str, correction: str) -> Words | None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.distributions.radiances import FormulaRadiances, Radiances
 from radcalc.distributions.sources import formula_with_unit, is_unknown_word, path_pattern, unseen
-from radcalc.errors import ConditionError, MissingInput, Unused, mention, option, quote
+from radcalc.errors import ConditionError, MissingInput, Try, Unused, add, mention, option, quote
 from radcalc.geometry.directions import FORWARD
 from radcalc.geometry.lenses import View, field_text, view_of_field
 from radcalc.geometry.numerics.vectors import Vector
@@ -143,7 +143,7 @@ def channel_of(picture: "Picture", channel: str) -> "Picture":
     if channel.lower() not in names:
         raise ConditionError(
             f"the map has no channel '{quote(channel)}'",
-            " or ".join(option("channel", quote(name)) for name in picture.channels),
+            [add("channel", name) for name in picture.channels],
         )
     place = names.index(channel.lower())
     pixels = picture.pixels[:, :, place : place + 1]
@@ -306,7 +306,7 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
         return Weighted(weights, assumption, f"L = {sums}", RADIANCE, EFFICACY)
     raise MissingInput(
         f"{', '.join(names)} have no sum that is a radiance in this unit",
-        " or ".join(option("channel", name) for name in names),
+        [add("channel", name) for name in names],
     )
 
 
@@ -365,6 +365,8 @@ def projection_of(picture: "Picture", given: str) -> str:
         check_shape(LATLONG, width, height)  # refuses it
     raise MissingInput(
         f"the projection of the map is missing: {width} x {height} pixels fit several",
-        " or ".join(option("projection", name) for name in round_ones)
-        + f", or {option('projection', FISHEYE)} {option('field', '180deg')}",
+        [
+            *(add("projection", name) for name in round_ones),
+            Try((("projection", FISHEYE), ("field", "180deg"))),
+        ],
     )

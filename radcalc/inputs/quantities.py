@@ -233,8 +233,11 @@ def _density(text: str) -> Amount | None:
     if number == text:
         if text.isdecimal() and float(text) > 1:
             problem = f"{option('nd', quote(text))} is ambiguous: a density or a factor"
-            ways = (option("nd", f"{quote(text)}.0"), option("nd", f"ND{quote(text)}"))
-            raise ConditionError(problem, f"{ways[0]} for the density, or {ways[1]} for the factor")
+            ways = [
+                add("nd", f"{text}.0", "for the density"),
+                add("nd", f"ND{text}", "for the factor"),
+            ]
+            raise ConditionError(problem, ways)
         return None
     factor, off = parse_number(number), relative_rounding(number)
     if "." in number:
@@ -264,7 +267,9 @@ def _check_factor(text: str, number: str, factor: float) -> None:
     if factor in MARKS_OF_STOPS:  # some makers mark 3 stops as 103
         stops = number[1:].lstrip("0")
         problem = f"{option('nd', quote(text))} is ambiguous: a factor or {stops} stops"
-        raise ConditionError(problem, f"{option('nd', f'{(factor - 100) * 0.3:.1f}')}, for stops")
+        of_stops = add("nd", f"{(factor - 100) * 0.3:.1f}", f"for {stops} stops")
+        of_factor = add("nd", f"{math.log10(factor):.4f}", f"for a factor of {number}")
+        raise ConditionError(problem, [of_stops, of_factor])
 
 
 def with_likely_unit(symbol: Symbol, number: str) -> str:

@@ -4,7 +4,16 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from radcalc.errors import ConditionError, MissingUnit, ambiguous, option, quote
+from radcalc.errors import (
+    MINUS,
+    ConditionError,
+    Impossible,
+    MissingUnit,
+    add,
+    ambiguous,
+    option,
+    quote,
+)
 from radcalc.inputs.given import Input, runs_backwards
 from radcalc.inputs.quantities import MARKED, quantity_input, with_likely_unit
 from radcalc.quantities.symbols import (
@@ -148,10 +157,11 @@ def _read_interval(symbol: Symbol, value: Any) -> Input:
 
 def _ends(symbol: Symbol, text: str) -> tuple[Input, Input]:
     parts = text.split(":")
-    example = option(symbol.name, symbol.example)
     if len(parts) != 2:
         option_text = option(symbol.name, quote(text))
-        raise ConditionError(f"{option_text} is not an interval", f"{example}, from A to B")
+        remark = "from {} to {}".format(*symbol.example.split(":"))
+        hint = add(symbol.name, symbol.example, remark)
+        raise ConditionError(f"{option_text} is not an interval", hint)
     end = symbol._replace(form=QUANTITY, example=symbol.example.partition(":")[0])
     try:
         low, high = (read_as(end, part) for part in parts)
@@ -160,6 +170,13 @@ def _ends(symbol: Symbol, text: str) -> tuple[Input, Input]:
             part if split_value(part)[1] else with_likely_unit(end, part) for part in parts
         )
         raise MissingUnit(symbol.name, quote(text), quote(":".join(with_units))) from None
+    except Impossible as error:
+        hints = [
+            add(symbol.name, text.replace(MINUS, "-").replace(error.text, nearest, 1), error.limit)
+            for proposal in error.tries
+            for _, nearest in proposal.inputs
+        ]
+        raise error.reworded(hint=hints) from None
     return low, high
 
 

@@ -45,7 +45,7 @@ def named(text: str, source: Unit | None = None) -> Unit:
     if not meanings:
         raise _without_unit(text) or _unknown(text)
     if len(meanings) > 1:
-        raise _ambiguous(text, meanings)
+        raise _ambiguous(text, meanings, source)
     unit = meanings[0].as_unit()
     if comparable(text) in (*PPFD, *PPF):
         photosynthetic = unit.of_class(Photosynthetic)
@@ -160,10 +160,18 @@ def _unknown(text: str) -> UnitError:
     return unknown
 
 
-def _ambiguous(text: str, meanings: list[Target]) -> UnitError:
+def _ambiguous(text: str, meanings: list[Target], source: Unit | None) -> UnitError:
+    """Return the error for a name of several quantities; those of the source's kind come first."""
     names = [f"{target.name} ({target.unit})" for target in meanings]
-    units = dict.fromkeys(target.unit.replace(" ", ".") for target in meanings)
+    kind = _kind(source) if source else ""
+    by_kind = sorted(meanings, key=lambda target: _kind(resolve(target.unit)) != kind)
+    units = dict.fromkeys(target.unit.replace(" ", ".") for target in by_kind)
     return UnitError(
         f"'{quote(text)}' is ambiguous: {', '.join(names[:-1])} or {names[-1]}",
         corrections(text, *units),
     )
+
+
+def _kind(unit: Unit) -> str:
+    reading = read(unit)
+    return reading.kind if reading else ""

@@ -24,7 +24,7 @@ import numpy as np
 
 from radcalc.distributions.maps import pictures
 from radcalc.distributions.maps.pictures import RGB, XYZ, Picture, Y
-from radcalc.errors import ConditionError, listed, option, quote
+from radcalc.errors import ConditionError, add, listed, quote
 from radcalc.quantities.symbols import LATLONG
 
 FORMAT = "OpenEXR"
@@ -311,7 +311,7 @@ def _missing(parts: Sequence[_Part], problem: str) -> ConditionError:
     channels = list(dict.fromkeys(channel for part in parts for channel in part.channels))
     return ConditionError(
         f"{problem}; it has {quote(listed(channels)) or 'no channels'}",
-        option("channel", quote(channels[0])) if channels else "a picture that has some",
+        add("channel", channels[0]) if channels else "a picture that has some",
     )
 
 
