@@ -221,6 +221,7 @@ LABELS = {
     ),
     "exponent": ("exponent", "показатель степени"),
     "beam angle": ("úhel vyzařování", "угол излучения"),
+    "field of view": ("úhel zorného pole", "угол поля зрения"),
     "field angle": ("úhel vyzařování při 10 %", "угол излучения по уровню 10 %"),
     "beam angle in C90-C270": ("úhel vyzařování v C90-C270", "угол излучения в C90-C270"),
     "field angle in C90-C270": (

@@ -72,11 +72,21 @@ def test_unusual_inputs_are_noted(words, note):
         ("--mirror-ball 0.9,0.9", "is outside the ball, 1.27279 times its radius", "at most 1"),
         ("--mirror-ball 0.9", "has 1 number, not two", "--mirror-ball 0.6,0"),
         ("--mirror-ball 0.6m,0", "'0.6m' is not a number", "--mirror-ball 0.6,0"),
-        ("1 0 0 --mirror-ball 0,0", "a vector cannot be used with --mirror-ball", "only one"),
-        ("1 0 0 --polar 3deg", "a vector cannot be used with angles", "only one of them"),
-        ("--polar 3deg --mirror-ball 0,0", "-ball cannot be used with --polar", "only one of them"),
-        ("--mirror-ball 0,0 --reflect-at 1,0,0", "-ball cannot be used with --reflect-at", "one"),
-        ("1 0 0 --reflect-to 1,0,0 --reflect-at 1,0,0", "cannot be used with --reflect-to", "one"),
+        ("1 0 0 --mirror-ball 0,0", "a vector cannot be used with --mirror-ball",
+         ["1 0 0", "--mirror-ball 0,0"]),
+        ("1 0 0 --mirror-ball -0.5,0", "a vector cannot be used with --mirror-ball",
+         ["1 0 0", "--mirror-ball -0.5,0"]),
+        ("1 0 0 --polar 3deg", "a vector cannot be used with angles",
+         ["1 0 0", "--polar 3deg --azimuth 30deg"]),
+        ("1 0 0 --polar 3deg --azimuth 4deg --reflect-at 1,0,0",
+         "a vector cannot be used with angles",
+         ["1 0 0 --reflect-at 1,0,0", "--polar 3deg --azimuth 4deg --reflect-at 1,0,0"]),
+        ("--polar 3deg --mirror-ball 0,0", "-ball cannot be used with --polar",
+         ["--mirror-ball 0,0", "--polar 3deg --azimuth 30deg"]),
+        ("--mirror-ball 0,0 --reflect-at 1,0,0", "-ball cannot be used with --reflect-at",
+         ["--mirror-ball 0,0"]),
+        ("1 0 0 --reflect-to 1,0,0 --reflect-at 1,0,0", "cannot be used with --reflect-to",
+         ["1 0 0 --reflect-at 1,0,0", "1 0 0 --reflect-to 1,0,0"]),
         ("--reflect-at 0,0,1", "a direction is missing", "X Y Z"),
         ("--polar 3deg --reflect-at 0,0,1", "the azimuth is missing", "--azimuth 30deg"),
         ("1 0 0 --reflect-at 0,0,0", "--reflect-at '0,0,0' has no direction", "1,0,0.5"),
@@ -84,14 +94,24 @@ def test_unusual_inputs_are_noted(words, note):
         ("0 0 0 --reflect-to 0,0,1", "0,0,0 has no direction", "not zero"),
         ("1 0 0 --reflect-to -2,0,0", "opposite directions", "another direction"),
         ("0 0 -1 --reflect-at 1,0,1", "the direction is behind the mirror, 135 deg from its normal",
-         "--reflect-at -1,0,-1 for its other side"),
+         ["0 0 -1 --reflect-at -1,0,-1"]),
     ],
 )  # fmt: skip
 def test_impossible_reflections_are_refused(words, message, hint):
     done = run("direction", *words.split())
     assert (done.returncode, done.stdout) == (2, "")
-    assert message in done.stderr.splitlines()[0]
-    assert hint in done.stderr.splitlines()[1]
+    said, *told = done.stderr.splitlines()
+    assert message in said
+    if isinstance(hint, str):
+        assert hint in told[0]
+    else:
+        calls = [line[5:].strip() for line in told if not line.startswith(" ")]
+        assert calls == [f"radcalc direction {call}" for call in hint]
+
+
+def test_the_hint_for_the_other_side_of_a_mirror_says_so():
+    told = run("direction", "0", "0", "-1", "--reflect-at", "1,0,1").stderr.splitlines()[2]
+    assert told.endswith(", for its other side")
 
 
 def test_the_hint_for_the_other_side_of_a_mirror_is_right():

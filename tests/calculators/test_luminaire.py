@@ -99,7 +99,7 @@ def test_an_expression_of_another_shape_equals_the_shape(text, closed):
     one, other = (
         floats(point_source(**kind, **place)) for kind in ({"distribution": text}, closed)
     )
-    for name in ("flux", "intensity", "irradiance", "distance", "incidence", "flux_within"):
+    for name in ("flux", "intensity", "illuminance", "distance", "incidence", "flux_within"):
         assert one[name] == pytest.approx(other[name], rel=1e-4), name
 
 

@@ -73,7 +73,8 @@ def test_a_pixel_within_the_circle_is_not_noted():
          "--size 32x32"),
         ("--size 64x32 --pixel 0,0 --projection mirror-ball", "not square, as a mirror-ball map is",
          "--size 32x32"),
-        ("--size 64x32 --pixel 0,0 --radius 2m", "--radius does not apply to a pixel", "leave out"),
+        ("--size 64x32 --pixel 0,0 --radius 2m", "--radius does not apply to a pixel",
+         "try: radcalc solid-angle pixel --size 64x32 --pixel 0,0\n"),
         ("--size 64x64 --pixel 0,0 --projection angular -g polar", "there is no polar",
          "a pixel further inside"),
     ],
@@ -81,5 +82,6 @@ def test_a_pixel_within_the_circle_is_not_noted():
 def test_impossible_pixels_are_refused(words, message, hint):
     done = run("solid-angle", "pixel", *words.split())
     assert (done.returncode, done.stdout) == (2, "")
-    assert message in done.stderr.splitlines()[0]
-    assert hint in done.stderr.splitlines()[1]
+    said, told = done.stderr.splitlines(keepends=True)[:2]
+    assert message in said
+    assert hint in told

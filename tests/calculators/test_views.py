@@ -128,7 +128,7 @@ def test_a_uniform_radiance(view, tmp_path):
         normal = numpy.array(normal) / numpy.linalg.norm(normal)
         rows, said = answered(path, f"--normal={','.join(map(str, normal))}")
         true = (rays @ normal).clip(0).sum() * size
-        assert rows["irradiance"] == pytest.approx(true, abs=1e-3)
+        assert rows["illuminance"] == pytest.approx(true, abs=1e-3)
         assert rows["coverage"] == pytest.approx(len(rays) * size / 4 / math.pi, abs=1e-3)
         assert f"-vt{view[0]} -vh {view[1]} -vv {view[2]}" in "".join(said)
         share = next(text for text in said if "of the receiver's hemisphere" in text)
@@ -147,7 +147,7 @@ def test_a_radiance_that_varies(view, tmp_path):
         normal = numpy.array(normal) / numpy.linalg.norm(normal)
         rows, _ = answered(path, f"--normal={','.join(map(str, normal))}")
         true = (radiance(rays.T) * (rays @ normal).clip(0)).sum() * size
-        assert rows["irradiance"] == pytest.approx(true, rel=6e-3)
+        assert rows["illuminance"] == pytest.approx(true, rel=6e-3)
 
 
 @pytest.mark.parametrize("view", VIEWS, ids=NAMES)
@@ -171,9 +171,9 @@ def test_a_small_disc(view, tmp_path):
         path = radiance_file(tmp_path / "view.hdr", view, pixels)
         rows, _ = answered(path, f"--normal={','.join(map(str, forward))}")
         true = math.pi * math.sin(half) ** 2 * (toward @ forward)
-        assert rows["irradiance"] == pytest.approx(true, rel=0.02)
+        assert rows["illuminance"] == pytest.approx(true, rel=0.02)
         rows, _ = answered(path, f"--toward={','.join(map(str, toward))}")
-        assert rows["radiance-toward"] == 1
+        assert rows["luminance-toward"] == 1
 
 
 LENSES = [  # projection, field, and its distance from the middle by angle
@@ -204,18 +204,18 @@ def test_the_circle_of_a_lens(projection, field, of, tmp_path):
     words = ("--projection", projection, "--field", f"{field}deg")
     rows, said = answered(path, *words, "--normal=1,0,0")
     seen = math.sin(min(half, math.pi / 2)) ** 2
-    assert rows["irradiance"] == pytest.approx(math.pi * seen, rel=2e-4)
+    assert rows["illuminance"] == pytest.approx(math.pi * seen, rel=2e-4)
     assert rows["coverage"] == pytest.approx((1 - math.cos(half)) / 2, rel=2e-4)
     assert f"{field} deg wide" in said[0]
     rows, _ = answered(path, *words, "--normal=0,0,1")
     if half == math.pi / 2:
-        assert rows["irradiance"] == pytest.approx(math.pi / 2, rel=1e-3)
+        assert rows["illuminance"] == pytest.approx(math.pi / 2, rel=1e-3)
     # a small bright patch 40 degrees up is at that distance above the middle
     r = of(math.radians(40)) / of(half)
     spot = grey(tmp_path / "spot.pfm", numpy.where(numpy.hypot(x, y - r) < 0.03, 1, 0))
     rows, _ = answered(spot, *words, "--toward=50deg,0deg")
-    assert rows["radiance-toward"] == 1
-    assert rows["mean-radiance"] < 0.01
+    assert rows["luminance-toward"] == 1
+    assert rows["mean-luminance"] < 0.01
 
 
 def test_perspective_and_cylindrical_have_square_pixels(tmp_path):
@@ -223,7 +223,7 @@ def test_perspective_and_cylindrical_have_square_pixels(tmp_path):
     path = grey(tmp_path / "flat.pfm", numpy.ones((150, 150)))
     rows, _ = answered(path, "--projection=perspective", "--field=90deg", "--normal=1,0,0")
     half = math.atan(math.sqrt(0.5)) * math.sqrt(0.5)
-    assert rows["irradiance"] == pytest.approx(4 * half, rel=1e-6)
+    assert rows["illuminance"] == pytest.approx(4 * half, rel=1e-6)
     assert rows["coverage"] == pytest.approx(1 / 6, rel=1e-6)  # a face of a cube
     high = 2 * math.tan(math.radians(30))  # of 2 pi: the pixels of the width 2 pi / 300
     path = grey(tmp_path / "round.pfm", numpy.ones((round(300 * high / 2 / math.pi), 300)))
@@ -286,4 +286,4 @@ def test_a_view_is_resampled(tmp_path):
     for normal in ("0,0,1", "1,0,0", "1,2,-1"):
         before, _ = answered(path, "--normal", normal)
         after, _ = answered(new, "--normal", normal)
-        assert after["irradiance"] == pytest.approx(before["irradiance"], rel=5e-3)
+        assert after["illuminance"] == pytest.approx(before["illuminance"], rel=5e-3)

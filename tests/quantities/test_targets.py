@@ -105,7 +105,7 @@ def test_a_name_with_several_meanings_is_refused_with_them(text, readings):
         target_of(text)
     for reading in readings:
         assert reading in refused.value.message
-        assert reading.partition("(")[2].strip(")") in refused.value.hint.split(", ")
+        assert reading.partition("(")[2].strip(")") in refused.value.hint.split(" or ")
 
 
 def test_a_misnomer_has_its_note():
