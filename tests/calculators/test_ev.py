@@ -78,11 +78,28 @@ def test_the_range_of_a_flash_matches_its_manual(words, expected, digits):
     assert float(run("ev", *words.split()).stdout) == pytest.approx(expected, rel=digits)
 
 
-@pytest.mark.parametrize("marked", ["8", "ND103", "ND", "ND0", "-1"])
-def test_an_ambiguous_or_unknown_mark_of_a_filter_is_refused(marked):
+@pytest.mark.parametrize(
+    ("marked", "hints"),
+    [
+        ("8", {"8.0": "for the density", "ND8": "for the factor"}),
+        ("ND103", {"0.9": "for 3 stops", "2.0128": "for a factor of 103"}),
+        ("ND", {}),
+        ("ND0", {"ND8": ""}),
+        ("-1", {"1": "0 or more"}),
+    ],
+)
+def test_an_ambiguous_or_unknown_mark_of_a_filter_is_refused(marked, hints):
     done = run("ev", "--f-number", "8", "--time", "1s", "--nd", marked)
     assert done.returncode == 2
-    assert done.stderr.count("\n") == 2
+    _, *told = done.stderr.splitlines()
+    if not hints:
+        assert told == ["try: a number such as 1.5e3, 1/3 or 4pi"]
+        return
+    assert [line[5:] for line in told[::2]] == [
+        f"radcalc ev --f-number 8 --time 1s --nd {hint}" for hint in hints
+    ]
+    for line, remark in zip(told[1::2], hints.values(), strict=True):
+        assert line.endswith(remark)
 
 
 def values_of(words):

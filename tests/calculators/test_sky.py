@@ -174,9 +174,13 @@ def test_assumptions_are_stated():
         (
             "3 --sun-elevation 3deg --zenith-luminance 1cd/m2",
             "not apply to the sky type 3",
-            "leave",
+            "try: radcalc sky 3 --zenith-luminance 1cd/m2\n",
         ),
-        ("3 --tilt 3deg --azimuth 1deg", "the same at every azimuth", "leave out --azimuth"),
+        (
+            "3 --tilt 3deg --azimuth 1deg",
+            "the same at every azimuth",
+            "try: radcalc sky 3 --tilt 3deg\n",
+        ),
         ("clear --sun-elevation -1deg", "out of range", "above the horizon"),
         ("clear --sun-elevation 91deg", "out of range", "90 deg"),
         (f"clear {SUN} --zenith-luminance 1cd/m2", "--sun-azimuth does not apply", "--tilt 90deg"),
@@ -185,11 +189,28 @@ def test_assumptions_are_stated():
         (f"clear {SUN} --zenith-luminance 1cd/m2 --toward 60deg", "no azimuth", "60deg,90deg"),
         ("overcast --illuminance 1lx", "the plane of --illuminance is missing", "--tilt"),
         ("overcast --luminance-toward 1cd/m2", "direction of --luminance-toward", "--toward"),
-        ("overcast --tilt 9deg --normal 0,0,1", "both turn the plane", "only one of them"),
+        (
+            "overcast --tilt 9deg --normal 0,0,1",
+            "both turn the plane",
+            "try: radcalc sky overcast --normal 0,0,1\n     daylight-share 1\n"
+            "or:  radcalc sky overcast --tilt 9deg\n",
+        ),
         ("overcast --zenith-luminance 1cd/m2 --azimuth 9deg", "without a tilt", "--tilt 90deg"),
-        ("overcast --tilt 9deg --sun-radius 1deg", "does not apply", "leave out --sun-radius"),
-        (f"clear {SUN} {WALL} --sun-radius 1deg", "without the sun's light", "leave out"),
-        (f"{CLEAR} {WALL} --illuminance 1klx", "contradicts", "leave out one of"),
+        (
+            "overcast --tilt 9deg --sun-radius 1deg",
+            "does not apply",
+            "try: radcalc sky overcast --tilt 9deg\n",
+        ),
+        (
+            f"clear {SUN} {WALL} --sun-radius 1deg",
+            "without the sun's light",
+            f"try: radcalc sky clear {SUN} {WALL}\n",
+        ),
+        (
+            f"{CLEAR} {WALL} --illuminance 1klx",
+            "contradicts",
+            f"try: radcalc sky {CLEAR} {WALL}\n",
+        ),
         (
             f"clear {SUN} {WALL} --sun-illuminance 80klx --illuminance 50klx",
             "less than one of them",

@@ -163,7 +163,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
 
 @for_each(
     [
-        ("", "a point is missing", "radcalc uberlight 0,0,4"),
+        ("", "a point is missing", "radcalc uberlight 0,0,4 --intensity 1000cd"),
         ("0,0,0", "the point is at the light", "another point"),
         ("0,0", "has 2 coordinates, not three", "1,0,2"),
         ("1,0,1m", "the unit of '1' is missing", "1m in place of 1"),
@@ -171,24 +171,52 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1cd,", "has 4 coordinates", "1,0,2"),
         ("1cd,0cd,1cd", "a coordinate is a length", "without cd"),
         ("0,0,1 --near 2m:1m", "--near 2m:1m ends before it starts", "--near 1m:2m"),
-        ("0,0,1 --near 2m", "is not an interval", "--near 1m:2m"),
+        ("0,0,1 --near 2m", "is not an interval", "--near 1m:2m", ", from 1m to 2m"),
         ("0,0,1 --near 1:2", "the unit of --near 1:2 is missing", "--near 1m:2m"),
-        ("0,0,1 --near -1m:2m", "is out of range", "0 or more"),
-        ("0,0,1 --falloff -1", "--falloff -1 is out of range", "0 or more"),
-        ("0,0,1 --maximum 0.5", "--maximum 0.5 is out of range", "1 or more"),
+        ("0,0,1 --near -1m:2m", "is out of range", "--near 1m:2m", ", 0 or more"),
+        ("0,0,1 --near -3m:2m", "--near -3m is out of range", "--near 2m:3m", ", 0 or more"),
+        ("0,0,1 --falloff -1", "--falloff -1 is out of range", "--falloff 1", ", 0 or more"),
+        ("0,0,1 --maximum 0.5", "--maximum 0.5 is out of range", "--maximum 1", ", 1 or more"),
         ("0,0,1 --falloff-distance 0m", "is out of range", "more than 0"),
-        ("0,0,1 --superellipse 1,1,1,1 --roundness -1", "--roundness -1 is out of range", "0 to 1"),
-        ("0,0,1 --superellipse 1,1,1,1 --roundness 2", "--roundness 2 is out of range", "0 to 1"),
+        (
+            "0,0,1 --superellipse 1,1,1,1 --roundness -1",
+            "--roundness -1 is out of range",
+            "--superellipse 1,1,1,1 --roundness 1",
+            ", from 0 to 1, or from 0% to 100%",
+        ),
+        (
+            "0,0,1 --superellipse 1,1,1,1 --roundness 2",
+            "--roundness 2 is out of range",
+            "--superellipse 1,1,1,1 --roundness 1",
+            ", from 0 to 1, or from 0% to 100%",
+        ),
         ("0,0,1 --superellipse 2,1,1,3", "larger inside than outside", "--superellipse 1,1,2,3"),
         ("0,0,1 --superellipse 0,1,1,3", "has no area inside", "a and b above 0"),
-        ("0,0,1 --superellipse 1,1", "has 2 numbers, not four", "--superellipse 0.4,0.3"),
-        ("0,0,1 --roundness 1", "not apply without --superellipse", "--superellipse 0.4,0.3"),
-        ("0,0,1 --shear 1,1", "not apply without --superellipse", "--superellipse 0.4,0.3"),
-        ("0,0,1 --omni --superellipse 1,1,1,1", "not apply to a light", "leave out --omni"),
-        ("0,0,1 --omni --beam-exponent 1", "not apply to a light", "leave out --omni"),
-        ("0,0,1 --normal 0,0,1", "--normal 0,0,1 needs further inputs", "--intensity"),
+        ("0,0,1 --superellipse 1,1", "has 2 numbers, not four", "--superellipse 0.4,0.3,0.5,0.4"),
+        (
+            "0,0,1 --roundness 1",
+            "not apply without --superellipse",
+            "--superellipse 0.4,0.3,0.5,0.4",
+        ),
+        ("0,0,1 --shear 1,1", "not apply without --superellipse", "--superellipse 0.4,0.3,0.5,0.4"),
+        (
+            "0,0,1 --omni --superellipse 1,1,1,1",
+            "not apply to a light",
+            "radcalc uberlight 0,0,1 --superellipse 1,1,1,1",
+        ),
+        (
+            "0,0,1 --omni --beam-exponent 1",
+            "not apply to a light",
+            "radcalc uberlight 0,0,1 --beam-exponent 1",
+        ),
+        ("0,0,1 --normal 0,0,1", "--normal 0,0,1 needs further inputs", "--intensity 100cd"),
         ("0,0,1 --intensity 1cd --normal 0,0,0", "--normal '0,0,0' has no direction", "1,0,0.5"),
-        ("0,0,1 --intensity 1cd --normal 0,0,1 --incidence 0deg", "both give", "only one of them"),
+        (
+            "0,0,1 --intensity 1cd --normal 0,0,1 --incidence 0deg",
+            "both give",
+            "0,0,1 --intensity 1cd --normal 0,0,1",
+            "or:  radcalc uberlight 0,0,1 --intensity 1cd --incidence 0deg",
+        ),
         (
             "0,0,1 --intensity 1cd --illuminance 2lx",
             "contradicts the other inputs, which give 1 lx",
@@ -198,15 +226,19 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1e90", "is too large or too small", "less extreme"),
         ("0,0,1 --falloff-distance 1e90m", "is too large or too small", "less extreme"),
         ("0,0,9 --falloff 999", "too large or too small for a number", "a smaller exponent"),
-        ("0,0,1 -g irradiance", "the inputs do not give", "--intensity"),
+        ("0,0,1 -g irradiance", "the inputs do not give", "--intensity 100W/sr"),
     ],
 )
-def test_impossible_settings_are_refused_with_a_hint(words, message, hint):
+def test_impossible_settings_are_refused_with_a_hint(words, message, hint, *further):
     done = run("uberlight", *words.split())
     assert done.returncode == 2
-    told, tried = done.stderr.splitlines()
+    told, tried, *lines = done.stderr.splitlines()
     assert message in told
     assert hint in tried
+    if tried.startswith("try: radcalc"):
+        assert tried.endswith(hint) or not hint
+    for text in further:
+        assert any(line.endswith(text) for line in lines)
 
 
 def test_a_wrong_answer_is_judged():
