@@ -171,12 +171,9 @@ def _ends(symbol: Symbol, text: str) -> tuple[Input, Input]:
         )
         raise MissingUnit(symbol.name, quote(text), quote(":".join(with_units))) from None
     except Impossible as error:
-        hints = [
-            add(symbol.name, text.replace(MINUS, "-").replace(error.text, nearest, 1), error.limit)
-            for proposal in error.tries
-            for _, nearest in proposal.inputs
-        ]
-        raise error.reworded(hint=hints) from None
+        nearest = [value for proposal in error.tries for _, value in proposal.inputs]
+        whole = text.replace(MINUS, "-").replace(error.text, nearest[0], 1) if nearest else ""
+        raise Impossible(symbol.name, error.text, error.limit, error.because, whole) from None
     return low, high
 
 

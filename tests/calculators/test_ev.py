@@ -85,7 +85,7 @@ def test_the_range_of_a_flash_matches_its_manual(words, expected, digits):
         ("ND103", {"0.9": "for 3 stops", "2.0128": "for a factor of 103"}),
         ("ND", {}),
         ("ND0", {"ND8": ""}),
-        ("-1", {"1": "0 or more"}),
+        ("-1", {"1": " (--nd: 0 or more)"}),
     ],
 )
 def test_an_ambiguous_or_unknown_mark_of_a_filter_is_refused(marked, hints):

@@ -128,7 +128,7 @@ def test_assumptions_are_stated():
         (
             f"{LENS} --off-axis-angle -20deg",
             f"try: radcalc sensor {LENS} --off-axis-angle 20deg\n",
-            ", from 0 to less than 90 deg\n",
+            " (--off-axis-angle: from 0 to less than 90 deg)\n",
         ),
         (
             f"{LENS} --field-angle 20deg",
