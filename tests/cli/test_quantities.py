@@ -6,7 +6,7 @@ from conftest import process, run
 def test_the_command_exits_2_if_nothing_is_found():
     done = run("quantities", "luminanse")
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.splitlines()[1].startswith("try: luminance")
+    assert done.stderr.splitlines()[1] == "try: radcalc quantities luminance"
     done = run("quantities", "-n")
     assert done.returncode == 2
     assert "-n does not apply to quantities" in done.stderr
