@@ -99,7 +99,7 @@ MEANT = [
     ("800 lm cd --angle 36deg", "radcalc 800 lm cd --apex-angle 36deg"),
     ("point-source --lumens 800lm", "radcalc point-source --luminous-flux 800lm"),
     ("lamp", "radcalc point-source --help"),
-    ("point-source --f-number 2.8", "radcalc etendue --help; commands with it: etendue, ev"),
+    ("point-source --f-number 2.8", "radcalc etendue --help\n     which has --f-number (also ev"),
     ("solid-angle cone --flux 5lm", "point-source, lambertian"),
     ("convert 1 cd lx --distance 1m:1e300m:2m", "at most 10000"),
     (f"convert 1 cd lx --distance {'1m,' * 10_000}2m", "at most 10000"),

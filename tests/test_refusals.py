@@ -141,7 +141,7 @@ CONVERSIONS = {
     "a wavelength without a unit is refused": (
         "W", "lm", {"wavelength": "555"}, "the unit of", "555nm"),
     "seconds are not a distance": (
-        "cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "--distance 2m"),
+        "cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "such as 2m"),
     "an area nearer than five times its size is not a small receiver": (
         "lm", "cd", {"area": "1m2", "distance": "1m"}, "size of the receiver, which is 1.12838 m",
         "--half-angle 29.4312deg in place"),
@@ -190,7 +190,8 @@ CONVERSIONS = {
     "a tiny distance is refused": (
         "cd", "lx", {"distance": "1e-200m"}, "out of range", "1e-100"),
     "steradians are not a plane angle": (
-        "lm", "cd", {"half-angle": "1sr"}, "takes an angle, not solid angle", "1deg"),
+        "lm", "cd", {"half-angle": "1sr"}, "takes an angle, not solid angle",
+        "--solid-angle 1sr"),
     "a comma in a number is refused": ("lx", "cd/m2", {"reflectance": "0,8"}, "comma", "0.8"),
     "an illuminance is not an exitance without a reflectance": (
         "lx", "radlux", {}, "a reflectance is missing", "--reflectance"),
@@ -519,7 +520,7 @@ COMMANDS = {
         "convert -- -100 mired K", "a difference, as of filters", "more than 0"),
     "the reading of a sky quality meter needs its unit": (
         "convert 21.5 SQM cd/m2", "'SQM' is not accepted", "mag/arcsec2 for a reading"),
-    "levels are not added": ("convert 10 dBm + 3 dB in dBm", "calculates with dBm", "for the qu"),
+    "levels are not added": ("convert 10 dBm + 3 dB in dBm", "calculates with dBm", "then arithmetic"),
     "unexpected words are quoted as they were typed": (
         "convert 10 dBm uW mW", "too many words: 'dBm uW mW'", "quotes"),
     "a level beyond the range of numbers is refused": (

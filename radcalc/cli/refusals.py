@@ -12,6 +12,7 @@ from radcalc.errors import (
     MINUS,
     MissingUnit,
     RadcalcError,
+    call,
     correct,
     corrections,
     nearest,
@@ -25,6 +26,7 @@ from radcalc.units.numbers import is_sentence
 # Synonyms of options; those of the command are suggested.
 MEANT_OPTIONS = {
     "f-number": "aperture f-stop fstop stop",
+    "limit": "mpe el",
     "time": "shutter shutter-speed exposure-time duration",
     "iso": "asa sensitivity film-speed",
     "luminous-flux": "lumen lumens",
@@ -100,7 +102,8 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
     known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
     near = [name for name in known if name.startswith(typed)] or _synonyms(typed, known)
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
-        hint = f"{help_of(takers[0])}; commands with it: {', '.join(takers)}"
+        others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
+        hint = call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")
         return RadcalcError(problem, hint)
     near = near or nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
     return RadcalcError(problem, corrections(typed, *near) if near else help_)

@@ -16,7 +16,19 @@ from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.spelling import Shell, spelled
-from radcalc.errors import MINUS, OutputError, RadcalcError, Try, mentioned, quote, with_correction
+from radcalc.errors import (
+    MINUS,
+    Idle,
+    MissingCondition,
+    MissingInput,
+    MissingUnit,
+    OutputError,
+    RadcalcError,
+    Try,
+    mentioned,
+    quote,
+    with_correction,
+)
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import is_sentence
 
@@ -25,6 +37,7 @@ MOST = 3  # calls to make
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "scene")
+MISSING = (Idle, MissingCondition, MissingInput, MissingUnit)
 UNTRIED = ("--auto", "--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 
@@ -65,7 +78,8 @@ class Trial(NamedTuple):
     def record(self) -> dict[str, Any]:
         """Return the fields of JSON."""
         first = [{"value": row.value, "unit": row.unit} for row in self.rows[:1]]
-        return {"command": self.command, "call": _in_python(self.words)} | dict(*first)
+        call = {} if any(map(is_stream, self.words)) else {"call": _in_python(self.words)}
+        return {"command": self.command} | call | dict(*first)
 
 
 def _shown(row: Row) -> str:
@@ -115,6 +129,8 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
 def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
     """Return a refused call with what it lacks, if it is answered then."""
     for _ in range(MOST - 1):
+        if not (isinstance(further, MISSING) or any(one.instead for one in further.tries)):
+            return []
         added = [one for one in further.tries if one.inputs and not one.without]
         if not added:  # another word of the same kind: 1/2 m + 1/2 m
             added = [one for one in further.tries[way:] if one.instead]
@@ -249,16 +265,24 @@ def _is_short(words: Words) -> bool:
     A call that reads standard input or a file, or writes one, or works long, is not tried.
     """
     command = called_in(words)
-    if {*words} & {*HELP_NAMES, "help"}:
+    options = [word.partition("=")[0] for word in words]
+    if {*words} & {*HELP_NAMES, "help", "--version"}:
         return False
-    is_quick = command in SUMMARIES and command not in LONG and not {*words} & {*UNTRIED}
+    is_quick = command in SUMMARIES and command not in LONG and not {*options} & {*UNTRIED}
     if not is_quick or any(map(is_stream, words)):
         top = context()
         name, found, rest = commands.resolve_command(top, protect_negatives(words))
         if found:
             found.make_context(name, rest, parent=top)
         return False
-    return not any(os.path.exists(word.partition("=")[2] or word) for word in words)
+    return not any(map(_is_file, words))
+
+
+def _is_file(word: str) -> bool:
+    """Return whether a word is a file, or has one: --spectrum=FILE, FILE:COLUMN."""
+    value = word.partition("=")[2]
+    texts = [word, value, word.rpartition(":")[0], value.rpartition(":")[0]]
+    return any(text and os.path.exists(text) for text in texts)
 
 
 def _quoted(word: str) -> str:

@@ -121,6 +121,8 @@ class Bridge:
         sensible = [way for way in rows if way.is_suggested] or list(rows)
         alternatives: dict[str, str] = {}
         tries: list[Try] = []
+        start = read(self.source)
+        start_shines = start is not None and start.is_radiance
         for way in (extending or sensible)[:2]:
             self.conditions.used |= given & set(way.powers)
             wanted = [
@@ -130,7 +132,10 @@ class Bridge:
             ]
             phrases, hints, choices = zip(*(WANTED[slot] for slot in wanted), strict=True)
             alternatives[" and ".join(phrases)] = " with ".join(hints)
-            tries += together(choices)
+            # a surface that shines is commoner than one that reflects
+            tries[len(tries) if REFLECTANCE in wanted or not start_shines else 0 : 0] = together(
+                choices
+            )
         plain = all(" and " not in phrase for phrase in alternatives)
         phrase = (" or " if plain else ", or ").join(alternatives)
         self.lacking["space"] = Wanted(phrase, ", or ".join(alternatives.values()), tuple(tries))

@@ -170,17 +170,13 @@ def check_limits(given: Input, limits: Limits) -> None:
 
 
 def _nearest(given: Input, bound: float, limits: Limits) -> str:
-    """Return the bound in the typed unit; for a negative value the value without its sign."""
-    text = given.text.lstrip("-")
+    """Return what was probably meant: a value without its sign, or a percentage; else ''."""
     if maths.is_array(given.value) or given.symbol.form != QUANTITY:
         return ""
-    if bound == 0:
-        return text if given.value < 0 and abs(given.value) <= limits.high else ""
-    unit = given.unit
-    if unit and unit.is_scale:
-        return ""
-    number = bound / (unit.factor if unit else 1)
-    return f"{number:.12g}{given.unit_text if unit else ''}"
+    if bound == 0 and given.value < 0 and -given.value <= limits.high:
+        return given.text.lstrip("-")
+    is_percentage = limits.high == 1 < given.value <= 100 and given.unit is None
+    return f"{given.text}%" if is_percentage else ""
 
 
 def require(given: Input, good: bool, limit: str) -> None:

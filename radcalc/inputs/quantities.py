@@ -23,10 +23,11 @@ from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
 from radcalc.units.amount import Amount
-from radcalc.units.dimensions import ANGLE, ENERGY, TIME
+from radcalc.units.dimensions import ANGLE, ENERGY, SOLID_ANGLE, TIME
 from radcalc.units.numbers import parse_number, relative_rounding
 from radcalc.units.ranges import real, with_list
 from radcalc.units.reading import read_amount
+from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Unit, divide
 
 LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that can be in OD, stops or dB
@@ -171,14 +172,15 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
 
         example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
     problem = f"{option(name)} takes {symbol.takes}, not {describe(unit)}"
-    light, hints = read_light(unit), []
+    light, other = read_light(unit), ""
     if light and symbol.kind and light.kind != symbol.kind:  # 5 W as a luminous flux
         other = specific_name(symbol.generic, light.kind)
-        if other in SYMBOLS and unit.dimension in SYMBOLS[other].dimensions:
-            hints.append(Try(((other, text),), (name,)))
-    if name != "bandwidth" and not unit.is_scale and not maths.is_array(amount.number):
-        example = with_likely_unit(symbol, f"{amount.number:.12g}")
-    return ConditionError(problem, [*hints, add(name, example)])
+    elif ANGLE in symbol.dimensions and unit.dimension == SOLID_ANGLE:
+        other = "solid-angle"
+    if other in SYMBOLS and unit.dimension in SYMBOLS[other].dimensions:
+        return ConditionError(problem, Try(((other, text),), (name,)))
+    hint: Hint = add(name, example) if name == "bandwidth" else f"a value such as {example}"
+    return ConditionError(problem, hint)
 
 
 def takes_scale(name: str, scale: Unit) -> bool:
@@ -280,9 +282,19 @@ def with_likely_unit(symbol: Symbol, number: str) -> str:
         return f"{number}s"  # like marks of shutters
     unit = symbol.example.lstrip("0123456789./")
     usual = symbol.unit.replace(" ", ".")
-    if usual not in ("1", unit) and not _is_nearer(symbol.example, number, unit, usual):
+    if usual not in ("1", unit) and _is_more_likely(symbol, number, usual, unit):
         unit = usual
     return number + unit
+
+
+def _is_more_likely(symbol: Symbol, number: str, usual: str, unit: str) -> bool:
+    """Return whether a number is in the usual unit, not in that of the example.
+
+    A quantity of light extends over many powers of ten: it has no prefix that was not typed.
+    """
+    if symbol.generic:
+        return resolve(usual).dimension == resolve(unit).dimension
+    return not _is_nearer(symbol.example, number, unit, usual)
 
 
 def _is_nearer(example: str, number: str, unit: str, usual: str) -> bool:

@@ -49,6 +49,7 @@ MEANT = {  # suggestions for words that are not names of spectra
     "day": OF_DAY,
     "sunlight": OF_DAY,
     "sky": OF_DAY,
+    "skylight": OF_DAY,
     "blackbody": example("blackbody"),
     "black body": example("blackbody"),
     "planck": example("blackbody"),

@@ -481,8 +481,8 @@ class Calculator(Scanner):
             number_text = f"{divide(number.top, number.bottom):.12g}" if number else "1"
             hint = f"{'-' * self.text[:start].count('-')}{number_text} {quote(text)}"
             if other_terms:
-                hint = command("convert", number_text, quote(text), scale.unit.text)
-                hint += ", for the quantity, and arithmetic with that"
+                quantity = command("convert", number_text, quote(text), scale.unit.text)
+                hint = f"first {quantity}, then arithmetic with the quantities"
             problem = f"calculates with {quote(text)}, which is a scale, not a unit"
             raise self.wrong(problem, hint) from None
         atoms = parse_unit(joined if is_name else text)

@@ -219,7 +219,8 @@ def _unknown(spelling: str) -> UnitError:
         return error
     folded = spelling.lower()
     same = [s for s in (*_prefixed(), *scale_table.spellings()) if s.lower() == folded]
-    if same:
+    if same:  # those with the fewest other letters first: mW for mw
+        same.sort(key=lambda s: sum(a != b for a, b in zip(s, spelling, strict=True)))
         return UnitError(f"unknown unit '{typed}'", corrections(spelling, *same[:3]))
     for prefixes, text in ((PREFIX_SYMBOLS, spelling), (PREFIX_NAMES, name)):
         for prefix in prefixes:
@@ -252,7 +253,7 @@ def suggest(spelling: str) -> list[str]:
     folded = spelling.lower()
     near = nearest(folded, NAMES, SUGGESTED, 0.7)
     if len(spelling) <= 4:
-        near = nearest(spelling, _prefixed(), SUGGESTED) + near
+        near = nearest(spelling, _prefixed(), SUGGESTED, 0.75) + near
     return list(dict.fromkeys(near))[:SUGGESTED]
 
 
