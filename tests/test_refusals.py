@@ -520,7 +520,8 @@ COMMANDS = {
         "convert -- -100 mired K", "a difference, as of filters", "more than 0"),
     "the reading of a sky quality meter needs its unit": (
         "convert 21.5 SQM cd/m2", "'SQM' is not accepted", "mag/arcsec2 for a reading"),
-    "levels are not added": ("convert 10 dBm + 3 dB in dBm", "calculates with dBm", "then arithmetic"),
+    "levels are not added": (
+        "convert 10 dBm + 3 dB in dBm", "calculates with dBm", "then arithmetic"),
     "unexpected words are quoted as they were typed": (
         "convert 10 dBm uW mW", "too many words: 'dBm uW mW'", "quotes"),
     "a level beyond the range of numbers is refused": (

@@ -78,8 +78,10 @@ class Trial(NamedTuple):
     def record(self) -> dict[str, Any]:
         """Return the fields of JSON."""
         first = [{"value": row.value, "unit": row.unit} for row in self.rows[:1]]
-        call = {} if any(map(is_stream, self.words)) else {"call": _in_python(self.words)}
-        return {"command": self.command} | call | dict(*first)
+        record: dict[str, Any] = {"command": self.command}
+        with suppress(RadcalcError):  # a stream has no call in Python
+            record["call"] = _in_python(self.words)
+        return record | dict(*first)
 
 
 def _shown(row: Row) -> str:
