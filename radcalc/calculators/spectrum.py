@@ -90,8 +90,8 @@ def spectrum(given: Inputs) -> Answer:
         f"{source.described}; {watts} over {counts.over(PHOTON)}{shares}",
         eye.assumption,
     ]
-    notes = [*source.notes, *whole.notes((RADIANT, PHOTON)), *counts.notes((LUMINOUS, PHOTON))]
-    notes += remarks
+    clipped = (RADIANT,) if ranges[0] else (RADIANT, PHOTON)  # the photons also by the range
+    notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *remarks]
     peak = light.peak()[0]
     is_last = known and peak in source.known
     if is_last or (ranges[0] and peak in counts.ranges[RADIANT]):

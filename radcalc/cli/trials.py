@@ -18,10 +18,6 @@ from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.spelling import Shell, spelled
 from radcalc.errors import (
     MINUS,
-    Idle,
-    MissingCondition,
-    MissingInput,
-    MissingUnit,
     OutputError,
     RadcalcError,
     Try,
@@ -37,7 +33,6 @@ MOST = 3  # calls to make
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "scene")
-MISSING = (Idle, MissingCondition, MissingInput, MissingUnit)
 UNTRIED = ("--auto", "--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 
@@ -131,8 +126,6 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
 def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
     """Return a refused call with what it lacks, if it is answered then."""
     for _ in range(MOST - 1):
-        if not (isinstance(further, MISSING) or any(one.instead for one in further.tries)):
-            return []
         added = [one for one in further.tries if one.inputs and not one.without]
         if not added:  # another word of the same kind: 1/2 m + 1/2 m
             added = [one for one in further.tries[way:] if one.instead]

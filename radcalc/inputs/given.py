@@ -175,7 +175,7 @@ def _nearest(given: Input, bound: float, limits: Limits) -> str:
         return ""
     if bound == 0 and given.value < 0 and -given.value <= limits.high:
         return given.text.lstrip("-")
-    is_percentage = limits.high == 1 < given.value <= 100 and given.unit is None
+    is_percentage = limits.high == 1 and 5 <= given.value <= 100 and given.unit is None
     return f"{given.text}%" if is_percentage else ""
 
 

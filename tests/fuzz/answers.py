@@ -155,9 +155,10 @@ def sweep(count: int, seed: int) -> str:
 
 
 def _whole(case: Case, right: float, digits: int) -> str:
-    """Format the right value with so many digits; a large one with zeros and without a point."""
+    """Format the right value with so many digits; a large one as a power of ten, not with zeros."""
     rounded = float(typed(right, digits))
-    number = f"{rounded:.0f}" if rounded >= 10 ** (digits - 1) else f"{rounded:.{digits}g}"
+    is_large = rounded >= 10**digits
+    number = f"{rounded:.{digits - 1}e}" if is_large else f"{rounded:.{digits}g}"
     return f"{case.name}={number}{case.unit}" if case.name else f"{number}{case.unit}"
 
 

@@ -36,7 +36,7 @@ MODULES = (
 )
 # Functions with other arguments than numbers, swept below or by their own tests.
 OTHERS = {"refuse", "bounded", "percent", "size", "reach", "is_near", "polygon"}
-OTHERS |= {"facing", "reflected", "mirror_normal"}
+OTHERS |= {"facing", "reflected", "mirror_normal", "upright"}
 CPU_SECONDS = 20  # long enough for a busy machine
 
 

@@ -21,7 +21,8 @@ from radcalc.spectra.spectrum import Table
 
 SHORT, LONG = 100, 20_000
 COUNTED = re.compile(
-    r"watts counted over ([\d.e+]+)-([\d.e+]+) nm, photons over ([\d.]+)-([\d.]+) nm"
+    r"(?:watts counted over|of the light in) ([\d.e+]+)-([\d.e+]+) nm[;,] photons (?:counted )?"
+    r"over ([\d.]+)-([\d.]+) nm"
 )
 
 
@@ -68,12 +69,15 @@ def sweep(count: int, seed: int) -> str:
         notes = " ".join(answer.notes)
         claims = {"range": found.groups()[:2], "photon-range": found.groups()[2:]}
         for name, what in (("range", "watts"), ("photon-range", "photons")):
-            low, high = max(asked[name][0], start), min(asked[name][1], end)
+            ends = asked[name]
+            if name == "photon-range" and "range" in given:  # a part of it
+                ends = max(ends[0], asked["range"][0]), min(ends[1], asked["range"][1])
+            low, high = max(ends[0], start), min(ends[1], end)
             if low >= high:
                 continue  # no photons there: the result is absent
             claim = [float(text) for text in claims[name]]
             assert np.allclose(claim, (low, high), rtol=1e-5), (case, claim)
-            is_clipped = (low, high) != asked[name]
+            is_clipped = (low, high) != ends and (name == "range" or "range" not in given)
             assert (f"{what} are counted over" in notes) == is_clipped, (case, notes)
             clipped += is_clipped
         low, high = max(asked["range"][0], start), min(asked["range"][1], end)

@@ -107,7 +107,10 @@ def read(lines: list[str]) -> list[dict[str, float | str]]:
         if not line.strip(" \t;,|"):
             continue
         row: dict[str, float | str] = {}
-        for (name, _, unit), text in zip(titles, line.split(delimiter), strict=True):
+        cells = line.split(delimiter)
+        if not "".join(cells[len(titles) :]).strip():  # empty cells at the end
+            cells = cells[: len(titles)]
+        for (name, _, unit), text in zip(titles, cells, strict=True):
             if not text.strip():
                 continue
             if name == "distribution":

@@ -59,7 +59,7 @@ def plain(table: Rows) -> tuple[str, str]:
 def oceanview(table: Rows) -> tuple[str, str]:
     """Write a table between marks, with its count of rows."""
     count = f"Number of Pixels in Spectrum: {len(table)}"
-    head = ["Data from lamp_1.txt Node", "", *random.sample(BEFORE, 2), "XAxis mode: Wavelengths",
+    head = ["Data from lamp_Irradiance_1.txt Node", "", *random.sample(BEFORE, 2), "XAxis mode: Wavelengths",
             count, ">>>>>Begin Spectral Data<<<<<"]  # fmt: skip
     return "\n".join([*head, *map("\t".join, table), ""]), ""
 
@@ -100,7 +100,7 @@ FORMATS = (plain, plain, plain, oceanview, tm27, cgats, meter)
 def read(data: bytes):
     """Return the table of a file, or the error."""
     try:
-        return _Reader("lamp", io.BytesIO(data).read, "").table()
+        return _Reader("lamp", io.BytesIO(data).read, "", None).table()
     except RadcalcError as error:
         return error
 
