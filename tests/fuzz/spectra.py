@@ -59,7 +59,8 @@ def plain(table: Rows) -> tuple[str, str]:
 def oceanview(table: Rows) -> tuple[str, str]:
     """Write a table between marks, with its count of rows."""
     count = f"Number of Pixels in Spectrum: {len(table)}"
-    head = ["Data from lamp_Irradiance_1.txt Node", "", *random.sample(BEFORE, 2), "XAxis mode: Wavelengths",
+    head = ["Data from lamp_Irradiance_1.txt Node", "", *random.sample(BEFORE, 2),
+            "XAxis mode: Wavelengths",
             count, ">>>>>Begin Spectral Data<<<<<"]  # fmt: skip
     return "\n".join([*head, *map("\t".join, table), ""]), ""
 
