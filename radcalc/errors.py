@@ -38,10 +38,10 @@ def quote_path(path: str) -> str:
     return quote(path if len(path) <= SHOWN else "..." + path[3 - SHOWN :])
 
 
-def listed(names: "Sequence[str]") -> str:
+def listed(names: "Sequence[str]", separator: str = ", ") -> str:
     """Return the first few of a user's names, and the number of the others."""
     more = len(names) - LISTED
-    listing = ", ".join([quote(name) for name in names[:LISTED]])
+    listing = separator.join([quote(name) for name in names[:LISTED]])
     return f"{listing} and {more} more" if more > 0 else listing
 
 
@@ -462,8 +462,8 @@ class TooNear(ConditionError):
     ) -> None:
         farther = add("distance", f"{5.001 * float(size):.4g}m")
         super().__init__(
-            f"{distance} is too short: {law} needs at least five times the size of the {body}, "
-            f"which is {size} m",
+            f"{distance} is too short: the size of the {body} is {size} m, and {law} needs at "
+            "least five times that",
             hint,
             [*proposed(hint), farther] if isinstance(hint, str) else (),
         )

@@ -54,7 +54,7 @@ PROSE = (
     r"a vector that is not zero", r"a part of the sphere where it is not", r"a function that .*",
     r"numbers, \+ - .*", r"an expression such as .*", r"\w+\(.*\)", r"polar angles from .*",
     r"N, N-, N-M.*", r"fields are numbered .*", r"a character, such as .*", r"one (shape|exponent)",
-    r"a distance to the centre above the radius.*", r"the chromaticity: x and y",
+    r"a distance to the centre greater than the radius.*", r"the chromaticity: x and y",
     r"more of the quantities", r"a line with the names of the columns", r"one source a call",
     r"a whole number", r"wavelengths from \S+ to \S+", r"one of the two", r"one exponent",
     r"only one of them", r"one of them", r"the same unit.*", r"terms of one quantity",

@@ -125,12 +125,12 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("9 values", "at most 8, or distance last"), ("9 values", "at most 8, or distance last")),
     "a patch that is near is refused with its distance and size": (
         lambda: TooNear(option("distance", "2m"), "source", "1.1", command("lambertian", "disc")),
-        ("--distance 2m is too short: the inverse square law needs at least five times the size "
-         "of the source, which is 1.1 m", "radcalc lambertian disc"),
-        ("distance 2m is too short: the inverse square law needs at least five times the size "
-         "of the source, which is 1.1 m", "radcalc lambertian disc"),
-        ('distance="2 m" is too short: the inverse square law needs at least five times the size '
-         "of the source, which is 1.1 m", 'radcalc.lambertian("disc")')),
+        ("--distance 2m is too short: the size of the source is 1.1 m, and the inverse square "
+         "law needs at least five times that", "radcalc lambertian disc"),
+        ("distance 2m is too short: the size of the source is 1.1 m, and the inverse square "
+         "law needs at least five times that", "radcalc lambertian disc"),
+        ('distance="2 m" is too short: the size of the source is 1.1 m, and the inverse square '
+         "law needs at least five times that", 'radcalc.lambertian("disc")')),
     "a tilt at which one patch cuts the other leads to a smaller tilt": (
         lambda: HorizonCuts("tilt", "89deg", "84.2deg", law="A1 A2 / d^2"),
         ("--tilt 89deg: the source's horizon may cut the receiver, and A1 A2 / d^2 does not hold",

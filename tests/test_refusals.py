@@ -102,7 +102,7 @@ CONVERSIONS = {
     "a cone wider than the hemisphere has no projected solid angle": (
         "nit", "lx", {"half-angle": "91deg"}, "--half-angle 91deg is out of range", "90 deg"),
     "an area nearer than five times its size is not a small source": (
-        "nit", "lx", {"area": "1m2", "distance": "5m"}, "five times the size", "--radius"),
+        "nit", "lx", {"area": "1m2", "distance": "5m"}, "at least five times that", "--radius"),
     "a patch that may dip below the horizon is refused": (
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "86deg"}, "horizon",
         "--radius 0.56419m in place"),
@@ -143,11 +143,11 @@ CONVERSIONS = {
     "seconds are not a distance": (
         "cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "such as 2m"),
     "an area nearer than five times its size is not a small receiver": (
-        "lm", "cd", {"area": "1m2", "distance": "1m"}, "size of the receiver, which is 1.12838 m",
+        "lm", "cd", {"area": "1m2", "distance": "1m"}, "size of the receiver is 1.12838 m, and",
         "--half-angle 29.4312deg in place"),
     "a radius nearer than five times its size is not a small receiver": (
         "cd", "lm", {"radius": "1m", "distance": "9m", "incidence": "9deg"},
-        "size of the receiver, which is 2 m", "more distance"),
+        "size of the receiver is 2 m, and", "more distance"),
     "an incidence does not apply to a surface that a flux is spread over": (
         "lm", "lx", {"area": "1m2", "incidence": "60deg"}, "--incidence does not apply", "leave"),
     "an incidence does not apply to a luminous surface": (

@@ -4,7 +4,7 @@ from radcalc.calculators.page import CONVERSION, Operand, Page
 from radcalc.quantities.symbols import LINKS, METER_UNITS, REFINEMENTS
 
 PAGE = Page(
-    about="Convert between units, and between quantities under a condition.",
+    about="Convert between units, and between quantities that a condition links.",
     operand=Operand("words", "VALUE UNIT [to] TARGET", CONVERSION),
     sections={
         "Light": (*LINKS, *REFINEMENTS),

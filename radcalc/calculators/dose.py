@@ -32,7 +32,7 @@ NOISE = 0.05  # of the peak: smaller negative readings are a meter's offset
 POINTS, MEANS_OF_STEPS = "points", "means"  # what samples are
 READINGS = {
     POINTS: "values between samples are interpolated linearly (trapezoidal rule)",
-    MEANS_OF_STEPS: "each sample is the mean from its time to the next sample; the last one, or "
+    MEANS_OF_STEPS: "each sample is the mean from its time to that of the next; the last one, or "
     "one before a gap, lasts as long as the step before it",
 }
 LONG = 10  # times the mean of the others: longer steps are noted

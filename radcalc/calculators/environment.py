@@ -83,10 +83,10 @@ PAGE = Page(
     in watts, lumens or photons: the unit decides.
 
     The middle of a map shows the direction {aim}.  The map is turned so that its upward direction
-    is as close to +z as possible.  A 2:1 map is latlong; a square map needs {projection}, and a
-    picture of a part of the sphere also {field}, unless its file has a VIEW= of the program
-    Radiance.  Few files state the unit of their values: give {unit}; with {unit} 1 every result is
-    relative.
+    is as close to +z as possible.  A 2:1 map is latlong.  A square map needs {projection}; a
+    picture of a part of the sphere needs {projection} and {field}.  Neither is needed if the file
+    has a VIEW= line of the program Radiance.  Few files state the unit of their values: give
+    {unit}; with {unit} 1 every result is relative.
     Luminance is a weighted sum of R, G and B.  The weights follow from the primaries in the file,
     or from those of Rec. 709 if it has none.  With {unit} W/m2/sr the weights are those of the
     program Radiance, and a watt counts as 179 lm.

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from radcalc.calculators.page import Page
 
 SUMMARIES = {
-    "convert": "Convert units, and quantities under a condition.",
+    "convert": "Convert between units, and between quantities that a condition links.",
     "solid-angle": "Solid angle and projected solid angle of a shape.",
     "direction": "Spherical coordinates and unit vectors.",
     "etendue": "Etendue of a beam, and its flux from a radiance.",

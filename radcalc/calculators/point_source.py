@@ -109,8 +109,9 @@ PAGE = Page(
     texts={
         "distance": "Straight line from the source to the receiver.",
         "height": "Height of the source above the receiver's plane, along the source's axis.",
-        "incidence": "Angle between the light and the receiver's normal; with {height} and neither "
-        "{offset} nor {distance}, it places a receiver that lies flat.",
+        "incidence": "Angle between the light and the receiver's normal; with {height}, but "
+        "without {offset} and {distance}, it gives the position of a horizontal receiver: the "
+        "offset is {height} x tan({incidence}).",
         "solid-angle": "Solid angle of a uniform cone.",
     },
     draws=True,

@@ -180,7 +180,7 @@ def sensor(given: Inputs) -> Answer:
             solved.assume("the same quantum efficiency for all counted photons")
             _note_infrared(solved)
     if solved.has("snr"):
-        solved.assume("signal to noise: shot noise only")
+        solved.assume("signal-to-noise ratio: shot noise only")
     answer = solved.answer()
     if kind != LUMINOUS:
         return answer

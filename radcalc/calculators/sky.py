@@ -145,7 +145,7 @@ PAGE = Page(
     texts={
         "irradiance": "Irradiance on the plane.",
         "tilt": ("90deg", "Tilt of a plane from the horizontal: 90deg is a wall."),
-        "azimuth": ("180deg", "Azimuth that the plane with this {tilt} faces."),
+        "azimuth": ("180deg", "Azimuth of the direction that the plane faces (with {tilt})."),
         "toward": "Point of the sky, as POLAR (from the zenith), POLAR,AZIMUTH or X,Y,Z (Z up).",
         "normal": "Normal of the plane, instead of {tilt} (+z is up).",
         "sun-azimuth": "Azimuth of the sun, in the same sense as the other azimuths.",

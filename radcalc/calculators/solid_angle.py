@@ -49,7 +49,7 @@ from radcalc.units.dimensions import LENGTH
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
 ROUND = ("radius", "diameter")
 RESULTS = ("solid-angle", "projected-solid-angle", "sphere-fraction", "half-angle", "apex-angle")
-FACING = "a plane parallel to the source's (the receiver faces it)"
+FACING = "a plane parallel to the source (the receiver faces it)"
 ZONE = Formula(
     "zone of a sphere", "{solid-angle} = 2 Omega0 dphi sin((t0 + t1)/2) sin((t1 - t0)/2)"
 )
@@ -69,8 +69,9 @@ PROJECTED_DISC = Formula(
 )
 TRIANGLES = Formula(
     "rectangle, as two triangles",
-    "tan({solid-angle}/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a) for each triangle "
-    "([a b c]: triple product; a.b: scalar product; a, b, c otherwise: lengths)",
+    "tan({solid-angle}/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a) for each triangle; "
+    "a, b and c are the vectors to its vertices, [a b c] is their triple product, a.b a scalar "
+    "product, and a, b or c alone a length",
     "A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125",
 )
 CONTOUR = Formula(
@@ -429,7 +430,7 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     shape = outline.read(points, viewpoint)
     omega = abs(polygon(shape.vertices))
     flat = projected.polygon(shape.vertices, normal or shape.normal)
-    plane = "a plane parallel to the polygon's"
+    plane = "a plane parallel to the polygon"
     if normal:
         plane = f"a plane whose normal is {','.join(map(format_number, normal))}"
     placed = _onto(plane)

@@ -279,7 +279,7 @@ def _of_lines(listed: Sequence[click.Option]) -> tuple[str, str]:
     return (
         "- or '- UNIT'",
         "Write - or '- UNIT' as the value of one option: it is then read from standard input, and "
-        "each line gives one answer (with -g).  A line is a number with its unit or, after "
-        "'- UNIT', a bare number.  "
+        "each line gives one answer (with -g).  With -, each line is a number with its unit; with "
+        "'- UNIT', each line is a bare number.  "
         f"{', '.join(names)} and {last} work as in radcalc convert.",
     )

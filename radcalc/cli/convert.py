@@ -53,7 +53,7 @@ Examples:
   radcalc convert 1000 W/m2 W --area 2m2 --incidence 60deg
   radcalc convert 1 W/sr W --area 20mm2 --distance 1m
   radcalc convert 100 W/m2 ppfd --spectrum D65
-  radcalc 100,200 lx fc,klx                    (lists; also 1:5:1 m ft)
+  radcalc 100,200 lx fc,klx                    (lists; or a range: 1:5:1 m ft)
   radcalc convert 250 cd/m2                    (every unit of luminance)
   radcalc convert 10 dBm mW                    (also mag, EV, mired, OD, stops ...)
   cut -f3 log.tsv | radcalc convert - lx fc
@@ -66,7 +66,7 @@ name of a quantity in English, Czech or Russian, which stands for its usual unit
 TARGET, the value is shown in every unit of its quantity.  Write the value of a condition, such
 as --distance, as one word with its unit (2m, 30deg).
 VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), and TARGET a list; with
-several lists, the last one changes first.  A condition that no answer needs is an error.
+several lists, the last one varies fastest.  A condition that no answer needs is an error.
 Values and conditions may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
 
 With - as VALUE, each line of standard input is a number, and the result replaces it.

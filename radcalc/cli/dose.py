@@ -98,11 +98,11 @@ Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the t
 --time-unit.  --time-zone is the zone of times without an offset; days on which the clocks change
 have 23 or 25 hours.  Ambiguous dates are an error: use --time-format.
 
-Values between samples are interpolated linearly; with --samples means, each
-is the mean from its time to the next.  A step is a gap if it is more than 0.1 %
-longer than --max-gap.  The 0.1 % allows for rounded times in the file.  Without --max-gap, only
-a step that contains a line skipped by --invalid is a gap.  A note lists the gaps, and coverage
-is the part of the time without them.  A day or hour within a gap has an exposure of 0, no mean,
+Values between samples are interpolated linearly; with --samples means, each sample is the mean
+from its time to that of the next sample.  A step is a gap if it is more than 0.1 % longer than
+--max-gap.  The 0.1 % allows for rounded times in the file.  Without --max-gap, only a step that
+contains a line skipped by --invalid is a gap.  A note lists the gaps, and coverage is the part
+of the time without them.  A day or hour within a gap has an exposure of 0, no mean,
 and coverage 0.
 """
 

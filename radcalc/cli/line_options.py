@@ -31,7 +31,7 @@ OPTIONS = (
     click.Option(
         ["--field"],
         metavar="LIST",
-        help="Numbers of the fields to convert, such as 3 or 1,3 or 2-4 or 3-; - for all.",
+        help="Fields to convert, by number: 3, 1,3, 2-4, 3- (from 3 on), or - (all).",
     ),
     click.Option(
         ["--column"],

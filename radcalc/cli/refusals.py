@@ -80,7 +80,7 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     message = message.replace("a valid integer range", "a whole number in its range")
     if "unexpected extra argument" in message:
         word = message.partition("(")[2].rstrip(")")
-        hint = "a value and its unit are one word, as in --distance 2m"
+        hint = "an option before each value, and the value and its unit as one word: --distance 2m"
         if ("--plot", word) in pairwise(words):
             hint = "--plot FILE.svg or --plot FILE.png, or --plot without a file"
         return RadcalcError(f"unexpected argument '{word}'", hint)

@@ -64,7 +64,8 @@ half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (l
 flux, intensity         flux or intensity of the source (scales the values of a file)
 lambertian: width and length, or area; and one of luminance, exitance, flux, intensity
 
-A rectangle is calculated exactly, at any distance; every other source is treated as a point.
+A lambertian source with width and length is calculated exactly, at any distance; every other
+source is treated as a point.
 Light from behind a receiver does not count.  For a grid, the answer gives the mean, the extremes
 and the uniformity; --format csv, or -g x -g y -g irradiance:lx, prints the points.
 """

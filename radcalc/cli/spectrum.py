@@ -38,7 +38,8 @@ COLUMN = click.Option(
 UNIT = click.Option(
     ["--unit"],
     metavar="W/m2/nm",
-    help="Unit of the values of a file: W/m2/nm, umol/m2/s/nm ..., relative (watts) or photons.",
+    help="Unit of the values of a file: W/m2/nm, umol/m2/s/nm ...; for relative values, the word "
+    "relative (proportional to watts) or photons (proportional to photons).",
 )
 LIST = click.Option(
     ["--list", "list_"], is_flag=True, help="List the named sources, or those of one kind."

@@ -135,8 +135,8 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     if not forward:
         if maths.any_true(value == 0):
             raise ConditionError(
-                f"{quote(given.text)} is invisible: a luminous quantity does not determine its "
-                "watts or photons",
+                f"{quote(given.text)} is invisible: watts or photons cannot be calculated from "
+                "a luminous quantity",
                 f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
             )
         symbol, value = f"(1/{symbol})", 1 / value

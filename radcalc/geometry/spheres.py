@@ -46,7 +46,8 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     refuse(
         distance <= radius,
         "the observer is on or inside the sphere",
-        "a distance to the centre above the radius (on the surface a sphere fills 2pi sr)",
+        "a distance to the centre greater than the radius; from its surface, the sphere fills "
+        "2 pi sr",
     )
     # R / sqrt(D^2 - R^2), which keeps its digits up to the surface
     return atan2(radius, sqrt(distance - radius) * sqrt(distance + radius))

@@ -204,7 +204,7 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("solid angle of a cone", "half-angle", _half_angle),
     ("projected solid angle of a cone", "projected-solid-angle", _projected_cone),
     ("etendue of a cone", "etendue", _etendue_of_cone),
-    ("flux of a lobe over its peak", "solid-angle", _lobe),
+    ("flux of a lobe divided by its peak intensity", "solid-angle", _lobe),
     ("straight line to the source", "distance", _straight_line),
     ("exposure value", "ev", _logarithm("exposure-setting")),
     ("reflected light", "ev100", _logarithm("luminance", "k")),

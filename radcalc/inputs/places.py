@@ -85,7 +85,7 @@ def require_azimuth(given: Input, why: str) -> None:
         raise MissingInput(problem, option(given.name, f"{typed},90deg"))
 
 
-AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without: 1,0,0.5"
+AS_DIRECTION = "angles with units (60deg or 60deg,90deg), or X,Y,Z without units (1,0,0.5)"
 
 
 def _read_angle(text: str, direction: str, what: str) -> float:

@@ -56,7 +56,7 @@ def _exponent_of(solid_angle: Any) -> Any:
 
 
 LOBE = relation(
-    "flux of a lobe over its peak",
+    "flux of a lobe divided by its peak intensity",
     "{solid-angle} = 2 pi Omega0 / ({exponent} + 1)",
     {
         "solid-angle": lambda at: lobes.solid_angle(at("exponent")),
@@ -175,12 +175,12 @@ LAWS: dict[str, list[AnyLaw]] = {
         LOBE,
         *WIDTHS[LOBED],
         relation(
-            "part of a lobe",
+            "part of a lobe's flux within an angle",
             "{part} = 1 - cos({within})^({exponent} + 1)",
             {"part": lambda at: lobes.part(at("exponent"), at("within"))},
         ),
         relation(
-            "part of a lobe in its beam",
+            "part of a lobe's flux in its beam",
             "{beam-part} = 1 - cos({beam-angle}/2)^({exponent} + 1)",
             {"beam-part": lambda at: lobes.part(at("exponent"), at("beam-angle") / 2)},
         ),

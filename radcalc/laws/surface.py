@@ -56,9 +56,11 @@ SMALL_SOURCE_ENERGY = law(
     "exposure by the energy of a small source",
     "{exposure} = {energy} {cosine-of-source} {cosine} / (pi {distance}^2)",
 )
-FLAT = law("as seen from the front", "{apparent-area} = {area}")
+FLAT = law("projected area of a flat surface, seen from the front", "{apparent-area} = {area}")
 SPHERE_AREA = law("area of a sphere", "{area} = 4 pi {radius}^2")
-SPHERE_FRONT = law("as seen from anywhere", "{apparent-area} = pi {radius}^2")
+SPHERE_FRONT = law(
+    "projected area of a sphere, from any direction", "{apparent-area} = pi {radius}^2"
+)
 SMALL_SOURCE = law(
     "small source",
     "{projected-solid-angle} = {area} {cosine-of-source} {cosine} Omega0 / {distance}^2",

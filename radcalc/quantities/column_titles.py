@@ -178,7 +178,7 @@ def refuse_misnamed(title: Title, unit: Unit) -> None:
     if other := other_quantity(title.name, unit):
         raise UnitError(
             f"the title '{quote(title.text)}' names {other.name('en')}, not {describe(unit)}",
-            f"a unit of the first, such as {other.unit}, or another name",
+            f"a unit of {other.name('en')} in the title, such as {other.unit}, or another name",
         )
 
 
@@ -328,10 +328,13 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
             f"{where} has the column '{quote(name)}' {len(places)} times", listed(several)
         )
     known_titles = [title for title in titles[:COMPARED] if title]
-    hint = listed(nearest(name, known_titles) or known_titles) or "a title for each column"
+    likely = nearest(name, known_titles) or known_titles
+    hint = listed(likely, "; ") or "a title for each column"
+    if len(likely) > 1:
+        hint = f"one of the titles: {hint}"
     if number is not None:
         hint = f"from 1 to {len(titles)}"
-        hint += f", or one of: {listed(known_titles)}" if known_titles else ""
+        hint += f", or one of the titles: {listed(known_titles, '; ')}" if known_titles else ""
     raise UsageError(f"{where} has no column '{quote(name)}'", hint)
 
 

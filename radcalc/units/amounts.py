@@ -79,12 +79,10 @@ def read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimens
         or unit.lower().startswith("x10")
         or (unit[0] == "(" and unit[1:2].isdigit())
     ):
-        raise NumberError(
-            f"'{quote(text)}' is not a number and a unit", "a number such as 1000 or 1.5e3"
-        )
+        raise NumberError(f"'{quote(text)}' is not a number", "a number such as 1000 or 1.5e3")
     amount = amount_in(text, number, find_unit(text, unit) if unit else None, 0.0, dimensions)
     if "+" in unit.replace("^+", "").replace("*+", ""):  # 5m+2 cm is a sum, not m2 cm
-        raise NumberError(f"'{quote(text)}' is not a number and a unit", "m^2 for a power")
+        raise NumberError(f"'{quote(text)}' is not a value with a unit", "m^2 for a power")
     return amount
 
 

@@ -128,12 +128,13 @@ SCALES = (
     ),
     Scale(
         ("stops", "stop"), "x", "1", 1, 2, 1, 0,
-        "a ratio, above 0 for more light: a filter has less than 0",
+        "the step of a ratio: the reading is positive for more light, negative for a filter",
         "a step of exposure values (ISO 2720)",
     ),
     Scale(
         ("dB", "decibel", "decibels", "дБ"), "x", "1", 1, 10, 10, 0,
-        "a ratio of powers, above 0 for more light: a loss is below 0", "IEC 60027-3",
+        "a ratio of powers: the reading is positive for more light, negative for a loss",
+        "IEC 60027-3",
     ),
     Scale(
         ("bril", "brils"), "L", "lambert", 1, 2, 1, 100,
@@ -190,7 +191,7 @@ def refuse(spelling: str) -> UnitError | None:
         scale = rows[0]
         return UnitError(
             f"'{name}' is a scale, {scale.formula}, not a unit: it cannot be multiplied or divided",
-            f"a number of {scale.unit}" if scale.unit != "1" else "the ratio as a number",
+            f"the value in {scale.unit}" if scale.unit != "1" else "the ratio as a number",
         )
     return None
 

@@ -227,7 +227,7 @@ def _with_expression(text: str) -> Reading | None:
             places[leaf.start()] = leaf.end(), size.times(unit) if unit else size
         read = read_expression(text, places)
         if read is None:
-            raise NumberError(f"'{quote(text)}' is not a number and a unit", HINT)
+            raise NumberError(f"'{quote(text)}' is not a value with a unit", HINT)
         return read[0], read[1]
 
     number, unit = evaluate()

@@ -387,7 +387,7 @@ def test_bash_gets_the_replacement_with_a_trailing_blank(ask):
 
 
 def test_zsh_and_fish_get_the_full_description(ask):
-    line = "Convert units, and quantities under a condition."
+    line = "Convert between units, and between quantities that a condition links."
     assert ask("zsh", "radcalc conv") == f" convert\tconvert  -- {line}\n"
     assert ask("fish", "radcalc conv") == f"convert\t{line}\n"
     assert (

@@ -95,7 +95,7 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("part of a cone", "part"): (
         {"within": st.floats(0.05, 3.1), "half-angle": st.floats(0.05, 3.1)}, "part",
         lambda within, angle: min(1.0, _cone(within) / _cone(angle))),
-    ("flux of a lobe over its peak", "solid-angle"): (
+    ("flux of a lobe divided by its peak intensity", "solid-angle"): (
         {"exponent": st.floats(0.01, 1e4)}, "solid-angle", lambda n: 2 * PI / (n + 1)),
     ("beam angle of a lobe", "exponent"): (
         {"beam-angle": st.floats(0.05, 3.1)}, "exponent",
@@ -103,10 +103,10 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("field angle of a lobe", "exponent"): (
         {"field-angle": st.floats(0.05, 3.1)}, "exponent",
         lambda a: LN(0.1) / LN(math.cos(a / 2))),
-    ("part of a lobe", "part"): (
+    ("part of a lobe's flux within an angle", "part"): (
         {"within": ANGLE, "exponent": st.floats(0.01, 1000)}, "part",
         lambda within, n: 1 - math.cos(within) ** (n + 1)),
-    ("part of a lobe in its beam", "beam-part"): (
+    ("part of a lobe's flux in its beam", "beam-part"): (
         {"beam-angle": st.floats(0.1, 3.1), "exponent": st.floats(0.01, 1000)}, "beam-part",
         lambda angle, n: 1 - math.cos(angle / 2) ** (n + 1)),
     ("cosine of the incidence", "cosine"): ({"incidence": ANGLE}, "cosine", math.cos),

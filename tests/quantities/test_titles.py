@@ -283,7 +283,12 @@ def test_a_column_is_found_by_its_title(titles, name, place):
         (["E [lx]", "E [fc]"], "E", "2 times", "E [lx] (field 1), E [fc] (field 2)"),
         (["e", "ε", "E "], "ee", "it has no column 'ee'", "e"),
         (["t", "light"], "lihgt", "it has no column 'lihgt'", "light"),
-        (["t", "light"], "3", "it has no column '3'", "from 1 to 2, or one of: t, light"),
+        (
+            ["t", "light"],
+            "3",
+            "it has no column '3'",
+            "from 1 to 2, or one of the titles: t; light",
+        ),
         (["t", "light"], "0", "it has no column '0'", "from 1 to 2"),
         (["", ""], "3", "it has no column '3'", "from 1 to 2"),
         (["t", "lux_1"], "1", "it has the column '1' 2 times", "t (field 1), lux_1 (field 2)"),
