@@ -39,6 +39,7 @@ LINES = (
 # Hints in prose: they describe what is possible, without a call to type.
 PROSE = (
     r"a value such as .*", r"first .*, then arithmetic.*",
+    r"(--column with )?one of the titles: .*",
     r"a number such as .*", r"a finite number|decimal digits|the digits 0 to 9",
     r"a number other than 0", r"(less|more) than [0-9.e-]+", r"at most [0-9]+.*", r"0 or more.*",
     r"values? (from|between) .*", r"(less extreme|other) values", r"a unit such as .*",

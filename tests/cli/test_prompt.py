@@ -227,7 +227,7 @@ def test_a_plain_terminal_gets_no_colours(name, monkeypatch):
 
 
 OFFERED = {  # what is typed: a suggestion and its description
-    "": ("convert", "Convert units"),
+    "": ("convert", "Convert between units"),
     "va": ("vars", "The variables"),
     "ex": ("exit", "Leave"),
     "help ca": ("calorimeter", "Radiant flux"),
