@@ -300,9 +300,9 @@ class RadcalcError(Exception):
             hint = " or ".join(map(str, tries))
         elif not tries:
             tries = proposed(hint)
-        self.message = message
-        self.hint = hint
-        self.tries = tuple(tries)
+        self.message: str = message
+        self.hint: str = hint
+        self.tries: tuple[Try, ...] = tuple(tries)
         self.missing: dict[str, tuple[str, ...]] = {}
 
     @property

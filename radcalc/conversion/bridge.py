@@ -48,7 +48,7 @@ class Wanted(NamedTuple):
 
 _WAVELENGTH = option("wavelength", "LAMBDA")
 _CONE = option("half-angle", "ANGLE")
-_INTO_CONE = add("half-angle", "30deg", "evenly into a cone of 60 deg")
+_INTO_CONE = add("half-angle", "30deg", "evenly into a cone of half angle 30 deg")
 WANTED = {
     KIND: Wanted(
         "a wavelength, a spectrum or an efficacy",
