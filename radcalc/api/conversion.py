@@ -13,10 +13,9 @@ from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity
 from radcalc.api.reading import broadcast, read_inputs, refuse_lazy, together
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
-from radcalc.conversion.formulas import as_law
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer as answer_of
-from radcalc.conversion.plan import plan, target_of
+from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.errors import ConditionError, ConversionError, UnitError, option, quote
 from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
@@ -247,19 +246,18 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     _require_texts(target)
     magnitude: Any
     source: Unit | None
+    given = [*read_inputs(conditions).values()]
     if isinstance(value, (list, tuple)):
         value = _as_array(value)
     if isinstance(value, str):
         amount = read_amount(value)
-        magnitude, source = amount.exact, amount.typed[1]
+        magnitude = amount.exact
+        source = source_of(amount, target_of(target, amount.typed[1]), given)
         magnitude = amount if amount.is_uncertain else magnitude
     elif is_quantity(value):
         magnitude, source = value.magnitude, unit_of(value)
     else:
         magnitude, source = value, None
-    given = [*read_inputs(conditions).values()]
-    if isinstance(value, str) and source and not given and amount.rounding is not None:
-        source, _ = as_law(amount.text, source, target_of(target, source))
     is_one = isinstance(magnitude, (int, float)) and abs(magnitude) < LARGEST
     conversion = _plan_of(source, target, given, f"{magnitude:.12g}" if is_one else "1")
     if _has_uncertainty(magnitude):

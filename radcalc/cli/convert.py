@@ -13,7 +13,7 @@ from radcalc.cli.cases import Case, cases, is_stream
 from radcalc.cli.command import define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.batch import Planned, plans
-from radcalc.conversion.plan import answer, plan, target_of
+from radcalc.conversion.plan import answer, plan, source_of, target_of
 from radcalc.errors import (
     MINUS,
     ConversionError,
@@ -150,7 +150,6 @@ class Conversion(NamedTuple):
     source: Unit
     targets: Sequence[Unit]
     case: Case
-    formula: str = ""
 
     @property
     def conditions(self) -> list[Input]:
@@ -173,11 +172,7 @@ class Conversion(NamedTuple):
             results.append(result)
         return Result(
             tuple(row for result in results for row in result.rows),
-            tuple(
-                dict.fromkeys(
-                    filter(None, (self.formula, *(a for r in results for a in r.assumptions)))
-                )
-            ),
+            tuple(dict.fromkeys(a for result in results for a in result.assumptions)),
             tuple(
                 dict.fromkeys((*self.case.notes, *(n for result in results for n in result.notes)))
             ),
@@ -215,14 +210,11 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
         assert source is not None
         targets = [target_of(text, source) for text in texts]
         which = (ShownInput("", text=amount.text),) if len(lists) > 1 else ()
-        formula = ""
-        if amount.rounding is not None and len(targets) == 1 and not all_cases[0].given:
-            from radcalc.conversion.formulas import as_law
-
-            source, formula = as_law(amount.text, source, targets[0])
+        if len(targets) == 1:
+            source = source_of(amount, targets[0], list(all_cases[0].given.values())) or source
         for case in all_cases:
             labelled = Case(case.given, (*which, *case.varied), (*notes, *case.notes))
-            calls.append(Conversion(amount, value, source, targets, labelled, formula))
+            calls.append(Conversion(amount, value, source, targets, labelled))
     return calls
 
 

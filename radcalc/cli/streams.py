@@ -12,7 +12,7 @@ from radcalc.cli.line_options import LineOptions
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
-from radcalc.conversion.plan import answer, plan, target_of
+from radcalc.conversion.plan import answer, plan, source_of, target_of
 from radcalc.errors import (
     NumberError,
     RadcalcError,
@@ -71,7 +71,13 @@ def convert(
         blank = " " if layout.cut else "\t"
         is_bare = output.style.bare or (layout.lines and layout.adds)
         unit = "" if is_bare else blank + target.text
-        texts = Quantities(conversion.plan, unit.encode(), output.style.precision, layout.mark)
+        texts = Quantities(
+            conversion.plan,
+            lambda amount: source_of(amount, target, given),
+            unit.encode(),
+            output.style.precision,
+            layout.mark,
+        )
     record = conversion.record if conversion.as_json else None
     return layout.run(texts, header, record, terminal.pour, options.invalid)
 

@@ -20,20 +20,21 @@ FORMS = (
 )
 
 
-def as_law(text: str, source: Unit, target: Unit) -> tuple[Unit, str]:
-    """Return the unit of an expression with the steradian of its law, and the assumption.
+def as_law(text: str, source: Unit, target: Unit) -> Unit:
+    """Return the unit of an expression with the steradian of its law, which a note names.
 
-    The unit is unchanged, and the assumption empty, if the expression is not one of `FORMS`.
+    The unit is unchanged if the expression is not one of `FORMS`.
     Raises ConversionError if it is a product that lacks the steradian of one of them.
     """
     start, end = read(source), read(target)
     if start is None or end is None or (start.kind, start.time) != (end.kind, end.time):
-        return source, ""
+        return source
     forms = [form for form in FORMS if (start.geometry[1:], end.geometry[1:]) == form[:2]]
     for here, _, pattern, law in forms:
         if re.search(pattern, text):
             power = "/sr" if here in (FLUX, IRRADIANCE) else ".sr"
-            return resolve(f"({source.text}){power}"), f"sr read into the formula: {law}"
+            complete = resolve(f"({source.text}){power}")
+            return complete.of_class(Unit, f"sr read into the formula: {law}")
     if forms and any(sign in text.replace(source.text, "") for sign in "/*"):
         laws = " or ".join(law for *_, law in forms)
         raise ConversionError(
@@ -41,4 +42,4 @@ def as_law(text: str, source: Unit, target: Unit) -> tuple[Unit, str]:
             f"{laws}, with the distance in brackets as in (10 m)^2 and pi as pi; or sr where it "
             "belongs",
         )
-    return source, ""
+    return source

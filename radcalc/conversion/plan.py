@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 
     from radcalc.answer import Result, ShownInput
     from radcalc.inputs.given import Input
+    from radcalc.units.amount import Amount
 
 
 def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str = "1") -> Plan:
@@ -25,6 +26,16 @@ def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str 
 
         return scaled.plan(source, target, given, number)
     return between(source, target, given, number)
+
+
+def source_of(amount: "Amount", target: Unit, given: "Sequence[Input]" = ()) -> Unit | None:
+    """Return the unit of an amount; for a formula of a textbook, with the steradian of its law."""
+    source = amount.typed[1]
+    if source is None or amount.rounding is None or given:
+        return source
+    from radcalc.conversion.formulas import as_law
+
+    return as_law(amount.text, source, target)
 
 
 def target_of(text: str, source: Unit | None = None) -> Unit:

@@ -8,6 +8,7 @@ from radcalc.conversion.linear import Plan
 from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
 from radcalc.render.plain import DIGITS, number
 from radcalc.streams.blocks import Bulk
+from radcalc.units.amount import Amount
 from radcalc.units.numbers import parse_number
 from radcalc.units.reading import read_amount
 from radcalc.units.unit import Unit
@@ -79,13 +80,15 @@ class Quantities:
     def __init__(
         self,
         plans: Callable[[Unit], Plan],
+        unit_of: Callable[[Amount], Unit | None],
         unit: bytes,
         precision: int | None = None,
         mark: bytes = POINT,
     ) -> None:
-        """Take the planner of a unit, the text after each answer, and the decimal mark."""
+        """Take the planner of a unit, the reader of an amount's unit, and the output's form."""
         self.line = 0
         self.plans = plans
+        self.unit_of = unit_of
         self.unit = unit
         self.precision = precision
         self.mark = mark
@@ -104,8 +107,7 @@ class Quantities:
                 f"'{quote(amount.text)}' has an uncertainty, which a stream does not carry",
                 f"the value alone, or a call of its own: {command('convert', quote(amount.text))}",
             )
-        value, source = amount.typed
-        return self._plan(source or amount.unit), value
+        return self._plan(self.unit_of(amount) or amount.unit), amount.typed[0]
 
     def _plan(self, unit: Unit) -> Plan:
         plan = self.known.get(unit.text)

@@ -77,7 +77,10 @@ def test_a_line_of_many_fields_takes_a_small_multiple_of_its_size(field):
 
 
 def _own(unit: bytes = b"\tfc", precision: int | None = None, mark: bytes = b".") -> Quantities:
-    return Quantities(lambda source: plan(source, resolve("fc")), unit, precision, mark)
+    fc = resolve("fc")
+    return Quantities(
+        lambda source: plan(source, fc), lambda amount: amount.unit, unit, precision, mark
+    )
 
 
 # Random lines: the fields are numbers, or bytes that a field may be made of.
