@@ -45,7 +45,7 @@ from radcalc.geometry import far_field
 from radcalc.inputs.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.point import CONICAL, LAWS, LOBED
+from radcalc.laws.point import CONICAL, COSINE_BELOW, LAWS, LOBED
 from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
@@ -201,7 +201,8 @@ class _Luminaire:
         laws = self.placed.laws
         known = {*self.sheet.known_with(self.placed), "incidence"}
         if self.is_flat and not {"height", "lateral"} <= reached(laws, known):
-            laws.append(laws_of.floor(self.source, self.pose, self.bearing))
+            floor = laws_of.floor(self.source, self.pose, self.bearing)
+            laws[:] = [COSINE_BELOW, *laws, floor]
         solutions = solve_facing(self.sheet, laws, self.placed, self.any_incidence, self.is_flat)
         if self.is_aside:
             require_height(solutions[0])

@@ -38,7 +38,9 @@ from radcalc.laws.point import (
     ANY_LAWS,
     AXIS,
     CONICAL,
+    COSINE_BELOW,
     FALL,
+    FALL_BELOW,
     FLAT,
     FLOOR,
     INSIDE,
@@ -299,6 +301,9 @@ def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
     known = reached(laws, {*sheet.known_with(placed)})
     if is_flat and not {"height", "lateral"} <= known:
         laws += FLOOR[shape]
+        laws.insert(0, COSINE_BELOW)
+        if shape == LOBED and "exponent" in known:
+            laws[laws.index(FALL)] = FALL_BELOW
     if shape == LOBED and "exponent" not in known:
         laws.append(SPOT)
     if shape == CONICAL and "half-angle" not in known:

@@ -372,6 +372,17 @@ FLOOR = {
     shape: [_floor(shape, of_energy) for of_energy in (False, True)]
     for shape in (ISOTROPIC, CONICAL, LOBED)
 }
+# Near 90 deg an angle has fewer digits than a height.
+COSINE_BELOW = relation(
+    "cosine of the incidence, below a source",
+    "{cosine} = {height} / {distance}",
+    {"cosine": lambda at: at("height") / at("distance")},
+)
+FALL_BELOW = relation(
+    "fall of a lobe, below its source",
+    "{relative-intensity} = ({height} / {distance})^{exponent}",
+    {"relative-intensity": lambda at: power(at("height") / at("distance"), at("exponent"))},
+)
 
 
 def _exponents_of(at: At) -> Any:

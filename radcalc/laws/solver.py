@@ -495,9 +495,12 @@ def _compare(sheet: _Sheet, law: AnyLaw, name: str, other: Any) -> None:
     if name in sheet.given and name in _needed(sheet, {*law.names} - {name}):
         exact = exact + sheet.rounding(name)  # the others follow from it: errors of arithmetic
     for symbol in {*law.names} - {name}:  # such as the cosine of nearly 90 deg
-        at = {n: sheet.values[n].value * (1 + EPSILON * (n == symbol)) for n in law.names}
-        shifted = _implied(law, name, value, at.__getitem__)
-        exact = exact + (0.0 if shifted is None else abs(shifted - other))
+        shifts = 0.0 * exact
+        for by in (EPSILON, -EPSILON):
+            at = {n: sheet.values[n].value * (1 + by * (n == symbol)) for n in law.names}
+            shifted = _implied(law, name, value, at.__getitem__)
+            shifts = shifts if shifted is None else larger(shifts, abs(shifted - other))
+        exact = exact + shifts
     if any_true((low > exact) | (high < -exact)):
         raise Disagreement(law, name, value, other)
 

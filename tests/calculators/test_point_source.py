@@ -253,7 +253,7 @@ def test_an_incidence_turns_a_receiver_whose_place_is_given():
 @pytest.mark.parametrize(
     "source", [{"intensity": "100 cd"}, {"distribution": "100 cd"}], ids=["law", "distribution"]
 )
-@pytest.mark.parametrize("offset", [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0, 1.13])
+@pytest.mark.parametrize("offset", [1e-12, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0, 1.13])
 def test_both_heights_are_found_however_small_the_offset(offset, source):
     """E / I = h / d^3, so that p = E x^2 / I = y - y^3 with y = h / d; the cubic's two roots."""
     found = point_source(offset=Q(offset, "m"), illuminance="30 lx", **source)

@@ -118,6 +118,12 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("fall of a lobe", "relative-intensity"): (
         {"off-axis": ANGLE, "exponent": st.floats(0, 100)}, "relative-intensity",
         lambda off, n: math.cos(off) ** n),
+    ("cosine of the incidence, below a source", "cosine"): (
+        {"height": st.floats(0.1, 10), "distance": st.floats(10, 20)}, "cosine",
+        lambda h, d: h / d),
+    ("fall of a lobe, below its source", "relative-intensity"): (
+        {"height": st.floats(0.1, 10), "distance": st.floats(10, 20),
+         "exponent": st.floats(0, 100)}, "relative-intensity", lambda h, d, n: (h / d) ** n),
     ("solid angle of a receiver lit by an isotropic source", "received-solid-angle"): (
         {**RECEIVER, "incidence": ANGLE}, "received-solid-angle", _on_disc),
     ("solid angle of a receiver lit by a cone", "received-solid-angle"): (
