@@ -248,6 +248,8 @@ def _beam(sheet: Worksheet, placed: Placed, shape: str, away: str) -> list[AnyLa
 
 
 def _with_remarks(solved: Solved, shape: str) -> Answer:
+    if shape == CONICAL:
+        solved.refuse_impossible("solid-angle")
     if solved.has("received-flux"):
         _judge_receiver(solved, shape)
     if "beam-angle" in solved.given and solved.has("intensity"):
