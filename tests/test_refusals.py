@@ -80,19 +80,25 @@ CONVERSIONS = {
     "an efficacy above the observer's maximum is refused": (
         "W", "lm", {"efficacy": "1701lm/W", "observer": "scotopic"},
         "no light gives more than 1700.06 lm/W", "1700lm/W"),
-    "isotropic light excludes a half angle": (
-        "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "cannot be used with", "one of"),
-    "a half angle excludes an apex angle": (
-        "lm", "cd", {"half-angle": "9deg", "apex-angle": "18deg"}, "cannot be used with", "one of"),
-    "a wavelength excludes an efficacy": (
-        "W", "lm", {"wavelength": "555nm", "efficacy": "93lm/W"}, "cannot be used with", "one of"),
-    "a radius excludes an area": (
-        "lm", "lx", {"radius": "1m", "area": "3m2"}, "cannot be used with", "one of"),
-    "a reflectance and a hemisphere are more than enough": (
-        "lx", "nit", {"reflectance": "0.5", "hemisphere": True}, "over-specified", "fewer"),
+    "isotropic light is not in a cone": (
+        "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradicts", "leave out"),
+    "an apex angle is twice the half angle": (
+        "lm", "cd", {"half-angle": "9deg", "apex-angle": "19deg"}, "contradicts", "leave out"),
+    "a lobe is not a cone": (
+        "lm", "cd", {"half-angle": "9deg", "exponent": "3"}, "cannot be used with", "one of"),
+    "a wavelength has its efficacy": (
+        "W", "lm", {"wavelength": "555nm", "efficacy": "93lm/W"}, "93 lm/W is not 683.002 lm/W",
+        "leave out"),
+    "a spectrum has no wavelength": (
+        "W", "lm", {"wavelength": "555nm", "spectrum": "D65"}, "cannot be used with", "one of"),
+    "a radius gives the area": (
+        "lm", "lx", {"radius": "1m", "area": "3m2"}, "3 m2 is not 3.14159 m2", "leave out"),
+    "a hemisphere gives all of the light, a reflectance a part": (
+        "lx", "nit", {"reflectance": "0.5", "hemisphere": True}, "0.31831 /sr is not 0.159155 /sr",
+        "leave out"),
     "an area, and a distance in a solid angle, are more than enough": (
-        "lm", "lx", {"area": "1m2", "isotropic": True, "distance": "1m"}, "over-specified",
-        "fewer"),
+        "lm", "lx", {"area": "1m2", "isotropic": True, "distance": "1m"},
+        "0.0795775 /m2 is not 1 /m2", "leave out"),
     "a solid angle is not a projected solid angle": (
         "nit", "lx", {"solid-angle": "1sr"}, "projected solid angle", "--half-angle"),
     "isotropic light has no projected solid angle": (
@@ -339,8 +345,9 @@ COMMANDS = {
         "point-source --flux 5W --illuminance 20lx", "--spectrum D65"),
     "more lumens per watt than any light has are refused": (
         "lambertian --luminance 800cd/m2 --radiance 1W/m2/sr", "contradict each other", "683"),
-    "two kinds of a quantity exclude a wavelength": (
-        "point-source --flux 5lm --radiant-flux 1W --wavelength 555nm", "linked twice"),
+    "a quantity in two kinds is compared with a wavelength": (
+        "point-source --flux 5lm --radiant-flux 1W --wavelength 555nm",
+        "5 lm/W is not 683.002 lm/W"),
     "one quantity in three kinds is refused": (
         "point-source --flux 5lm --radiant-flux 1W --photon-flux 4umol/s", "the same quantity"),
     "two names of one quantity are refused": (

@@ -5,7 +5,7 @@ from contextlib import suppress
 
 from radcalc.answer import FRACTION, Answer
 from radcalc.calculators.page import Page
-from radcalc.calculators.solved import TO_DIGITS, Solved, solve
+from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, Try, mention, option, quote
@@ -22,6 +22,7 @@ from radcalc.laws.exposure import (
     UNFILTERED,
     exact,
 )
+from radcalc.laws.solver import TO_DIGITS
 from radcalc.maths import any_true
 from radcalc.quantities.symbols import METER_UNITS
 from radcalc.units.scale_table import C, K, usual

@@ -99,18 +99,23 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
             raise Exclusive((given[generic].name, item.name), "they are the same quantity")
         else:
             given_in_two_kinds[generic] = item
+    if "efficacy" in links:
+        from radcalc.conversion.agreement import without_efficacy
+
+        links, agreed = without_efficacy(links)
+        notes += agreed
     linking = [name for name in links if name in LINKS]
+    if len(linking) > 1:
+        raise Exclusive(linking[:2], "both link radiant, luminous and photon quantities")
     steps: list[Step] = []
     for name, twin in given_in_two_kinds.items():
-        if linking:
-            names = (given[name].name, twin.name, linking[0])
-            raise Exclusive(names, "radiant, luminous and photon quantities are linked twice")
         ratio = Ratio.of(given[name], twin)
+        if linking:
+            notes += ratio.compare(links)
+            continue
         links = {**links, "efficacy": ratio.link()}
         steps.append(ratio.step())
         _refuse_impossible(ratio, links)
-    if len(linking) > 1:
-        raise Exclusive(linking[:2], "both link radiant, luminous and photon quantities")
     _refuse_idle_refinements(links)
     first = next(iter(given), "")
     kind = kind_of(given[first]) if first else preferred or RADIANT
@@ -187,6 +192,13 @@ class Ratio(NamedTuple):
         return Input(
             SYMBOLS["efficacy"], text, self.value, unit.dimension, number, unit, is_exact=True
         )
+
+    def compare(self, links: Inputs) -> tuple[str, ...]:
+        """Compare the ratio with that of a link; return notes."""
+        from radcalc.conversion.agreement import Said, compare_ratio
+
+        said = Said([self.over, self.under], lambda given: given[0].value / given[1].value)
+        return compare_ratio(said, links, kind_of(self.over), kind_of(self.under))
 
     @property
     def law(self) -> Law:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from radcalc.calculators import kinds
 from radcalc.calculators.point_laws import CONE, LOBE, SHAPED
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
+from radcalc.derivation import coherent_unit_of, format_value
 from radcalc.distributions.distribution import Distribution
 from radcalc.distributions.files import read_lines
 from radcalc.distributions.photometry import Photometry
@@ -39,7 +40,7 @@ from radcalc.inputs.places import IN_METRES
 from radcalc.inputs.reading import read_as
 from radcalc.laws import surface
 from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED, WIDTHS
-from radcalc.laws.solver import Known
+from radcalc.laws.solver import TO_DIGITS, Disagreement, Known
 from radcalc.laws.solver import solve as follow
 from radcalc.quantities.column_titles import read_title
 from radcalc.quantities.light import KIND_NAMES, describe
@@ -442,22 +443,30 @@ class Reader:
         except RadcalcError as error:
             raise row.error("distribution", *error.spelled(Plain)) from None
 
-    def one_of(self, row: Row, given: Inputs, names: Sequence[str], shape: str) -> Input:
-        matches = [name for name in names if name in given]
-        if len(matches) > 1:
-            raise row.both(*matches[:2])
-        if not matches:
-            what = "shape" if shape == LOBED else "width"
-            raise ConditionError(
-                f"{row.where}: the {what} of the {shape} is missing", " or ".join(map(typed, names))
-            )
-        return given[matches[0]]
-
     def width(self, row: Row, given: Inputs, shape: str, wanted: str) -> float:
         """Return the half angle of a cone [rad], or the exponent of a lobe."""
-        size = self.one_of(row, given, TAKES[shape], shape)
-        values = follow(WIDTHS[shape], {size.name: Known(float(size.value))}).values
-        return float(values[wanted].value)
+        sizes = [given[name] for name in TAKES[shape] if name in given]
+        if not sizes:
+            what, hint = (
+                "shape" if shape == LOBED else "width",
+                " or ".join(map(typed, TAKES[shape])),
+            )
+            raise ConditionError(f"{row.where}: the {what} of the {shape} is missing", hint)
+        known = {
+            size.name: Known(float(size.value), size.rounding * abs(float(size.value)))
+            for size in sizes
+        }
+        names = " and ".join(typed(size.name) for size in sizes)
+        try:
+            solution = follow(WIDTHS[shape], known)
+        except Disagreement as error:
+            unit = coherent_unit_of(error.name)
+            values = [format_value(value, unit) for value in (error.given, error.implied)]
+            problem = f"{names} contradict each other: {' is not '.join(values)}"
+            raise ConditionError(f"{row.where}: {problem}", "only one of them") from None
+        if solution.agreed:
+            self.notes[f"{row.where}: {names} agree {TO_DIGITS}"] = None
+        return float(solution.values[wanted].value)
 
     def refuse_idle(self, row: Row, given: Inputs, shape: str) -> None:
         useful = (*PLACE, *AIM, *DIRECTION, "rotate", *STRENGTH, *TAKES.get(shape, ()))

@@ -13,12 +13,11 @@ from radcalc.derivation import coherent_unit_of, digits_apart, format_number, fo
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
 from radcalc.laws import solver
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.solver import Derivation, Disagreement, Solution
+from radcalc.laws.solver import TO_DIGITS, Derivation, Disagreement, Solution
 from radcalc.maths import any_true, is_array
 from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, in_kind, specific_name
 
 LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
-TO_DIGITS = "to the digits typed"
 ROUNDING = 1e-9  # relative tolerance of limits of results
 
 

@@ -13,6 +13,7 @@ from radcalc.conversion.conditions import (
     TIME,
     Conditions,
     Factor,
+    slot_of,
 )
 from radcalc.conversion.ways import AT_RADIANCE, PLAIN, Way
 from radcalc.errors import (
@@ -105,7 +106,12 @@ class Bridge:
     ) -> None:
         self.source, self.target = source, target
         self.number, self.amount = number, joined(number, quote(source.text))
-        self.conditions = Conditions(given)
+        notes: tuple[str, ...] = ()
+        if len({slot_of(item.name) for item in given}) < len(given):
+            from radcalc.conversion.agreement import agreed
+
+            given, notes = agreed(given)
+        self.conditions = Conditions(given, notes)
         self.lacking: dict[str, Wanted] = {}
 
     @property

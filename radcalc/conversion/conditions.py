@@ -4,13 +4,11 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from radcalc.answer import Step
-from radcalc.errors import Exclusive
 from radcalc.inputs.given import Input
 from radcalc.tuples import NamedTuple
 
-# Slots of conditions; two conditions in one slot contradict each other.
+# Slots of conditions; two conditions in one slot are compared.
 LINK, TIME, AREA, CONE, DISTANCE = "link of kinds", "time", "area", "solid angle", "distance"
-SUPPLIES = {LINK: "link radiant, luminous and photon quantities"}
 BAND, REFLECTANCE, PUPIL = "bandwidth", "reflectance", "pupil"
 RESPONSIVITY = "responsivity"
 REFINES = "refines"  # a condition that refines another one has its own slot
@@ -61,21 +59,27 @@ class Factor(NamedTuple):
     check: Callable[[Any], None] | None = None
 
 
+def slot_of(name: str) -> str:
+    """Return the slot of a condition."""
+    slot = CONDITIONS[name]
+    return name if slot == REFINES else slot
+
+
 class Conditions:
-    """The given conditions by slot, and the slots in use."""
+    """The given conditions by slot, one in each, and the slots in use."""
 
-    __slots__ = ("given", "used")
+    __slots__ = ("given", "notes", "used")
 
-    def __init__(self, given: Sequence[Input]) -> None:
-        self.given: dict[str, Input] = {}
+    def __init__(self, given: Sequence[Input], notes: tuple[str, ...] = ()) -> None:
+        self.given: dict[str, Input] = {slot_of(item.name): item for item in given}
+        self.notes = notes
         self.used: set[str] = set()
-        for condition in given:
-            about = CONDITIONS[condition.name]
-            slot = condition.name if about == REFINES else about
-            if slot in self.given:
-                names = (self.given[slot].name, condition.name)
-                raise Exclusive(names, f"both {SUPPLIES.get(slot, f'give the {slot}')}")
-            self.given[slot] = condition
+
+    def with_others(self, others: dict[str, Input]) -> "Conditions":
+        """Return conditions with other inputs in some slots."""
+        conditions = Conditions(())
+        conditions.given = {**self.given, **others}
+        return conditions
 
     def use(self, slot: str) -> Input | None:
         """Return a condition, or None, and mark it as used."""

@@ -4,7 +4,9 @@ Each difference between the quantities in kind, axis of density, time, area and 
 condition.  Area and solid angle are linked together, in one of the ways of `WAYS`.
 """
 
+import math
 from collections.abc import Sequence
+from typing import Any
 
 from radcalc.conversion import geometric
 from radcalc.conversion.bridge import Bridge, Links, Wanted
@@ -41,11 +43,10 @@ from radcalc.errors import (
     call,
     command,
     option,
-    options,
     quote,
 )
 from radcalc.inputs.given import Input
-from radcalc.maths import any_true
+from radcalc.maths import any_true, power
 from radcalc.quantities.light import (
     NONE,
     PHOTON_NAMES,
@@ -78,8 +79,7 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
         _refuse_two_meanings(bridge, start)
     complete = [way for way in ways if given.issuperset(way.powers)]
     if len(complete) > 1:
-        flags = options((conditions.given[slot].name for slot in PLAIN if slot in given), " and ")
-        raise ConditionError(f"{bridge.heading}: over-specified by {flags}", "fewer of them")
+        _compare_ways(conditions, complete, (here, there) if sign > 0 else (there, here))
     if not complete:
         _want_space(bridge, ways, given, start.is_radiance or end.is_radiance)
         return []
@@ -90,6 +90,35 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
             bridge.want_space(lamps, {DISTANCE})
             return []
     return _applied(complete[0], sign, conditions)
+
+
+def _compare_ways(
+    conditions: Conditions,
+    ways: Sequence[Way],
+    between: tuple[tuple[int, int], tuple[int, int]],
+) -> None:
+    """Refuse conditions that lead to a quantity in two ways with different results."""
+    from radcalc.conversion.agreement import Said, compare
+
+    def said(way: Way) -> Said:
+        slots = [slot for slot in PLAIN if slot in way.powers]
+
+        def factor(given: Sequence[Input]) -> Any:
+            moved = conditions.with_others(dict(zip(slots, given, strict=True)))
+            factors = [power(way.supply[n](moved).value, p) for n, p in way.powers.items()]
+            return math.prod(factors)
+
+        return Said([conditions.given[slot] for slot in slots], factor)
+
+    powers = [end - start for start, end in zip(*between, strict=True)]
+    over, under = (
+        ".".join([name for name, of in zip(("m2", "sr"), powers, strict=True) if of == sign])
+        for sign in (-1, 1)
+    )
+    first, *others = map(said, ways)
+    for other in others:
+        conditions.notes += compare(first, other, f"{over}/{under}".removesuffix("/"))
+    conditions.used.update(slot for way in ways for slot in way.powers)
 
 
 def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radiance: bool) -> None:
@@ -144,8 +173,8 @@ def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
     links = [(way.supply[slot](conditions), power * sign) for slot, power in way.powers.items()]
     if way.is_tilted and (tilt := conditions.use("tilt")):
         links.append((geometric.turned(tilt), way.powers[AREA] * sign))
-    for factor, power in links:
-        if power < 0 and any_true(factor.value == 0):
+    for factor, exponent in links:
+        if exponent < 0 and any_true(factor.value == 0):
             raise ConditionError(
                 f"{factor.assumption}: no light arrives, so the source cannot be determined",
                 "a reflectance above 0, and an incidence or a tilt below 90 deg",
@@ -194,6 +223,9 @@ def link(source: Unit, target: Unit, given: Sequence[Input], number: str = "1") 
         links += _space(bridge, start, end)
         links += _incidence(bridge, start, end)
     bridge.refuse()
+    if notes := bridge.conditions.notes:
+        (factor, power), *others = links
+        links = [(factor._replace(notes=(*factor.notes, *notes)), power), *others]
     return links
 
 

@@ -16,6 +16,8 @@ from radcalc.maths import any_true, is_array, is_lost, larger, limit, piecewise,
 from radcalc.tuples import NamedTuple
 from radcalc.units.numbers import EXACT
 
+TO_DIGITS = "to the digits typed"  # in notes on values that agree
+
 
 class Known(NamedTuple):
     """A value, its rounding error, and its text if it was typed.
