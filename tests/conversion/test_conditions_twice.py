@@ -7,7 +7,7 @@ import pytest
 from radcalc import ConditionError, convert, point_source
 
 AGREEING = [
-    # area of a circle, pi R^2; solid angle of a cone, 2 pi (1 - cos(alpha)); of a lobe, 2 pi/(n + 1)
+    # a circle: pi R^2; the solid angle of a cone: 2 pi (1 - cos(alpha)), of a lobe: 2 pi / (n + 1)
     ("lm", "lx", {"radius": "1 m", "area": "3.14 m2"}, 1 / math.pi),
     ("lm", "lx", {"area": "3.14 m2", "diameter": "2 m"}, 1 / math.pi),
     ("lm", "cd", {"half_angle": "60 deg", "apex_angle": "120 deg"}, 1 / math.pi),
