@@ -27,9 +27,9 @@ ELSEWHERE = {"numfmt(1)", "qalc(1)", "units(1)"}
 PRODUCED = {
     "cannot convert radiant flux": "convert 5 W lm",
     "cannot convert luminous flux": "convert 5 lm kg",
-    "cannot convert luminance": "convert 5 cd/m2 lx --hemisphere --reflectance 0.5",
+    "--area 3m2 contradicts": "convert 800 lm lx --radius 1m --area 3m2",
     "--distance does not apply": "convert 100 lx fc --distance 2m",
-    "--isotropic cannot be used with --hemisphere": "convert 800 lm cd --isotropic --hemisphere",
+    "--exponent cannot be used with": "convert 800 lm cd --exponent 3 --half-angle 30deg",
     "--solid-angle does not link": "convert 800 cd/m2 lx --solid-angle 1sr",
     "the unit of --distance 2": "convert 100 cd lx --distance 2",
     "--reflectance 1.2 is": "convert 500 lx cd/m2 --reflectance 1.2",
