@@ -150,8 +150,8 @@ class Try:
 
     `inputs` are symbols that are added or replaced, with their values: `True` for a flag, and ""
     for the example of the command.  `without` are symbols that are left out, and `instead` is a
-    word of the call with its replacement.  `words` are another call: a command, its operands and
-    NAME=VALUE.  `remark` says what the call assumes.
+    word of the call with its replacement, or alone if it goes.  `words` are another call: a
+    command, its operands and NAME=VALUE.  `remark` says what the call assumes.
     """
 
     __slots__ = ("inputs", "instead", "remark", "without", "words")
@@ -185,7 +185,8 @@ class Try:
             left_out = f"in place of {options(self.without, ' and ')}"
         text = f"{added} {left_out}".strip() if added else left_out
         if self.instead:
-            text = quote(" ".join(self.instead[1:]))
+            typed, *others = self.instead
+            text = quote(" ".join(others)) if others else f"leave out {quote(typed)}"
         if self.words:
             text = command(*map(quote, self.words))
         return f"{text}, {self.remark}" if self.remark else text
@@ -206,9 +207,27 @@ def correct(typed: str, *words: str, remark: str = "") -> Try:
     return Try(instead=(typed, *words), remark=remark)
 
 
+def drop(word: str) -> Try:
+    """Propose the call without a word."""
+    return Try(instead=(word,))
+
+
 def corrections(typed: str, *others: str, remark: str = "") -> "list[Try]":
     """Propose several corrections of a word."""
     return [correct(typed, other, remark=remark) for other in others]
+
+
+def alternatives(typed: str, hint: str) -> "list[Try]":
+    """Propose what a hint lists in place of a word: `A (why), B for that or C: why`."""
+    head, _, why = hint.partition(": ")
+    tries = []
+    for part in head.replace(", ", " or ").split(" or "):
+        name, blank, remark = part.partition(" ")
+        if not name or (blank and remark[0] != "(" and not remark.startswith("for ")):
+            return []
+        is_aside = why and remark[:1] == "("
+        tries.append(correct(typed, name, remark=why if is_aside else remark.strip("()") or why))
+    return tries
 
 
 def one_of(*names: str) -> "list[Try]":
@@ -269,8 +288,10 @@ def proposed(hint: str) -> "list[Try]":
 
 
 def _of_mentions(mentions: "list[str]") -> "Try | None":
-    if any(mention.startswith((WORD, VALUE + WORD)) for mention in mentions):
+    if any(mention.startswith(WORD) for mention in mentions):
         return None
+    if mentions[0].startswith(VALUE + WORD):
+        return Try(words=(mentions[0][2:], "help=")) if len(mentions) == 1 else None
     if mentions[0].startswith(VALUE):
         return Try(words=tuple(mentions[0][1:].split(WORD))) if len(mentions) == 1 else None
     pairs = [mention.split(VALUE) for mention in mentions]

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from functools import cache
 from itertools import pairwise, product
 from math import isclose
+from pathlib import Path
 from typing import Any, NamedTuple
 from unittest import mock
 
@@ -34,6 +35,9 @@ LINES = (
     b"E,F\n1 lx,2 lx\n",
     b"1 2\n",
     b"E F\n1 2\n",
+    b"x F\n1 2\n",
+    b"1 2 3\n",
+    b"1,2,3\n",
 )  # for a stream
 
 # Hints in prose: they describe what is possible, without a call to type.
@@ -114,6 +118,11 @@ NUMBER = re.compile(r"-?[0-9]+\.?[0-9]*(?:e[+-]?[0-9]+)?")
 
 def unlike(words: Words, answer: str, lines: bytes) -> str:
     """Return what is wrong with a call in a hint: it is refused, or its number is another."""
+    if "<" in words:
+        place = words.index("<")
+        lines = Path(words[place + 1]).read_bytes()
+        words = [*words[:place], *words[place + 2 :]]
+        return "" if call(words, lines).output else "answers nothing"
     outcomes = [call(words, each) for each in (LINES if any(map(is_stream, words)) else [lines])]
     good = [one for one in outcomes if one.status in (terminal.ANSWERED, terminal.WRONG)]
     if not good:

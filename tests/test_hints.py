@@ -51,7 +51,7 @@ MEANT = [
     ("convert 500 lx umol/m2/s --efficacy 0.0185", "--efficacy 0.0185umol/lm/s"),
     ("convert 500 lx umol/m2/s --efficacy 54", "--efficacy 54lm.s/umol"),
     ("convert 500 lx ppfd --efficacy 54", "--efficacy 54lm.s/umol"),
-    ("convert 1 W/m2 ppfd --wavelength 900nm", "photon-irradiance in place of ppfd"),
+    ("convert 1 W/m2 ppfd --wavelength 900nm", "1 W/m2 photon-irradiance --wavelength 900nm"),
     ("convert 100 lx iluminance", "illuminance"),
     ("convert 100 lx intensity", "cd"),
     ("convert 1 sr projected-solid-angle", "radcalc solid-angle --help"),

@@ -8,8 +8,7 @@ import click
 from radcalc import terminal
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.errors import MissingUnit, RadcalcError, UsageError
-from radcalc.errors import manual as mention_help
+from radcalc.errors import MissingUnit, RadcalcError, UsageError, call
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -24,7 +23,8 @@ def of_help(words: list[str]) -> list[str]:
         return words
     called = [word for word in words[1:] if word not in HELP_NAMES]
     if len(called) > 1 and called[0] in COMMANDS:
-        raise UsageError("help takes one command", mention_help(called[0]))
+        both = [call(name, "--help") for name in called[:3] if name in COMMANDS]
+        raise UsageError("help takes one command", both)
     return [*called[:1], HELP_NAMES[-1]]
 
 

@@ -11,7 +11,7 @@ from radcalc.cli.answers import every_answer, show, with_notes
 from radcalc.cli.cases import Case
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError, option
+from radcalc.errors import UsageError, leave_out, option
 from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.quantities.symbols import QUANTITY
 from radcalc.units.ranges import MOST
@@ -62,7 +62,8 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
     assert request.check is not None
     options = [name for names in page_of(task.command).sections.values() for name in names]
     varied = [given for given in cases[0].varied if given.name in options]
-    check.refuse_several(sum(case.size for case in cases), varied)
+    operands = [(given.text, given.text.split(",")[0]) for given in cases[0].varied]
+    check.refuse_several(sum(case.size for case in cases), varied, operands)
     question = of_task(task, cases[0].given, request.steps)
     (inputs,) = _shown_inputs(cases, task)
     return check.judge(question, request.check, request.tolerance, output, inputs)
@@ -97,9 +98,9 @@ def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: O
         )
     check.refuse_stream(request.check)
     if request.steps:
-        raise UsageError("--steps cannot be used with a stream", "one value, for the derivation")
+        raise UsageError("--steps cannot be used with a stream", leave_out("steps"))
     if request.plot:
-        raise UsageError("--plot cannot be used with a stream", "a range of values: 1m:10m:0.1m")
+        raise UsageError("--plot cannot be used with a stream", leave_out("plot"))
     if len(cases) > 1 or case.long:
         raise UsageError(
             f"{stream_option} cannot be used with a list", "one value of everything else"

@@ -7,7 +7,7 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Row, ShownInput
-from radcalc.errors import Try, UsageError, leave_out
+from radcalc.errors import Try, UsageError, correct, leave_out
 
 if TYPE_CHECKING:
     from radcalc.cli.options import Output
@@ -34,18 +34,33 @@ def refuse_idle(check: str | None, tolerance: str | None) -> None:
         raise UsageError("--tolerance does not apply without --check", leave_out("tolerance"))
 
 
-def refuse_several(count: int, varied: Sequence[ShownInput] = ()) -> None:
-    """Refuse --check with several answers; propose the first of the `varied` inputs."""
-    if count > 1:
-        first = Try(tuple([(given.name, given.text) for given in varied if given.name]))
-        hint = first if first.inputs else "one value a call"
-        raise UsageError("--check takes one answer, not several", hint)
+def refuse_several(
+    count: int, varied: Sequence[ShownInput] = (), operands: Sequence[tuple[str, str]] = ()
+) -> None:
+    """Refuse --check with several answers; propose the first values.
+
+    `varied` are the inputs with several values, `operands` the lists typed as words, each with
+    its first value.
+    """
+    if count <= 1:
+        return
+    problem = "--check takes one answer, not several"
+    first = first_of(varied)
+    if first.inputs:
+        raise UsageError(problem, first)
+    lists = [correct(typed, value) for typed, value in operands if typed != value]
+    raise UsageError(problem, lists or leave_out("check"))
+
+
+def first_of(varied: Sequence[ShownInput]) -> Try:
+    """Propose the first value of each input that has several."""
+    return Try(tuple([(given.name, given.text) for given in varied if given.name]))
 
 
 def refuse_stream(check: str | None) -> None:
     """Refuse --check with a stream."""
     if check is not None:
-        raise UsageError("--check cannot be used with a stream", "one value")
+        raise UsageError("--check cannot be used with a stream", leave_out("check"))
 
 
 def judge(

@@ -13,8 +13,16 @@ from radcalc.cli import check, options
 from radcalc.cli.help import Helped
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
-from radcalc.errors import UsageError, command, mention, quote
-from radcalc.quantities.symbols import CHOICE, FLAG, SPECIFIC, Symbol, light_unit, names_of_kinds
+from radcalc.errors import Try, UsageError, add, command, mention, quote
+from radcalc.quantities.symbols import (
+    CHOICE,
+    FLAG,
+    SPECIFIC,
+    SYMBOLS,
+    Symbol,
+    light_unit,
+    names_of_kinds,
+)
 
 GET = click.Option(
     ["-g", "--get", "wanted"],
@@ -208,15 +216,13 @@ class SectionedCommand(Helped):
         end = args.index("--") if "--" in args else len(args)
         args = ["--header=1" if word == "--header" else word for word in args[:end]] + args[end:]
         if PLOT in self.params:
-            args = _with_plot(args[:end]) + args[end:]
+            args = with_plot(args[:end]) + args[end:]
         several = {o for p in self.params if getattr(p, "multiple", False) for o in p.opts}
         seen: set[str] = set()
         for word in args[: args.index("--")] if "--" in args else args:
             name = word.partition("=")[0]
             if word.startswith("--") and name in seen - several:
-                raise UsageError(
-                    f"{quote(name)} is given twice", "give it once, or give a list of values"
-                )
+                raise UsageError(f"{quote(name)} is given twice", _once(name[2:], args[:end]))
             seen.add(name)
         remaining = super().parse_args(ctx, self._with_long_names(args, end))
         for parameter in self.params:
@@ -254,7 +260,19 @@ def _help_of(name: str, page: Page) -> str:
     return "\n\n".join([page.about, lines, *[spelled(mention(p)) for p in page.paragraphs]])
 
 
-def _with_plot(args: Sequence[str]) -> list[str]:
+def _once(name: str, args: Sequence[str]) -> list[Try]:
+    """Propose an option that is given twice with each of its values, and with both as a list."""
+    values = []
+    for word, following in zip(args, [*args[1:], ""], strict=True):
+        option, equals, value = word.partition("=")
+        if option == f"--{name}":
+            values.append(value if equals else following)
+    alone = list(dict.fromkeys(values))
+    is_list = name in SYMBOLS and len(alone) > 1 and not any("," in value for value in alone)
+    return [add(name, value) for value in ([*alone, ",".join(alone)] if is_list else alone)]
+
+
+def with_plot(args: Sequence[str]) -> list[str]:
     """Return the words with --plot and its file joined, or with --plot alone."""
     words: list[str] = []
     for word in args:

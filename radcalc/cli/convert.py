@@ -24,11 +24,12 @@ from radcalc.errors import (
     UnitError,
     UsageError,
     add,
+    call,
     correct,
+    leave_out,
     quote,
     quote_path,
 )
-from radcalc.errors import command as call_of
 from radcalc.inputs.given import Input, any_uncertain, shown_inputs
 from radcalc.quantities.light import read as read_light
 from radcalc.tuples import NamedTuple
@@ -133,7 +134,9 @@ def command(
     if check is not None:
         from radcalc.homework.question import of_conversion
 
-        checking.refuse_several(len(calls) * len(first.targets), first.case.varied)
+        ends = [first.targets[0].text] if len(first.targets) > 1 else []
+        lists = [(words[0], words[0].split(",")[0]), *((words[-1], end) for end in ends)]
+        checking.refuse_several(len(calls) * len(first.targets), first.case.varied, lists)
         target, conditions = first.targets[0], first.conditions
         amount, value = first.amount, float(first.value)
         question = of_conversion(value, first.source, target, conditions, steps, amount)
@@ -197,9 +200,8 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
     """Return every conversion of a call: the values vary slowest, the targets fastest."""
     for word in words:
         if " --" in word and word.rpartition(" --")[2][:1].isalpha():
-            raise UsageError(
-                f"'{quote(word)}' has an option in it", "quotes around the value alone"
-            )
+            apart = correct(word, *word.split())
+            raise UsageError(f"'{quote(word)}' has an option in it", apart)
     lists = read_lists(words)
     refuse_many([len(lists), len(all_cases), len(lists[0])])
     notes = note_of(words[0]) if len(lists) > 1 else ()
@@ -221,8 +223,10 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
 def _refuse_file(words: Sequence[str]) -> None:
     if os.path.isfile(words[0]):
         name = quote_path(words[0])
-        stream = call_of("convert", "-", *map(quote, words[1:]))
-        raise UsageError(f"'{name}' is a file, not a value", f"{stream} < {name}")
+        stream = correct(words[0], "-", "<", words[0])
+        if words[0].lower().endswith((".ies", ".ldt")):
+            stream = call("point-source", distribution=words[0])
+        raise UsageError(f"'{name}' is a file, not a value", stream)
 
 
 def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
@@ -233,7 +237,9 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
     (amount, first), *others = operands
     if others and not first:
         several = quote(",".join(words[-1] for words in calls))
-        raise UsageError(f"'{several}' is a list, but one unit is expected", "a TARGET after it")
+        units = [words[-1] for words in calls]
+        targets = correct(",".join(units), units[0], ",".join(units[1:]))
+        raise UsageError(f"'{several}' is a list, but one unit is expected", targets)
     return amount, [target for _, target in operands if target]
 
 
@@ -297,9 +303,9 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     """Return the value in every unit of its quantity."""
     source = call.source
     if typed:
-        raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", "a TARGET unit")
+        raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", leave_out(*typed))
     if is_bare:
-        raise UsageError("-n needs a unit to convert to", "a TARGET unit")
+        raise UsageError("-n needs a unit to convert to", leave_out("number"))
     from radcalc.calculators import uncertainty
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from radcalc.cli.options import Whole
-from radcalc.errors import Hint, UsageError, add, command, option
+from radcalc.errors import Hint, Try, UsageError, add, command, option
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.terminal import INVALID
 from radcalc.tuples import NamedTuple
@@ -82,7 +82,7 @@ def refuse(options: LineOptions, hint: Hint) -> None:
         if value is not None and value in SYMBOLS["electric-field"].choices:
             raise UsageError(
                 f"--{name} {value} applies to the fields of lines, not to a wave",
-                f"{option('electric-field', value)} in place of {option(name)}, for a wave",
+                Try((("electric-field", value),), (name,), remark="for a wave"),
             )
         if value is not None:
             raise UsageError(f"--{name} applies to lines of standard input only", hint)

@@ -223,4 +223,5 @@ def refuse_number_options(output: Output, command: str) -> None:
     bare, precision, auto = output.style.bare, output.style.precision, output.style.auto
     if bare or precision or auto:
         useless = "-n" if bare else "--precision" if precision else "--auto"
-        raise UsageError(f"{useless} does not apply to {command}", f"radcalc {command}")
+        name = "number" if bare else useless.removeprefix("--")
+        raise UsageError(f"{useless} does not apply to {command}", leave_out(name))

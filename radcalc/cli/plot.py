@@ -10,7 +10,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, result, show
 from radcalc.cli.options import Output, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request
-from radcalc.errors import UsageError, leave_out
+from radcalc.errors import UsageError, add, leave_out, one_of
 from radcalc.inputs.given import Inputs
 from radcalc.render.formats import CSV, JSON, TABLE
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from radcalc.plots.data import Picture
 
 FEW = 20  # most answers with both a table and a picture on a terminal
-IN_A_FILE = "--plot FILE.svg, which leaves the numbers alone"
+IN_A_FILE = add("plot", "plot.svg", "a figure in a file")
 
 
 def refuse(request: Request, output: Output) -> None:
@@ -32,9 +32,11 @@ def refuse(request: Request, output: Output) -> None:
         check_place(request.plot)
         return
     if output.format in (JSON, CSV):
-        raise UsageError(f"--plot cannot be used with --format {output.format}", IN_A_FILE)
+        problem = f"--plot cannot be used with --format {output.format}"
+        raise UsageError(problem, [IN_A_FILE, leave_out("plot"), leave_out("json", "format")])
     if output.style.bare:
-        raise UsageError("--plot cannot be used with -n", IN_A_FILE)
+        problem = "--plot cannot be used with -n"
+        raise UsageError(problem, one_of("plot", "number"))
 
 
 def picture(

@@ -10,11 +10,14 @@ from radcalc.cli.group import commands, context
 from radcalc.cli.help import COMMANDS
 from radcalc.errors import (
     MINUS,
+    Hint,
     MissingUnit,
     RadcalcError,
+    add,
     call,
     correct,
     corrections,
+    drop,
     nearest,
     quote,
 )
@@ -79,12 +82,33 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     message = one_line(error.format_message().replace(MINUS, "-"))  # as it was typed
     message = message.replace("a valid integer range", "a whole number in its range")
     if "unexpected extra argument" in message:
-        word = message.partition("(")[2].rstrip(")")
-        hint = "an option before each value, and the value and its unit as one word: --distance 2m"
-        if ("--plot", word) in pairwise(words):
-            hint = "--plot FILE.svg or --plot FILE.png, or --plot without a file"
-        return RadcalcError(f"unexpected argument '{word}'", hint)
-    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
+        return _unexpected(message.partition("(")[2].rstrip(")"), words)
+    hint = _of_value(error) or call(*filter(None, [called]), "--help")
+    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), hint)
+
+
+def _unexpected(word: str, words: list[str]) -> RadcalcError:
+    """Return the error for a word that no place is left for."""
+    problem = f"unexpected argument '{word}'"
+    if ("--plot", word) in pairwise(words):
+        return RadcalcError(problem, correct(word, f"{word.partition('.')[0]}.svg"))
+    hint = "an option before each value, and the value and its unit as one word: --distance 2m"
+    return RadcalcError(problem, hint)
+
+
+def _of_value(error: click.UsageError) -> Hint:
+    """Propose values for an option: its choices, its example, or no value where it needs none."""
+    if isinstance(error, click.BadOptionUsage):  # the value is missing
+        return add(error.option_name.lstrip("-"))
+    option = error.param if isinstance(error, click.BadParameter) else None
+    if option is None:
+        return ""
+    name = next((name[2:] for name in option.opts if name[:2] == "--"), "")
+    if name and isinstance(option.type, click.Choice):
+        typed = error.message.partition("'")[2].partition("'")[0]
+        choices = [str(choice) for choice in option.type.choices]
+        return [add(name, choice) for choice in nearest(typed, choices) or choices]
+    return add(name) if name == "header" else ""
 
 
 def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> RadcalcError:
@@ -95,7 +119,7 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
         return RadcalcError(problem, after_command)
     if called == "convert" and typed in GET.opts:
         problem = f"convert has no {quote(typed)} option: a conversion has one result"
-        return RadcalcError(problem, "-n, for its bare number")
+        return RadcalcError(problem, call(*_with_values(_bare(words))))
     problem = f"{called or 'radcalc'} has no {quote(typed)} option"
     if typed[2:] in FORMATS:
         return RadcalcError(problem, correct(typed, "--format", typed[2:]))
@@ -106,7 +130,25 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
         hint = call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")
         return RadcalcError(problem, hint)
     near = near or nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
-    return RadcalcError(problem, corrections(typed, *near) if near else help_)
+    if near:
+        return RadcalcError(problem, corrections(typed, *near))
+    manual = call(*filter(None, [called]), "--help")
+    return RadcalcError(problem, manual if typed.startswith("--") else drop(typed))
+
+
+def _bare(words: list[str]) -> list[str]:
+    """Return a conversion without its -g NAME, and with -n."""
+    from radcalc.cli.command import GET
+
+    kept: list[str] = []
+    rest = iter(words)
+    for word in rest:
+        name, equals, _ = word.partition("=")
+        if name not in GET.opts:
+            kept.append(word)
+        elif not equals:
+            next(rest, "")
+    return [*kept, "-n"]
 
 
 def _synonyms(typed: str, known: list[str]) -> list[str]:

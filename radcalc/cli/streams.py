@@ -8,12 +8,14 @@ from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput, Value
 from radcalc.calculators.task import Task
 from radcalc.cli.cases import Case
+from radcalc.cli.check import first_of
 from radcalc.cli.line_options import LineOptions
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer, plan, source_of, target_of
 from radcalc.errors import (
+    Hint,
     NumberError,
     RadcalcError,
     Unused,
@@ -396,7 +398,9 @@ class Layout(NamedTuple):
         name = options.rename if options.add is None else options.add
         name = None if name is None else name.strip()
         if name is not None and not fields.is_one:
-            raise UsageError("--add and --rename take one field", "a call for each field")
+            each = [add("field", str(first)) for first, last in fields.ranges if first == last]
+            hint: Hint = each[:3] or "a call for each field"
+            raise UsageError("--add and --rename take one field", hint)
         return cls(cut, fields, lines, mark, name, options.add is not None)
 
     @property
@@ -424,21 +428,20 @@ def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> 
     if options.add is not None and options.rename is not None:
         raise UsageError("--add cannot be used with --rename", one_of("add", "rename"))
     if options.rename is not None and not lines:
-        raise UsageError("--rename needs a header", "--header, or --column NAME")
+        raise UsageError("--rename needs a header", add("header"))
     if not has_unit and options.delimiter is None and options.field is not None and not lines:
         raise UsageError(
             "--field needs --delimiter if the lines have their own units",
-            "--delimiter X, the field separator",
+            [add("delimiter", "tab"), add("delimiter", ","), leave_out("field")],
         )
 
 
 def _given(cases: Sequence[Case], steps: bool) -> Sequence[Input]:
     if steps:
-        raise UsageError("--steps cannot be used with a stream", "one value, for the derivation")
+        raise UsageError("--steps cannot be used with a stream", leave_out("steps"))
     if len(cases) > 1:
-        raise UsageError(
-            "a list of conditions cannot be used with a stream", "one value a condition"
-        )
+        each = [first_of(case.varied) for case in cases[:3]]
+        raise UsageError("a list of conditions cannot be used with a stream", each)
     refuse_uncertain(cases[0].given.values(), "a stream")
     return list(cases[0].given.values())
 

@@ -12,6 +12,7 @@ from radcalc import terminal
 from radcalc.answer import Row
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.cases import is_stream
+from radcalc.cli.command import with_plot
 from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
@@ -27,12 +28,14 @@ from radcalc.errors import (
 )
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import is_sentence
+from radcalc.units.ranges import is_long
 
 Words = list[str]
 MOST = 3  # calls to make
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "scene")
+WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 UNTRIED = ("--auto", "--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 
@@ -177,14 +180,10 @@ def changed(words: Words, proposal: Try) -> Words | None:
         return list(_typed(proposal.words))
     call = list(words)
     if proposal.instead:
-        call = [word.replace(MINUS, "-") for word in call]
-        typed, correction, *more = [text.replace(MINUS, "-") for text in proposal.instead]
-        places = [k for k, word in enumerate(call) if typed in word]
-        exact = [k for k in places if call[k] == typed]
-        if not places:
-            return _joined(call, typed, correction)
-        k = (exact or places)[0]
-        call[k : k + 1] = [with_correction(call[k], typed, correction), *more]
+        corrected = _corrected(call, *proposal.instead)
+        if corrected is None:
+            return None
+        call = corrected
     command = called_in(call)
     known = {name: p for p in _parameters(command) for name in p.opts}
     for name in proposal.without:
@@ -192,7 +191,9 @@ def changed(words: Words, proposal: Try) -> Words | None:
     for name, value in proposal.inputs:
         option = known.get(f"--{name}")
         added = ["-g" if name == "get" else f"--{name}"]
-        if not getattr(option, "is_flag", False):
+        if name == "number":
+            added = ["-n"]
+        if not (getattr(option, "is_flag", False) or (name in WITHOUT_VALUE and not value)):
             added.append(value.replace(MINUS, "-") or _example(command, name))
         if option is None or not added[-1]:
             return None
@@ -213,13 +214,36 @@ def _typed(words: Sequence[str]) -> Iterator[str]:
             yield value.replace(MINUS, "-")
 
 
-def _joined(call: Words, typed: str, correction: str) -> Words | None:
-    """Replace several words, such as a unit of several words, by one word."""
+def _corrected(call: Words, *texts: str) -> Words | None:
+    """Replace a word, a part of a word, or several words, by others."""
+    call = [_as_message(word) for word in call]
+    typed, *others = map(_as_message, texts)
+    if not others:
+        return [word for word in call if word != typed]
+    correction, *more = others
+    if "±" in typed:
+        from radcalc.units.uncertain import signed
+
+        call = [signed(word) for word in call]
+    places = [k for k, word in enumerate(call) if typed in word]
+    exact = [k for k in places if call[k] == typed]
+    if not places:
+        return _joined(call, typed, correction, *more)
+    k = (exact or places)[0]
+    return [*call[:k], with_correction(call[k], typed, correction), *more, *call[k + 1 :]]
+
+
+def _as_message(text: str) -> str:
+    return text.replace(MINUS, "-")
+
+
+def _joined(call: Words, typed: str, correction: str, *more: str) -> Words | None:
+    """Replace several words, such as a unit of several words, by others."""
     for count in range(2, len(call) + 1):
         for k in range(len(call) - count + 1):
             text = " ".join(call[k : k + count])
             if typed in text:
-                return [*call[:k], text.replace(typed, correction), *call[k + count :]]
+                return [*call[:k], text.replace(typed, correction), *more, *call[k + count :]]
     return None
 
 
@@ -227,12 +251,13 @@ def _without(call: Words, name: str, known: dict[str, click.Parameter]) -> tuple
     """Return a call without an option, and the place of the option in it, by default its end."""
     kept: Words = []
     skipped, place = False, 0
-    for word in call:
+    for word in with_plot(call) if name == "--plot" else call:
         option, equals, _ = word.partition("=")
         if skipped:
             skipped = False
-        elif option in known and known[option] is known.get(name):
-            skipped = not equals and not getattr(known[option], "is_flag", False)
+        elif option == name or (option in known and known[option] is known.get(name)):
+            is_flag = getattr(known.get(option), "is_flag", False)
+            skipped = not (equals or is_flag or option == "--header")
             place = place or len(kept)
         else:
             kept.append(word)
@@ -264,13 +289,17 @@ def _is_short(words: Words) -> bool:
     if {*words} & {*HELP_NAMES, "help", "--version"}:
         return False
     is_quick = command in SUMMARIES and command not in LONG and not {*options} & {*UNTRIED}
-    if not is_quick or any(map(is_stream, words)):
+    if not is_quick or any(map(is_stream, words)) or any(map(_is_long, words)):
         top = context()
         name, found, rest = commands.resolve_command(top, protect_negatives(words))
         if found:
             found.make_context(name, rest, parent=top)
         return False
     return not any(map(_is_file, words))
+
+
+def _is_long(word: str) -> bool:
+    return is_long(word.rpartition("=")[2])
 
 
 def _is_file(word: str) -> bool:
@@ -281,7 +310,7 @@ def _is_file(word: str) -> bool:
 
 
 def _quoted(word: str) -> str:
-    if word and all(c.isalnum() or c in SAFE for c in word):
+    if word == "<" or (word and all(c.isalnum() or c in SAFE for c in word)):
         return word
     return shlex.quote(word)
 

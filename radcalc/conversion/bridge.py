@@ -190,6 +190,9 @@ class Bridge:
         hint = f"{'; and '.join(hints)} (see {manual('convert')})"
         missing = {wanted.phrase: mentioned(wanted.hint) for wanted in self.lacking.values()}
         tries = together(choices, tuple(unused))
+        if PER_LENGTH in self.lacking and not unused:
+            product = f"{self.number} {quote(self.source.text)} * 1 m"
+            tries = [call("convert", product, quote(self.target.text), remark="over 1 m")]
         return MissingCondition(message, hint, self.source.text, self.target.text, missing, tries)
 
 

@@ -42,6 +42,7 @@ from radcalc.errors import (
     add,
     call,
     command,
+    leave_out,
     option,
     quote,
 )
@@ -178,6 +179,7 @@ def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
             raise ConditionError(
                 f"{factor.assumption}: no light arrives, so the source cannot be determined",
                 "a reflectance above 0, and an incidence or a tilt below 90 deg",
+                [leave_out(name) for name in ("incidence", "tilt") if name in conditions.given],
             )
     return links
 

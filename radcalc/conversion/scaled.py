@@ -14,6 +14,7 @@ from radcalc.errors import (
     RadcalcError,
     Unused,
     add,
+    correct,
     option,
     quote,
 )
@@ -90,7 +91,7 @@ def _refuse_gain_as_loss(source: Unit, target: ScaleUnit, value: Any, factor: An
             unit = quote(source.text)
             raise ConversionError(
                 f"{value:.6g} {unit} is more light, but a density above 0 is less",
-                f"-{value:.6g} {unit}, for a loss",
+                correct(f"{value:.6g} {unit}", f"-{value:.6g} {unit}", remark="a loss"),
             )
 
 
@@ -112,7 +113,8 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
         try:
             linear = between(_unit(start), _unit(end), conditions, number)
         except RadcalcError as problem:
-            error = error or problem
+            if error is None or _lacks_less(problem, error):
+                error = problem
             continue
         used = {unit.scale.constant for unit in (start, end) if isinstance(unit, ScaleUnit)}
         if idle := [name for name in constants if name not in used]:
@@ -123,6 +125,12 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
         return planned
     assert error is not None
     raise error
+
+
+def _lacks_less(problem: RadcalcError, other: RadcalcError) -> bool:
+    """Return whether a reading lacks fewer conditions than another."""
+    both = isinstance(problem, MissingCondition) and isinstance(other, MissingCondition)
+    return both and len(problem.missing) < len(other.missing)
 
 
 def _readings(unit: Unit, other: Unit, constants: dict[str, float]) -> list[Unit]:

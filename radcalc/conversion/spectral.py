@@ -6,7 +6,16 @@ from radcalc import maths
 from radcalc.answer import Step
 from radcalc.conversion.conditions import BAND, LINK, Factor
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, Impossible, command, option, quote
+from radcalc.errors import (
+    ConditionError,
+    Impossible,
+    Try,
+    call,
+    correct,
+    leave_out,
+    option,
+    quote,
+)
 from radcalc.inputs.given import Input, Inputs, require
 from radcalc.quantities.light import (
     AXIS,
@@ -175,6 +184,7 @@ def spectral_factor(
         raise ConditionError(
             f"{spectrum_text} has no light to count there: {'; '.join(remarks[1:])}{known_range}",
             "another spectrum or range",
+            [leave_out(given.name) for given in (limits, photon_limits) if given],
         )
     if problem := counted.impossible(over, under):
         raise problem
@@ -335,16 +345,27 @@ def width(bridge: "Bridge", given: Input) -> Factor | None:
     return factor._replace(check=check)
 
 
+ENDS = {  # the unit for the ends of a band, its number per coherent unit, and the other axis
+    PER_WAVELENGTH: ("nm", 1e9, "frequency"),
+    PER_FREQUENCY: ("THz", 1e-12, "wavelength"),
+    PER_WAVENUMBER: ("/cm", 0.01, "wavelength"),
+}
+
+
 def _check_narrow(of: Light, width: Any, axis: str, text_where: "Callable[[Any], str]") -> None:
     """Raise unless the width of a band is small compared with the place of the band on its axis."""
     frequency = LIGHT / of.vacuum
     place = {PER_WAVELENGTH: of.vacuum, PER_FREQUENCY: frequency, PER_WAVENUMBER: 1 / of.vacuum}
     if maths.any_true(wide := width > NARROW * place[axis]):
+        unit, size, other = ENDS[axis]
+        half = width / 2
+        ends = [maths.chosen(end, wide) * size for end in (place[axis] - half, place[axis] + half)]
+        listed = ",".join([f"{format_number(end)}{unit}" for end in ends])
         raise ConditionError(
             f"a width of {text_where(wide)} is not small compared with "
             f"{option(of.given.name, of.given.text)}: its ends are not at equal distances on both "
             "axes",
-            f"the difference of its two ends, each by {command('photon', 'WAVELENGTH')}",
+            call("photon", listed, get=other, remark="the two ends of the band"),
         )
 
 
@@ -386,7 +407,7 @@ def _refuse_other_photons(bridge: "Bridge", target: Photosynthetic, links: "Link
     if (asked and tuple(asked.value) != PAR) or any(OUTSIDE in note for note in notes):
         raise ConditionError(
             f"{quote(target.name)} counts photons from 400 nm to 700 nm only",
-            f"{name_of(target).replace(' ', '-')} in place of {quote(target.name)}",
+            correct(target.name, name_of(target).replace(" ", "-"), remark="all photons"),
         )
 
 
@@ -435,7 +456,7 @@ def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -
     if start.axis or end.axis:
         raise ConditionError(
             f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
-            f"{option('wavelength', 'LAMBDA')} for a density",
+            Try((("wavelength", ""),), ("spectrum",)),
         )
     both, use = {start.kind, end.kind}, bridge.conditions.use
     return spectral_factor(

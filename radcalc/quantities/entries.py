@@ -6,7 +6,7 @@ A search is for the name of a quantity, as in `radcalc quantities`, or for a uni
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from radcalc.errors import UnitError, command, quote
+from radcalc.errors import UnitError, command, corrections, quote
 from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.light import EXITANCES, describe, is_per_length, name_of, read
 from radcalc.quantities.units import composed, named
@@ -136,7 +136,7 @@ def _of_unit(text: str) -> list[Entry]:
 
         names = near(text, 2, index().others.values())
         raise UnitError(
-            f"unknown unit or quantity '{quote(text)}'", ", ".join(names) or error.hint
+            f"unknown unit or quantity '{quote(text)}'", corrections(text, *names) or error.tries
         ) from None
     reading = read(unit)
     entries = []

@@ -4,7 +4,17 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
-from radcalc.errors import MINUS, NumberError, UsageError, option, quote
+from radcalc.errors import (
+    MINUS,
+    NumberError,
+    Try,
+    UsageError,
+    add,
+    leave_out,
+    nearest,
+    option,
+    quote,
+)
 
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
@@ -44,12 +54,17 @@ def _range(text: str, part: str) -> tuple[int, int]:
     first, dash, last = part.strip().partition("-")
     numbers = [first or "1", last or "0"] if dash else [first, first]
     if not all(number.isascii() and number.isdigit() for number in numbers):
-        raise UsageError(f"{option_text} is not a list of fields", FIELDS)
+        numbers = [number for number in text.split(",") if number.strip()]
+        is_list = all(number.strip("0123456789-") == "" for number in numbers)
+        as_title = Try((("column", text),), ("field",))
+        fix = add("field", ",".join(numbers)) if is_list and numbers else as_title
+        raise UsageError(f"{option_text} is not a list of fields", FIELDS, [fix])
     low, high = (int(number[:9]) for number in numbers)
     if low == 0 or last == "0" or max(low, high) > MOST:
         raise UsageError(f"{option_text} is out of range", f"fields are numbered from 1 to {MOST}")
     if high and high < low:
-        raise UsageError(f"{option_text} has a decreasing range", FIELDS)
+        rising = text.replace(part.strip(), f"{high}-{low}")
+        raise UsageError(f"{option_text} has a decreasing range", add("field", rising))
     return low, high
 
 
@@ -60,8 +75,17 @@ def read_delimiter(text: str) -> str:
         raise UsageError(
             f"{option('delimiter', quote(text))} is not one character",
             "a character, such as , or ; or tab",
+            _delimiters(text),
         )
     return character
+
+
+def _delimiters(text: str) -> "list[Try]":
+    """Propose the separator that a text of several characters has or names."""
+    named = nearest(text.lower(), [name for name in NAMED if name.isalpha()], 1)
+    marks = [character for character in text if not character.isalnum() and character.isprintable()]
+    meant = named or [mark for mark in dict.fromkeys(marks) if mark not in ('"', " ")]
+    return [add("delimiter", one) for one in meant[:1]] or [leave_out("delimiter")]
 
 
 def typed_delimiter(character: str) -> str:

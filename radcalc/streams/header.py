@@ -5,7 +5,17 @@ The unit in the header is compared with the unit of the numbers, and replaced in
 
 from collections.abc import Callable
 
-from radcalc.errors import NumberError, UnitError, UsageError, command, option, quote
+from radcalc.errors import (
+    Hint,
+    NumberError,
+    UnitError,
+    UsageError,
+    add,
+    command,
+    leave_out,
+    option,
+    quote,
+)
 from radcalc.files.columns import DELIMITERS, unit_column
 from radcalc.quantities.column_titles import (
     Title,
@@ -18,15 +28,15 @@ from radcalc.quantities.column_titles import (
     refuse_unknown,
     unit_of_meter,
 )
-from radcalc.quantities.light import describe
+from radcalc.quantities.light import describe, name_of
 from radcalc.quantities.light import read as read_light
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
 from radcalc.streams.readers import UTF_8, Texts
+from radcalc.units.numbers import parse_number
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
 WHERE = "the header of stdin"
-NEW_NAME = f"{option('add', 'NAME')} for a column of its own, or {option('rename', 'NAME')}"
 
 
 class Header:
@@ -143,10 +153,7 @@ class Header:
             if names := self._names_above(above, len(titles)):
                 return find(names, self.column, WHERE, self.source)
             if len(titles) == 1:
-                mark = next((mark for mark in DELIMITERS if mark in titles[0]), "")
-                delimiter = typed_delimiter(mark) if mark else "X"
-                hint = f"{option('delimiter', delimiter)}, with what cuts the fields"
-                raise error.reworded(hint=hint) from None
+                raise error.reworded(hint=_of_one_title(titles[0])) from None
             raise
 
     def _names_above(self, above: bytes, count: int) -> list[str]:
@@ -184,24 +191,29 @@ class Header:
             self.texts, self.target = self.titled(first.unit)
             self.own = self._own()
 
+    @property
+    def option(self) -> str:
+        """Return the option with the title of the results."""
+        return "add" if self.adds else "rename"
+
     def _own(self) -> Title | None:
         """Return the typed title for the results, which may have their unit."""
         name = self.name
         if name is None:
             return None
-        typed = option("add" if self.adds else "rename", quote(name))
+        typed = option(self.option, quote(name))
         if not name.strip() or not name.isprintable():
-            raise UsageError(f"{typed} is not a title", "a word for the column")
+            raise UsageError(f"{typed} is not a title", leave_out(self.option))
         if self.cut and not self.cut.delimiter and len(name.split()) > 1:
             hint = "_".join(name.split())
-            raise UsageError(f"{typed} has blanks, at which the lines are cut", quote(hint))
+            problem = f"{typed} has blanks, at which the lines are cut"
+            raise UsageError(problem, add(self.option, hint))
         title = read_title(name, self.target)
         if title.unit and not is_same(title.unit, self.target):
             unit_text, target = quote(title.unit.text), quote(self.target.text)
-            raise UsageError(
-                f"{typed} is in {unit_text}, not in {target}", quote(title.with_unit(target))
-            )
-        _refuse_other(title.name, self.target)
+            problem = f"{typed} is in {unit_text}, not in {target}"
+            raise UsageError(problem, add(self.option, title.with_unit(target)))
+        _refuse_other(title.name, self.target, self.option)
         return title
 
     def _text(self, line: bytes, span: Span) -> str:
@@ -227,11 +239,30 @@ def refuse_change(source: Unit, target: Unit) -> None:
     """Refuse numbers of another quantity under the title of the first."""
     if source.dimension != target.dimension or source.is_exitance != target.is_exitance:
         change = f"{describe(source)} to {describe(target)}"
-        raise UsageError(f"the numbers under the header would change from {change}", NEW_NAME)
+        problem = f"the numbers under the header would change from {change}"
+        raise UsageError(problem, [add(name, _title_of(target)) for name in ("add", "rename")])
 
 
-def _refuse_other(name: str, target: Unit) -> None:
+def _title_of(target: Unit) -> str:
+    """Return the name of a quantity as one word, or the unit of one without a name."""
+    return (name_of(target) or target.text).replace(" ", "_")
+
+
+def _of_one_title(title: str) -> Hint:
+    """Propose the separator in a title, or the only column."""
+    mark = next((mark for mark in DELIMITERS if mark in title), "")
+    if mark:
+        return add("delimiter", typed_delimiter(mark))
+    try:
+        parse_number(title)
+    except NumberError:
+        return add("column", title)
+    return leave_out("column")  # there is no header
+
+
+def _refuse_other(name: str, target: Unit, option: str = "") -> None:
     """Refuse a title that names another quantity than its unit."""
     if other_quantity(name, target):
         problem = f"the column would be named '{quote(name)}', but contain {describe(target)}"
-        raise UsageError(problem, NEW_NAME)
+        better = [add(way, _title_of(target)) for way in (option, "add", "rename") if way]
+        raise UsageError(problem, better[: 1 if option else 2])

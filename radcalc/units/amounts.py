@@ -1,6 +1,6 @@
 """Amounts without uncertainties: a number and its unit, an expression, a reading on a scale."""
 
-from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, command, quote
+from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, command, correct, quote
 from radcalc.units.amount import Amount
 from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, split_quantity
 from radcalc.units.table import resolve, unit_of
@@ -61,7 +61,7 @@ def split_value(text: str) -> tuple[float, str]:
         problem = error
     if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
         message = f"'{quote(text)}' has an uncertainty, which cannot be used here"
-        raise NumberError(message, "the value alone")
+        raise NumberError(message, correct(text, nominal(text)))
     from radcalc.units.expressions import read_expression
 
     result = read_expression(text)
@@ -70,6 +70,19 @@ def split_value(text: str) -> tuple[float, str]:
     if problem:
         raise problem
     return number, unit
+
+
+def nominal(text: str) -> str:
+    """Return a value without its ± and uncertainty, or the text if it has none."""
+    places = [(text.find(sign), sign) for sign in SIGNS_OF_UNCERTAINTY if sign in text]
+    if not places:
+        return text
+    at, sign = min(places)
+    try:
+        unit = split_quantity(text[at + len(sign) :])[1]
+    except NumberError:
+        return text
+    return f"{text[:at].rstrip()}{unit}"
 
 
 def read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimension]") -> Amount:

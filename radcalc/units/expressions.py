@@ -18,7 +18,7 @@ from radcalc.errors import (
     Hint,
     NumberError,
     UnitError,
-    command,
+    call,
     correct,
     corrections,
     measured,
@@ -44,6 +44,11 @@ from radcalc.units.numbers import (
 )
 from radcalc.units.table import PARTS, resolve
 from radcalc.units.unit import BASES, NUMBER, PI, Dimension, Unit, divide, lookup
+
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from radcalc.errors import Try
+    from radcalc.units.scales import ScaleUnit
 
 MAX_POWER = 1000  # of a number
 MAX_BITS = 40_000  # of a number's numerator or denominator: about 12 000 digits
@@ -463,6 +468,25 @@ class Calculator(Scanner):
                 return 1
         return super().exponent()
 
+    def reading_of(self, scale: "ScaleUnit", start: int, number_text: str) -> "list[Try]":
+        """Propose what to do with a reading of a scale in arithmetic: 10 dBm + 3 dB is 13 dBm."""
+        before, after = self.text[:start].strip(), self.text[self.at :].strip()
+        name = scale.text
+        if not (before + after).strip(f"{SIGNS} "):
+            sign = "-" * before.count("-")
+            return [correct(self.text, f"{sign}{number_text} {name}")]
+        tries = [
+            call("convert", number_text, name, scale.unit.text, remark="then arithmetic with it")
+        ]
+        gain = after.removesuffix("dB").strip()
+        if not before and gain != after and name.startswith("dB") and name != "dB":
+            try:
+                level = float(number_text) + float(gain.replace(" ", ""))
+            except ValueError:
+                return tries
+            tries.insert(0, correct(self.text, f"{level:.12g} {name}", remark="a level and a gain"))
+        return tries
+
     def unit(self, text: str, start: int = 0, number: Value | None = None) -> Value:
         """Return the value of adjacent units, in a term that begins at `start`."""
         text = " ".join(text.split())
@@ -479,12 +503,8 @@ class Calculator(Scanner):
                 raise
             self.is_arithmetic = True
             number_text = f"{divide(number.top, number.bottom):.12g}" if number else "1"
-            hint = f"{'-' * self.text[:start].count('-')}{number_text} {quote(text)}"
-            if other_terms:
-                quantity = command("convert", number_text, quote(text), scale.unit.text)
-                hint = f"first {quantity}, then arithmetic with the quantities"
             problem = f"calculates with {quote(text)}, which is a scale, not a unit"
-            raise self.wrong(problem, hint) from None
+            raise self.wrong(problem, self.reading_of(scale, start, number_text)) from None
         atoms = parse_unit(joined if is_name else text)
         dimension = unit.dimension
         units: dict[str, int] = {}
@@ -553,7 +573,10 @@ class Calculator(Scanner):
         if self.peek() != ")":
             if self.peek():
                 raise self.unreadable()
-            raise self.wrong("has a bracket that is not closed", "as many ) as (")
+            lacking = ")" * (self.text.count("(") - self.text.count(")"))
+            raise self.wrong(
+                "has a bracket that is not closed", correct(self.text, self.text + lacking)
+            )
         self.at += 1
         self.depth -= 1
         return value
@@ -623,17 +646,35 @@ class Calculator(Scanner):
         size = digits.lstrip("+-")
         exponent = quote(self.text[start:])
         if not size.isdigit() or digits.count("-") > 1 or self.peek() in (".", "e", "E"):
-            raise self.wrong(
-                f"has an exponent at '{exponent}' that is not a whole number", "a whole number"
-            )
+            again = f"{self.text[:before].rstrip()}^{self.text[start:].lstrip('^')}"
+            hint: Hint = correct(self.text, again) if exponent[:1] == "^" else "a whole number"
+            problem = f"has an exponent at '{exponent}' that is not a whole number"
+            raise self.wrong(problem, hint)
         if len(size) > 4 or int(size) > MAX_POWER:
             raise self.wrong(f"has an exponent too large at '{exponent}'", f"at most {MAX_POWER}")
         end = self.at
         self.skip_blanks()
         if self.peek() == "^" or self.text.startswith("**", self.at):
-            raise self.wrong("has an exponent on an exponent", "brackets around one of them")
+            raise self.wrong("has an exponent on an exponent", self.bracketed(before, start, end))
         self.at = end
         return int(digits.replace("+", ""))
+
+    def bracketed(self, before: int, start: int, end: int) -> "Hint":
+        """Propose both readings of 2^3^2, whose first exponent is from `start` to `end`."""
+        import re  # only for an error
+
+        base = re.search(r"[\w.]+\s*$", self.text[:before])
+        second = re.match(r"\s*(\*\*|\^)\s*(\d{1,4})(?![\d.])", self.text[end:])
+        first = self.text[start:end].strip()
+        if not base or not second or not first.isdigit():
+            return "brackets around one of them"
+        head, rest = self.text[: base.start()], self.text[end:]
+        left = f"{head}({self.text[base.start() : end].strip()}){rest}"
+        tries = [correct(self.text, left, remark="the first power first")]
+        if (power := int(first) ** int(second[2])) <= MAX_POWER:
+            right = f"{self.text[:start]}{power}{rest[second.end() :]}"
+            tries.insert(0, correct(self.text, right, remark=f"{first}^{second[2]} first"))
+        return tries
 
     def function(self, name: str, value: Value, start: int) -> Value:
         self.is_arithmetic = True

@@ -7,7 +7,7 @@ The grammar does not know the units.
     EXPONENT = digits | sign digits | ("^" | "**") [sign] digits | superscripts
 """
 
-from radcalc.errors import MINUS, Hint, RadcalcError, UnitError, corrections, quote
+from radcalc.errors import MINUS, Hint, RadcalcError, UnitError, correct, corrections, quote
 from radcalc.units.numbers import DIGITS, MAX_LENGTH, SIGNS
 
 MAX_DEPTH = 16
@@ -154,7 +154,9 @@ class Scanner:
             self.at += 1
             atoms = self.group(depth + 1)
             if self.peek() != ")":
-                raise self.error("has a bracket that is not closed")
+                lacking = ")" * (self.text.count("(") - self.text.count(")"))
+                better = correct(self.text, self.text + lacking)
+                raise self.error("has a bracket that is not closed", better)
             self.at += 1
         elif c in NAMED:
             self.at += 1

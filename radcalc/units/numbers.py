@@ -10,7 +10,7 @@ A DECIMAL after a solidus cannot be followed by pi: `2/3pi` is ambiguous.
 import math
 from sys import float_info
 
-from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, corrections, quote
+from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, correct, corrections, quote
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -36,6 +36,7 @@ DIGITS = "0123456789"
 MINUSES = "-" + MINUS
 SIGNS = "+" + MINUSES
 RUN = DIGITS + ",._"
+HEXADECIMAL = DIGITS + "abcdefABCDEF"
 
 
 def read_number(text: str) -> tuple[float, int]:
@@ -266,9 +267,21 @@ def refuse_lookalikes(text: str, at: int) -> None:
     if rest[:1] == "_":
         raise _rewritten(text, at, "is not a number", lambda run: [run.replace("_", "")])
     if rest[:1] in ("x", "X") and text[:at].lstrip(SIGNS) == "0" and rest[1:].isalnum():
-        raise NumberError(f"'{quote(text)}' is not a number", "decimal digits")
+        raise _of_other_base(text, at)
     if rest[:1].isnumeric():
         raise NumberError(f"'{quote(text)}' is not a number", "the digits 0 to 9")
+
+
+def _of_other_base(text: str, at: int) -> NumberError:
+    """Return the error for 0x1F, with the number that it is for a programmer."""
+    end = at + 1
+    while text[end : end + 1] and text[end] in HEXADECIMAL:
+        end += 1
+    typed = text[at - 1 : end]
+    problem = f"'{quote(text)}' is not a number"
+    if end == at + 1 or text[end : end + 1].isalpha():
+        return NumberError(problem, "decimal digits")
+    return NumberError(problem, correct(typed, str(int(typed, 16)), remark="in decimal digits"))
 
 
 def _rewritten(

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 
 from radcalc.errors import (
     ConditionError,
+    Hint,
     NumberError,
     OutOfRange,
     RadcalcError,
@@ -16,7 +17,7 @@ from radcalc.errors import (
     correct,
     quote,
 )
-from radcalc.units.amounts import split_value
+from radcalc.units.amounts import nominal, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
 from radcalc.units.reading import read_amount, sides
 from radcalc.units.unit import Unit, divide
@@ -26,6 +27,7 @@ MOST = 10_000
 PERCENT = "%"
 GROUP = 3  # digits of thousands
 EXACT, EXACT_POWER = 2**53, 22  # whole numbers and powers of ten that a float holds
+LARGER = 100  # times a step that is not what was meant
 LONG, MOST_IN_ARRAY = 1000, 10_000_000  # longer ranges are arrays, up to the second length
 
 
@@ -117,9 +119,18 @@ def read_values(text: str) -> list[str]:
         return [value.strip() + unit for value in series]
     if len({bool(_unit_in(value)) for value in series}) > 1:
         raise ConditionError(
-            f"'{quote(text)}' has values with a unit and without", "a unit behind each, or one last"
+            f"'{quote(text)}' has values with a unit and without", _with_units(text, series)
         )
     return series
+
+
+def _with_units(text: str, series: Sequence[str]) -> Hint:
+    """Propose one unit for all values, if only one is typed."""
+    units = {_unit_in(value) for value in series} - {""}
+    if len(units) > 1 or ":" in text:
+        return "a unit behind each, or one last"
+    (unit,) = units
+    return correct(text, ",".join([value if _unit_in(value) else value + unit for value in series]))
 
 
 def _cut_unit(text: str) -> tuple[str, str]:
@@ -280,14 +291,16 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
         raise ConditionError(f"'{quote(text)}' is not a range", hint)
     if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
         problem = f"'{quote(text)}' has an uncertainty, which a range cannot have"
-        raise ConditionError(problem, "a list: 1.0+-0.1m,2.0+-0.1m")
+        raise ConditionError(problem, correct(text, ":".join(map(nominal, parts))))
     from radcalc.units.scales import resolve_given, scale_of
 
     numbers = [split_value(part) for part in parts]
     units = [resolve_given(unit or "1") for _, unit in numbers]
     if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:
         raise ConditionError(
-            f"'{quote(text)}' mixes quantities", "one unit in START, STOP and STEP"
+            f"'{quote(text)}' mixes quantities",
+            "one unit in START, STOP and STEP",
+            [correct(text, ":".join([f"{number:.12g}{numbers[0][1]}" for number, _ in numbers]))],
         )
     size = [
         value * divide(unit.top * units[0].bottom, unit.bottom * units[0].top)
@@ -297,14 +310,38 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     count = (stop - start) / step if step else 0.0
     if not all(map(math.isfinite, (*size, count))):
         raise TooMany(f"'{quote(text)}' has too many values", f"at most {most}")
+    unit = numbers[0][1]
     if step == 0 or count < 0:
         problem = "has a step of 0" if step == 0 else "has a step that leads away from its end"
-        raise ConditionError(f"'{quote(text)}' {problem}", "a step from START to STOP")
+        ends = [part.strip() for part in parts]
+        better = ",".join(ends[:2]) if step == 0 else ":".join([*ends[:2], _negative(ends[2])])
+        raise ConditionError(f"'{quote(text)}' {problem}", correct(text, better))
     values = math.floor(count * (1 + 1e-12) + 1e-9) + 1
     if values > most:
         many = f"{values}" if count < 1e15 else f"{count:.2g}"
-        raise TooMany(f"'{quote(text)}' has {many} values", f"at most {most}")
-    return start, step, values, numbers[0][1]
+        problem = f"'{quote(text)}' has {many} values"
+        raise TooMany(problem, f"at most {most}", _with_larger_step(text, values / most))
+    return start, step, values, unit
+
+
+def is_long(text: str) -> bool:
+    """Return whether a text is a range that is read as an array, or one of too many values."""
+    try:
+        return text.count(":") == 2 and _steps(text, MOST_IN_ARRAY)[2] > LONG
+    except RadcalcError as error:
+        return isinstance(error, TooMany)
+
+
+def _negative(text: str) -> str:
+    return text[1:] if text[:1] in tuple(SIGNS) else f"-{text}"
+
+
+def _with_larger_step(text: str, times: float) -> "list[Try]":
+    """Propose a range with a step that is larger by a whole number, at least `times`."""
+    start, stop, step = text.split(":")
+    number, unit = split_value(step)
+    better = f"{start}:{stop}:{number * math.ceil(times):.12g}{unit}"
+    return [correct(text, better, remark="a larger step")] if times < LARGER else []
 
 
 def real(value: Any, what: str, hint: str) -> Any:

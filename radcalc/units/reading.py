@@ -33,6 +33,8 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from radcalc.errors import Try
+
 
 def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     """Read a value, with a unit or bare; a spelling of several scales is read as one of them."""
@@ -135,12 +137,14 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
         raise UsageError("a value is missing", EXAMPLE)
     if words[1:] and words[-1] in ("-", "="):
         shell = "'to' instead, or '->' in quotes: without them > is the shell's"
-        raise UsageError(f"a unit is missing after '{words[-1]}'", shell)
+        alone = correct(" ".join(words), *words[:-1], remark="'->' needs quotes")
+        raise UsageError(f"a unit is missing after '{words[-1]}'", shell, [alone])
     amount, separator, rest = read_value(words)
     if separator and not rest:
-        raise UsageError(f"a unit is missing after '{separator}'", EXAMPLE)
+        alone = correct(" ".join(words), *words[:-1])
+        raise UsageError(f"a unit is missing after '{separator}'", alone)
     if not separator and amount.unit is None and rest and rest[0] in OPERATORS:
-        raise _too_many(quote(words[0]), rest)
+        raise _too_many(words, words)
     if not separator and amount.unit is None and rest and rest[0].strip():
         amount, rest = with_unit(amount, rest[0].strip()), rest[1:]
     if separator and amount.unit is None and _is_of_numbers(rest[0]):
@@ -153,7 +157,7 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
         raise UsageError("the unit to convert to is missing", EXAMPLE)
     if len(rest) > 1:
         _, typed = amount.typed
-        raise _too_many(typed.text if typed else "", rest)
+        raise _too_many(words, [typed.text if typed else "", *rest])
     return amount, rest[0] if rest else ""
 
 
@@ -181,7 +185,7 @@ def read_stream_operands(words: list[str]) -> tuple[str, str]:
     if not units or not all(unit.strip() for unit in units[bool(separator) :]):
         raise UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
     if len(units) > 2:
-        raise _too_many(units[0], units[1:])
+        raise _too_many(units, units, is_stream=True)
     return (units[0] if len(units) > 1 else ""), units[-1]
 
 
@@ -228,13 +232,38 @@ def _has_unit(text: str) -> bool:
         return isinstance(error, ExpressionError) or not isinstance(error, NumberError)
 
 
-def _too_many(unit: str, rest: list[str]) -> UsageError:
-    if rest[0].lower() in SEPARATORS + ALSO_UNITS and rest[1:]:
+def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> UsageError:
+    """Return the error for words after the units; propose the divisions that fit."""
+    _, second, *others = units
+    if second.lower() in SEPARATORS + ALSO_UNITS and others:
         return UsageError(
-            f"'{quote(rest[0])}' does not separate units",
-            correct(f"{rest[0]} {rest[1]}", f"to {rest[1]}"),
+            f"'{quote(second)}' does not separate units",
+            correct(f"{second} {others[0]}", f"to {others[0]}"),
         )
+    problem = f"too many words: '{quote(' '.join(units))}'"
+    if any(word in OPERATORS for word in units):
+        whole, last = " ".join(words), words[-1]
+        calculated = [correct(whole, whole), correct(whole, whole.removesuffix(f" {last}"), last)]
+        return UsageError(problem, "quotes around a value that is calculated", calculated)
     hint = "quotes around a unit of several words, or 'to' between the units"
-    if any(word in OPERATORS for word in rest):
-        hint = "quotes around a value that is calculated"
-    return UsageError(f"too many words: '{quote(' '.join([unit, *rest]))}'", hint)
+    return UsageError(problem, hint, _divided(units) or _of_targets(units, is_stream))
+
+
+def _divided(units: list[str]) -> "list[Try]":
+    """Propose `W m-2 to mW cm-2`, with a unit of several words on both sides or one."""
+    typed = " ".join(units)
+    ends = [(" ".join(units[:k]), " ".join(units[k:])) for k in range(1, len(units))]
+    return [correct(typed, start, "to", end) for start, end in ends if _are_alike(start, end)]
+
+
+def _of_targets(units: list[str], is_stream: bool) -> "list[Try]":
+    """Propose several targets as a list, and each alone; a stream has one, of the same quantity."""
+    source, *targets = units
+    ends = targets if is_stream else [",".join(targets), *targets]
+    ends = [end for end in ends if not is_stream or _are_alike(source, end)]
+    return [correct(" ".join(units), source, end) for end in ends]
+
+
+def _are_alike(start: str, end: str) -> bool:
+    first, second = unit_of(start), unit_of(end)
+    return first is not None and second is not None and first.dimension == second.dimension

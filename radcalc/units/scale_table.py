@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from radcalc import maths
-from radcalc.errors import RadcalcError, UnitError, mention, quote
+from radcalc.errors import RadcalcError, UnitError, alternatives, mention, quote
 from radcalc.tuples import NamedTuple
 from radcalc.units.grammar import parse_unit
 from radcalc.units.unit import lookup
@@ -186,7 +186,8 @@ def refuse(spelling: str) -> UnitError | None:
     """Return the error for a spelling that is a scale, or nearly one, but not a unit."""
     name = quote(spelling)
     if spelling in REFUSED:
-        return UnitError(f"'{name}' is not accepted as a scale", REFUSED[spelling])
+        hint = REFUSED[spelling]
+        return UnitError(f"'{name}' is not accepted as a scale", hint, alternatives(spelling, hint))
     if rows := named(spelling):
         scale = rows[0]
         return UnitError(

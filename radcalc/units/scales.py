@@ -13,12 +13,12 @@ from collections.abc import Iterable
 from typing import Any
 
 from radcalc import maths
-from radcalc.errors import ConversionError, NumberError, RadcalcError, quote
+from radcalc.errors import ConversionError, NumberError, RadcalcError, correct, quote
 from radcalc.units.amount import Amount
 from radcalc.units.grammar import plain
 from radcalc.units.numbers import read_number
 from radcalc.units.scale_table import SCALES, SIZES, Scale, named, usual
-from radcalc.units.table import CELSIUS, resolve
+from radcalc.units.table import CELSIUS, FAHRENHEIT, resolve
 from radcalc.units.unit import TEMPERATURE_ALONE, Dimension, Unit
 
 RECIPROCAL = next(scale for scale in SCALES if not scale.steps)
@@ -123,7 +123,7 @@ def refuse_product(text: str, scale: str) -> None:
     if "*" in text[:end]:
         raise NumberError(
             f"'{quote(text)}' multiplies a reading of {quote(scale)}, which is not possible",
-            f"{number:.12g} {quote(scale)} for one reading",
+            correct(text, f"{number:.12g} {scale}", remark="one reading"),
         )
 
 
@@ -159,9 +159,6 @@ def amount_on(
 def reciprocal(unit: Unit) -> ScaleUnit:
     """Return a unit such as 1/MK as a scale of temperatures, read as their reciprocals."""
     return ScaleUnit(unit.text, RECIPROCAL._replace(size=unit.bottom / unit.top))
-
-
-FAHRENHEIT = ("°f", "degf", "deg_f", "degree_fahrenheit", "degrees_fahrenheit", "fahrenheit")
 
 
 def degree(text: str) -> Unit | None:

@@ -7,6 +7,7 @@ from radcalc.errors import (
     RadcalcError,
     Try,
     UnitError,
+    alternatives,
     ambiguous,
     command,
     correct,
@@ -42,6 +43,7 @@ from radcalc.units.unit import (
 
 # Spellings of a degree of an offset scale, which is a kelvin in a product.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
+FAHRENHEIT = ("°f", "degf", "deg_f", "degree_fahrenheit", "degrees_fahrenheit", "fahrenheit")
 COMMON_PREFIXES = "GMkcmun"
 SUGGESTED = 3  # spellings near an unknown one
 # Names of scales; they are handled above and not looked up in other languages.
@@ -211,7 +213,9 @@ def _unknown(spelling: str) -> UnitError:
     typed = quote(spelling)
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:
-        return UnitError(f"'{typed}' is not accepted as a unit", REFUSED[name])
+        listed = REFUSED[name]
+        tries = [] if name in CELSIUS + FAHRENHEIT else alternatives(spelling, listed)
+        return UnitError(f"'{typed}' is not accepted as a unit", listed, tries)
 
     from radcalc.units import scale_table
 
