@@ -23,6 +23,7 @@ ASCII = {
     "Δ": "d",
     "Ω": "Omega",
     "α": "alpha",
+    "ε": "epsilon",
     "η": "eta",
     "β": "beta",
     "γ": "gamma",

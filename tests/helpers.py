@@ -61,7 +61,7 @@ OTHER = {
     "illuminance": "lx", "c": "lx s", "saturation-luminance": "cd/m2",
     "etendue": "m2 sr", "far-field-etendue": "m2 sr", "na": "1",
     "receiver-radius": "m", "receiver-diameter": "m", "horizontal": "rad", "vertical": "rad",
-    "wavelength": "m", "frequency": "cycle/s", "wavenumber": "cycle/m",
+    "wavelength": "m", "peak-wavelength": "m", "frequency": "cycle/s", "wavenumber": "cycle/m",
     "photon-energy": "J/photon", "mesopic-luminance": "cd/m2", "scotopic-luminance": "cd/m2",
     "sp-ratio": "1", "adaptation": "1", "upward-part": "1",
     "relative-axial-intensity": "1", "relative-peak-intensity": "1",

@@ -50,8 +50,8 @@ CONVERSIONS = {
         "td", "cd", {}, "the pupil's diameter", "--pupil"),
     "trolands to a luminance need the pupil's diameter": (
         "td", "cd/m2", {}, "the pupil's diameter is missing", "--pupil"),
-    "electronvolts do not convert to nanometres under any condition": (
-        "nm", "eV", {}, "no condition links them", "radcalc"),
+    "electronvolts do not convert to metres under any condition": (
+        "m", "eV", {}, "no condition links them", "radcalc"),
     "steradians do not convert to degrees under any condition": (
         "sr", "deg", {}, "no condition links them", "radcalc"),
     "an efficacy does not convert to a number under any condition": (

@@ -27,7 +27,7 @@ PAGE = Page(
             "reflectance",
             "pupil",
         ),
-        "Detectors and fields": ("responsivity", "electric-field"),
+        "Detectors, fields and heat": ("responsivity", "electric-field", "emissivity"),
         "Light meters (EV)": ("k", "c"),
         "Time and bandwidth": ("time", "bandwidth"),
     },

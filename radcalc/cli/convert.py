@@ -54,6 +54,8 @@ Examples:
   radcalc convert 1000 W/m2 W --area 2m2 --incidence 60deg
   radcalc convert 1 W/sr W --area 20mm2 --distance 1m
   radcalc convert 100 W/m2 ppfd --spectrum D65
+  radcalc convert 532 nm eV                    (a photon; also THz, cm-1, kJ/mol)
+  radcalc convert 5778 K MW/m2                 (a black body; also um, W/m2/sr)
   radcalc 100,200 lx fc,klx                    (lists; or a range: 1:5:1 m ft)
   radcalc convert 250 cd/m2                    (every unit of luminance)
   radcalc convert 10 dBm mW                    (also mag, EV, mired, OD, stops ...)

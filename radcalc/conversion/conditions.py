@@ -39,6 +39,7 @@ CONDITIONS = {
     "pupil": PUPIL,
     "responsivity": RESPONSIVITY,
     "electric-field": REFINES,
+    "emissivity": REFINES,
     "k": REFINES,
     "c": REFINES,
 }

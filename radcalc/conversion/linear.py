@@ -75,6 +75,13 @@ class Plan:
     def derive(self, value: float) -> "list[Step]":
         return derive(self, value)
 
+    @property
+    def result(self) -> tuple[str, str, str]:
+        """Return the quantity of the result, its symbol, and its name in `--get`."""
+        from radcalc.quantities.light import name_of, result_name, symbol_of
+
+        return name_of(self.target), symbol_of(self.target), result_name(self.target)
+
     def _not_held(self) -> ConversionError:
         return ConversionError(
             f"the result in {quote(self.target.text)} is out of range",

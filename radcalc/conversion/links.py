@@ -42,6 +42,7 @@ from radcalc.errors import (
     add,
     call,
     command,
+    correct,
     leave_out,
     option,
     quote,
@@ -57,7 +58,15 @@ from radcalc.quantities.light import (
     is_incident,
     read,
 )
-from radcalc.units.dimensions import ANGLE, CHARGE, CURRENT, PER_TIME, SOLID_ANGLE
+from radcalc.units.dimensions import (
+    ANGLE,
+    CHARGE,
+    CURRENT,
+    LENGTH,
+    PER_TIME,
+    SOLID_ANGLE,
+    TEMPERATURE,
+)
 from radcalc.units.unit import Unit
 
 # ---------------------------------------------------------------------------------------------
@@ -274,6 +283,8 @@ def _unlike(bridge: Bridge) -> RadcalcError:
                 get=f"{PHOTON_NAMES[target.dimension]}:{quote(target.text)}",
             ),
         )
+    if TEMPERATURE in (source.dimension, target.dimension):
+        return _unlike_heat(bridge)
     if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
         name = "half-angle" if source.dimension == ANGLE else "solid-angle"
         return ConversionError(
@@ -289,6 +300,21 @@ def _unlike(bridge: Bridge) -> RadcalcError:
     return ConversionError(
         f"{heading}: they are different quantities, and no condition links them", hint
     )
+
+
+def _unlike_heat(bridge: Bridge) -> RadcalcError:
+    """Return the error for a temperature and what a hot body does not determine in one number."""
+    source, target = bridge.source, bridge.target
+    hint: Hint = "W/m2 or W/m2/sr of a black body, or um for the peak of its spectrum"
+    if source.dimension == LENGTH:
+        hint = "a wavelength in nm or um, for the peak of a black body's spectrum"
+    elif target.dimension == LENGTH:
+        hint = correct(target.text, "um", remark="for the peak of a black body's spectrum")
+    elif source.dimension == TEMPERATURE and target.is_light:
+        hint = call("spectrum", f"blackbody:{bridge.amount}")
+    what = "but a black body of a temperature has an exitance, a radiance and a peak wavelength"
+    message = f"{bridge.heading}: no condition links them, {what}"
+    return ConversionError(message, hint)
 
 
 def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:

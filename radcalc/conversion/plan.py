@@ -25,6 +25,11 @@ def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str 
         from radcalc.conversion import scaled
 
         return scaled.plan(source, target, given, number)
+    if source.dimension != target.dimension:
+        from radcalc.conversion.natural import by_law
+
+        if law_plan := by_law(source, target, given):
+            return law_plan
     return between(source, target, given, number)
 
 
@@ -63,11 +68,12 @@ def answer(
 ) -> "Result":
     """Return the result for one value; `inputs` are the value and the conditions."""
     from radcalc.answer import Result, Row
-    from radcalc.quantities.light import name_of, read, result_name, symbol_of
+    from radcalc.quantities.light import name_of, read
 
     unit = made.target
     number = made.apply(value)
-    row = Row(name_of(unit), symbol_of(unit), number, unit.text, case, result_name(unit))
+    quantity, symbol, name = made.result
+    row = Row(quantity, symbol, number, unit.text, case, name)
     derivation = tuple(made.derive(value)) if steps else ()
     notes = made.notes
     if value < 0 and read(made.source) and not made.source.is_scale:

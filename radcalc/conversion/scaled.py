@@ -8,6 +8,7 @@ from typing import Any
 
 from radcalc.answer import Step
 from radcalc.conversion.linear import Plan, are_reciprocal, between
+from radcalc.conversion.natural import by_law
 from radcalc.errors import (
     ConversionError,
     MissingCondition,
@@ -71,7 +72,7 @@ class ScaledPlan(Plan):
             numbers = f"{scale.inverse(f'{value:.6g}')} = {quantity}"
             steps.append(Step(f"scale {source.text}", scale.inverse(), numbers, scale.source))
             value = read
-        if self.linear.links or self.linear.factor != 1:
+        if self.linear.links or not self.linear.is_linear or self.linear.factor != 1:
             steps += self.linear.derive(value)
         if isinstance(target, ScaleUnit):
             scale, read = target.scale, self.linear.apply(value)
@@ -111,7 +112,7 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
     pairs = [(start, end) for start in sources for end in targets]
     for start, end in sorted(pairs, key=lambda pair: pair[0].dimension != pair[1].dimension):
         try:
-            linear = between(_unit(start), _unit(end), conditions, number)
+            linear = _between(_unit(start), _unit(end), conditions, number)
         except RadcalcError as problem:
             if error is None or _lacks_less(problem, error):
                 error = problem
@@ -131,6 +132,11 @@ def _lacks_less(problem: RadcalcError, other: RadcalcError) -> bool:
     """Return whether a reading lacks fewer conditions than another."""
     both = isinstance(problem, MissingCondition) and isinstance(other, MissingCondition)
     return both and len(problem.missing) < len(other.missing)
+
+
+def _between(source: Unit, target: Unit, given: list[Input], number: str) -> Plan:
+    law_plan = by_law(source, target, given)
+    return law_plan or between(source, target, given, number)
 
 
 def _readings(unit: Unit, other: Unit, constants: dict[str, float]) -> list[Unit]:

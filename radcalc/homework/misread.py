@@ -199,7 +199,7 @@ def _units(p: Problem) -> Found:
             for value in (p.right * size, p.right / size):
                 yield usual(name, value, right=CARRIES_PI)
         yield from _multiples("two-pi-for-pi", p.right, 2.0)
-    if not plan.links and math.log10(plan.factor) % 1:
+    if plan.is_linear and not plan.links and math.log10(plan.factor) % 1:
         yield usual("unit-upside-down", p.right / plan.factor**2)
     for unit, sign in units:
         for text in LUMINANCES:

@@ -10,7 +10,6 @@ from radcalc.calculators.uncertainty import value_of, with_uncertainties
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import plan
 from radcalc.inputs.given import Input, Inputs, any_uncertain
-from radcalc.quantities.light import name_of, result_name, symbol_of
 from radcalc.units.amount import Amount
 from radcalc.units.unit import Unit
 
@@ -67,15 +66,15 @@ def of_conversion(
         value = inputs[""].value if "" in inputs else number
         conversion = plan(source, target, [condition for name, condition in inputs.items() if name])
         unit = conversion.target  # a scale is resolved to one of its readings
-        name = name_of(unit)
+        name, symbol, also = conversion.result
         result = Value(
             "value",
             name or "value",
-            symbol_of(unit),
+            symbol,
             conversion.quantity(value) * unit.factor,
             (unit.dimension,),
             (unit.text,),
-            also=result_name(unit),
+            also=also,
         )
         return Answer(
             [result],

@@ -3,7 +3,7 @@
 The cycle and the photon are dimensions here, so a joule per photon is not a joule.
 """
 
-from radcalc.laws.law import AnyLaw, law
+from radcalc.laws.law import law
 from radcalc.spectra.planck import LIGHT, PLANCK
 
 EXACT = "SI Brochure: exact h and c"
@@ -18,4 +18,4 @@ ENERGY = law(
     constant=PLANCK * LIGHT,
     unit="J m/photon",
 )
-LAWS: list[AnyLaw] = [FREQUENCY, WAVENUMBER, ENERGY]
+LAWS = [FREQUENCY, WAVENUMBER, ENERGY]

@@ -17,12 +17,13 @@ from radcalc.units.numbers import EXACT
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
 )
+LAMBERTIAN = law(
+    "Lambertian exitance",
+    "{exitance} = pi Omega0 {radiance}",
+    "ISO 80000-7, radiance and exitance",
+)
 LAWS: list[AnyLaw] = [
-    law(
-        "Lambertian exitance",
-        "{exitance} = pi Omega0 {radiance}",
-        "ISO 80000-7, radiance and exitance",
-    ),
+    LAMBERTIAN,
     law(
         "Lambertian reflector",
         "{exitance} = {reflectance} {incident-irradiance}",

@@ -168,6 +168,7 @@ LABELS = {
     "reflectance, s-polarised": ("činitel odrazu, s-polarizace", "коэффициент отражения, s"),
     "reflectance, p-polarised": ("činitel odrazu, p-polarizace", "коэффициент отражения, p"),
     "transmittance of a slab": ("činitel prostupu desky", "коэффициент пропускания пластины"),
+    "emissivity": ("emisivita", "коэффициент излучения"),
     "reflectance": ("činitel odrazu", "коэффициент отражения"),
     "absorptance": ("činitel pohlcení", "коэффициент поглощения"),
     "number of luminaires": ("počet svítidel", "число светильников"),

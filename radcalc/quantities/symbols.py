@@ -312,6 +312,8 @@ _ROWS = (
         "Gain of the screen, relative to a perfect diffuser (default 1)."),
     _symbol(NUMBER, "reflectance", "ρ", "0.8", "Reflectance of the reflector, 0 to 1 or in %.",
         PART),
+    _symbol(NUMBER, "emissivity", "ε", "0.9",
+        "Emissivity of a hot body, 0 to 1 or in % (default 1, a black body).", FRACTION),
     _text(FLAG, "corner", "", "", "Place the receiver under a corner of the rectangle."),
     _text(FLAG, "perpendicular", "", "",
         "Turn the receiver's normal parallel to the rectangle's length."),

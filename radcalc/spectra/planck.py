@@ -14,6 +14,7 @@ C2 = PLANCK * LIGHT / BOLTZMANN  # m K
 SMALL = 0.5  # below it the power series in x = c2/(lambda T) has the precision of a float
 WIEN_X = 4.9651142317442763  # the root of x = 5 (1 - e^-x): the peak per wavelength
 HALF_X = (2.7325893071213999, 8.096610458229823)  # roots of x^5/(e^x - 1) at half of its maximum
+WIEN = C2 / WIEN_X  # m K: the wavelength of that peak times the temperature
 STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
 
 
