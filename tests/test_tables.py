@@ -242,10 +242,6 @@ def test_the_largest_of_several_tables_in_a_log_is_read():
 @pytest.mark.parametrize(
     ("text", "words", "exposure"),
     [
-        # NSRDB: metadata in two lines, and a column for each part of the time
-        ("Source,Location ID,GHI Units\nNSRDB,157537,w/m2\nYear,Month,Day,Hour,Minute,DNI,GHI,,\n"
-         "2017,1,1,9,0,7,100,,\n2017,1,1,9,30,8,200,,\n2017,1,1,10,0,8,300,,\n",
-         ("--column", "GHI", "--unit", "lx"), 200),
         # pandas: an index without a title
         (",Year,Month,Day,Hour,E [lx]\n0,2017,1,31,23,10\n1,2017,2,1,0,20\n2,2017,2,1,1,30\n",
          (), 40),
@@ -326,3 +322,51 @@ def test_photons_in_a_log_are_not_in_another_unit(title, unit):
     assert dose_of(LOG.format(title), "--unit", unit)[0] == ""
     rows = f"2024-06-01 12:00Z,1,{unit}\n2024-06-01 13:00Z,2,{unit}\n"
     assert dose_of(f"time,PPFD,unit\n{rows}")[0] == ""
+
+
+NSRDB = (  # metadata in two lines, and a column for each part of the time
+    "Source,Location ID,GHI Units\nNSRDB,157537,{}\nYear,Month,Day,Hour,Minute,DNI,GHI,,\n"
+    "2017,1,1,9,0,7,100,,\n2017,1,1,9,30,8,200,,\n2017,1,1,10,0,8,300,,\n"
+)
+SOLAR = "time,{}\n2017-01-01T09:00Z,100\n2017-01-01T09:30Z,200\n2017-01-01T10:00Z,300\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "factor"),
+    [
+        (NSRDB.format("w/m2"), 1),
+        (NSRDB.format("kW/m2"), 1000),  # the unit of the file wins over the usual one
+        *((SOLAR.format(title), 1) for title in ("GHI", "ghi", "GHI_Wm2", "GHI (Wm-2)")),
+        (SOLAR.format("GHI [kW/m2]"), 1000),
+        (SOLAR.format("GHI\nUTC,W/m2"), 1),
+    ],
+)
+def test_irradiances_of_the_sun_are_in_watts(text, factor):
+    """The trapezoids of 100, 200 and 300 W/m2 over two half hours are 200 Wh/m2."""
+    done = run("dose", "-", "--column", "GHI", "-g", "exposure:W.h/m2", input=text)
+    assert float(done.stdout) == pytest.approx(200 * factor), done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "larger"),
+    [
+        ("GHI", "W/m2", "kW/m2"),
+        ("DNI", "W/m2", "kW/m2"),
+        ("dni", "W/m2", "kW/m2"),
+        ("PPFD", "umol/m2/s", "mmol/m2/s"),
+    ],
+)
+def test_a_name_with_a_usual_unit_is_not_the_title_of_another(name, unit, larger):
+    text = f"id,{name}\n1,500\n"
+    words = ["convert", "-", "lx", "fc", "-d", ",", "--column", name]
+    assert "irradiance, not illuminance" in run(*words, input=text).stderr
+    words[2:4] = [unit, larger]
+    done = run(*words, input=text)
+    assert done.stdout == f"id,{name} [{larger}]\n1,0.5\n"
+    words[2:4] = [larger, unit]
+    assert run(*words, input=done.stdout).stdout == f"id,{name} [{unit}]\n1,500\n"
+
+
+def test_no_column_is_chosen_while_another_has_watts():
+    text = "time,E_Wm2,DNI (W/m2)\n2024-06-01T12:00Z,500,700\n2024-06-01T13:00Z,600,700\n"
+    assert "there are 2 columns of values" in run("dose", "-", input=text).stderr

@@ -1,11 +1,13 @@
 """A table in a text: the lines before it, its columns with their titles, and its rows."""
 
 from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from radcalc.errors import RadcalcError, quote
 from radcalc.files import columns
 
+UNITS = " units"
 MOST_PAIRS = 1000  # lines before a table that are searched for pairs
 
 Refuse = Callable[[int, str, str], RadcalcError]  # the error of a line, a problem and a hint
@@ -62,6 +64,19 @@ class Table:
             if len(cells) > 1 and cells[0]:
                 found.setdefault(columns.plain(cells[0].rstrip(":-> ")), cells[1])
         return found
+
+    @property
+    def units_above(self) -> dict[str, str]:
+        """The units that a row before the table gives by the titles above it: GHI Units, w/m2."""
+        rows = [
+            columns.cells(line, columns.dialect(line)[0]) for _, line in self.preamble[:MOST_PAIRS]
+        ]
+        return {
+            columns.plain(key).removesuffix(UNITS): value
+            for keys, values in pairwise(rows)
+            for key, value in zip(keys, values, strict=False)
+            if columns.plain(key).endswith(UNITS) and len(keys) == len(values)
+        }
 
     def cells(self, number: int, line: str) -> list[str]:
         """Return the cells of a row; raise for too few or many, without blank ones at its end."""

@@ -10,9 +10,10 @@ from typing import NamedTuple
 
 from radcalc.errors import UnitError, UsageError, listed, nearest, quote
 from radcalc.files.columns import IN_BRACKETS, plain
-from radcalc.quantities.light import NONE, Reading, describe, read
-from radcalc.quantities.names import PPF, PPFD, QUANTITIES, Quantity
+from radcalc.quantities.light import NONE, PHOTON, RADIANT, Reading, describe, read
+from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity
 from radcalc.quantities.search import comparable, index
+from radcalc.quantities.symbols import light_unit
 from radcalc.quantities.targets import GENERIC
 from radcalc.units.scales import find as find_scale
 from radcalc.units.scales import scale_of
@@ -85,6 +86,8 @@ SPELLINGS = {
     **dict.fromkeys(("lum/ft2", "lumen/ft2", "lumens/ft2", "lm/ft2"), "fc"),
     **dict.fromkeys(("lum/m2", "luxs"), "lx"),
 }
+WATTS = ("w/m2", "wm2")  # W/m2 in files of programs: w/m2, Wm2, Wm-2
+DIRECT_NORMAL = "DNI"  # an irradiance; dni are days in Czech
 BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # the preposition, not an inch: E at 2 m in W/m2
 # Subscripts of symbols, as in E_v or E_ph, are units only if the unit of that quantity is meant.
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
@@ -190,7 +193,7 @@ def refuse_unknown(title: Title, typed: Unit | None = None) -> None:
     if title.unit and read(title.unit):
         return
     text = title.text
-    other = title.unit or unit_of(text)
+    other = title.unit or (None if unit_of_name(text) else unit_of(text))
     is_other = other is not None and (title.unit or sum(map(str.isalpha, text)) > 1)
     detected = OF_DETECTOR.search(text)
     if (is_other and other and not read(other) and other.dimension != NUMBER) or detected:
@@ -208,7 +211,7 @@ def refuse_unknown(title: Title, typed: Unit | None = None) -> None:
 
 def unit_of_meter(text: str) -> Unit | None:
     """Return the unit in a cell of its own, also in a spelling of meters; None for other texts."""
-    return unit_of(text) or unit_of(SPELLINGS.get(_folded(text), ""))
+    return unit_of(text) or _of_watts(text) or unit_of(SPELLINGS.get(_folded(text), ""))
 
 
 def _folded(text: str) -> str:
@@ -240,6 +243,8 @@ def other_quantity(name: str, unit: Unit) -> Quantity | None:
     symbols = index().misnomers.get(folded, {}) if named else {}
     if folded in (*PHOTON_IRRADIANCES, *PHOTONS):
         symbols = {"E_p": "", "Q_p": ""} if folded in PHOTONS else {"E_p": ""}
+    if folded in SOLAR:
+        symbols = {"E_e": "", "H_e": ""}
     named = [*named, *(quantity for quantity in QUANTITIES if quantity.symbol in symbols)]
     readings = [read(candidate) for candidate in (unit, *getattr(unit, "others", ()))]
     if not named or any(
@@ -379,7 +384,9 @@ def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title
     inner = text[start:end]
     start += len(inner) - len(inner.lstrip())
     inner = inner.strip()
-    unit = find_scale(inner) or unit_of(inner) or _of_words(inner)
+    if inner == DIRECT_NORMAL:
+        return None
+    unit = find_scale(inner) or unit_of(inner) or _of_words(inner) or _of_watts(inner)
     if unit is None:
         return None
     if text[opening - 1 : opening] == '"' == text[closing : closing + 1]:
@@ -396,6 +403,10 @@ def _of_words(text: str) -> Unit | None:
     if len(words) < 2 or not all(word[:1].isalpha() for word in words):
         return None
     return unit_of(" ".join(words) if "-" in text else "/".join(words))
+
+
+def _of_watts(text: str) -> Unit | None:
+    return resolve("W/m2") if _folded(text) in WATTS else None
 
 
 def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
@@ -419,6 +430,13 @@ def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
 
 def _is_light(unit: Unit) -> bool:
     return read(unit) is not None
+
+
+def unit_of_name(title: str) -> str:
+    """Return the unit that goes without a word with the name in a title: PPFD, GHI; else ''."""
+    words = {*plain(title).replace("_", " ").split()}
+    names = ((PPFD, light_unit("irradiance", PHOTON)), (SOLAR, light_unit("irradiance", RADIANT)))
+    return next((unit for known, unit in names if not words.isdisjoint(known)), "")
 
 
 def _measure(unit: Unit) -> tuple[object, bool]:

@@ -345,6 +345,7 @@ PARTS = {
 }
 
 PPFD, PPF = ("ppfd", "photosynthetic photon flux density", "par"), ("ppf",)
+SOLAR = ("ghi", "dni", "dhi", "gti", "poa")  # irradiances of the sun and the sky
 # Misnomers: the terms, then the symbol of the quantity that is meant, and an explanation.
 MISNOMERS = (
     (
@@ -448,6 +449,7 @@ MISNOMERS = (
         "E_p",
         "PPFD is the photon irradiance from 400 nm to 700 nm, usually in umol/m2/s",
     ),
+    (SOLAR[:3], "E_e", "GHI, DNI and DHI are irradiances of the sun and the sky, in W/m2"),
     (PPF, "Φ_p", "PPF is the photon flux from 400 nm to 700 nm, usually in umol/s"),
     (("throughput", "geometrical extent"), "G", "that is the etendue of a beam"),
     (

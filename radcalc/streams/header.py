@@ -27,6 +27,7 @@ from radcalc.quantities.column_titles import (
     refuse_misnamed,
     refuse_unknown,
     unit_of_meter,
+    unit_of_name,
 )
 from radcalc.quantities.light import describe, name_of
 from radcalc.quantities.light import read as read_light
@@ -93,6 +94,8 @@ class Header:
                 if self.source and read_light(self.source):
                     for title in read:
                         refuse_unknown(title, self.source)
+                        if not title.unit:
+                            refuse_misnamed(title, self.source)
                 for title, parsed in zip(over, read, strict=False):
                     if parsed.unit:
                         refuse_misnamed(title, parsed.unit)
@@ -120,8 +123,10 @@ class Header:
             unit = unit.replace(" ", ".")  # one word if fields are separated by blanks
         if self.own:
             is_bare = unit == "1" or (title and not title.unit and not self.adds)
-            if self.own.unit or is_bare:
+            if self.own.unit:
                 return self.own.text
+            if is_bare:
+                return self._unlike_usual(self.own.text, unit)
             if title and not self.adds:
                 return title.renamed(self.own.text, unit)
             return f"{self.own.text} [{unit}]"
@@ -130,7 +135,14 @@ class Header:
         if title.unit is None and title.text[-1:] in ("]", ")"):
             self.note(f"the title '{quote(title.text)}' has no known unit, and is kept")
         _refuse_other(title.name, self.target)
-        return title.with_unit(unit)
+        return title.with_unit(unit) if title.unit else self._unlike_usual(title.text, unit)
+
+    def _unlike_usual(self, text: str, unit: str) -> str:
+        """Return a title with the unit of its numbers if its name alone means another: PPFD."""
+        usual = unit_of_name(text)
+        if not usual or is_same(resolve(usual), self.target):
+            return text
+        return f"{text}_{unit}" if self.cut and not self.cut.delimiter else f"{text} [{unit}]"
 
     def check_unit(self, text: bytes) -> None:
         """Refuse the unit of a line if it is not that of the numbers."""

@@ -29,11 +29,10 @@ from radcalc.quantities.column_titles import (
     refuse_unknown,
     unit_in,
     unit_of_meter,
+    unit_of_name,
 )
-from radcalc.quantities.light import PHOTON, RADIANT
+from radcalc.quantities.light import RADIANT
 from radcalc.quantities.light import read as read_light
-from radcalc.quantities.names import PPFD
-from radcalc.quantities.symbols import light_unit
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import looks_like_clock, looks_like_stamp
 from radcalc.terminal import ABORT
@@ -46,11 +45,9 @@ HEAD = 1000  # lines searched for the data, without comments and blank lines
 MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 SECONDS = resolve("s")
-DIRECT_NORMAL = "DNI"  # an irradiance; dni are days in Czech
 PARTS = ("year", "month", "day", "hour", "minute", "second")  # titles of the parts of times
 FORMATS = ("%Y", "%m", "%d", "%H", "%M", "%S")  # of the parts
 LEAST_PARTS = 3  # a date; with an hour, it is a time
-PPFD_UNIT = light_unit("irradiance", PHOTON)
 PAR_ALSO = " (meters give PAR in W/m2, too: its unit in the title, PAR [W/m2], tells)"
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
 
@@ -245,7 +242,10 @@ class Head:
         times = parts or self._time_columns(number, cells, names)
         place = self._value_column(number, cells, titles, times)
         units = columns.unit_column(names, place)
-        unit = self._unit([row[place] for row in titles], None if units is None else cells[units])
+        above = [row[place] for row in titles]
+        if names and (stated := table.units_above.get(columns.plain(names[place]))):
+            above.append(stated)
+        unit = self._unit(above, None if units is None else cells[units])
         title = " ".join([names[k] for k in times]) if names and not parts else ""
         text = " ".join([cells[k] for k in times])
         try:
@@ -397,11 +397,11 @@ class Head:
         if units:
             return units[0]
         for title in texts:
-            if _is_ppfd(title):
+            if usual := unit_of_name(title):
                 also = PAR_ALSO if "par" in _words(title) else ""
                 if not self.settings.unit:
-                    self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}{also}")
-                return resolve(PPFD_UNIT)
+                    self.assumptions.append(f"'{quote(title)}' is in {usual}{also}")
+                return resolve(usual)
         return None
 
     def _place(self, name: str, names: list[str], width: int) -> int:
@@ -421,7 +421,7 @@ def _is_of_time(title: str) -> bool:
     if OF_TIME.search(columns.plain(title).replace("_", " ")):
         return True
     unit = unit_in(title, SECONDS)
-    if unit is None or unit.dimension != TIME or unit.text == DIRECT_NORMAL:
+    if unit is None or unit.dimension != TIME:
         return False
     return not _may_be_light(title)
 
@@ -436,18 +436,14 @@ def _unit_of_time(title: str) -> Unit | None:
 
 
 def _may_be_light(title: str) -> bool:
-    """Return whether a title has a unit of light, or what looks like one, or is PPFD."""
+    """Return whether a title has a unit of light, what looks like one, or a name that has one."""
     if unit := unit_in(title):
         return read_light(unit) is not None
     try:
         read_title(title)
     except UnitError:
         return True
-    return _is_ppfd(title)
-
-
-def _is_ppfd(title: str) -> bool:
-    return not _words(title).isdisjoint(PPFD)
+    return bool(unit_of_name(title))
 
 
 def _words(title: str) -> set[str]:
