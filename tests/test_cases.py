@@ -1,4 +1,4 @@
-"""The commands of the transcripts in `cases/` and README.md print the outputs shown.
+"""The transcripts in `cases/`, README.md and `radcalc examples` show what their commands print.
 
 Commands that need no more of a shell than words, pipes and sequences run in this process.
 """
@@ -12,12 +12,14 @@ from pathlib import Path
 import pytest
 from conftest import ROOT, entry_point, run
 
+from radcalc.cli import tasks
+
 BARE = r"[^\"|<>;&`$\\]*"  # no characters special to a shell, except in '...'
 CALL = re.compile(
     rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE}?)( 2> ?(?:&1|/dev/null))?(?: ?(\|.*))?"
 )
 PARTS = re.compile(rf"radcalc {BARE}(?:(?: &&|;) (?:radcalc|rm) {BARE})+")  # a sequence
-FILES = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md"]
+FILES = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md", tasks.FILE]
 
 
 def transcripts(path: Path) -> list[tuple[str, str]]:

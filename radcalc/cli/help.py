@@ -11,6 +11,7 @@ COMMANDS = {
     "units": "Units, their definitions and sources.",
     "quantities": "Names of quantities in three languages.",
     "typical": "Typical values: sun, sky, rooms, lamps, screens.",
+    "examples": "Tasks with their commands, answers and how to read them.",
     "prompt": "Interactive prompt, with ans and variables.",
 }
 HELP_NAMES = ["-h", "--help"]

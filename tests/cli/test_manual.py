@@ -268,6 +268,7 @@ def test_incident_light_is_not_one_step_from_light_that_leaves_another_surface()
 TRANSCRIPTS = [
     pytest.param(command, output, id=f"{name}: {command}")
     for name in PAGES
+    if name != "radcalc-examples(7)"  # generated from a transcript of test_cases
     for command, output in manual.transcripts(SOURCES[name])
 ]
 
@@ -289,14 +290,6 @@ def test_no_line_of_a_display_is_wider_than_80_columns(name):
 def test_every_command_has_examples_that_run(name):
     ran = [command for command, _ in manual.transcripts(SOURCES[f"radcalc-{name}(1)"])]
     assert any(f"radcalc {name}" in command for command in ran)
-
-
-def test_the_page_of_examples_has_ten_tasks_each_with_a_call_and_how_to_read_it():
-    tasks = SOURCES["radcalc-examples(7)"].split(".Sh ")[3:-1]
-    assert len(tasks) == 10
-    for task in tasks:
-        assert manual.transcripts(task)
-        assert len(task.rpartition(".Ed\n.Pp\n")[2].split()) > 10
 
 
 DIAGNOSTICS = [

@@ -22,8 +22,8 @@ SCHEMA = json.loads(Path(__file__).with_name("schema.json").read_text(encoding="
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 BARE = {"-n", "--number", "--json", "--format"}
 NO_ANSWERS = {"--help", "-h", "--version", "help", "--plot"}
-LISTS = ("units", "quantities", "typical", "spectrum --list")  # of what there is
-MORE = ("units lux", "units W/m2", "typical sun", "spectrum --list")
+LISTS = ("units", "quantities", "typical", "examples", "spectrum --list")  # of what there is
+MORE = ("units lux", "units W/m2", "typical sun", "spectrum --list", "examples uv")
 ROOM = "name,x,y,z,flux\ndesk,1,2,1.2,400lm\ndoor,5,0.5,2.5,800lm\n"
 
 

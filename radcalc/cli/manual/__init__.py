@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from radcalc.cli.manual import commands, mdoc, reference
+from radcalc.cli.manual import commands, mdoc, reference, tasks
 
 MARKED = re.compile(
     r'^(\.\\" generated: (\w+)(?: of (.+))?\n)(?:.*\n)*?(\.\\" end of generated\n)', re.MULTILINE
@@ -22,6 +22,7 @@ WRITERS: Mapping[str, Callable[[str], Iterable[str]]] = {
     "results": commands.results,
     "laws": commands.laws,
     "list": commands.listed,
+    "tasks": tasks.tasks,
     "quantities": reference.quantities,
     "conditions": reference.conditions,
     "units": reference.units,

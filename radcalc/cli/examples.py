@@ -1,0 +1,100 @@
+"""`radcalc examples [WORD ...]`: tasks with their commands, answers and how to read them."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
+from typing import Any
+
+from radcalc import terminal
+from radcalc.answer import texts_of
+from radcalc.calculators.page import Operand, Page
+from radcalc.cli.command import define
+from radcalc.cli.help_format import narrowed
+from radcalc.cli.options import Output, refuse_number_options, width_of_terminal
+from radcalc.cli.tasks import CALL, Task, search
+from radcalc.cli.tasks import words as searches
+from radcalc.quantities.symbols import CHOICE
+from radcalc.render.formats import PLAIN, TABLE, Records
+from radcalc.terminal import BOLD, HANGING, RESET, fold
+
+WIDTH = 80  # of paragraphs in plain text
+
+
+@define(
+    "examples", Page(operand=Operand("search", "[WORD ...]", CHOICE, searches())), calculates=False
+)
+def command(words: tuple[str, ...], output: Output) -> None:
+    """List tasks with the commands that answer them, or show those that mention all words.
+
+    \b
+    Examples:
+      radcalc examples                 all tasks, each with its first command
+      radcalc examples museum          the tasks of a trade, complete
+      radcalc examples ppfd spectrum   the tasks that mention both words
+
+    A complete task has its question, its commands, what they print, and how to read it.
+    """
+    refuse_number_options(output, "examples")
+    text = " ".join(words)
+    found = search(text)
+    is_complete = bool(text.strip())
+    if output.format == TABLE or (output.format == PLAIN and is_complete):
+        width = width_of_terminal() if output.format == TABLE else 0
+        lines = _complete(found, width) if is_complete else _overview(found, width)
+        terminal.write("".join(_line(line, output.style.color) for line in lines))
+    else:
+        rows = [_record(task, is_complete) for task in found]
+        output.records(Records(rows, (), (), inputs=texts_of({"search": text})))
+
+
+def _line(line: str, is_colored: bool) -> str:
+    """Return a line of a text, in which a title is not indented."""
+    is_title = is_colored and line[:1].strip()
+    return f"{BOLD}{line}{RESET}\n" if is_title else f"{line}\n"
+
+
+def _overview(found: Iterable[Task], width: int) -> Iterator[str]:
+    """Yield the tasks of each trade, with their first commands."""
+    for trade, group in groupby(found, lambda task: task.trade):
+        yield trade
+        for task in group:
+            yield f"  {task.title}"
+            yield from narrowed(f"    {task.command}", width)
+
+
+def _complete(found: Sequence[Task], width: int) -> Iterator[str]:
+    """Yield the lines of whole tasks; in plain text, without a width, no line of a call is folded.
+
+    Only titles are not indented.
+    """
+    for place, task in enumerate(found):
+        if place:
+            yield ""
+        yield f"{task.trade}: {task.title}"
+        yield from _paragraph(task.question, width)
+        yield ""
+        for call in task.calls:
+            typed = f"    {CALL}{call.command}"
+            yield from narrowed(typed, width) if width else [typed]
+            for printed in call.output:
+                line = f"    {printed}".rstrip()
+                yield from fold(line, width, HANGING) if width else [line]
+        yield ""
+        yield from _paragraph(task.reading, width)
+
+
+def _paragraph(text: str, width: int) -> list[str]:
+    return fold(f"  {text}", width or WIDTH)
+
+
+def _record(task: Task, is_complete: bool) -> dict[str, Any]:
+    row: dict[str, Any] = {"trade": task.trade, "task": task.title}
+    if not is_complete:
+        return row | {"command": task.command}
+    printed = "\n".join(line for call in task.calls for line in call.output)
+    commands = [call.command for call in task.calls]
+    return row | {
+        "question": task.question,
+        "commands": commands,
+        "output": printed,
+        "reading": task.reading,
+    }
