@@ -370,3 +370,41 @@ def test_a_name_with_a_usual_unit_is_not_the_title_of_another(name, unit, larger
 def test_no_column_is_chosen_while_another_has_watts():
     text = "time,E_Wm2,DNI (W/m2)\n2024-06-01T12:00Z,500,700\n2024-06-01T13:00Z,600,700\n"
     assert "there are 2 columns of values" in run("dose", "-", input=text).stderr
+
+
+FIRST, SECOND = "400,1\n500,2\n600,3\n", "410,10\n510,30\n610,20\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "refusal"),
+    [
+        (f"nm,E\n{FIRST}\nnm,E\n{SECOND}", "line 6: 'nm,E' begins a second table, after 3 rows"),
+        (f"Sensor A\n{FIRST}Sensor B\n{SECOND}", "line 5: 'Sensor B' begins a second table"),
+        (f"nm,E\n{FIRST}\n{SECOND}", "2 tables begin in the lines 2, 6"),
+        (f"# scan 1\n{FIRST}# scan 2\n{FIRST}# scan 3\n{FIRST}", "3 tables begin in the lines"),
+    ],
+)
+def test_several_tables_in_a_file_of_a_spectrum_are_not_mixed(text, refusal):
+    done = run("spectrum", "-", "-g", "peak-wavelength:nm", input=text)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert refusal in done.stderr
+
+
+def test_parts_of_a_spectrum_one_below_the_other_are_one():
+    text = "nm,E\n500,2\n600,3\n\n300,1\n400,4\n"
+    assert run("spectrum", "-", "-g", "peak-wavelength:nm", input=text).stdout == "400\n"
+
+
+def test_the_table_of_wavelengths_is_read_below_that_of_results():
+    text = f"Peak,Value\n1,530\n2,610\n\nWavelength [nm],Irradiance\n{SECOND}"
+    done = run("spectrum", "-", "-g", "peak-wavelength:nm", input=text)
+    assert done.stdout == "510\n"
+    assert "the table of wavelengths is read, not that of line 2" in done.stderr
+
+
+@pytest.mark.parametrize(("column", "peak"), [("A", "600"), ("B", "510")])
+def test_each_column_has_the_wavelengths_before_it(column, peak):
+    rows = zip(FIRST.split(), SECOND.split(), strict=True)
+    text = "nm,A,nm,B\n" + "".join(f"{a},{b}\n" for a, b in rows)
+    done = run("spectrum", "-", "-g", "peak-wavelength:nm", "--column", column, input=text)
+    assert done.stdout == f"{peak}\n"

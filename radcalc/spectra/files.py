@@ -38,6 +38,7 @@ WORDS = 2  # after a number, between blanks, that make a line a sentence: 100 sc
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
+ONE_TABLE = "a file for each table"
 LUMINAIRES = (".ies", ".ldt")
 
 
@@ -164,6 +165,11 @@ class _Reader:
         if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
         count = _before(rows)
+        if later := _titled_later(rows, count):
+            self.notes.append(
+                f"the table of wavelengths is read, not that of line {rows[count][0]}"
+            )
+            count = later
         before, rows[:] = rows[:count], rows[count:]
         if not rows:
             where = f" in its first {MOST_BEFORE} lines" if count > MOST_BEFORE else ""
@@ -184,8 +190,11 @@ class _Reader:
             raise self.error(0, error.message, error.hint) from None
         header = header or columns.titles_in_comments(self.comments, width)
         table.titles = [header] if header else []
-        axis = self.axis(header)
-        place, title = self.value_column(header or [""] * width, axis, rows[0][0])
+        axes = self.axes(header)
+        place, title = self.value_column(header or [""] * width, axes, rows[0][0])
+        axis = max((k for k in axes if k < place), default=axes[0])  # of several, the one before
+        if axis:
+            self.notes.append(f"the wavelengths are in column {axis + 1} {quote(header[axis])}")
         return _Layout(table, axis, place, title)
 
     def header(self, before: list[tuple[int, str]], table: TextTable) -> list[str]:
@@ -262,13 +271,39 @@ class _Reader:
             if self.is_marked and line.startswith(oceanview.MARK):
                 self.is_over = True
                 return
-            cells = layout.table.cells(number, line)
-            self.grid.append(layout.table.number(cells[layout.axis], number, is_value=False))
-            self.values.append(layout.table.number(cells[layout.place], number))
+            try:
+                cells = layout.table.cells(number, line)
+                self.grid.append(layout.table.number(cells[layout.axis], number, is_value=False))
+                self.values.append(layout.table.number(cells[layout.place], number))
+            except ConditionError:
+                self.refuse_second(number, line, next(rows, (0, ""))[1], layout.table)
+                raise
             self.lines.append(number)
 
-    def axis(self, header: list[str]) -> int:
-        """Return the column of the wavelengths: the first, or one with their title."""
+    def refuse_second(self, number: int, line: str, below: str, table: TextTable) -> None:
+        """Raise for a line of text between rows of numbers, which begins a second table."""
+        is_text = not _has_number(line, table.delimiter) and _has_number(below, table.delimiter)
+        if is_text and self.values:
+            count = len(self.values)
+            problem = f"'{quote(line.strip())}' begins a second table, after {count} rows"
+            raise self.error(number, problem, f"{ONE_TABLE}, or # before a comment")
+
+    def refuse_several(self) -> None:
+        """Raise for tables without titles, one below the other, that overlap."""
+        grid, lines = self.grid, self.lines
+        falls = grid[1] < grid[0]
+        starts = [0]
+        for k in range(1, len(grid)):
+            if (grid[k] > grid[k - 1]) == falls and lines[k] - lines[k - 1] > 1:
+                starts.append(k)
+        parts = [grid[a:b] for a, b in pairwise([*starts, len(grid)])]
+        overlap = any(max(a) >= min(b) and max(b) >= min(a) for a, b in pairwise(parts))
+        if overlap and min(map(len, parts)) > 1:
+            where = listed([str(lines[start]) for start in starts])
+            raise self.error(0, f"{len(starts)} tables begin in the lines {where}", ONE_TABLE)
+
+    def axes(self, header: list[str]) -> list[int]:
+        """Return the columns of wavelengths: the first, or those with their title."""
         if (longest := max(map(len, header), default=0)) > column_titles.LONGEST:
             raise self.error(
                 0, f"a title of {longest} characters", f"up to {column_titles.LONGEST}"
@@ -278,13 +313,11 @@ class _Reader:
         if len(places) > 1 and places[0] > 0:
             titles = listed([header[k] for k in places])
             raise self.error(0, f"there are {len(places)} columns of wavelengths", titles)
-        axis = places[0] if places else 0
-        if plain and any(word in plain[axis] for word in ("freq", "energy", "wavenumber")):
-            problem = f"'{quote(header[axis])}' is not a wavelength"
+        places = places or [0]
+        if plain and any(word in plain[places[0]] for word in ("freq", "energy", "wavenumber")):
+            problem = f"'{quote(header[places[0]])}' is not a wavelength"
             raise self.error(0, problem, "a column of wavelengths")
-        if axis:
-            self.notes.append(f"the wavelengths are in column {axis + 1} {quote(header[axis])}")
-        return axis
+        return places
 
     def finish_columns(self, layout: _Layout) -> Table:
         low, high = min(self.grid), max(self.grid)
@@ -365,16 +398,18 @@ class _Reader:
         note = f"{count} negative values (down to {min(values):g}) are kept as noise"
         return note + (f": {100 * share:.2g} % of the watts" if share >= SMALL else "")
 
-    def value_column(self, names: list[str], axis: int, number: int) -> tuple[int, str]:
+    def value_column(self, names: list[str], axes: list[int], number: int) -> tuple[int, str]:
         """Return the column of the values: the chosen one, or the only one of light."""
-        others = [k for k in range(len(names)) if k != axis]
+        others = [k for k in range(len(names)) if k not in axes]
         if not others:
             hint = "a wavelength and a value in every row"
             raise self.error(number, "there is only one column", hint)
         if self.column:
-            place = self.named([*names[:axis], "", *names[axis + 1 :]])
-            if place == axis:
-                raise self.error(0, f"column {axis + 1} has the wavelengths", _named(names, others))
+            place = self.named(["" if k in axes else name for k, name in enumerate(names)])
+            if place in axes:
+                raise self.error(
+                    0, f"column {place + 1} has the wavelengths", _named(names, others)
+                )
             self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
             return place, names[place]
         if of_jaz := oceanview.processed(names, self.preamble):
@@ -382,7 +417,7 @@ class _Reader:
         candidates = [
             k
             for k in others  # an index has no title, or is a number of the row
-            if columns.plain(names[k]) not in INDICES and (names[k] or k > axis)
+            if columns.plain(names[k]) not in INDICES and (names[k] or k > axes[0])
         ]
         if len(candidates) > 1:
             candidates = column_titles.of_light(names, candidates)
@@ -426,6 +461,7 @@ class _Reader:
         if all(map(lt, grid[1:], grid)):
             self.notes.append("the wavelengths fall; the rows are taken in reverse")
             return grid[::-1], values[::-1]
+        self.refuse_several()
         order = sorted(range(len(grid)), key=grid.__getitem__)
         for before, after in pairwise(order):
             if grid[before] == grid[after]:
@@ -457,6 +493,10 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
         return None
 
 
+def _has_number(line: str, delimiter: str | None) -> bool:
+    return any(columns.is_number(cell, True) for cell in columns.cells(line, delimiter))
+
+
 def _cell(line: str, layout: _Layout) -> str:
     return line.split(layout.table.delimiter, layout.place + 1)[layout.place].strip()
 
@@ -471,6 +511,27 @@ def _before(rows: Sequence[tuple[int, str]]) -> int:
             if delimiter or words < WORDS:
                 return count
     return len(rows)
+
+
+def _titled_later(rows: Sequence[tuple[int, str]], count: int) -> int:
+    """Return where the rows begin below titles of wavelengths, after a table without any; else 0.
+
+    A meter's results may be such a table.
+    """
+
+    def titles(k: int) -> list[str]:
+        return columns.cells(rows[k][1], columns.dialect(rows[min(k + 1, len(rows) - 1)][1])[0])
+
+    def are_of_wavelengths(k: int) -> bool:
+        cells = titles(k)
+        return _are_titles(cells, len(cells)) and len(cells) > 1
+
+    if not 0 < count < len(rows) or column_titles.is_of_wavelengths(
+        columns.plain(titles(count - 1)[0])
+    ):
+        return 0
+    places = range(count + 1, len(rows) - 1)
+    return next((k + 1 for k in places if are_of_wavelengths(k)), 0)
 
 
 def _gaps(grid: Sequence[float]) -> list[str]:
