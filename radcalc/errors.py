@@ -203,7 +203,7 @@ def leave_out(*names: str) -> Try:
 
 
 def correct(typed: str, *words: str, remark: str = "") -> Try:
-    """Propose a correction of a part of a word, or several words in place of a word."""
+    """Propose a correction of a part of a word, or several words or none in place of a word."""
     return Try(instead=(typed, *words), remark=remark)
 
 
@@ -337,9 +337,13 @@ class RadcalcError(Exception):
         """Return the pickled form, with its fields."""
         return _remade, (type(self), self.args, self.__dict__)
 
-    def reworded(self: "Kind", message: str = "", hint: "Hint" = "") -> "Kind":
+    def reworded(
+        self: "Kind", message: str = "", hint: "Hint" = "", tries: "Sequence[Try]" = ()
+    ) -> "Kind":
+        """Return a copy with another message or hint, or with calls for a hint in words."""
         error: Kind = _remade(type(self), self.args, self.__dict__)
         error.message = message or self.message
+        error.tries = tuple(tries) or self.tries
         if hint:
             other = RadcalcError("", hint)
             error.hint, error.tries = other.hint, other.tries
@@ -430,6 +434,14 @@ class MissingUnit(ConditionError):
     def __init__(self, symbol: str, text: str, written: str, number: str = "") -> None:
         super().__init__(f"the unit of {option(symbol, text)} is missing", add(symbol, written))
         self.symbol, self.text, self.written, self.number = symbol, text, written, number
+
+
+class WrongQuantity(ConditionError):
+    """A value of a quantity that a symbol does not take; `text` is the value as typed."""
+
+    def __init__(self, message: str, hint: "Hint", symbol: str, text: str) -> None:
+        super().__init__(message, hint)
+        self.symbol, self.text = symbol, text
 
 
 class Unused(ConditionError):

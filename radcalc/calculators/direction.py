@@ -14,11 +14,11 @@ from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
     ConditionError,
     Exclusive,
+    Try,
     UsageError,
     call,
     command,
     leave_out,
-    mention,
     option,
     quote,
 )
@@ -29,7 +29,9 @@ from radcalc.inputs.given import Input, Inputs, any_of, one_of
 from radcalc.inputs.places import read_coordinates
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin, sqrt
 from radcalc.quantities.symbols import MIRROR_BALL
-from radcalc.units.dimensions import LENGTH
+from radcalc.units.amounts import split_value
+from radcalc.units.dimensions import ANGLE, LENGTH
+from radcalc.units.table import unit_of
 from radcalc.units.unit import NUMBER
 
 ANGLES, MIRRORS = ("polar", "elevation", "azimuth"), ("reflect-at", "reflect-to")
@@ -90,8 +92,10 @@ def task(words: Sequence[str], wants: Wants) -> Task:
             problem = f"a vector cannot be used with {what}"
             raise ConditionError(problem, [leave_out(*names), without])
         if not vector and not names:
-            hint = mention("X Y Z, or {polar=45deg} {azimuth=30deg}")
-            raise UsageError("a direction is missing", hint)
+            by_angles = call("direction", polar="45deg", azimuth="30deg")
+            raise UsageError(
+                "a direction is missing", [call("direction", "1", "1", "1"), by_angles]
+            )
         return direction(given, vector, unit, with_ball)
 
     return Task("direction", work_out, texts_of({"vector": ",".join(coordinates)}))
@@ -100,9 +104,23 @@ def task(words: Sequence[str], wants: Wants) -> Task:
 def _read(coordinates: list[str]) -> tuple[Vector, str]:
     if len(coordinates) != 3:
         problem = f"a vector has three coordinates, not {len(coordinates)}"
-        raise UsageError(problem, command("direction", "1", "1", "1"))
+        raise UsageError(problem, _of_two(coordinates) or command("direction", "1", "1", "1"))
     (x, y, z), unit = read_coordinates(coordinates)
     return (x, y, z), unit
+
+
+def _of_two(words: list[str]) -> list[Try]:
+    """Propose the direction of two angles, or of a vector in a plane."""
+    units = [unit_of(split_value(word)[1]) for word in words]
+    if len(words) == 2 and not any(split_value(word)[1] for word in words):
+        return [call("direction", *words, "0", remark="in the plane of x and y")]
+    if len(words) != 2 or any(unit is None or unit.dimension != ANGLE for unit in units):
+        return []
+    first, second = words
+    return [
+        call("direction", polar=first, azimuth=second),
+        call("direction", azimuth=first, elevation=second),
+    ]
 
 
 def direction(

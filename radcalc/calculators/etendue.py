@@ -15,6 +15,8 @@ from radcalc.errors import (
     MissingInput,
     NumberError,
     TooNear,
+    Try,
+    add,
     leave_out,
     mention,
 )
@@ -113,7 +115,9 @@ def _unlimited(given: Inputs) -> MissingInput:
         sizes = "{area=1cm2}, {radius=10cm}, {diameter=20cm}, or {width=2cm} with {length=1cm}"
         return MissingInput("the size of the source is missing", mention(sizes))
     limits = "{half-angle}, {apex-angle}, {na}, {f-number}, or {receiver-area} (-radius, -diameter)"
-    return MissingInput("a cone or a receiver is missing", mention(limits + " with {distance}"))
+    ways = [add("half-angle"), add("f-number"), Try((("receiver-area", ""), ("distance", "")))]
+    hint = mention(limits + " with {distance}")
+    return MissingInput("a cone or a receiver is missing", hint, ways)
 
 
 def _source(given: Inputs) -> list[AnyLaw]:

@@ -8,7 +8,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, MissingInput, listed, mention, quote
+from radcalc.errors import ConditionError, MissingInput, add, listed, mention, one_of, quote
 from radcalc.geometry.directions import TURN
 from radcalc.geometry.numerics.cubature import POINTS, narrowest, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
@@ -94,6 +94,7 @@ def integrand(text: str) -> Integrand:
         raise ConditionError(
             f"{describe(unit)} is not a quantity per solid angle",
             "an intensity or a radiance: cd, W/sr, cd/m2, W/m2/sr; or 1/sr",
+            [add("unit", f"{text}/sr", "the unit of the expression, not of its integral")],
         )
     integrated = resolve(f"({text}).sr")
     is_customary = reading.kind == PHOTON or reading.axis != NONE
@@ -175,7 +176,7 @@ def _polar(given: Inputs) -> tuple[float, float]:
     if not where:
         raise MissingInput("the directions to integrate over are missing", ways)
     if len(where) > 1:
-        raise ConditionError("the directions to integrate over are given twice", f"one of {ways}")
+        raise ConditionError("the directions to integrate over are given twice", one_of(*where))
     if where[0] == "polar":
         low, high = given["polar"].value
         return low, high

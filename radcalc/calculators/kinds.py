@@ -19,6 +19,8 @@ from radcalc.errors import (
     MissingInput,
     NumberError,
     TooNarrow,
+    add,
+    leave_out,
     option,
     options,
     quote,
@@ -136,6 +138,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
                     f"{option(item.name)} is {KIND_NAMES[of_kind]}, "
                     f"{first_name} {KIND_NAMES[kind]}: {MISSING_LINK}",
                     LINKS_HINT,
+                    [add("wavelength"), add("spectrum"), leave_out(item.name)],
                 )
             amounts[name] = item.value * factor.value
             assumptions.append(factor.assumption)
@@ -253,6 +256,7 @@ def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
         raise ConditionError(
             f"{quantities} contradict each other: {error.because}",
             f"less of the one or more of the other: {error.limit}",
+            [leave_out(quantity.name) for quantity in ratio[1:]],
         ) from None
 
 
@@ -272,7 +276,12 @@ def linking_factor(links: Inputs, over: str, under: str) -> "Factor | None":
         return None
     from radcalc.conversion import spectral  # loads the tables of the observers
 
-    return spectral.linked(links, over, under)
+    try:
+        return spectral.linked(links, over, under)
+    except (Impossible, TooNarrow):
+        raise
+    except ConditionError as error:
+        raise error.reworded(tries=error.tries or [leave_out(name) for name in links]) from None
 
 
 def _multiple(name: str, amount: Any, factor: Any) -> Any:

@@ -3,14 +3,28 @@
 from collections.abc import Iterable, Sequence, Set
 from itertools import combinations
 
+from radcalc.calculators.page import Page
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.calculators.worksheet import OFFSETS, Worksheet
-from radcalc.errors import Hint, Idle, MissingUnit, RadcalcError, Try, add, leave_out, option
+from radcalc.errors import (
+    Hint,
+    Idle,
+    MissingUnit,
+    RadcalcError,
+    Try,
+    WrongQuantity,
+    add,
+    call,
+    leave_out,
+    option,
+)
 from radcalc.inputs.quantities import with_likely_unit
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import reached
-from radcalc.quantities.symbols import SYMBOLS, light_unit
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.symbols import QUANTITY, SYMBOLS, light_unit, names_of_kinds
 from radcalc.tuples import NamedTuple
+from radcalc.units.reading import read_amount
 
 # The results that inputs must lead to; a page may name another goal.
 GOALS = frozenset(
@@ -136,8 +150,39 @@ class Search(NamedTuple):
         return {name for names in complete if names <= live for name in names}
 
 
+def _as_another(error: WrongQuantity, page: Page) -> list[Try]:
+    """Propose the inputs of a page that take a value, or its number as the right quantity."""
+    inputs = {name for group in page.sections.values() for name in group}
+    inputs |= {other for name in inputs & SYMBOLS.keys() for other in names_of_kinds(name)}
+    if error.tries and all(name in inputs for one in error.tries for name, _ in one.inputs):
+        return list(error.tries)
+    amount, symbol = read_amount(error.text), page.symbol(error.symbol)
+    if amount.unit is None:
+        return []
+    dimension = amount.unit.dimension
+    names = [name for group in page.sections.values() for name in group if name in SYMBOLS]
+    takers = [
+        name
+        for name in names
+        if SYMBOLS[name].form == QUANTITY and dimension in page.symbol(name).dimensions
+    ]
+    if takers:
+        return [Try(((name, error.text),), (error.symbol,)) for name in takers[:2]]
+    light = read_light(amount.unit)
+    if light is None or not symbol.generic:
+        return []
+    unit = light_unit(symbol.generic, light.kind).replace(" ", ".")
+    number = error.text.removesuffix(amount.unit.text).strip()
+    if symbol.kind in ("", light.kind):
+        return [add(error.symbol, f"{number}{unit}")]
+    other = light_unit(symbol.generic, symbol.kind).replace(" ", ".")
+    return [call("convert", error.text, other, spectrum="D65", remark="for this spectrum")]
+
+
 def on_page(error: RadcalcError, command: str) -> RadcalcError:
-    """Return the error about a missing unit with the unit that is likely in a command."""
+    """Return the error about a unit with a unit, or with inputs, that are likely in a command."""
+    if isinstance(error, WrongQuantity) and command in SUMMARIES:
+        return error.reworded(tries=_as_another(error, page_of(command)))
     if not isinstance(error, MissingUnit) or not error.number or command not in SUMMARIES:
         return error
     if error.hint != option(error.symbol, error.written):  # a better one was found

@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING, Any, cast
 
 from radcalc.answer import Ends, Row, Value
 from radcalc.conversion.linear import exact_ratio
+from radcalc.derivation import letter_of
 from radcalc.errors import (
     MissingInput,
     NumberError,
     RadcalcError,
+    Try,
     UsageError,
     ambiguous,
+    correct,
     corrections,
     mention,
     nearest,
@@ -23,15 +26,16 @@ from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
-from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
+from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, light_unit, specific_name
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.table import unit_of
+from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import Dimension, Unit
 
 if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit
 
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
+LIKE = 4  # letters at the start of related words
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
 OF_ENDS = ("-low", "-high")
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
@@ -62,10 +66,15 @@ def of_directions(given: Inputs, name: str, size: Any) -> Value:
     return value(name, size, *more, label=label)
 
 
-def absent(name: str, problem: str, hint: str) -> Value:
-    """Return a result without a value; requesting it raises an error with the reason."""
+def absent(name: str, problem: str, hint: str, *others: str) -> Value:
+    """Return a result without a value; requesting it raises an error with the reason.
+
+    `others` are results to request in its place.
+    """
     message = f"there is no {SYMBOLS[name].label}: {problem}"
-    return value(name, 0.0)._replace(units=(), because=UsageError(message, hint))
+    words = [word for other in others for word in ("-g", other)][1:]
+    error = UsageError(message, hint, [correct(name, *words)] if others else ())
+    return value(name, 0.0)._replace(units=(), because=error)
 
 
 def known(given: Input, *more_units: str) -> Value:
@@ -244,12 +253,21 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         return _apart(row)
     names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
-    if generic in names:
+    linked = _of_kind(name, generic, values) if generic in names and not text else []
+    if generic in names and not linked:
         raise MissingInput(f"{name} {NEEDS_LINK}", f"{LINKS_HINT}, or {generic}")
     of_case = f"{case}: " if case else ""
-    right = _right_names(name, values, names)
-    hint = corrections(name, *right) if len(right) <= MOST_OF_A_UNIT else ", ".join(right)
+    few = names if len(names) <= MOST_OF_A_UNIT else []
+    hint = linked or corrections(name, *(right_names(name, values) or few)) or ", ".join(names)
     raise UsageError(f"{of_case}unknown result '{quote(name)}'", hint)
+
+
+def _of_kind(name: str, generic: str, values: Sequence[Value]) -> list[Try]:
+    """Propose the result of a light quantity in a unit of a kind, if the light has that kind."""
+    kind = SPECIFIC[name][1]
+    unit = light_unit(generic, kind)
+    reach = next(value.reach for value in values if value.name == generic)
+    return [correct(name, f"{generic}:{unit}")] if resolve(unit).dimension in reach else []
 
 
 def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:
@@ -299,12 +317,27 @@ def _results_in(text: str, values: Sequence[Value]) -> list[str]:
     return [f"{v.name}:{quote(text)}" for v in suitable[:MOST_OF_A_UNIT]]
 
 
-def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> Sequence[str]:
+def right_names(name: str, values: Sequence[Value]) -> Sequence[str]:
+    """Return the results, with or without a unit, that an unknown name may mean."""
     if ways := _results_in(name, values):
         return ways
-    word = "-".join(name.lower().replace("_", " ").split())
-    taken = [v.also for v in values if v.also and not v.is_absent]
-    return [word] if word in (*names, *taken) else nearest(word, names) or names
+    word, names = "-".join(name.lower().replace("_", " ").split()), names_of(values)
+    present = [v for v in values if not v.is_absent]
+    if word in (*names, *(v.also for v in present if v.also)):
+        return [word]
+    lettered = [name for name in names if name in SYMBOLS and letter_of(name).lower() == word]
+    return [*dict.fromkeys(lettered)] or nearest(word, names) or _related(word, present)
+
+
+def _related(name: str, values: Sequence[Value]) -> list[str]:
+    """Return the results whose names or labels have words like those of a name."""
+    starts = tuple([word[:LIKE] for word in name.split("-") if len(word) >= 3])
+    related = {
+        value.name: sum(word.startswith(starts) for word in value.name.split("-"))
+        for value in values
+        if any(word.startswith(starts) for word in (*value.name.split("-"), *value.label.split()))
+    }
+    return sorted(related, key=related.__getitem__, reverse=True)[:MOST_OF_A_UNIT]
 
 
 def _ends(value: Value, of: Callable[[Value], Any]) -> Ends | None:

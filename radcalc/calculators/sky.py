@@ -8,12 +8,23 @@ import math
 from typing import TYPE_CHECKING
 
 from radcalc.answer import Answer, Step
+from radcalc.calculators.kinds import kind_of
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, Exclusive, MissingInput, Unused, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    MissingInput,
+    Try,
+    Unused,
+    add,
+    mention,
+    option,
+    quote,
+)
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import UP, cartesian
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
@@ -343,9 +354,12 @@ class _Sky:
         if "azimuth" in given and "tilt" not in given:
             raise Unused(("azimuth",), "without a tilt", mention("add {tilt=90deg}"))
         if "irradiance" in lit and not self.has_plane:
-            option_text = option(lit["irradiance"].name)
+            item = lit["irradiance"]
             hint = mention("{tilt=90deg} or {normal}, or {horizontal-irradiance} of the ground")
-            raise MissingInput(f"the plane of {option_text} is missing", hint)
+            ground = specific_name("horizontal-irradiance", kind_of(item))
+            of_ground = Try(((ground, item.text),), (item.name,), remark="on the ground")
+            ways = [add("tilt", "90deg", "on a wall"), of_ground]
+            raise MissingInput(f"the plane of {option(item.name)} is missing", hint, ways)
         if "radiance-toward" in lit and "toward" not in given:
             option_text = option(lit["radiance-toward"].name)
             raise MissingInput(f"the direction of {option_text} is missing", NO_DIRECTION[1])

@@ -28,9 +28,12 @@ from radcalc.errors import (
     MissingInput,
     NumberError,
     TooNear,
+    Try,
     Unused,
     UsageError,
+    call,
     command,
+    correct,
     mention,
     options,
     quote,
@@ -98,7 +101,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
     if shape != "polygon" and vertices:
         problem = f"unexpected argument '{quote(vertices[0])}'"
         raise UsageError(problem, mention("options, as in {help}"))
-    points = [read_point(vertex, "the vertex") for vertex in vertices]
+    points = _points(vertices)
     work_out: Callable[[Inputs], Answer] = partial(solid_angle, shape, points=points)
     if shape == "pixel":
         from radcalc.calculators.pixel import pixel
@@ -106,6 +109,26 @@ def task(words: Sequence[str], wants: Wants) -> Task:
         work_out = pixel
     operands = texts_of({"shape": shape, "vertices": " ".join(vertices)})
     return Task("solid-angle", work_out, operands, shape)
+
+
+def _points(vertices: Sequence[str]) -> list[Point]:
+    try:
+        return [read_point(vertex, "the vertex") for vertex in vertices]
+    except ConditionError as error:
+        raise error.reworded(tries=_with_three(vertices)) from None
+
+
+def _with_three(vertices: Sequence[str]) -> list[Try]:
+    """Propose three coordinates of the first vertex that has two or four."""
+    parts = [vertex.split(",") for vertex in vertices]
+    thirds = {coordinates[2] for coordinates in parts if len(coordinates) == 3}
+    for vertex, (x, y, *rest) in [(v, p) for v, p in zip(vertices, parts, strict=True) if p[1:]]:
+        if not rest and len(thirds) == 1:
+            return [correct(vertex, ",".join([x, y, *thirds]), remark="in the plane of the others")]
+        if len(rest) == 2:
+            decimal = correct(vertex, f"{x},{y},{'.'.join(rest)}", remark="with a decimal point")
+            return [decimal, correct(vertex, f"{x},{y},{rest[0]}", remark="the first three")]
+    return []
 
 
 def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answer:
@@ -414,8 +437,8 @@ def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
             place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if is_tilted else {}
             sizes = {"radius": size / 2, **(place or {"distance": away})}
             disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
-            call = command("solid-angle", "disc", **disc)
-            hint = f"{call}, exact if the patch is a circle"
+            exact = command("solid-angle", "disc", **disc)
+            hint = f"{exact}, exact if the patch is a circle"
         law = "A cos(theta) / d^2"
         raise TooNear(solved.describe("distance"), "source", format_number(size), hint, law)
 
@@ -427,7 +450,12 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     given = sheet.given
     viewpoint: Point = given["viewpoint"].value if "viewpoint" in given else (0.0, 0.0, 0.0)
     normal: Point | None = given["normal"].value if "normal" in given else None
-    shape = outline.read(points, viewpoint)
+    try:
+        shape = outline.read(points, viewpoint)
+    except outline.Crossing as error:
+        others = {name: item.text for name, item in given.items()}
+        ordered = call("solid-angle", "polygon", *map(outline.write, error.ordered), **others)
+        raise error.reworded(tries=[ordered]) from None
     omega = abs(polygon(shape.vertices))
     flat = projected.polygon(shape.vertices, normal or shape.normal)
     plane = "a plane parallel to the polygon"

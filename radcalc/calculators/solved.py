@@ -8,7 +8,7 @@ from radcalc.answer import Answer, Value
 from radcalc.calculators import kinds
 from radcalc.calculators.missing import Search
 from radcalc.calculators.results import known, value
-from radcalc.calculators.worksheet import Placed, Remarks, Worksheet
+from radcalc.calculators.worksheet import Placed, Remarks, Worksheet, without_one
 from radcalc.derivation import coherent_unit_of, digits_apart, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
 from radcalc.laws import solver
@@ -53,6 +53,8 @@ def _solutions(
         return solver.solve_all([*same, *laws], sheet.known_with(placed) | seconds, steps, LIGHT)
     except Disagreement as error:
         raise contradiction(sheet, error, steps) from None
+    except ConditionError as error:  # no value fits the inputs
+        raise without_one(sheet, error) from None
 
 
 class Solved(Remarks):
@@ -92,11 +94,12 @@ class Solved(Remarks):
             low, high = limits.low - ROUNDING * abs(limits.low), limits.high * (1 + ROUNDING)
             if any_true((result < low) | (result > high)) and not self._is_at_limit(name):
                 inputs = {**self.sheet.quantities, **self.lit.links}
-                raise ConditionError(
+                error = ConditionError(
                     f"{self.describe(name)} follows from the rest and is out of range: "
                     f"{because or f'it must be {limits.said}'}",
                     hint or f"another value of {options(item.name for item in inputs.values())}",
                 )
+                raise without_one(self.sheet, error)
 
     def _is_at_limit(self, name: str) -> bool:
         """Use the limit of a result in its place, if the digits typed allow that."""

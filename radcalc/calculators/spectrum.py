@@ -54,6 +54,12 @@ COLOURS = ("x", "y", "cct", "duv", "cri")
 CHROMATICITY = "the chromaticity: x and y"
 UNSEEN = "this spectrum is invisible"
 RELATIVE = "the spectrum is relative"
+# light of an absolute spectrum, and ratios that a relative one has
+INSTEAD = (
+    ("irradiance", "luminous-efficacy"),
+    ("illuminance", "luminous-efficacy"),
+    ("photon-irradiance", "photon-efficacy", "lux-per-ppfd"),
+)
 LIT = "a spectrum with light from 360 nm to 830 nm"
 
 
@@ -117,7 +123,8 @@ def _shape(counts: Counts, total: float) -> list[Value]:
         is_lines = isinstance(source, Lines)
         ends = "range ends" if counts.given[RADIANT] else "data end"
         why = "a line has no width" if is_lines else f"the {ends} above half of the peak"
-        results.append(absent("fwhm", why, "peak-wavelength and centroid-wavelength"))
+        others = "peak-wavelength", "centroid-wavelength"
+        results.append(absent("fwhm", why, " and ".join(others), *others))
     if limits != WHOLE:
         results.append(_nanometres("range-start", limits[0]))
         results.append(_nanometres("range-end", limits[1]))
@@ -176,15 +183,16 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
         else:
             temperature, distance = colorimetry.temperature_and_distance(light)
     except colorimetry.Undefined as error:
-        return [*results, *(absent(name, str(error), CHROMATICITY) for name in COLOURS[2:])], []
+        others = (absent(name, str(error), CHROMATICITY, "x", "y") for name in COLOURS[2:])
+        return [*results, *others], []
     results += [value("cct", temperature), value("duv", distance)]
     try:
         like = colorimetry.reference(temperature)
     except colorimetry.Undefined as error:
-        return [*results, absent("cri", str(error), "cct and duv")], []
+        return [*results, absent("cri", str(error), "cct and duv", "cct", "duv")], []
     if not colorimetry.is_adapted(light):
         why = "the adaptation of CIE 13.3 is undefined for its chromaticity"
-        return [*results, absent("cri", why, "cct and duv")], []
+        return [*results, absent("cri", why, "cct and duv", "cct", "duv")], []
     results.append(value("cri", lambda: colorimetry.colour_rendering_index(light, like)))
     away = colorimetry.difference(light, like)
     if away <= colorimetry.SIMILAR:
@@ -211,7 +219,7 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
     if source.absolute:
         return [_of_light(source.absolute, kind, amounts) for kind in (RADIANT, LUMINOUS)]
     hint = command("convert", "VALUE", "UNIT", "UNIT", spectrum=source.label)
-    return [absent(name, RELATIVE, hint) for name in ("irradiance", "illuminance")]
+    return [absent(name, RELATIVE, hint, *others) for name, *others in INSTEAD]
 
 
 def _of_light(name: str, kind: str, amounts: dict[str, float]) -> Value:

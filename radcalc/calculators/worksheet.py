@@ -9,7 +9,7 @@ from typing import Any
 from radcalc.answer import Step
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
-from radcalc.errors import ConditionError, Try, Unused, mention, option, quote
+from radcalc.errors import ConditionError, Try, Unused, leave_out, mention, option, quote
 from radcalc.inputs.given import Input, Inputs, split_by_light
 from radcalc.laws.law import AnyLaw, Law, same
 from radcalc.laws.solver import Known, reached
@@ -186,12 +186,21 @@ def place(sheet: Worksheet, find: Callable[[Worksheet], Placed]) -> Placed:
 
     They follow from shifting each input by its own rounding error.
     """
-    placed = find(sheet)
+    try:
+        placed = find(sheet)
+    except ConditionError as error:
+        raise without_one(sheet, error) from None
     for name, known in placed.known.items():
         if not known.text:
             rounding = partial(_moved_by_roundings, sheet, find, name, known.value)
             placed.known[name] = known._replace(rounding=rounding)
     return placed
+
+
+def without_one(sheet: Worksheet, error: ConditionError) -> ConditionError:
+    """Return the error of inputs that do not fit each other, with the call without each of them."""
+    fewer = [leave_out(item.name) for item in sheet.quantities.values()]
+    return error.reworded(tries=error.tries or (fewer if len(fewer) > 1 else ()))
 
 
 def _moved_by_roundings(

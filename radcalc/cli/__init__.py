@@ -8,7 +8,7 @@ import click
 from radcalc import terminal
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.errors import MissingUnit, RadcalcError, UsageError, call
+from radcalc.errors import MissingUnit, RadcalcError, UsageError, WrongQuantity, call
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -39,10 +39,10 @@ def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> i
         return answer()
     except RadcalcError as error:
         problem = error
-        if isinstance(error, MissingUnit):
-            from radcalc.cli.refusals import join_unit
+        if isinstance(error, (MissingUnit, WrongQuantity)):
+            from radcalc.cli.refusals import about_unit
 
-            problem = join_unit(error, words)
+            problem = about_unit(error, words)
     except click.UsageError as error:
         from radcalc.cli.refusals import of_click
 

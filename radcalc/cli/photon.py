@@ -11,7 +11,7 @@ from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
 from radcalc.cli.spelling import Shell
-from radcalc.errors import RadcalcError, UsageError, call, spell
+from radcalc.errors import RadcalcError, UsageError, call, mentioned, spell
 
 T = TypeVar("T")
 
@@ -34,7 +34,11 @@ def _as_operand(read: Callable[[], T]) -> T:
     try:
         return read()
     except RadcalcError as error:
-        calls = [call("photon", value) for proposal in error.tries for _, value in proposal.inputs]
+        calls = [
+            call("photon", value, remark="" if mentioned(proposal.remark) else proposal.remark)
+            for proposal in error.tries
+            for _, value in proposal.inputs
+        ]
         hint = calls or spell(error.hint, Command)
         raise error.reworded(spell(error.message, Operand), hint) from None
 

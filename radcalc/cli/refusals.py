@@ -13,6 +13,8 @@ from radcalc.errors import (
     Hint,
     MissingUnit,
     RadcalcError,
+    Try,
+    WrongQuantity,
     add,
     call,
     correct,
@@ -52,8 +54,15 @@ MEANT_OPTIONS = {
 }
 
 
-def join_unit(error: MissingUnit, words: list[str]) -> RadcalcError:
-    """Return the error with the hint to write `--distance 2 ft` as one word."""
+def about_unit(error: MissingUnit | WrongQuantity, words: list[str]) -> RadcalcError:
+    """Return the error about a unit with the calls that are likely in a command."""
+    called = "convert" if is_sentence(words) else next((w for w in words if w in SUMMARIES), "")
+    joined = _join_unit(error, words) if isinstance(error, MissingUnit) else None
+    return joined or on_page(error, called)
+
+
+def _join_unit(error: MissingUnit, words: list[str]) -> RadcalcError | None:
+    """Return the error with the hint to write `--distance 2 ft` as one word, if it was two."""
     from radcalc.quantities.symbols import SYMBOLS
     from radcalc.units.table import resolve
 
@@ -68,8 +77,7 @@ def join_unit(error: MissingUnit, words: list[str]) -> RadcalcError:
             )
     except RadcalcError:
         pass
-    called = "convert" if is_sentence(words) else next((w for w in words if w in SUMMARIES), "")
-    return on_page(error, called)
+    return None
 
 
 def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
@@ -92,8 +100,8 @@ def _unexpected(word: str, words: list[str]) -> RadcalcError:
     problem = f"unexpected argument '{word}'"
     if ("--plot", word) in pairwise(words):
         return RadcalcError(problem, correct(word, f"{word.partition('.')[0]}.svg"))
-    hint = "an option before each value, and the value and its unit as one word: --distance 2m"
-    return RadcalcError(problem, hint)
+    alone = "an option before each value, and the value and its unit as one word: --distance 2m"
+    return RadcalcError(problem, _one_word(word, words) or alone)
 
 
 def _of_value(error: click.UsageError) -> Hint:
@@ -109,6 +117,17 @@ def _of_value(error: click.UsageError) -> Hint:
         choices = [str(choice) for choice in option.type.choices]
         return [add(name, choice) for choice in nearest(typed, choices) or choices]
     return add(name) if name == "header" else ""
+
+
+def _one_word(unit: str, words: list[str]) -> list[Try]:
+    """Propose a number and its unit, typed as two words, as one."""
+    from radcalc.units.scales import find
+    from radcalc.units.table import unit_of
+
+    before = next((a for a, b in pairwise(words) if b == unit), "")
+    if before[-1:].isdigit() and before[:1] not in "-" and (unit_of(unit) or find(unit)):
+        return [correct(f"{before} {unit}", f"{before}{unit}", remark="one word")]
+    return []
 
 
 def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> RadcalcError:

@@ -19,6 +19,7 @@ from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.spelling import Shell, spelled
 from radcalc.errors import (
     MINUS,
+    Exclusive,
     OutputError,
     RadcalcError,
     Try,
@@ -56,7 +57,8 @@ class Trial(NamedTuple):
     def outcome(self) -> str:
         """Return the first results, with their names unless the call names them."""
         named = called_in(self.words) != "convert" and "-g" not in self.words
-        shown = self.rows[: NAMED if named else SHOWN]
+        rows = list({row.name: row for row in reversed(self.rows)}.values())[::-1]
+        shown = rows[:NAMED] if named else self.rows[:SHOWN]
         texts = [f"{row.name} " * named + _shown(row) for row in shown]
         more = ["..."] if len(self.rows) > SHOWN and not named else []
         remark = spelled(self.remark)
@@ -119,7 +121,8 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
         try:
             made.append(trial.answered())
         except RadcalcError as further:
-            lacking.append((trial, further, way))
+            if proposal.inputs or not proposal.without or isinstance(error, Exclusive):
+                lacking.append((trial, further, way))
     if made:
         return made
     completed = [one for refused in lacking for one in _completed(*refused)]
@@ -219,7 +222,8 @@ def _corrected(call: Words, *texts: str) -> Words | None:
     call = [_as_message(word) for word in call]
     typed, *others = map(_as_message, texts)
     if not others:
-        return [word for word in call if word != typed]
+        places = [k for k, word in enumerate(call) if word == typed]
+        return [*call[: places[-1]], *call[places[-1] + 1 :]] if places else None
     correction, *more = others
     if "±" in typed:
         from radcalc.units.uncertain import signed

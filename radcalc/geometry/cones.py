@@ -5,11 +5,11 @@ these parts of the geometry.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from typing import Any, TypeVar
 
-from radcalc.errors import ConditionError
+from radcalc.errors import ConditionError, Try
 from radcalc.maths import (
     LARGEST,
     SLACK,
@@ -32,7 +32,7 @@ SIZES = {"radius", "other", "distance", "height", "width", "length", "area", "re
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-def refuse(bad: Any, message: str, hint: str) -> None:
+def refuse(bad: Any, message: str, hint: str, tries: Sequence[Try] = ()) -> None:
     """Raise a `ConditionError` if a comparison holds for any element.
 
     Parameters
@@ -44,6 +44,8 @@ def refuse(bad: Any, message: str, hint: str) -> None:
         Message of the error.
     hint : str
         Valid values, shown after ``try:``.
+    tries : sequence of Try, optional
+        Calls to propose with a hint in words.
 
     Raises
     ------
@@ -59,7 +61,7 @@ def refuse(bad: Any, message: str, hint: str) -> None:
     try: 0 or more
     """
     if any_true(bad):
-        raise ConditionError(message, hint)
+        raise ConditionError(message, hint, tries)
 
 
 def bounded(function: F) -> F:

@@ -6,9 +6,10 @@ are in any one unit; floats only.
 
 import math
 from collections.abc import Sequence
+from functools import reduce
 from itertools import pairwise
 
-from radcalc.errors import ConditionError
+from radcalc.errors import ConditionError, correct, leave_out
 from radcalc.geometry.numerics.vectors import cross, dot, length, minus, plus, times
 from radcalc.maths import power_of_two
 
@@ -122,11 +123,14 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     for k, point in enumerate(points):
         if point in points[:k]:
             raise ConditionError(
-                f"the vertex {_write(point)} is given twice", "each once, and no closing one"
+                f"the vertex {write(point)} is given twice",
+                "each once, and no closing one",
+                [correct(write(point))],
             )
     # Only directions matter, so lengths are scaled so that no square overflows.
     scale = 1 / power_of_two(max(abs(x) for point in (*points, viewpoint) for x in point) or 1.0)
-    points, viewpoint = [times(point, scale) for point in points], times(viewpoint, scale)
+    typed, points = points, [times(point, scale) for point in points]
+    viewpoint = times(viewpoint, scale)
     first = points[0]
     sides = [minus(point, first) for point in points]
     size = max(length(side) for side in sides)
@@ -139,7 +143,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
             length(cross(vertex, next_vertex)) for vertex in sides for next_vertex in sides
         )
         if widest > 1e-12 * size * size:
-            raise _crossing()  # a bow tie, whose halves are equal
+            raise _crossing(typed)  # a bow tie, whose halves are equal
         raise ConditionError("the polygon has no area", "vertices that are not on one line")
     unit = times(area, 1 / length(area))
     off = max(abs(dot(unit, side)) for side in sides)
@@ -148,12 +152,14 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
             f"the polygon is not flat: its vertices are up to {off / scale:.3g} away from a plane",
             "its triangles, one by one",
         )
-    _refuse_crossing(sides, unit)
+    _refuse_crossing(typed, sides, unit)
     away = minus(first, viewpoint)
     height = dot(unit, away)
     if abs(height) <= 1e-12 * max(size, length(away)):
         raise ConditionError(
-            "the viewpoint is in the polygon's plane", "a viewpoint off that plane"
+            "the viewpoint is in the polygon's plane",
+            "a viewpoint off that plane",
+            [leave_out("viewpoint")] if any(viewpoint) else (),
         )
     notes = []
     if off > NOTED * size:
@@ -162,7 +168,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     return Outline([plus(away, side) for side in sides], normal, notes)
 
 
-def _refuse_crossing(sides: Sequence[Point], unit: Point) -> None:
+def _refuse_crossing(points: Sequence[Point], sides: Sequence[Point], unit: Point) -> None:
     """Refuse sides that cross: the two halves of a bow tie would be subtracted."""
     axis = max(range(3), key=lambda k: abs(unit[k]))
     flat = [tuple(x for k, x in enumerate(side) if k != axis) for side in sides]
@@ -177,14 +183,32 @@ def _refuse_crossing(sides: Sequence[Point], unit: Point) -> None:
             apart = turn(j, j + 1, k) * turn(j, j + 1, k + 1)
             across = turn(k, k + 1, j) * turn(k, k + 1, j + 1)
             if apart <= 0 and across <= 0 and (apart or across):
-                raise _crossing()
+                raise _crossing(points)
 
 
-def _crossing() -> ConditionError:
+class Crossing(ConditionError):
+    """Sides that cross; `ordered` are the vertices in order around their middle."""
+
+    def __init__(self, message: str, hint: str, ordered: Sequence[Point] = ()) -> None:
+        super().__init__(message, hint)
+        self.ordered = ordered
+
+
+def _crossing(points: Sequence[Point]) -> Crossing:
     """Return the error for sides that cross; also for a bow tie without vector area."""
-    return ConditionError("the polygon's sides cross or touch", "the vertices in order round it")
+    middle = times(reduce(plus, points), 1 / len(points))
+    sides = [minus(point, middle) for point in points]
+    normal = max((cross(sides[0], side) for side in sides), key=length)
+
+    def angle(k: int) -> float:
+        along = dot(sides[0], sides[k]) * length(normal)
+        return math.atan2(dot(normal, cross(sides[0], sides[k])), along) % math.tau
+
+    ordered = [points[k] for k in sorted(range(len(points)), key=angle)]
+    hint = "the vertices in order round it"
+    return Crossing("the polygon's sides cross or touch", hint, ordered)
 
 
-def _write(point: Point) -> str:
+def write(point: Point) -> str:
     """Return a point as the user would type it."""
-    return ",".join(f"{x:g}" for x in point)
+    return ",".join(f"{x:.12g}" for x in point)

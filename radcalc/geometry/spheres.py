@@ -3,8 +3,9 @@
 A sphere fills the cone that touches it.  Units and arguments are those of `radcalc.geometry.solid`.
 """
 
+from radcalc.errors import ConditionError, Try, add
 from radcalc.geometry.cones import FULL, bounded, cone, refuse
-from radcalc.maths import Number, atan2, sqrt
+from radcalc.maths import Number, any_true, atan2, is_array, sqrt
 
 
 @bounded
@@ -43,14 +44,23 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     30.0
     """
     refuse((radius < 0), "the radius is out of range", "0 or more")
-    refuse(
-        distance <= radius,
-        "the observer is on or inside the sphere",
-        "a distance to the centre greater than the radius; from its surface, the sphere fills "
-        "2 pi sr",
-    )
+    if any_true(distance <= radius):
+        raise ConditionError(
+            "the observer is on or inside the sphere",
+            "a distance to the centre greater than the radius; from its surface, the sphere fills "
+            "2 pi sr",
+            _from_surface(radius, distance),
+        )
     # R / sqrt(D^2 - R^2), which keeps its digits up to the surface
     return atan2(radius, sqrt(distance - radius) * sqrt(distance + radius))
+
+
+def _from_surface(radius: Number, distance: Number) -> list[Try]:
+    """Propose the distance to the centre, if the given one was measured from the surface."""
+    if is_array(radius) or is_array(distance):
+        return []
+    remark = f"if {distance:g} m is the distance from the surface"
+    return [add("distance", f"{radius + distance:.6g}m", remark)]
 
 
 def solid_angle(radius: Number, distance: Number) -> Number:

@@ -6,7 +6,7 @@ from itertools import repeat
 from typing import NamedTuple, cast
 
 from radcalc.answer import Step, Value
-from radcalc.calculators.results import in_unit, measured_in, name_in, of_kind, pick
+from radcalc.calculators.results import in_unit, measured_in, name_in, of_kind, pick, right_names
 from radcalc.derivation import format_number, with_unit
 from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework import uncertainty
@@ -402,10 +402,19 @@ def _named(question: Question, claim: Claim) -> list[Value]:
         return present if claim.unit else typed or present  # a unit decides between kinds
     if named:
         pick(named, claim.name)  # its error names the missing input
-    names = dict.fromkeys(v.name for v in question.answer.values if not v.is_absent)
-    raise ConditionError(
-        f"{option('check')}: unknown result '{quote(claim.name)}'", ", ".join(names)
-    )
+    present = [v for v in question.answer.values if not v.is_absent]
+    right = [name.partition(":")[0] for name in right_names(claim.name, present)]
+    meant = [v for v in present if v.name in right] or (present if claim.unit else [])
+    fitting = [v for v in meant if not claim.unit or _takes(v, claim.unit)]
+    hint = _ways(fitting, claim) or ", ".join(dict.fromkeys(v.name for v in present))
+    raise ConditionError(f"{option('check')}: unknown result '{quote(claim.name)}'", hint)
+
+
+def _takes(value: Value, unit: str) -> bool:
+    try:
+        return measured_in(unit, value.name).dimension in value.dimensions
+    except RadcalcError:
+        return False
 
 
 def _unnamed(question: Question) -> list[Value]:
@@ -419,11 +428,21 @@ def _unnamed(question: Question) -> list[Value]:
 
 
 def _ways(values: Sequence[Value], claim: Claim) -> str:
-    """Return unambiguous answers, as a list for a hint."""
+    """Return unambiguous answers, as a list for a hint; of a bare number the nearest first."""
+    ways = [(v, unit) for v in values for unit in ([claim.unit] if claim.unit else v.units)]
+    if not claim.unit:
+        ways.sort(key=lambda way: _distance(*way, claim.value))
     clear_answers = [
         option("check", f"{name}={claim.number}{unit.replace(' ', '.').removeprefix('1')}")
-        for value in values
-        for unit in ([claim.unit] if claim.unit else value.units)
+        for value, unit in ways
         for name in [name_in(value, measured_in(unit, value.name).dimension)]
     ]
     return ", ".join([*dict.fromkeys(clear_answers)][:WAYS])
+
+
+def _distance(value: Value, unit: str, number: float) -> float:
+    """Return how far a result in a unit is from a number, as the logarithm of their ratio."""
+    try:
+        return abs(math.log(float(in_unit(value, measured_in(unit, value.name))) / number))
+    except (RadcalcError, ArithmeticError, TypeError, ValueError):
+        return math.inf

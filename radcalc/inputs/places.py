@@ -12,6 +12,10 @@ from radcalc.errors import (
     MissingInput,
     NumberError,
     RadcalcError,
+    Try,
+    correct,
+    leave_out,
+    mentioned,
     option,
     quote,
 )
@@ -50,7 +54,9 @@ def read_vector(text: str, what: str) -> Point:
     vector = read_point(text, what)
     if not any(vector):
         raise ConditionError(
-            f"{what} '{quote(text)}' has no direction", "a vector other than 0: 1,0,0.5"
+            f"{what} '{quote(text)}' has no direction",
+            "a vector other than 0: 1,0,0.5",
+            [leave_out(name) for name in mentioned(what)],
         )
     return vector
 
@@ -200,26 +206,32 @@ def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
     numbers_and_units = [split_value(part) for part in parts]
     units = [resolve(unit or "1") for _, unit in numbers_and_units]
     first_unit = next((unit for _, unit in numbers_and_units if unit), "")
+    for part, (number, unit_text) in zip(parts, numbers_and_units, strict=True):
+        if first_unit and not unit_text and number:
+            problem = f"the unit of '{quote(part.strip())}' is missing: another coordinate has one"
+            raise ConditionError(problem, _with_units(parts, first_unit))
     sizes = tuple(
-        _coordinate(part.strip(), number, unit_text, unit, first_unit)
-        for part, (number, unit_text), unit in zip(parts, numbers_and_units, units, strict=True)
+        _coordinate(number, unit_text, unit)
+        for (number, unit_text), unit in zip(numbers_and_units, units, strict=True)
     )
     if max(map(abs, sizes)) > LARGEST:
         raise ConditionError(*TOO_FAR)
     return sizes, first_unit
 
 
-def _coordinate(text: str, number: float, unit_text: str, unit: Unit, first_unit: str) -> float:
-    """Return a coordinate [m], rounded once; refuse a bare number if others have a unit."""
+def _with_units(parts: Sequence[str], unit: str) -> list[Try]:
+    """Propose coordinates that all have a unit, typed as one word or as several."""
+    texts = [part.strip() for part in parts]
+    whole = ",".join([text if split_value(text)[1] else text + unit for text in texts])
+    return [correct(mark.join(parts), whole) for mark in (",", " ")]
+
+
+def _coordinate(number: float, unit_text: str, unit: Unit) -> float:
+    """Return a coordinate [m], rounded once."""
     if unit_text and unit.dimension != LENGTH:
         raise ConditionError(
             f"a coordinate is a length or a bare number, not {describe(unit)}",
             f"without {quote(unit_text)}",
-        )
-    if first_unit and not unit_text and number:
-        raise ConditionError(
-            f"the unit of '{quote(text)}' is missing: another coordinate has one",
-            f"{quote(text + first_unit)} in place of {quote(text)}",
         )
     over, under = number.as_integer_ratio()
     return divide(over * unit.top, under * unit.bottom)

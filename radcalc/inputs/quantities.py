@@ -13,6 +13,7 @@ from radcalc.errors import (
     NumberError,
     RadcalcError,
     Try,
+    WrongQuantity,
     add,
     option,
     quote,
@@ -178,9 +179,15 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
     elif ANGLE in symbol.dimensions and unit.dimension == SOLID_ANGLE:
         other = "solid-angle"
     if other in SYMBOLS and unit.dimension in SYMBOLS[other].dimensions:
-        return ConditionError(problem, Try(((other, text),), (name,)))
+        return WrongQuantity(problem, Try(((other, text),), (name,)), name, text)
     hint: Hint = add(name, example) if name == "bandwidth" else f"a value such as {example}"
-    return ConditionError(problem, hint)
+    error = WrongQuantity(problem, hint, name, text)
+    if name == "wavelength" and unit.dimension == TIME and maths.any_true(amount.number > 0):
+        period = f"{1 / (amount.number * unit.factor):.6g}Hz"
+        return error.reworded(
+            tries=[add(name, period, f"the frequency of a period of {quote(text)}")]
+        )
+    return error
 
 
 def takes_scale(name: str, scale: Unit) -> bool:

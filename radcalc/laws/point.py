@@ -18,7 +18,7 @@ from collections.abc import Callable
 from typing import Any
 
 from radcalc.derivation import format_number
-from radcalc.errors import option
+from radcalc.errors import add, leave_out, option
 from radcalc.geometry import cones, lobes
 from radcalc.laws.cones import APEX, CONE
 from radcalc.laws.energy import ENERGY, EXPOSURE
@@ -51,6 +51,7 @@ def _exponent_of(solid_angle: Any) -> Any:
         exponent < -1e-9,
         "no lobe has that flux and that intensity: it would fill more than a hemisphere",
         f"more intensity or less flux, or {option('distribution', 'cone')}",
+        [add("distribution", "cone"), leave_out("intensity"), leave_out("flux")],
     )
     return piecewise(exponent < 0, lambda n: 0.0 * n, lambda n: n, exponent)
 

@@ -2,7 +2,7 @@
 
 import ast
 
-from radcalc.errors import ConditionError, quote
+from radcalc.errors import ConditionError, Try, corrections, quote
 from radcalc.units.expressions import NO_ANGLE, NOT_A_NUMBER, OF_ANGLES
 
 ANGLES = ("theta", "phi", "deg", "rad")
@@ -104,18 +104,19 @@ class Angles:
             wrong = NOT_A_NUMBER.format("angle (rad)", "{}")
             raise self._wrong(wrong, node, self._ways(part, -power))
 
-    def _ways(self, part: ast.expr, missing: float, form: str = "{}") -> str:
-        """Return the ways to write a part with the missing power of an angle."""
-        text = self._part(part)
+    def _ways(self, part: ast.expr, missing: float, form: str = "{}") -> list[Try]:
+        """Propose a part with the missing power of an angle."""
+        typed = text = self._part(part)
         if isinstance(part, ast.BinOp | ast.UnaryOp | ast.Compare):
             text = f"({text})"
         power = "" if abs(missing) == 1 else f"**{abs(missing):g}"
         sign = "*" if missing > 0 else "/"
-        return " or ".join(form.format(f"{text}{sign}{unit}{power}") for unit in ("deg", "rad"))
+        ways = [form.format(f"{text}{sign}{unit}{power}") for unit in ("deg", "rad")]
+        return corrections(form.format(typed), *ways)
 
     def _part(self, node: ast.expr) -> str:
         return self.source[node.col_offset : node.end_col_offset]
 
-    def _wrong(self, problem: str, node: ast.expr, hint: str) -> ConditionError:
+    def _wrong(self, problem: str, node: ast.expr, hint: list[Try]) -> ConditionError:
         problem = problem.format(quote(self._part(node)))
-        return ConditionError(f"'{quote(self.text)}' {problem}", quote(hint))
+        return ConditionError(f"'{quote(self.text)}' {problem}", hint)

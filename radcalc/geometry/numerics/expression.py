@@ -15,7 +15,17 @@ from typing import Any
 
 import numpy
 
-from radcalc.errors import MINUS, ConditionError, RadcalcError, manual, nearest, quote
+from radcalc.errors import (
+    MINUS,
+    ConditionError,
+    RadcalcError,
+    Try,
+    correct,
+    corrections,
+    manual,
+    nearest,
+    quote,
+)
 from radcalc.geometry.numerics.angles import Angles
 from radcalc.maths import limit
 
@@ -62,6 +72,8 @@ GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
 SIGNS = {"^": "**", MINUS: "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
 STEP = "a comparison by < <= > >=, as in (theta<30*deg)*100"
 EQUALS = re.compile(r"(?<![<>])=|==")
+# before a missing sign of multiplication: a number, a bracket, a name
+FACTOR = re.compile(r"((?<![\w.])\d+\.?\d*(?:e[+-]?\d+)?|\)|\w(?= ))\s*(?=[a-zA-Zθφπ(]|(?<= )\d)")
 LONGEST, DEEPEST = 1000, 400  # characters, and levels of nested brackets or operators
 REFUSED = re.compile(r"[^\w\s.+*/(),<>=-]|_|\b0[xXoObB]|[^\x00-\x7f]")
 
@@ -135,7 +147,8 @@ class Expression:
                 tree = ast.parse(self._source, mode="eval")
         except SyntaxError as error:
             column = f" (see column {error.offset})" if (error.offset or 0) > 1 else ""
-            raise ConditionError(f"'{quote(text)}' is not an expression{column}", EXAMPLE) from None
+            problem = f"'{quote(text)}' is not an expression{column}"
+            raise ConditionError(problem, EXAMPLE, _mended(text)) from None
         except (RecursionError, MemoryError, ValueError):
             raise ConditionError(f"'{quote(text)}' is not an expression", EXAMPLE) from None
         self._function = self._read(tree.body, DEEPEST)
@@ -188,13 +201,17 @@ class Expression:
                 return self._call(name, args, depth)
             case ast.Compare(ops=ops) if all(type(op) in COMPARISONS for op in ops):
                 return self._compare(node, depth)
-            case ast.BoolOp():
+            case ast.BoolOp(op=op, values=values):
                 hint = "a product of comparisons for both, (x<1)*(y<0); max(a, b) for either"
-                raise ConditionError("'and' and 'or' is not allowed in an expression", hint)
+                parts = [f"({self._part(value)})" for value in values]
+                both = [correct(self._part(node), "*".join(parts))] * isinstance(op, ast.And)
+                raise ConditionError("'and' and 'or' is not allowed in an expression", hint, both)
+        part = self._part(node)
         raise ConditionError(
-            f"'{quote(self._part(node))}' is not allowed in an expression",
+            f"'{quote(part)}' is not allowed in an expression",
             "numbers, + - * / **, comparisons, brackets, "
             + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
+            [correct(part, part.partition(".")[0])] if isinstance(node, ast.Attribute) else (),
         )
 
     def _part(self, node: ast.expr) -> str:
@@ -258,10 +275,20 @@ class Expression:
             raise ConditionError(
                 f"{name}() takes {count} argument{'s' if count > 1 else ''}, not {len(args)}",
                 f"{name}({', '.join(('theta', 'phi')[:count])})",
+                self._shorter(name, args, count),
             )
         self.cost += 1 if name in CHEAP else COSTS["function"]
         inner = [self._read(arg, depth - 1) for arg in args]
         return lambda at: function(*(argument(at) for argument in inner))
+
+    def _shorter(self, name: str, args: list[ast.expr], count: int) -> list[Try]:
+        """Propose a call of a function without the arguments that are too many."""
+        if len(args) <= count:
+            return []
+        parts = [self._part(arg) for arg in args]
+        whole = self._source[: args[-1].end_col_offset]
+        typed = whole[whole.rindex(f"{name}", 0, args[0].col_offset) :]
+        return [correct(f"{typed})", f"{name}({', '.join(parts[:count])})")]
 
 
 def _along_theta(function: Function) -> Callable[[Any], Any]:
@@ -301,7 +328,7 @@ def _prepared(text: str) -> str:
     if "+-" in source:  # the sign of an uncertainty in other inputs
         raise ConditionError(
             "'+-' is not allowed in an expression, which takes no uncertainties",
-            quote(source.replace("+-", "-")),
+            correct("+-", "-"),
         )
     if match := EQUALS.search(source):
         raise ConditionError(
@@ -310,6 +337,13 @@ def _prepared(text: str) -> str:
             STEP,
         )
     return source
+
+
+def _mended(text: str) -> list[Try]:
+    """Propose a text with the signs of multiplication and the brackets that it lacks."""
+    mended = FACTOR.sub(r"\1*", text)
+    mended += ")" * (mended.count("(") - mended.count(")"))
+    return [correct(text, mended)] if mended != text else []
 
 
 def _finite(value: float) -> float:
@@ -329,4 +363,4 @@ def _unknown(name: str) -> RadcalcError:
     near = nearest(name, (*NAMES, *CONSTANTS, *FUNCTIONS), cutoff=0.7)
     message = f"unknown name '{quote(name)}' in the expression"
     names = f"{', '.join(NAMES)} (see {manual('integrate')})"
-    return ConditionError(message, ", ".join(near) or names)
+    return ConditionError(message, corrections(name, *near) or names)
