@@ -38,6 +38,7 @@ LINES = (
     b"x F\n1 2\n",
     b"1 2 3\n",
     b"1,2,3\n",
+    b"400 1\n700 2\n",  # a spectrum
 )  # for a stream
 
 # Hints in prose: they describe what is possible, without a call to type.

@@ -117,14 +117,20 @@ def _literal(value: Any) -> str:
 def _text(answer: Any) -> str:
     """Return the first number of an answer, with its unit."""
     if isinstance(answer, float):
-        return f"{answer:.6g}"
+        return _number(answer)
     if is_quantity(answer):
         number, unit = plain(answer)
-        return f"{number:.6g} {unit.text}"
+        return f"{_number(number)} {unit.text}"
     return next(_rows(answer), "")
 
 
 def _rows(result: Any) -> Iterator[str]:
     for row in result.rows:
         if not row.given:
-            yield f"{keyword(row.name)} {row.value:.6g} {row.unit}".removesuffix(" 1")
+            yield f"{keyword(row.name)} {_number(row.value)} {row.unit}".removesuffix(" 1")
+
+
+def _number(value: Any) -> str:
+    """Return a number as text, or those of several solutions."""
+    numbers = value.ravel().tolist() if hasattr(value, "ravel") else [value]
+    return " or ".join(dict.fromkeys([f"{number:.6g}" for number in numbers]))

@@ -92,10 +92,10 @@ def task(words: Sequence[str], wants: Wants) -> Task:
             problem = f"a vector cannot be used with {what}"
             raise ConditionError(problem, [leave_out(*names), without])
         if not vector and not names:
-            by_angles = call("direction", polar="45deg", azimuth="30deg")
-            raise UsageError(
-                "a direction is missing", [call("direction", "1", "1", "1"), by_angles]
-            )
+            texts = {name: item.text for name, item in given.items()}
+            by_angles = Try((("polar", ""), ("azimuth", "")))
+            ways = [call("direction", "1", "1", "1", **texts), by_angles]
+            raise UsageError("a direction is missing", ways)
         return direction(given, vector, unit, with_ball)
 
     return Task("direction", work_out, texts_of({"vector": ",".join(coordinates)}))

@@ -145,8 +145,9 @@ class Source:
                 _refuse_others(settings, (*OF_SKY, *SCALES), "a sky")
                 return _sky(named.lower().removeprefix(SKY).strip(), settings, lit)
             if not environments.is_map(named):
+                expression = environments.expression(named)
                 _refuse_others(settings, (), "an expression")
-                return environments.expression(named)
+                return expression
         _refuse_others(settings, OF_MAP, "a map")
         values = {name: given.value for name, given in settings.items()}
         if isinstance(named, str):

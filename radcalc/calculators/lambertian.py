@@ -25,6 +25,7 @@ from radcalc.errors import (
     TooNear,
     UsageError,
     command,
+    correct,
     mention,
     option,
     quote,
@@ -135,9 +136,13 @@ ENDLESS = ("plane", "hemisphere")
 def task(words: Sequence[str], wants: Wants) -> Task:
     """Return the task of a call, whose only word may be a shape."""
     shape, *more_words = words or [OPERAND.default]
+    if shape.lower() not in SHAPES:
+        takes = {name: known.takes for name, known in SHAPES.items()}
+        return Task("lambertian", partial(OPERAND.refuse, shape, takes))
     shape = OPERAND.choice(shape)
     if more_words:
-        raise UsageError(f"unexpected argument '{quote(more_words[0])}'", "one shape")
+        ways = [correct(word) for word in words[::-1]]
+        raise UsageError(f"unexpected argument '{quote(more_words[0])}'", "one shape", ways)
     return Task("lambertian", partial(lambertian, shape), texts_of({"shape": shape}), shape)
 
 

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NoReturn
 
 from radcalc.errors import UsageError, corrections, nearest, quote
 from radcalc.quantities.light import KINDS
@@ -31,8 +31,18 @@ class Operand(NamedTuple):
     def choice(self, word: str) -> str:
         if word.lower() in self.choices:
             return word.lower()
-        near = corrections(word, *nearest(word.lower(), self.choices, 1))
-        raise UsageError(f"unknown {self.name} '{quote(word)}'", near or ", ".join(self.choices))
+        self.refuse(word, {}, {})
+
+    def refuse(
+        self, word: str, takes: Mapping[str, Sequence[str]], given: Mapping[str, Any]
+    ) -> NoReturn:
+        """Refuse an unknown choice; propose a similar one, or those that take the inputs given."""
+        known = {name for names in takes.values() for name in names} & given.keys()
+        possible = [name for name in self.choices if known <= {*takes.get(name, known)}]
+        near = nearest(word.lower(), possible, 1, 0.7)
+        fitting = [name for name in possible if name in takes]
+        hint = corrections(word, *(near or fitting)) or ", ".join(self.choices)
+        raise UsageError(f"unknown {self.name} '{quote(word)}'", hint)
 
 
 class Page(NamedTuple):

@@ -7,7 +7,7 @@ from radcalc.calculators.direction import CONVENTION
 from radcalc.calculators.results import absent, of_directions, value
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, mention, option, quote
+from radcalc.errors import ConditionError, add, mention, option, quote
 from radcalc.geometry import cones
 from radcalc.geometry.directions import spherical
 from radcalc.geometry.projections import (
@@ -90,12 +90,11 @@ def refuse_shape(size: Input, projection: str, is_given: bool = True) -> None:
         return
     option_text = option("size", quote(size.text))
     if projection == LATLONG:
-        hint = option("size", f"{2 * height}x{height}")
-        if not is_given:
-            projections = (option("projection", name) for name in (MIRROR_BALL, ANGULAR))
-            hint = f"{hint}, or, of a square map, {' or '.join(projections)}"
+        ways = [add("size", f"{2 * height}x{height}")]
+        if not is_given and width == height:
+            ways = [add("projection", name) for name in (MIRROR_BALL, ANGULAR)] + ways
         raise ConditionError(
-            f"{option_text} is not twice as wide as high, as a latlong map is", hint
+            f"{option_text} is not twice as wide as high, as a latlong map is", ways
         )
     hint = option("size", f"{height}x{height}")
     raise ConditionError(f"{option_text} is not square, as {name_of_map(projection)} is", hint)

@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from radcalc.answer import Answer, Step, texts_of
-from radcalc.calculators.page import Operand, Page
+from radcalc.calculators.page import Operand, Page, words_of
 from radcalc.calculators.results import of_directions
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.task import Task, Wants
@@ -94,8 +94,13 @@ class Shape(NamedTuple):
 def task(words: Sequence[str], wants: Wants) -> Task:
     """Return the task of a call: a shape, and the vertices of a polygon."""
     if not words:
-        raise UsageError("a shape is missing", ", ".join(NAMES))
+        examples = {words_of(example)[0][0]: example for example in PAGE.examples[::-1]}
+        ways = [call("solid-angle", *words_of(examples[name])[0]) for name in USUAL]
+        raise UsageError("a shape is missing", ", ".join(NAMES), ways)
     shape, *vertices = words
+    if shape.lower() not in NAMES:
+        takes = {name: known.takes for name, known in SHAPES.items() if known.takes}
+        return Task("solid-angle", partial(OPERAND.refuse, shape, takes))
     shape = OPERAND.choice(shape)
     shape = ALIASES.get(shape, shape)
     if shape != "polygon" and vertices:
@@ -486,6 +491,7 @@ SHAPES = {
     "polygon": Shape(("viewpoint", "normal"), lambda sheet: _polygon(sheet, ())),
 }
 ALIASES = {"band": "zone", "triangle": "polygon"}
+USUAL = ("cone", "disc", "rectangle")  # to propose
 NAMES = (*SHAPES, "pixel", *ALIASES)  # `pixel.py` has the pixel
 OPERAND = Operand("shape", "SHAPE [X,Y,Z ...]", CHOICE, NAMES)
 PAGE = Page(

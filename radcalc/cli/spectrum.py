@@ -14,7 +14,7 @@ from radcalc.cli.cases import Case, as_typed
 from radcalc.cli.command import define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError, call
+from radcalc.errors import UsageError, call, correct
 from radcalc.inputs.given import Input
 from radcalc.inputs.reading import read
 from radcalc.quantities.language import ENGLISH
@@ -70,7 +70,8 @@ def command(
     refined = {name: read(name, text) for name, text in typed.items()}
     texts = [text for word in words for text in read_spectra(word)]
     if texts.count(STDIN) > 1:
-        raise UsageError("- cannot be used twice: there is one standard input", "- once, and files")
+        problem = "- cannot be used twice: there is one standard input"
+        raise UsageError(problem, "- once, and files", [correct(STDIN)])
     sources = [_source(text, column or "", unit or "") for text in texts]
     all_cases = [
         Case({"spectrum": source, **refined}, (as_typed(source),) if len(texts) > 1 else ())

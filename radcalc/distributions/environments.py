@@ -6,7 +6,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.distributions.radiances import FormulaRadiances, Radiances
 from radcalc.distributions.sources import formula_with_unit, is_unknown_word, path_pattern, unseen
-from radcalc.errors import ConditionError, MissingInput, Try, Unused, add, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    MissingInput,
+    Try,
+    Unused,
+    add,
+    correct,
+    mention,
+    nearest,
+    option,
+    quote,
+)
+from radcalc.geometry import sky
 from radcalc.geometry.directions import FORWARD
 from radcalc.geometry.lenses import View, field_text, view_of_field
 from radcalc.geometry.numerics.vectors import Vector
@@ -63,7 +75,9 @@ def expression(text: str) -> Environment:
     3000.0
     """
     if is_unknown_word(text):
-        raise ConditionError(f"'{quote(text)}' is not a file, a sky or an expression", EXAMPLE)
+        skies = nearest(text.lower(), sky.NAMES, 1) or sky.MEANT.get(text.lower(), "").split()
+        problem = f"'{quote(text)}' is not a file, a sky or an expression"
+        raise ConditionError(problem, EXAMPLE, [correct(text, f"sky:{name}") for name in skies])
     formula = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
     assumption = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"
     return Environment(FormulaRadiances(formula), assumptions=(assumption, *unseen(formula)))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy
 
 from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Interval, Peak, integrated
-from radcalc.errors import ConditionError, quote
+from radcalc.errors import ConditionError, Hint, correct, quote
 from radcalc.geometry.directions import TURN, cartesian
 from radcalc.geometry.numerics.cubature import Integral, Steps, narrowest
 from radcalc.geometry.numerics.expression import Expression
@@ -87,11 +87,11 @@ class Formula:
                 values < -NEGATIVE * most,
                 theta,
                 phi,
-                f"max({self.text}, 0) {self.unit}".strip(),
+                correct(self.text, f"max({self.text}, 0)"),
             )
         return numpy.maximum(values, 0.0)
 
-    def _refuse(self, what: str, bad: Any, theta: Any, phi: Any, hint: str) -> None:
+    def _refuse(self, what: str, bad: Any, theta: Any, phi: Any, hint: Hint) -> None:
         bad, theta, phi = numpy.broadcast_arrays(bad, theta, phi)
         place = tuple(numpy.argwhere(bad)[0])
         angles = ", ".join(

@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from radcalc.distributions.photometry import Photometry
-from radcalc.errors import ConditionError, RadcalcError, nearest, quote
+from radcalc.errors import ConditionError, RadcalcError, correct, corrections, nearest, quote
 from radcalc.quantities.light import KINDS, describe, light_dimension
-from radcalc.quantities.symbols import DISTRIBUTIONS
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.symbols import DISTRIBUTIONS, light_unit
 from radcalc.units.table import resolve
 from radcalc.units.unit import Dimension, Unit
 
@@ -22,6 +23,17 @@ def path_pattern(endings: str) -> re.Pattern[str]:
 
 
 PATH = path_pattern("ies|ldt|csv|tsv|txt|dat")
+# Other words for distributions.
+MEANT = {
+    "spot": ("lobe", "cone"),
+    "spotlight": ("lobe", "cone"),
+    "beam": ("lobe", "cone"),
+    "gaussian": ("lobe",),
+    "uniform": ("isotropic", "cone"),
+    "sphere": ("isotropic",),
+    "lambertian": ("max(cos(theta), 0)",),
+    "cosine": ("max(cos(theta), 0)",),
+}
 WORD = re.compile(r"[^\W\d][\w-]*")
 # After an expression and a blank, a letter can only begin a unit.
 UNIT = re.compile(r"^(.*?[\w.)])\s+([^\W\d].*)$", re.DOTALL)
@@ -64,9 +76,10 @@ def photometry(source: Any) -> Photometry:
 
 def _expression(text: str) -> Photometry:
     if is_unknown_word(text):
-        near = nearest(text.lower(), DISTRIBUTIONS)
+        near = MEANT.get(text.lower()) or nearest(text.lower(), DISTRIBUTIONS)
         problem = f"unknown distribution '{quote(text)}' (and no such file)"
-        raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
+        hint = f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}"
+        raise ConditionError(problem, hint, corrections(text, *near))
     formula = formula_with_unit(text, "intensity", INTENSITIES, "cd")
     return Photometry(formula, "expression", text, assumptions=unseen(formula))
 
@@ -106,9 +119,12 @@ def formula_with_unit(
     unit = _unit(parts[2], text)
     if unit.dimension not in kinds:
         what = f"{'an' if quantity[0] in 'aeiou' else 'a'} {quantity}"
+        light = read_light(unit)
+        likely = light_unit(quantity, light.kind).replace(" ", ".") if light else example
         raise ConditionError(
             f"'{quote(parts[2])}' after the expression is {describe(unit)}, not {what}",
             f"{what} after it, '{quote(parts[1])} {example}', or no unit",
+            [correct(text, f"{parts[1]} {likely}")],
         )
     return Formula(parts[1], unit.factor, kinds[unit.dimension], parts[2], quantity)
 

@@ -151,6 +151,16 @@ MISSING_AZIMUTH = "the sun's azimuth is missing", mention("{sun-azimuth=180deg}"
 IS_EVEN = "to the sky type {}, which is the same at every azimuth"  # of its name
 # Other names of some types.
 ALSO = {"uniform": "5", "intermediate": "7", "clear": "12", "turbid": "13"}
+# Other words for skies.
+MEANT = {
+    "cloudy": "overcast intermediate",
+    "grey": "overcast",
+    "gray": "overcast",
+    "partly-cloudy": "intermediate",
+    "hazy": "turbid intermediate",
+    "sunny": "clear",
+    "blue": "clear",
+}
 NAMES = ("overcast", *ALSO, *(name for name in TYPES if name != "overcast"))
 
 
@@ -178,7 +188,7 @@ def sky_type(name: str) -> SkyType:
     True
     """
     if name not in NAMES:
-        close = [] if name[:1].isdigit() else nearest(name, NAMES)
+        close = MEANT.get(name, "").split() or nearest(name, [n for n in NAMES if n.isalpha()])
         raise ConditionError(
             f"unknown sky '{quote(name)}'",
             corrections(name, *close) or f"overcast, {', '.join(ALSO)}, 1 to 15",

@@ -431,7 +431,7 @@ def _ways(values: Sequence[Value], claim: Claim) -> str:
     """Return unambiguous answers, as a list for a hint; of a bare number the nearest first."""
     ways = [(v, unit) for v in values for unit in ([claim.unit] if claim.unit else v.units)]
     if not claim.unit:
-        ways.sort(key=lambda way: _distance(*way, claim.value))
+        ways.sort(key=lambda way: _far_off(way[0], way[1], claim.value))
     clear_answers = [
         option("check", f"{name}={claim.number}{unit.replace(' ', '.').removeprefix('1')}")
         for value, unit in ways
@@ -440,7 +440,7 @@ def _ways(values: Sequence[Value], claim: Claim) -> str:
     return ", ".join([*dict.fromkeys(clear_answers)][:WAYS])
 
 
-def _distance(value: Value, unit: str, number: float) -> float:
+def _far_off(value: Value, unit: str, number: float) -> float:
     """Return how far a result in a unit is from a number, as the logarithm of their ratio."""
     try:
         return abs(math.log(float(in_unit(value, measured_in(unit, value.name))) / number))

@@ -14,8 +14,6 @@ from radcalc.errors import (
     RadcalcError,
     Try,
     correct,
-    leave_out,
-    mentioned,
     option,
     quote,
 )
@@ -54,9 +52,7 @@ def read_vector(text: str, what: str) -> Point:
     vector = read_point(text, what)
     if not any(vector):
         raise ConditionError(
-            f"{what} '{quote(text)}' has no direction",
-            "a vector other than 0: 1,0,0.5",
-            [leave_out(name) for name in mentioned(what)],
+            f"{what} '{quote(text)}' has no direction", "a vector other than 0: 1,0,0.5"
         )
     return vector
 

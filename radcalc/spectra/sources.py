@@ -10,6 +10,7 @@ from radcalc.errors import (
     TooMany,
     command,
     corrections,
+    leave_out,
     nearest,
     option,
     quote,
@@ -81,8 +82,9 @@ def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     if (column or unit) and (
         find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)
     ):
-        unused = option("column" if column else "unit")
-        raise ConditionError(f"{unused} does not apply to {quote(text)}", "a file")
+        unused = "column" if column else "unit"
+        problem = f"{option(unused)} does not apply to {quote(text)}"
+        raise ConditionError(problem, "a file", [leave_out(unused)])
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in FORMS:
         return _of_kind(kind.lower(), parameters, " ".join(text.split()))

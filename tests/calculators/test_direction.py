@@ -87,7 +87,7 @@ def test_unusual_inputs_are_noted(words, note):
          ["--mirror-ball 0,0"]),
         ("1 0 0 --reflect-to 1,0,0 --reflect-at 1,0,0", "cannot be used with --reflect-to",
          ["1 0 0 --reflect-at 1,0,0", "1 0 0 --reflect-to 1,0,0"]),
-        ("--reflect-at 0,0,1", "a direction is missing", "X Y Z"),
+        ("--reflect-at 0,0,1", "a direction is missing", "direction 1 1 1 --reflect-at 0,0,1"),
         ("--polar 3deg --reflect-at 0,0,1", "the azimuth is missing", "--azimuth 30deg"),
         ("1 0 0 --reflect-at 0,0,0", "--reflect-at '0,0,0' has no direction", "1,0,0.5"),
         ("0 0 0 --reflect-at 0,0,1", "0,0,0 has no direction", "not zero"),

@@ -166,7 +166,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("", "a point is missing", "radcalc uberlight 0,0,4 --intensity 1000cd"),
         ("0,0,0", "the point is at the light", "another point"),
         ("0,0", "has 2 coordinates, not three", "1,0,2"),
-        ("1,0,1m", "the unit of '1' is missing", "1m in place of 1"),
+        ("1,0,1m", "the unit of '1' is missing", "uberlight 1m,0m,1m"),
         ("0:2:1,0,1", "one number, not a range", "one point at a time"),
         ("0,0,1cd,", "has 4 coordinates", "1,0,2"),
         ("1cd,0cd,1cd", "a coordinate is a length", "without cd"),
