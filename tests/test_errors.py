@@ -45,6 +45,7 @@ from radcalc.errors import (
     UnitError,
     Unused,
     UsageError,
+    WrongQuantity,
     command,
     manual,
     measured,
@@ -166,6 +167,13 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("the unit of --distance 2 is missing", "--distance 2m"),
         ("the unit of distance 2 is missing", "distance 2m"),
         ('the unit of distance="2" is missing', 'distance="2 m"')),
+    "a value of another quantity goes to the option that takes it": (
+        lambda: WrongQuantity(
+            "--a takes a length, not time (s)", errors.add("time", "2s"), "distance", "2s"
+        ),
+        ("--a takes a length, not time (s)", "--time 2s"),
+        ("--a takes a length, not time (s)", "time 2s"),
+        ("--a takes a length, not time (s)", 'time="2 s"')),
     "an option that does not apply is left out": (
         lambda: Unused(("off-axis",), "to a disc"),
         ("--off-axis does not apply to a disc", "leave out --off-axis"),

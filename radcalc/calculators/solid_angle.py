@@ -457,10 +457,10 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     normal: Point | None = given["normal"].value if "normal" in given else None
     try:
         shape = outline.read(points, viewpoint)
-    except outline.Crossing as error:
-        others = {name: item.text for name, item in given.items()}
-        ordered = call("solid-angle", "polygon", *map(outline.write, error.ordered), **others)
-        raise error.reworded(tries=[ordered]) from None
+    except ConditionError as error:  # another polygon keeps the viewpoint and the normal
+        others = [f"{name}={item.text}" for name, item in given.items()]
+        ways = [call(*way.words, *others) if way.words else way for way in error.tries]
+        raise error.reworded(tries=ways) from None
     omega = abs(polygon(shape.vertices))
     flat = projected.polygon(shape.vertices, normal or shape.normal)
     plane = "a plane parallel to the polygon"

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import reduce
 from itertools import pairwise
 
-from radcalc.errors import ConditionError, correct, leave_out
+from radcalc.errors import ConditionError, call, correct, leave_out
 from radcalc.geometry.numerics.vectors import cross, dot, length, minus, plus, times
 from radcalc.maths import power_of_two
 
@@ -123,9 +123,9 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     for k, point in enumerate(points):
         if point in points[:k]:
             raise ConditionError(
-                f"the vertex {write(point)} is given twice",
+                f"the vertex {_write(point)} is given twice",
                 "each once, and no closing one",
-                [correct(write(point))],
+                [correct(_write(point))],
             )
     # Only directions matter, so lengths are scaled so that no square overflows.
     scale = 1 / power_of_two(max(abs(x) for point in (*points, viewpoint) for x in point) or 1.0)
@@ -186,16 +186,11 @@ def _refuse_crossing(points: Sequence[Point], sides: Sequence[Point], unit: Poin
                 raise _crossing(points)
 
 
-class Crossing(ConditionError):
-    """Sides that cross; `ordered` are the vertices in order around their middle."""
+def _crossing(points: Sequence[Point]) -> ConditionError:
+    """Return the error for sides that cross; also for a bow tie without vector area.
 
-    def __init__(self, message: str, hint: str, ordered: Sequence[Point] = ()) -> None:
-        super().__init__(message, hint)
-        self.ordered = ordered
-
-
-def _crossing(points: Sequence[Point]) -> Crossing:
-    """Return the error for sides that cross; also for a bow tie without vector area."""
+    The call that it proposes has the vertices in order around their middle.
+    """
     middle = times(reduce(plus, points), 1 / len(points))
     sides = [minus(point, middle) for point in points]
     normal = max((cross(sides[0], side) for side in sides), key=length)
@@ -204,11 +199,11 @@ def _crossing(points: Sequence[Point]) -> Crossing:
         along = dot(sides[0], sides[k]) * length(normal)
         return math.atan2(dot(normal, cross(sides[0], sides[k])), along) % math.tau
 
-    ordered = [points[k] for k in sorted(range(len(points)), key=angle)]
-    hint = "the vertices in order round it"
-    return Crossing("the polygon's sides cross or touch", hint, ordered)
+    ordered = [_write(points[k]) for k in sorted(range(len(points)), key=angle)]
+    problem, hint = "the polygon's sides cross or touch", "the vertices in order round it"
+    return ConditionError(problem, hint, [call("solid-angle", "polygon", *ordered)])
 
 
-def write(point: Point) -> str:
+def _write(point: Point) -> str:
     """Return a point as the user would type it."""
     return ",".join(f"{x:.12g}" for x in point)
