@@ -8,7 +8,7 @@ from radcalc.units.table import resolve
 
 OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
 # Commands that are not functions.
-AT_A_SHELL = ("dose", "integrate", "prompt", "quantities", "typical", "units")
+AT_A_SHELL = ("columns", "dose", "integrate", "prompt", "quantities", "typical", "units")
 
 
 def keyword(name: str) -> str:

@@ -6,6 +6,7 @@ A row is a line of a file or a Python dict, with values for some of the columns.
 import os
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from numbers import Real
 from typing import Any, NamedTuple
@@ -77,6 +78,7 @@ COLUMNS: dict[str, Symbol] = {
 COMMENT = "#"
 TEXTS = ("name", "distribution")
 KNOWN = (*TEXTS, *COLUMNS)
+OF_LIGHT = ("distribution", *(n for g in (*STRENGTH, *SURFACE) for n in (g, *names_of_kinds(g))))
 NO_NAME = re.compile(r"[^\w.+-]+")  # characters that names of results do not have
 MARKED = re.compile(r"[\d.,]*[.,]\d+(?:[eE][-+]?\d+)?")  # a number with a point or a comma
 
@@ -120,6 +122,15 @@ def typed(column: str) -> str:
     'aim_x'
     """
     return column.replace("-", "_")
+
+
+def is_scene(titles: Sequence[str]) -> bool:
+    """Return whether the titles of a table are those of sources at their places."""
+    names: set[str] = set()
+    for title in titles:
+        with suppress(ConditionError):
+            names.add(_column(title, "")[0])
+    return {"x", "y"} <= names and not names.isdisjoint(OF_LIGHT)
 
 
 def rows_of_file(path: str) -> tuple[list[Row], list[str]]:

@@ -6,6 +6,7 @@ import sys
 import click
 
 from radcalc import terminal
+from radcalc.cli import files
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.errors import MissingUnit, RadcalcError, UsageError, WrongQuantity, call
@@ -55,11 +56,22 @@ def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> i
         problem = RadcalcError("not enough memory", "fewer values at a time")
     except Exception as error:
         return _bug(error)
+    words, problem = _with_files(words, problem)
     if place:
         problem = problem.reworded(f"{place}: {problem.message}")
     from radcalc.cli import trials
 
     return trials.refuse(problem, words)
+
+
+def _with_files(words: list[str], error: RadcalcError) -> tuple[list[str], RadcalcError]:
+    """Return the call that a file as the first word means, and the error of a file."""
+    if files.begins_with_file(words):
+        try:
+            words = files.meant(words)
+        except RadcalcError:
+            return words, error
+    return words, files.redirected(error, words)
 
 
 def answered(words: list[str], listener: "Listener | None" = None) -> int:
@@ -71,6 +83,9 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
         with commands.make_context("radcalc", [], resilient_parsing=True) as context:
             terminal.say(commands.get_help(context).splitlines())
         return terminal.FAILED
+    if files.begins_with_file(words):
+        words = files.meant(words)
+        files.say(words)
     words = protect_negatives(of_help(words))
     terminal.choose_color(_color_in(words, listener))
     settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None

@@ -2,6 +2,7 @@
 
 from radcalc.errors import spell
 
+SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 NEED_QUOTES = set(" ()<>;&|")  # at a shell
 
 
@@ -36,6 +37,15 @@ class Shell:
         from radcalc.units.table import resolve
 
         return describe(resolve(unit))
+
+
+def quoted(word: str) -> str:
+    """Return a word as typed at a shell; < is a redirection."""
+    if word == "<" or (word and all(c.isalnum() or c in SAFE for c in word)):
+        return word
+    import shlex  # slow, and rarely needed
+
+    return shlex.quote(word)
 
 
 def spelled(text: str) -> str:

@@ -20,8 +20,6 @@ MEANT = {
     "solid-angle": "steradian steradians omega",
     "uberlight": "cinematography renderman barzel superellipse barndoor falloff",
 }
-# Commands that read files, by the endings of their names.
-FILES = {"point-source": (".ies", ".ldt"), "environment": (".hdr", ".exr", ".pfm")}
 
 
 def meant(args: list[str]) -> Hint:
@@ -29,9 +27,6 @@ def meant(args: list[str]) -> Hint:
     word = args[0].lower()
     if near := nearest(word, COMMANDS, 1, 0.75):
         return correct(args[0], near[0])
-    if file := next((f for f in FILES if word.endswith(FILES[f])), ""):
-        given = {"distribution": args[0]} if file == "point-source" else {}
-        return call(file, *([] if given else args[:1]), **given)
     from radcalc.calculators.solid_angle import NAMES
 
     if word in NAMES:
@@ -40,10 +35,10 @@ def meant(args: list[str]) -> Hint:
     if names:
         tries = corrections(args[0], *names[:2])
         return tries if args[1:] else [call(names[0], "--help")]
-    return _looked_up(args[0]) or _looked_up(" ".join(args)) or "radcalc --help"
+    return looked_up(args[0]) or looked_up(" ".join(args)) or "radcalc --help"
 
 
-def _looked_up(word: str) -> Try | None:
+def looked_up(word: str) -> Try | None:
     """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
     from radcalc.quantities.targets import is_name
     from radcalc.spectra.sources import find_named

@@ -1,7 +1,6 @@
 """Calls that hints propose, made before they are shown: loaded only for an error."""
 
 import os
-import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from typing import Any, NamedTuple
@@ -16,7 +15,7 @@ from radcalc.cli.command import with_plot
 from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.cli.spelling import Shell, spelled
+from radcalc.cli.spelling import Shell, quoted, spelled
 from radcalc.errors import (
     MINUS,
     Exclusive,
@@ -38,7 +37,6 @@ SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 LONG = ("dose", "scene")
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 UNTRIED = ("--auto", "--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
-SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 
 
 class Trial(NamedTuple):
@@ -51,7 +49,7 @@ class Trial(NamedTuple):
     @property
     def command(self) -> str:
         """Return the call as it can be pasted at a shell."""
-        return " ".join(["radcalc", *map(_quoted, self.words)])
+        return " ".join(["radcalc", *map(quoted, self.words)])
 
     @property
     def outcome(self) -> str:
@@ -311,12 +309,6 @@ def _is_file(word: str) -> bool:
     value = word.partition("=")[2]
     texts = [word, value, word.rpartition(":")[0], value.rpartition(":")[0]]
     return any(text and os.path.exists(text) for text in texts)
-
-
-def _quoted(word: str) -> str:
-    if word == "<" or (word and all(c.isalnum() or c in SAFE for c in word)):
-        return word
-    return shlex.quote(word)
 
 
 def _in_python(words: Words) -> str:

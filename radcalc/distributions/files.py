@@ -6,7 +6,6 @@ reader, which then reports the error.
 """
 
 import os
-import re
 from collections.abc import Sequence
 from importlib import import_module
 from itertools import islice
@@ -15,15 +14,13 @@ from typing import Any
 from radcalc.distributions import contents
 from radcalc.distributions.photometry import Photometry
 from radcalc.errors import ConditionError, quote
-from radcalc.files import columns
+from radcalc.files import columns, signatures
 
 MOST_BYTES = 1 << 26  # of a file
 ROWS = 3  # rows that identify a table
 END_IN_DOS = "\x1a"  # end of a text
 NO_TEXT = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a"))  # bytes
 UTF16 = (b"\xff\xfe", b"\xfe\xff")
-IES = re.compile(r"\s*(?:TILT\s*=|IES(?:NA)?\s*(?::|\d))", re.IGNORECASE)
-LABEL = 1000  # lines to search for the mark of an IES file
 READERS = {".ies": "ies", ".ldt": "eulumdat", ".csv": "tables"}  # modules, by extension
 KNOWN = "an IES (LM-63) or EULUMDAT file, or a table with a column of angles"
 
@@ -80,18 +77,7 @@ def _lines(data: bytes, name: str, expected: str) -> list[str]:
 
 def _by_content(lines: Sequence[str]) -> str:
     """Return the module that can read the lines, or ""."""
-    if _has_eulumdat_head(lines):
-        return "eulumdat"
-    if any(map(IES.match, lines[:LABEL])):
-        return "ies"
-    return "tables" if _has_rows(lines) else ""
-
-
-def _has_eulumdat_head(lines: Sequence[str]) -> bool:
-    """Return whether lines 2 to 7 are numbers, the first two a type and a symmetry."""
-    numbers = [columns.finite(line.strip(), True) for line in lines[1:7]]
-    is_head = len(numbers) == 6 and None not in numbers
-    return is_head and numbers[0] in range(4) and numbers[1] in range(5)
+    return signatures.of_luminaire(lines) or ("tables" if _has_rows(lines) else "")
 
 
 def _has_rows(lines: Sequence[str]) -> bool:

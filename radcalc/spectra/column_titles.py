@@ -25,6 +25,7 @@ NANOMETRES = {  # in a unit, by its name in lower case
     "mm": 1e6,
     "m": 1e9,
 }
+NAMES = ("lambda", "λ", "wl", "wave", "wvl", "wellenlänge", "vlnová délka", "длина волны")
 # A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
 DECLARED = re.compile(
     r"(?:wave ?length|wvlgth|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$"

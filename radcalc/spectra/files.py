@@ -6,12 +6,12 @@ Unambiguous files are read, with notes; anything else is an error with its line.
 import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import chain, pairwise
+from itertools import chain, islice, pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc.errors import ConditionError, UsageError, call, listed, option, quote, quote_path
-from radcalc.files import columns
+from radcalc.errors import ConditionError, UsageError, call, listed, option, quote
+from radcalc.files import columns, signatures
 from radcalc.files.table import Table as TextTable
 from radcalc.files.text import Lines, Text, reading, refusal
 from radcalc.quantities.column_titles import find
@@ -39,7 +39,7 @@ ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
 ONE_TABLE = "a file for each table"
-LUMINAIRES = (".ies", ".ldt")
+LIKELY_ROWS, LIKELY_STEP = 10, 20.0  # of wavelengths without a title: least rows, mean step [nm]
 
 
 def read_file(path: str, column: str = "", unit: str = "") -> Table:
@@ -47,11 +47,49 @@ def read_file(path: str, column: str = "", unit: str = "") -> Table:
 
     `unit` is that of the values; it wins over the one in the file.
     """
-    if path.lower().endswith(LUMINAIRES):
-        problem = f"{quote_path(path)} is a file of a luminaire, not of a spectrum"
-        raise ConditionError(problem, call("point-source", distribution=path))
     with reading(path, "a file with a spectrum") as (name, read):
-        return _Reader(name, read, column, column_titles.typed(unit) if unit else None).table()
+        typed = column_titles.typed(unit) if unit else None
+        return _Reader(name, read, column, typed, path).table()
+
+
+def is_spectrum(lines: Lines) -> bool:
+    """Return whether the first lines of a file are those of a spectrum.
+
+    It has the format of a meter, a title of wavelengths over numbers, or numbers without titles
+    that rise or fall over the visible range like wavelengths in nm.
+    """
+    if form := next((form for form in FORMATS if form.begins(lines)), None):
+        return form is not spdx or any(spdx.ROOT in line.upper() for line in lines[:MOST_BEFORE])
+    if any(line.startswith(oceanview.MARK) for line in lines[:MOST_BEFORE]):
+        return True
+    reader = _Reader("", lambda _: b"", "", None)
+    rows = list(islice(reader.rows(lines, 1), MOST_BEFORE))
+    begin = _before(rows)
+    for _, line in (*rows[max(begin - 2, 0) : begin], *[(0, text) for text in reader.comments]):
+        cells = columns.cells(line, columns.dialect(line)[0])
+        if begin < len(rows) and any(map(_is_of_wavelengths, (*cells, line))):
+            return True
+    try:
+        table = reader.find_table(rows)
+        if table.titles:
+            return False
+        grid = [table.number(table.cells(*row)[0], row[0], is_value=False) for row in rows]
+    except ConditionError:
+        return False
+    low, high = min(grid), max(grid)
+    steps = [b - a for a, b in pairwise(grid)]
+    is_even = len(grid) >= LIKELY_ROWS and (min(steps) > 0 or max(steps) < 0)
+    is_likely = is_even and (high - low) <= LIKELY_STEP * len(steps)
+    return is_likely and VISIBLE[0] / 2 < low < VISIBLE[1] < 4 * VISIBLE[1] and high > VISIBLE[0]
+
+
+def _is_of_wavelengths(title: str) -> bool:
+    plain = columns.plain(title)
+    if len(plain) > column_titles.LONGEST or not plain:
+        return False
+    if plain in ("m", "mm"):  # a distance
+        return False
+    return column_titles.is_of_wavelengths(plain) or plain in column_titles.NAMES
 
 
 class _Layout(NamedTuple):
@@ -75,8 +113,9 @@ class _Reader:
         read: Callable[[int], bytes],
         column: str,
         typed: column_titles.Meaning | None,
+        path: str = "",
     ) -> None:
-        self.name = name
+        self.name, self.path = name, path
         self.typed = typed
         self.text = Text(name, read, "a wavelength and a value")
         self.column = column
@@ -94,6 +133,9 @@ class _Reader:
     def table(self) -> Table:
         blocks = self.text.blocks()
         first = next(blocks, (1, []))
+        if signatures.of_luminaire(first[1]):
+            problem = f"{self.name} is a luminaire file, not a spectrum"
+            raise ConditionError(problem, call("point-source", distribution=self.path))
         for form in FORMATS:
             if form.begins(first[1]):
                 return self.table_of(
@@ -161,7 +203,18 @@ class _Reader:
         return self.finish_columns(layout)
 
     def layout(self, rows: list[tuple[int, str]]) -> _Layout:
-        """Return the delimiter, the header and the columns; remove the rows before the table."""
+        """Return the table and its columns; remove the rows before it."""
+        table = self.find_table(rows)
+        header = list(table.titles[0]) if table.titles else []
+        axes = self.axes(header)
+        place, title = self.value_column(header or [""] * table.width, axes, rows[0][0])
+        axis = max((k for k in axes if k < place), default=axes[0])  # of several, the one before
+        if axis:
+            self.notes.append(f"the wavelengths are in column {axis + 1} {quote(header[axis])}")
+        return _Layout(table, axis, place, title)
+
+    def find_table(self, rows: list[tuple[int, str]]) -> TextTable:
+        """Return the table with its titles; remove the rows before it."""
         if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
         count = _before(rows)
@@ -190,12 +243,7 @@ class _Reader:
             raise self.error(0, error.message, error.hint) from None
         header = header or columns.titles_in_comments(self.comments, width)
         table.titles = [header] if header else []
-        axes = self.axes(header)
-        place, title = self.value_column(header or [""] * width, axes, rows[0][0])
-        axis = max((k for k in axes if k < place), default=axes[0])  # of several, the one before
-        if axis:
-            self.notes.append(f"the wavelengths are in column {axis + 1} {quote(header[axis])}")
-        return _Layout(table, axis, place, title)
+        return table
 
     def header(self, before: list[tuple[int, str]], table: TextTable) -> list[str]:
         """Return the titles from the lines before a table, with units from a row of their own.

@@ -93,8 +93,8 @@ def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
     return head
 
 
-class Head:
-    """The first lines of a log: its layout, and the first line of the data."""
+class FirstRows:
+    """The first rows of a table: the titles, and the first line of the data and its cells."""
 
     def __init__(self, name: str, lines: Sequence[NumberedLine], settings: LogSettings) -> None:
         self.name = name
@@ -104,7 +104,7 @@ class Head:
         rows = rows[self._largest(rows) :]
         named = self._named_row(rows)
         start = 0 if named is None else named + 1
-        first = next((k for k in range(start, len(rows)) if self._is_data(rows[k][1], named)), None)
+        first = next((k for k in range(start, len(rows)) if self.is_data(rows[k][1], named)), None)
         if first is None:
             raise self.error(
                 0,
@@ -112,7 +112,7 @@ class Head:
                 "lines with a time and a value: 2024-06-01T12:35,812",
             )
         number, line = rows[first]
-        delimiter = self._delimiter(line)
+        delimiter = self.delimiter(line)
         cells = columns.cells(line, delimiter)
         while first > start and self._is_bad(rows[first - 1][1], line):
             first -= 1
@@ -126,32 +126,51 @@ class Head:
             ]
             of_comment = columns.titles_in_comments(comments, len(cells), settings.delimiter)
             titles = [of_comment] if of_comment else []
-        table = Table(self.error, delimiter, len(cells), titles, rows[:first])
-        self.pairs = table.pairs
-        self.layout = self._columns(number, cells, table)
+        self.number, self.cells = number, cells
+        self.table = Table(self.error, delimiter, len(cells), titles, rows[:first])
+
+    @property
+    def names(self) -> list[str]:
+        """The titles of the columns; none without titles."""
+        return list(self.table.titles[0]) if self.table.titles else []
+
+    @property
+    def times(self) -> list[int]:
+        """The columns of dates, or else those with titles of times."""
+        stamps = [k for k, cell in enumerate(self.cells) if self.is_stamp(cell)]
+        return stamps or [k for k, name in enumerate(self.names) if _is_of_time(name)]
+
+    @property
+    def parts(self) -> tuple[int, ...]:
+        """The columns of the year, month, day, hour ..., if each has its own."""
+        if self.settings.times or self.settings.clock.format:
+            return ()
+        plain = [columns.plain(name) for name in self.names]
+        count = next((k for k, part in enumerate(PARTS) if plain.count(part) != 1), len(PARTS))
+        return tuple([plain.index(part) for part in PARTS[:count]]) if count > LEAST_PARTS else ()
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
         return error(self.name, number, problem, hint)
 
-    def _delimiter(self, line: str) -> str | None:
+    def delimiter(self, line: str) -> str | None:
         return self.settings.delimiter or columns.dialect(line)[0]
 
     def _largest(self, rows: Sequence[NumberedLine]) -> int:
         """Return the row of titles of the largest table, if there are several; else 0."""
-        cells = [columns.cells(line, self._delimiter(line)) for _, line in rows]
+        cells = [columns.cells(line, self.delimiter(line)) for _, line in rows]
         starts = [
             k
             for k in range(1, len(rows) - 1)
             if len(cells[k]) == len(cells[k + 1]) > 1
             and (rows[k][0] - rows[k - 1][0] > 1 or len(cells[k - 1]) != len(cells[k]))
-            and not any(_is_number(cell) or self._is_stamp(cell) for cell in cells[k])
-            and self._is_data(rows[k + 1][1], None)
+            and not any(_is_number(cell) or self.is_stamp(cell) for cell in cells[k])
+            and self.is_data(rows[k + 1][1], None)
         ]
         if not starts:
             return 0
         sizes = [end - start for start, end in pairwise([*starts, len(rows)])]
         largest = starts[sizes.index(max(sizes))]
-        if any(self._is_data(line, None) for _, line in rows[:largest]):
+        if any(self.is_data(line, None) for _, line in rows[:largest]):
             self.assumptions.append(
                 f"the largest of several tables is read, with the titles in line {rows[largest][0]}"
             )
@@ -166,7 +185,7 @@ class Head:
         refusal: UsageError | None = None
         widest = 0
         for k, (_, line) in enumerate(rows):
-            cells = columns.cells(line, self._delimiter(line))
+            cells = columns.cells(line, self.delimiter(line))
             try:
                 for name in names:
                     find(cells, name, self.name)
@@ -178,26 +197,26 @@ class Head:
                 return k
         raise refusal or self.error(0, f"unknown column '{quote(names[0])}'", "its number")
 
-    def _is_data(self, line: str, named: int | None) -> bool:
+    def is_data(self, line: str, named: int | None) -> bool:
         """Return whether a line has a time and a value: a stamp and a number, or only numbers."""
-        cells = columns.cells(line, self._delimiter(line))
+        cells = columns.cells(line, self.delimiter(line))
         numbers = [cell for cell in cells if _is_number(cell) or cell.lower() in MISSING]
         if named is not None:
             return any(map(_is_number, cells))
-        if any(map(self._is_stamp, cells)):
+        if any(map(self.is_stamp, cells)):
             return len(numbers) > 0
         return len(numbers) == len(cells) > 1 and any(map(_is_number, cells))
 
     def _is_bad(self, line: str, good: str) -> bool:
         """Return whether a line above a good one has data, too: a time or a number."""
-        delimiter = self._delimiter(good)
+        delimiter = self.delimiter(good)
         cells, good_cells = columns.cells(line, delimiter), columns.cells(good, delimiter)
         pairs = zip(cells, good_cells, strict=False)
-        if any(self._is_stamp(cell) and self._is_stamp(other) for cell, other in pairs):
+        if any(self.is_stamp(cell) and self.is_stamp(other) for cell, other in pairs):
             return True
         return len(cells) == len(good_cells) and any(map(_is_number, cells))
 
-    def _is_stamp(self, cell: str) -> bool:
+    def is_stamp(self, cell: str) -> bool:
         return looks_like_stamp(cell, self.settings.clock.format)
 
     def _titles(
@@ -219,7 +238,7 @@ class Head:
     def _has_titles(self, line: str, delimiter: str | None) -> bool:
         """Return whether the line above the data has titles of times and of light."""
         cells = columns.cells(line, delimiter) if delimiter else []
-        if len(cells) < 2 or any(_is_number(cell) or self._is_stamp(cell) for cell in cells):
+        if len(cells) < 2 or any(_is_number(cell) or self.is_stamp(cell) for cell in cells):
             return False
         return any(map(_is_of_time, cells)) or any(
             self._unit_in([cell]) is not None for cell in cells
@@ -235,10 +254,44 @@ class Head:
             "1000 in place of 1,000",
         )
 
+    def _unit_in(self, texts: list[str]) -> Unit | None:
+        """Return the unit of light in the titles of a column, in which its numbers are."""
+        try:
+            read = [read_title(title) for title in texts]
+            units = [parsed.unit for parsed in read if parsed.unit and read_light(parsed.unit)]
+            for parsed in read:
+                refuse_altered(parsed)
+                if units:
+                    refuse_misnamed(parsed, units[0])
+        except UnitError as error:
+            raise self.error(0, error.message, error.hint) from None
+        for unit in units[1:]:
+            if not is_same(unit, units[0]):
+                problem = f"the titles '{quote(' '.join(texts))}' have two units"
+                raise self.error(0, problem, "only one of them")
+        if units:
+            return units[0]
+        for title in texts:
+            if usual := unit_of_name(title):
+                also = PAR_ALSO if "par" in _words(title) else ""
+                if not self.settings.unit:
+                    self.assumptions.append(f"'{quote(title)}' is in {usual}{also}")
+                return resolve(usual)
+        return None
+
+
+class Head(FirstRows):
+    """The first lines of a log: its layout, and the first line of the data."""
+
+    def __init__(self, name: str, lines: Sequence[NumberedLine], settings: LogSettings) -> None:
+        super().__init__(name, lines, settings)
+        self.pairs = self.table.pairs
+        self.layout = self._columns(self.number, self.cells, self.table)
+
     def _columns(self, number: int, cells: list[str], table: Table) -> LogLayout:
         titles = [list(row) for row in table.titles]
-        names = titles[0] if titles else []
-        parts = self._parts_of_times(names)
+        names = self.names
+        parts = self.parts
         times = parts or self._time_columns(number, cells, names)
         place = self._value_column(number, cells, titles, times)
         units = columns.unit_column(names, place)
@@ -257,22 +310,12 @@ class Head:
             raise self.error(number, error.message, error.hint) from None
         return LogLayout(table, times, place, clock, unit, units)
 
-    def _parts_of_times(self, names: list[str]) -> tuple[int, ...]:
-        """Return the columns of the year, month, day, hour ..., if each has its own."""
-        if self.settings.times or self.settings.clock.format:
-            return ()
-        plain = [columns.plain(name) for name in names]
-        count = next((k for k, part in enumerate(PARTS) if plain.count(part) != 1), len(PARTS))
-        return tuple([plain.index(part) for part in PARTS[:count]]) if count > LEAST_PARTS else ()
-
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
         if self.settings.times:
             return tuple([self._place(name, names, len(cells)) for name in self.settings.times])
-        stamps = [k for k, cell in enumerate(cells) if self._is_stamp(cell)]
-        if not stamps:
-            stamps = [k for k, name in enumerate(names) if _is_of_time(name)]
-            if not names or (not stamps and len(cells) == 2):
-                stamps = [0]
+        stamps = self.times
+        if not stamps and (not names or len(cells) == 2):
+            stamps = [0]
         if len(stamps) == 1:
             return (*stamps, *self._clock_column(stamps[0], cells, names))
         choices = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
@@ -379,31 +422,6 @@ class Head:
                 hint = option("unit", hint)
             raise self.error(0, error.message, hint) from None
 
-    def _unit_in(self, texts: list[str]) -> Unit | None:
-        """Return the unit of light in the titles of a column, in which its numbers are."""
-        try:
-            read = [read_title(title) for title in texts]
-            units = [parsed.unit for parsed in read if parsed.unit and read_light(parsed.unit)]
-            for parsed in read:
-                refuse_altered(parsed)
-                if units:
-                    refuse_misnamed(parsed, units[0])
-        except UnitError as error:
-            raise self.error(0, error.message, error.hint) from None
-        for unit in units[1:]:
-            if not is_same(unit, units[0]):
-                problem = f"the titles '{quote(' '.join(texts))}' have two units"
-                raise self.error(0, problem, "only one of them")
-        if units:
-            return units[0]
-        for title in texts:
-            if usual := unit_of_name(title):
-                also = PAR_ALSO if "par" in _words(title) else ""
-                if not self.settings.unit:
-                    self.assumptions.append(f"'{quote(title)}' is in {usual}{also}")
-                return resolve(usual)
-        return None
-
     def _place(self, name: str, names: list[str], width: int) -> int:
         return find(names or [""] * width, name, self.name)
 
@@ -420,6 +438,12 @@ def _is_number(cell: str) -> bool:
 def _is_of_time(title: str) -> bool:
     if OF_TIME.search(columns.plain(title).replace("_", " ")):
         return True
+    try:
+        stated = read_title(title)
+        if stated.unit and stated.in_brackets and stated.unit.dimension != TIME:
+            return False  # d [m] is a distance
+    except UnitError:
+        pass
     unit = unit_in(title, SECONDS)
     if unit is None or unit.dimension != TIME:
         return False

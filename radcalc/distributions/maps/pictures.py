@@ -12,13 +12,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from radcalc.distributions import contents
-from radcalc.errors import SHOWN, ConditionError, quote, quote_path
+from radcalc.errors import ConditionError, quote, quote_path
+from radcalc.files import signatures
 from radcalc.geometry.lenses import View
 from radcalc.geometry.numerics.vectors import Vector
 
 # share of the sum of all values: smaller negative values are due to lossy encoding
 NOISE = 1e-6
-KNOWN = "a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) picture"
 LEAST = 1e-6  # y of a white, and twice the area of a triangle of primaries
 FARTHEST = 10.0  # coordinate of a primary
 RGB, XYZ, Y = ("R", "G", "B"), ("X", "Y", "Z"), ("Y",)  # the channels of a picture
@@ -33,20 +33,7 @@ MOST_BYTES = 16 * PIXELS  # of a file: four floats a pixel
 FREE_PIXELS, PIXELS_PER_BYTE = 1 << 23, 16
 BRIGHTEST, FAINTEST = 3e38, 1e-36  # limits of 32 bits, and of RGBE, without loss of digits
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
-READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
-OLD_RADIANCE = b"FORMAT=32-bit_rle_"  # in the header of a Radiance picture without the first bytes
 PARALLEL = "parallel"  # a projection that does not show directions
-POINTER = b"version https://git-lfs"  # of Git LFS
-OTHERS = {
-    b"\xff\xd8\xff": "JPEG",
-    b"\x89PNG": "PNG",
-    b"GIF8": "GIF",
-    b"BM": "BMP",
-    b"II*\0": "TIFF",
-    b"MM\0*": "TIFF",
-    b"\x1f\x8b": "gzip",
-    b"PK\x03\x04": "ZIP",
-}
 
 
 class Picture(NamedTuple):
@@ -105,15 +92,13 @@ def read_picture(path: str, channel: str = "") -> Picture:
     if path == "-":
         raise ConditionError("a picture cannot be read from standard input", "the name of its file")
     name = quote_path(path)
-    with contents.opened(path, MOST_BYTES, KNOWN) as file:
-        head = file.read(1000)
-        reader = next((READERS[magic] for magic in READERS if head.startswith(magic)), "")
-        if not reader and OLD_RADIANCE in head:
-            reader = "rgbe"
+    with contents.opened(path, MOST_BYTES, signatures.PICTURES) as file:
+        head = file.read(signatures.HEAD)
+        reader = signatures.of_picture(head)
         file.seek(0)
         data = contents.whole(file, MOST_BYTES, path) if reader else b""
     if not reader:
-        raise _is_no_picture(head, name)
+        raise signatures.is_no_picture(head, name)
     # load only the module that is needed
     module = import_module(f"radcalc.distributions.maps.{reader}")
     alone = (channel,) if channel and reader == "exr" else ()
@@ -225,22 +210,3 @@ def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float
         raise ConditionError(problem, "x and y of red, green, blue and white")
     weights = np.linalg.solve(mixed, white / white[1]) * xyz[:3, 1]
     return tuple(map(float, weights))
-
-
-def _is_no_picture(head: bytes, name: str) -> ConditionError:
-    if not head:
-        return ConditionError(f"{name} is empty", KNOWN)
-    if head.startswith(POINTER):
-        problem = f"{name} is a Git LFS pointer, not the picture"
-        return ConditionError(problem, "git lfs pull, which fetches it")
-    kind = next((OTHERS[magic] for magic in OTHERS if head.startswith(magic)), "")
-    if kind in ("gzip", "ZIP"):
-        return ConditionError(f"{name} is compressed ({kind})", "what is in it")
-    if kind:
-        return ConditionError(f"{name} is {kind}, not a picture of radiances", KNOWN)
-    if head.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):
-        return ConditionError(f"{name} is a web page (HTML) or XML", "the file it leads to")
-    text = quote(head[:SHOWN].decode("latin-1"))
-    return ConditionError(
-        f"{name} is not a picture in a known format: it begins with '{text}'", KNOWN
-    )

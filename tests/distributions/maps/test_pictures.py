@@ -25,7 +25,7 @@ NO_PICTURES = {
     "nothing": (b"", "is empty"),
     "a pointer": (
         b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
-        "is a Git LFS pointer, not the picture\ntry: git lfs pull",
+        "is a Git LFS pointer, not the file\ntry: git lfs pull",
     ),
     "a page": (b"\n <!DOCTYPE html>\n<html>", "is a web page (HTML) or XML"),
     "JPEG": (b"\xff\xd8\xff\xe0\0\x10JFIF", "is JPEG, not a picture of radiances"),

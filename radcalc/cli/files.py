@@ -1,0 +1,115 @@
+"""A file as the first word of a call, and files of another kind than a command reads."""
+
+import os
+from contextlib import suppress
+
+from radcalc import terminal
+from radcalc.cli.help import COMMANDS
+from radcalc.cli.spelling import quoted
+from radcalc.errors import RadcalcError, Try, call, quote_path
+
+# The kind of file that each command reads as an operand, and each option.
+OPERANDS = {
+    "spectrum": "spectrum",
+    "environment": "map",
+    "dose": "log",
+    "scene": "scene",
+    "columns": "table",
+}
+OPTIONS = {"--distribution": "luminaire", "--spectrum": "spectrum"}
+QUIET = ("-q", "--quiet")
+
+
+def begins_with_file(words: list[str]) -> bool:
+    """Return whether the first word of a call is a regular file, and nothing that radcalc knows.
+
+    A command, a value, a unit, a quantity and a spectrum come first: ./D65 is the file.
+    """
+    word = words[0] if words else ""
+    if word in COMMANDS or word == "help" or word[:1] in ("", "-") or not os.path.isfile(word):
+        return False
+    if "/" in word:
+        return True
+    from radcalc.cli.suggestions import looked_up
+    from radcalc.units.numbers import is_sentence
+    from radcalc.units.reading import read_amount
+
+    if is_sentence([word]):
+        with suppress(RadcalcError):
+            read_amount(word)
+            return False
+    return looked_up(word) is None
+
+
+def route(path: str) -> tuple[str, ...]:
+    """Return the words of the command that a file means, without other options.
+
+    Raises
+    ------
+    ConditionError
+        If the file cannot be read, or is not of a known kind.
+    """
+    from radcalc.routes.kinds import COMMANDS as FOR_KIND
+    from radcalc.routes.kinds import kind_of
+
+    kind = kind_of(path)
+    command, symbol = FOR_KIND[kind]
+    return (command, f"--{symbol}", path) if symbol else (command, path)
+
+
+def meant(words: list[str]) -> list[str]:
+    """Return the call that a file as the first word means.
+
+    A map without a unit is relative.
+    """
+    routed = [*route(words[0]), *words[1:]]
+    has_unit = any(word.partition("=")[0] == "--unit" for word in words)
+    if routed[0] == "environment" and not has_unit:
+        from radcalc.distributions.maps.pictures import read_picture
+
+        if not read_picture(words[0]).unit:
+            routed[2:2] = ["--unit", "1"]
+    return routed
+
+
+def say(words: list[str]) -> None:
+    """Write how a call is read, unless it is quiet."""
+    if not {*words} & {*QUIET}:
+        terminal.say([f"read as: {' '.join(['radcalc', *map(quoted, words)])}"])
+
+
+def redirected(error: RadcalcError, words: list[str]) -> RadcalcError:
+    """Return the error of a command, or a better one if it was given a file of another kind."""
+    called = words[0] if words else ""
+    option = ""
+    for word in words[1:]:
+        name, equals, value = word.partition("=")
+        expected = OPTIONS.get(name if equals else option)
+        path = value if equals else word
+        if not option and not word.startswith("-"):
+            expected, path = OPERANDS.get(called), word
+        option = word if word.startswith("--") and not equals else ""
+        if expected and os.path.isfile(path) and (better := _of_other_kind(path, expected)):
+            return better
+    return error
+
+
+def _of_other_kind(path: str, expected: str) -> RadcalcError | None:
+    from radcalc.routes.kinds import NAMES, TABLE, kind_of
+
+    try:
+        kind = kind_of(path)
+    except RadcalcError:
+        return None
+    if kind in (expected, TABLE):
+        return None
+    message = f"{quote_path(path)} is {NAMES[kind]}, not {NAMES[expected]}"
+    return RadcalcError(message, proposed(kind, path))
+
+
+def proposed(kind: str, path: str) -> Try:
+    """Propose the command for a file of a kind."""
+    from radcalc.routes.kinds import COMMANDS as FOR_KIND
+
+    command, symbol = FOR_KIND[kind]
+    return call(command, **{symbol: path}) if symbol else call(command, path)
