@@ -8,6 +8,7 @@ import random
 import re
 import shlex
 from itertools import permutations
+from pathlib import Path
 from unittest import mock
 
 import pytest
@@ -26,7 +27,7 @@ from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit
 from radcalc.units.numbers import is_sentence
 from radcalc.units.table import spellings, unit_of
 
-OTHERS = {"convert", "units", "quantities", "typical"}
+OTHERS = {"convert", "columns", "units", "quantities", "typical"}
 ENDS = {
     "--auto",
     "--plot",
@@ -53,7 +54,7 @@ def listing_of(command, output):
         return None
     if words[:1] != ["radcalc"] or len(words) < 3 or words[1] in OTHERS or is_sentence(words[1:]):
         return None
-    if ENDS & set(words) or any(c in command for c in "|<>;&$`\n"):
+    if Path(words[1]).is_file() or ENDS & set(words) or any(c in command for c in "|<>;&$`\n"):
         return None
     kept, skipping = [], False
     for word in words[1:]:

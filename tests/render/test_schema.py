@@ -22,8 +22,16 @@ SCHEMA = json.loads(Path(__file__).with_name("schema.json").read_text(encoding="
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 BARE = {"-n", "--number", "--json", "--format"}
 NO_ANSWERS = {"--help", "-h", "--version", "help", "--plot"}
-LISTS = ("units", "quantities", "typical", "examples", "spectrum --list")  # of what there is
-MORE = ("units lux", "units W/m2", "typical sun", "spectrum --list", "examples uv")
+# lists of what there is
+LISTS = ("units", "quantities", "typical", "examples", "columns", "spectrum --list")
+MORE = (
+    "columns examples/gallery.csv",
+    "units lux",
+    "units W/m2",
+    "typical sun",
+    "spectrum --list",
+    "examples uv",
+)
 ROOM = "name,x,y,z,flux\ndesk,1,2,1.2,400lm\ndoor,5,0.5,2.5,800lm\n"
 
 
@@ -40,7 +48,7 @@ def calls():
             is_plain = command.startswith("radcalc ") and not set("|<>;&$`") & set(command)
             if is_plain and not output.startswith("radcalc: ") and not output.endswith("[2]\n"):
                 words = words_of(command)
-                if words and not NO_ANSWERS & set(words):
+                if words and not NO_ANSWERS & set(words) and not Path(words[0]).is_file():
                     yield shlex.join(words)
 
 
