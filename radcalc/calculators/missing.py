@@ -187,5 +187,9 @@ def on_page(error: RadcalcError, command: str) -> RadcalcError:
         return error
     if error.hint != option(error.symbol, error.written):  # a better one was found
         return error
-    symbol = page_of(command).symbol(error.symbol)
-    return error.reworded(hint=add(error.symbol, with_likely_unit(symbol, error.number)))
+    page = page_of(command)
+    likely = with_likely_unit(page.symbol(error.symbol), error.number)
+    if error.symbol in page.bare and page.bare[error.symbol] == "s" and error.number.isdigit():
+        marked = add(error.symbol, f"1/{error.number}s", "as cameras are marked")
+        return error.reworded(hint=[marked, add(error.symbol, likely)])
+    return error.reworded(hint=add(error.symbol, likely))

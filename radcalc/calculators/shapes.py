@@ -7,13 +7,7 @@ from typing import Any
 
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, refuse_slant_for_height
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import (
-    Exclusive,
-    HorizonCuts,
-    MissingInput,
-    mention,
-    option,
-)
+from radcalc.errors import Exclusive, HorizonCuts, MissingInput, add, leave_out, mention, option
 from radcalc.geometry import cones, far_field, projected, solid, spheres
 from radcalc.inputs.given import (
     Inputs,
@@ -149,7 +143,8 @@ def _patch(sheet: Worksheet) -> Placed:
         turned = [name for name in ("incidence", "tilt") if name in given]
         if turned:
             message = f"{option(turned[0])} does not apply without a distance"
-            raise MissingInput(message, mention("add {distance=2m}"))
+            ways = [leave_out(*turned), add("distance", "2m")]
+            raise MissingInput(message, mention("add {distance=2m}"), ways)
     return placed
 
 

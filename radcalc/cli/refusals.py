@@ -32,7 +32,7 @@ from radcalc.units.numbers import is_sentence
 MEANT_OPTIONS = {
     "f-number": "aperture f-stop fstop stop",
     "limit": "mpe el",
-    "time": "shutter shutter-speed exposure-time duration",
+    "time": "shutter shutter-speed exposure-time duration hours photoperiod daylength",
     "iso": "asa sensitivity film-speed",
     "luminous-flux": "lumen lumens",
     "radiant-flux": "watt watts power",
@@ -51,6 +51,23 @@ MEANT_OPTIONS = {
     "format": "output",
     "steps": "derivation explain verbose",
     "quiet": "silent",
+    "utilance": "uf cu utilisation utilization utilisation-factor utilization-factor",
+    "maintenance": "mf llf maintenance-factor light-loss-factor",
+    "luminaires": "fixtures lamps count",
+    "quantum-efficiency": "qe",
+    "na": "numerical-aperture",
+    "sp-ratio": "sp s/p",
+    "incidence": "aoi incidence-angle angle-of-incidence",
+    "sun-elevation": "elevation altitude sun-altitude solar-altitude solar-elevation",
+    "sun-azimuth": "solar-azimuth",
+    "tilt": "inclination slope",
+    "temperature-rise": "temperature dt delta-t",
+    "specific-heat": "heat-capacity",
+    "receiver-area": "detector-area sensor-area target-area",
+    "receiver-diameter": "detector-diameter pupil-diameter",
+    "pixel-pitch": "pixel pixel-size pitch",
+    "height": "mounting-height",
+    "divergence": "full-divergence spread",
 }
 
 
@@ -143,6 +160,8 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
     if typed[2:] in FORMATS:
         return RadcalcError(problem, correct(typed, "--format", typed[2:]))
     known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
+    if doubled := _doubled(typed, known, words):
+        return RadcalcError(problem, doubled)
     near = [name for name in known if name.startswith(typed)] or _synonyms(typed, known)
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
         others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
@@ -153,6 +172,26 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
         return RadcalcError(problem, corrections(typed, *near))
     manual = call(*filter(None, [called]), "--help")
     return RadcalcError(problem, manual if typed.startswith("--") else drop(typed))
+
+
+def _doubled(typed: str, known: list[str], words: list[str]) -> list[Try]:
+    """Propose --divergence 1mrad for --half-divergence 0.5mrad."""
+    whole = f"--{typed.removeprefix('--half-')}"
+    values = [value for name, value in pairwise(words) if name == typed]
+    values += [word.partition("=")[2] for word in words if word.startswith(f"{typed}=")]
+    if whole == typed or whole not in known or not values:
+        return []
+    from radcalc.units.amounts import split_value
+
+    try:
+        number, unit = split_value(values[0])
+    except RadcalcError:
+        return []
+    mark = "=" if f"{typed}={values[0]}" in words else " "
+    twice = f"{2 * number:.15g}{unit}"
+    return [
+        correct(f"{typed}{mark}{values[0]}", whole, twice, remark="the full one is twice the half")
+    ]
 
 
 def _bare(words: list[str]) -> list[str]:

@@ -1,5 +1,6 @@
 """Readers of spectra and wavelength ranges."""
 
+import re
 from typing import Any
 
 from radcalc.errors import ConditionError, RadcalcError, option, quote
@@ -9,6 +10,9 @@ from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, WAVELENGTHS, Symbol
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import resolve
+
+# two numbers, with a unit after the last or after both
+RANGE = re.compile(r"(\d+\.?\d*)\s*(?:nm|um|µm)?\s*(?:[-:,–]|to|\.\.)\s*(\d+\.?\d*)\s*(nm|um|µm)?")
 
 
 def spectrum_input(symbol: Symbol, value: Any) -> Input:
@@ -45,7 +49,7 @@ def wavelengths_input(symbol: Symbol, value: Any) -> Input:
     if len(ends) != 2:
         raise ConditionError(
             f"{option(symbol.name, quote(text))} is not a range of wavelengths",
-            option(symbol.name, symbol.example),
+            option(symbol.name, _in_nanometres(text) or symbol.example),
         )
     low, high = (round(end.value * 1e9, 9) for end in ends)
     if low == high:
@@ -56,6 +60,12 @@ def wavelengths_input(symbol: Symbol, value: Any) -> Input:
     if low > high:
         raise runs_backwards(symbol, text, option(symbol.name, f"{ends[1].text}:{ends[0].text}"))
     return Input(symbol, text, (low, high))
+
+
+def _in_nanometres(text: str) -> str:
+    """Return the range that 400-700, 400:700 or 400-700nm means; '' for other texts."""
+    ends = RANGE.fullmatch(text)
+    return f"{ends[1]}{ends[3] or 'nm'}:{ends[2]}{ends[3] or 'nm'}" if ends else ""
 
 
 def _is_length(text: str) -> bool:

@@ -11,6 +11,7 @@ from radcalc.errors import (
     NumberError,
     UnitError,
     UsageError,
+    leave_out,
     listed,
     mention,
     option,
@@ -404,6 +405,7 @@ class Head(FirstRows):
                 f"{option('unit', quote(unit.text))} contradicts the unit "
                 f"{quote(declared.text)} of {where}",
                 "leave it out, or use another column",
+                [leave_out("unit")],
             )
         self.assumptions.append(
             f"the values are in {quote(unit.text)}, as given; {where} is in {quote(declared.text)}"
