@@ -134,6 +134,15 @@ MEANT = [
     ("spectrum D65 -g illuminance", "-g luminous-efficacy"),
     ("spectrum AM1.5G -g photon-irradiance", "-g irradiance:umol/m2/s"),
     ("spectrum gaussian:530nm,30nm -g cct", "-g x -g y"),
+    # a half angle of 0.5 mrad is a full one of 1 mrad
+    ("laser --flux 5mW --diameter 1mm --half-divergence 0.5mrad --distance 10m", "--divergence 1m"),
+    ("spectrum D65 --range 400-700", "--range 400nm:700nm"),
+    ("spectrum D65 --range 0.4-0.7um", "--range 0.4um:0.7um"),
+    ("ev --time 125 --f-number 8", "try: radcalc ev --time 1/125s"),
+    ("room --area 54m2 --luminaires 12 --flux 3klm --uf 0.6 --mf 0.8", "0.6 --maintenance 0.8"),
+    ("sensor --photons 1000photon --qe 0.6", "--quantum-efficiency 0.6"),
+    ("convert 400 umol/m2/s mol/m2 --photoperiod 12h", "--time 12h"),
+    ("lambertian --luminance 100cd/m2 --tilt 30deg", "lambertian --luminance 100cd/m2\n"),
 ]
 
 
