@@ -276,3 +276,13 @@ def test_both_heights_of_a_lobe_give_its_light(offset, exponent):
     for height in heights:
         away = math.hypot(height, offset)
         assert 100 * (height / away) ** (exponent + 1) / away**2 == pytest.approx(2, rel=1e-9)
+
+
+def test_a_cone_is_at_most_a_sphere():
+    """4 pi sr are 12.566 sr: 13 lm may be 12.6 lm, but 13.0 lm may not."""
+    found = point_source(intensity="1 cd", flux="13 lm", distribution="cone")
+    assert found["solid_angle"].to("sr").magnitude == pytest.approx(4 * math.pi)
+    assert found["half_angle"].to("deg").magnitude == pytest.approx(180)
+    for flux in ("13.0 lm", "50 lm"):
+        with pytest.raises(ConditionError, match="no cone has a solid angle of"):
+            point_source(intensity="1.00 cd", flux=flux, distribution="cone")
