@@ -15,7 +15,7 @@ def _half_angle_of(solid_angle: Any) -> Any:
     cones.refuse(
         solid_angle > cones.FULL * (1 + 1e-9),
         f"no cone has a solid angle of {format_number(solid_angle)} sr: a sphere has 4 pi sr",
-        "more intensity or less flux",
+        "less flux, or more intensity",
     )
     return cones.cone_of(solid_angle)
 
