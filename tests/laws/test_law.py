@@ -20,6 +20,7 @@ from radcalc.laws.law import law
 
 # Values of the letters in formulas; SI Brochure.
 LETTERS = {"pi": math.pi, "Omega0": 1.0, "c": 299792458.0, "h": 6.62607015e-34,
+           "sigma": 5.670374419184429e-8, "b": 2.897771955185173e-3,  # CODATA 2022
            "e": 1.602176634e-19,
            "lg2": math.log10(2)}  # fmt: skip
 
