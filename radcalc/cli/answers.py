@@ -9,9 +9,9 @@ from radcalc.calculators.results import LINKS_HINT, element, pick, rows, scales_
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import MissingInput, Try, UsageError
+from radcalc.errors import MissingInput, Try, UsageError, add, leave_out
 from radcalc.maths import is_array
-from radcalc.render.formats import CSV
+from radcalc.render.formats import CSV, TABLE
 from radcalc.render.plain import omitted
 from radcalc.tuples import NamedTuple
 
@@ -53,7 +53,7 @@ def show(
             refuse_bare(output, result(next(iter(answers))).rows)
         output.show([result(answered) for answered in _spread(answers)])
     elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
-        hint = "--format table, or a unit: -g NAME:UNIT"
+        hint = [leave_out("auto"), add("format", TABLE)]
         output.refuse_auto("--get prints bare numbers", hint)
         _show_columns(_picked(answers, request.wanted, in_columns=True), output, inputs)
     else:
@@ -103,7 +103,8 @@ def _in_first(answered: Answered, name: str, in_unit: str, in_columns: bool) -> 
             return row
         units = f"{in_unit.partition(':')[2]} and {row.unit}"
         problem = f"a column of {row.name} would have two units, {units}"
-        raise UsageError(problem, f"--format table, or {LINKS_HINT}") from None
+        hint = f"--format table, or {LINKS_HINT}"
+        raise UsageError(problem, hint, [add("format", TABLE)]) from None
 
 
 def _show_columns(

@@ -5,15 +5,18 @@ from collections.abc import Iterator, Sequence
 from radcalc import terminal
 from radcalc.answer import Answer, ShownInput
 from radcalc.calculators.pages import page_of
+from radcalc.calculators.results import rows
 from radcalc.calculators.task import Task
 from radcalc.cli import check, line_options
 from radcalc.cli.answers import every_answer, show, with_notes
 from radcalc.cli.cases import Case
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import UsageError, leave_out, option
+from radcalc.errors import Hint, RadcalcError, Try, UsageError, add, leave_out, option
 from radcalc.inputs.given import Inputs, shown_inputs
+from radcalc.maths import is_array
 from radcalc.quantities.symbols import QUANTITY
+from radcalc.render.formats import CSV
 from radcalc.units.ranges import MOST
 
 BLOCK = 100_000  # values of a long range in one calculation
@@ -33,7 +36,7 @@ def run(cases: Sequence[Case], task: Task, request: Request, output: Output) -> 
         return _judge(cases, task, request, output)
     if request.plot:
         return _draw(cases, task, request, output)
-    cases = _in_parts(cases, request, output)
+    cases = _in_parts(cases, task, request, output)
     inputs = _shown_inputs(cases, task)
     show(every_answer(cases, inputs, _solve(cases, task)), request, output, inputs)
     return terminal.ANSWERED
@@ -69,15 +72,29 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
     return check.judge(question, request.check, request.tolerance, output, inputs)
 
 
-def _in_parts(cases: Sequence[Case], request: Request, output: Output) -> Sequence[Case]:
+def _in_parts(
+    cases: Sequence[Case], task: Task, request: Request, output: Output
+) -> Sequence[Case]:
     """Divide long ranges into parts that fit in memory; refuse a table that is too long."""
     if request.wanted and output.has_columns:
         return [part for case in cases for part in _blocks(case)]
     count = sum(case.size for case in cases)
     if count > MOST:
-        hint = "--format csv, for columns" if request.wanted else "-g NAME:UNIT, for columns"
+        in_columns = Try((("format", CSV),), ("json",))
+        hint = in_columns if request.wanted else _first_result(cases[0], task)
         raise UsageError(f"a table of {count} answers is too long", hint)
     return cases
+
+
+def _first_result(case: Case, task: Task) -> Hint:
+    """Propose the first result, as a column of numbers."""
+    try:
+        values = task.solve(_part(case, slice(2)).given).values
+    except RadcalcError:  # an error of these values
+        return "-g NAME:UNIT, for columns"
+    results = [row for row in rows(values) if not row.given]
+    found = next((row for row in results if is_array(row.value)), results[0])
+    return add("get", f"{found.name}:{found.unit}", "a column of numbers")
 
 
 def _lines_for(given: Inputs) -> str:
@@ -103,7 +120,9 @@ def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: O
         raise UsageError("--plot cannot be used with a stream", leave_out("plot"))
     if len(cases) > 1 or case.long:
         raise UsageError(
-            f"{stream_option} cannot be used with a list", "one value of everything else"
+            f"{stream_option} cannot be used with a list",
+            "one value of everything else",
+            [check.first_of(case.varied)],
         )
     from radcalc.cli import streams
 
@@ -111,11 +130,14 @@ def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: O
 
 
 def _blocks(case: Case) -> Iterator[Case]:
+    for start in range(0, case.size, BLOCK):
+        yield _part(case, slice(start, start + BLOCK))
+
+
+def _part(case: Case, part: slice) -> Case:
+    """Return a case with a part of its long range, if it has one."""
     long = case.long
     if long is None:
-        yield case
-        return
-    for start in range(0, case.size, BLOCK):
-        part = slice(start, start + BLOCK)
-        values = long._replace(value=long.value[part], number=long.number[part])
-        yield case._replace(given={**case.given, long.name: values}, long=values)
+        return case
+    values = long._replace(value=long.value[part], number=long.number[part])
+    return case._replace(given={**case.given, long.name: values}, long=values)

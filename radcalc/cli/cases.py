@@ -3,18 +3,19 @@
 Several lists make a grid in the order in which they were typed: the last varies fastest.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import ShownInput
-from radcalc.errors import TooMany, UsageError, option, quote
+from radcalc.errors import TooMany, Try, UsageError, add, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import DISTRIBUTION, QUANTITY, SPECTRUM, SYMBOLS
 from radcalc.tuples import NamedTuple
-from radcalc.units.ranges import grid, note_of
+from radcalc.units.ranges import MOST, MOST_IN_ARRAY, grid, note_of, with_larger_step
 from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
@@ -80,9 +81,17 @@ def cases(
     long = arrays_given[0] if arrays_given else None
     size = len(long.value) if long else 1
     notes = tuple(note for name in lists for note in note_of(typed[name]))
+    try:
+        combined = grid(given, size)
+    except TooMany as error:
+        answers = math.prod([size, *map(len, given.values())])
+        most = MOST if size == 1 else MOST_IN_ARRAY
+        coarser = {name: with_larger_step(str(typed[name]), answers, most) for name in lists}
+        hint = [add(name, text, "a larger step") for name, text in coarser.items() if text]
+        raise error.reworded(hint=hint[::-1] or error.hint) from None
     return [
         Case(case, tuple([as_typed(case[name]) for name in lists]), notes, long, stream, names)
-        for case in grid(given, size)
+        for case in combined
     ]
 
 
@@ -98,7 +107,8 @@ def _values(
         except TooMany as error:
             if arrays and not is_last:
                 hint = f"{error.hint}, or {option(name)} after the other lists"
-                raise error.reworded(hint=hint) from None
+                last = Try(((name, str(text)),), (name,))
+                raise TooMany(error.message, hint, [last, *error.tries]) from None
             raise
         is_last = is_last and len(values[name]) == 1 and not isinstance(values[name][0], tuple)
     return values

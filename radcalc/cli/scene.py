@@ -17,7 +17,7 @@ from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
-from radcalc.errors import ConditionError, UsageError, one_of, quote
+from radcalc.errors import ConditionError, UsageError, leave_out, one_of, quote
 from radcalc.errors import command as call_of
 from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
@@ -180,7 +180,7 @@ def _stream(
     survey: Any, inputs: tuple[ShownInput, ...], points: "Points", request: Request, output: Output
 ) -> int:
     """Write a line for each point, in blocks of points."""
-    output.refuse_auto("a column of points has one", "-g NAME:UNIT, in a unit that fits")
+    output.refuse_auto("a column of points has one", leave_out("auto"))
     from radcalc.render import csv
 
     is_first = True

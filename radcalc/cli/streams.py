@@ -21,6 +21,7 @@ from radcalc.errors import (
     Unused,
     UsageError,
     add,
+    corrections,
     leave_out,
     one_of,
     option,
@@ -50,13 +51,11 @@ def convert(
     """Convert standard input; return the exit status."""
     from radcalc.streams.readers import Numbers, Quantities, Texts
 
-    output.refuse_auto(
-        "a stream has one unit for all lines", "a TARGET that fits, such as mlx or klx"
-    )
+    output.refuse_auto("a stream has one unit for all lines", leave_out("auto"))
     source_text, target_text = read_stream_operands(words)
     if "," in target_text:
         problem = f"'{quote(target_text)}' is a list, but a stream has one target"
-        raise UsageError(problem, "one unit a call")
+        raise UsageError(problem, corrections(target_text, *target_text.split(",")))
     given = _given(cases, steps)
     _refuse_format(output)
     layout = Layout.of(options, bool(source_text))

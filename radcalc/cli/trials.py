@@ -1,5 +1,6 @@
 """Calls that hints propose, made before they are shown: loaded only for an error."""
 
+import math
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -28,10 +29,11 @@ from radcalc.errors import (
 )
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import is_sentence
-from radcalc.units.ranges import is_long
+from radcalc.units.ranges import size_of
 
 Words = list[str]
 MOST = 3  # calls to make
+ANSWERS = 100  # of a call that is made
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "scene")
@@ -291,7 +293,7 @@ def _is_short(words: Words) -> bool:
     if {*words} & {*HELP_NAMES, "help", "--version"}:
         return False
     is_quick = command in SUMMARIES and command not in LONG and not {*options} & {*UNTRIED}
-    if not is_quick or any(map(is_stream, words)) or any(map(_is_long, words)):
+    if not is_quick or any(map(is_stream, words)) or _is_long(words):
         top = context()
         name, found, rest = commands.resolve_command(top, protect_negatives(words))
         if found:
@@ -300,8 +302,9 @@ def _is_short(words: Words) -> bool:
     return not any(map(_is_file, words))
 
 
-def _is_long(word: str) -> bool:
-    return is_long(word.rpartition("=")[2])
+def _is_long(words: Words) -> bool:
+    """Return whether a call has many answers, which take long."""
+    return math.prod([size_of(word.rpartition("=")[2]) for word in words]) > ANSWERS
 
 
 def _is_file(word: str) -> bool:

@@ -9,7 +9,7 @@ from contextlib import contextmanager, suppress
 from io import FileIO
 
 from radcalc import terminal
-from radcalc.errors import ConditionError, OutputError, quote, quote_path
+from radcalc.errors import ConditionError, OutputError, correct, quote, quote_path
 from radcalc.files.text import is_file_name, readable
 
 BLOCK = 1 << 20  # bytes to read at a time if the size is unknown
@@ -60,7 +60,9 @@ def check_place(path: str, extensions: Collection[str], thing: str, instead: str
     extension = os.path.splitext(path)[1].lower()
     if extension not in extensions:
         what = f"as {quote(extension)}" if extension else "without an extension"
-        raise ConditionError(f"{quote_path(path)}: {thing} cannot be written {what}", instead)
+        better = correct(path, os.path.splitext(path)[0] + instead.partition(" ")[0])
+        problem = f"{quote_path(path)}: {thing} cannot be written {what}"
+        raise ConditionError(problem, instead, [better])
     if not is_file_name(path):
         raise _cannot_write(path, "not a file name")
     target = os.path.realpath(path)

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Row
 from radcalc.calculators.results import pick
-from radcalc.errors import ConditionError, UsageError, mention, option, quote
+from radcalc.errors import ConditionError, Hint, UsageError, add, leave_out, mention, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.maths import is_array
 from radcalc.plots.data import LINE, POINTS, Axis, Chart, Series
@@ -42,14 +42,14 @@ def varied(solved: Sequence[Solved]) -> list[str]:
     ]
 
 
-def ranged(given: Inputs) -> str:
-    """Suggest a range of an input for a plot, up to its given value; "" if there is none."""
+def ranged(given: Inputs) -> Hint:
+    """Propose a range of an input for a plot, up to its given value; "" if there is none."""
     for name, item in given.items():
         is_size = isinstance(item.number, (int, float)) and item.number > 0
         if item.symbol.form == QUANTITY and is_size and not isinstance(item.unit, ScaleUnit):
             ends = (f"{item.number * part:.6g}" for part in (0.5, 1, 0.05))
             unit = item.unit_text if item.unit else ""
-            return "a range of values: " + option(name, ":".join(f"{end}{unit}" for end in ends))
+            return add(name, ":".join(f"{end}{unit}" for end in ends), "a range of values")
     return ""
 
 
@@ -68,7 +68,8 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     lines, rows = _lines(solved, wanted or [_usual(solved, along)], along, other_lists)
     if len({row.unit for row in rows}) > 1:
         several = " and ".join(dict.fromkeys(f"{row.name} in {row.unit}" for row in rows))
-        raise UsageError(f"{several}: an axis has one unit", "only one of them")
+        each = {row.name: add("get", f"{row.name}:{row.unit}") for row in rows}
+        raise UsageError(f"{several}: an axis has one unit", [*each.values()])
     _refuse_many(lines)
     is_log = all(_is_wide([line[k] for line in lines.values()]) for k in (0, 1))
     x_axis = Axis(*_axis_name(solved[0].given[along]), is_log=is_log)
@@ -144,7 +145,7 @@ def _places(given: Input, first: Input) -> list[float]:
         is_on_scale = isinstance(given.unit, ScaleUnit) or isinstance(first.unit, ScaleUnit)
         if is_on_scale or given.dimension != first.dimension:
             problem = f"{option(given.name)} is in {given.unit_text} and in {first.unit_text}"
-            raise UsageError(f"{problem}: an axis has one unit", "all in the same")
+            raise UsageError(f"{problem}: an axis has one unit", leave_out("plot"))
         number = given.value / float(first.unit.factor if first.unit else 1)
     return [float(x) for x in (number if is_array(number) else [number])]
 

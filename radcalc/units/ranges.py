@@ -320,28 +320,35 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     if values > most:
         many = f"{values}" if count < 1e15 else f"{count:.2g}"
         problem = f"'{quote(text)}' has {many} values"
-        raise TooMany(problem, f"at most {most}", _with_larger_step(text, values / most))
+        better = with_larger_step(text, values, most)
+        tries = [correct(text, better, remark="a larger step")] if better else []
+        raise TooMany(problem, f"at most {most}", tries)
     return start, step, values, unit
 
 
-def is_long(text: str) -> bool:
-    """Return whether a text is a range that is read as an array, or one of too many values."""
+def size_of(text: str) -> int:
+    """Return the number of values in a list or a range; 1 for another text."""
     try:
-        return text.count(":") == 2 and _steps(text, MOST_IN_ARRAY)[2] > LONG
+        return _steps(text, MOST_IN_ARRAY)[2] if text.count(":") == 2 else text.count(",") + 1
     except RadcalcError as error:
-        return isinstance(error, TooMany)
+        return MOST_IN_ARRAY if isinstance(error, TooMany) else 1
 
 
 def _negative(text: str) -> str:
     return text[1:] if text[:1] in tuple(SIGNS) else f"-{text}"
 
 
-def _with_larger_step(text: str, times: float) -> "list[Try]":
-    """Propose a range with a step that is larger by a whole number, at least `times`."""
+def with_larger_step(text: str, answers: float, most: int = MOST) -> str:
+    """Return a range with a step that is larger by a whole number, for at most `most` answers.
+
+    Return '' for another text, or if the number is so large that something else is meant.
+    """
+    times = math.ceil(answers / most)
+    if text.count(":") != 2 or times > LARGER:
+        return ""
     start, stop, step = text.split(":")
     number, unit = split_value(step)
-    better = f"{start}:{stop}:{number * math.ceil(times):.12g}{unit}"
-    return [correct(text, better, remark="a larger step")] if times < LARGER else []
+    return f"{start}:{stop}:{number * times:.12g}{unit}"
 
 
 def real(value: Any, what: str, hint: str) -> Any:
