@@ -108,7 +108,7 @@ def _values(
             if arrays and not is_last:
                 hint = f"{error.hint}, or {option(name)} after the other lists"
                 last = Try(((name, str(text)),), (name,))
-                raise TooMany(error.message, hint, [last, *error.tries]) from None
+                raise TooMany(error.message, hint, [last]) from None
             raise
         is_last = is_last and len(values[name]) == 1 and not isinstance(values[name][0], tuple)
     return values
