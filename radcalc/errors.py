@@ -429,11 +429,33 @@ class MissingInput(UsageError):
 
 
 class MissingUnit(ConditionError):
-    """A bare number for a symbol with a unit; `written` is the number with a likely unit."""
+    """A bare number for a symbol with a unit; `written` is the number with a likely unit.
 
-    def __init__(self, symbol: str, text: str, written: str, number: str = "") -> None:
+    `several` is the list or the range that the number is in.
+    """
+
+    def __init__(
+        self, symbol: str, text: str, written: str, number: str = "", several: str = ""
+    ) -> None:
         super().__init__(f"the unit of {option(symbol, text)} is missing", add(symbol, written))
         self.symbol, self.text, self.written, self.number = symbol, text, written, number
+        self.several = several
+
+    def of_all(self, text: str) -> "MissingUnit":
+        """Return the error for all the values of a list or a range."""
+        written = _with_units(text, self.written.removeprefix(self.number))
+        return type(self)(self.symbol, quote(text), written, self.number, text)
+
+    def with_unit(self, written: str) -> "MissingUnit":
+        """Return the error with another unit, that of `written`."""
+        if self.several:
+            written = _with_units(self.several, written.removeprefix(self.number))
+        return self.reworded(hint=add(self.symbol, written))
+
+
+def _with_units(several: str, unit: str) -> str:
+    mark = ":" if ":" in several else ","
+    return mark.join([part.strip() + unit for part in several.split(mark)])
 
 
 class WrongQuantity(ConditionError):

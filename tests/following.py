@@ -21,6 +21,7 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.cases import is_stream
 from radcalc.cli.spelling import Shell
+from radcalc.cli.trials import is_long
 from radcalc.errors import END, START, VALUE, WORD, Impossible, RadcalcError
 from radcalc.quantities.symbols import FLAG, SYMBOLS, light_unit
 from radcalc.units.numbers import split_quantity
@@ -124,6 +125,8 @@ def unlike(words: Words, answer: str, lines: bytes) -> str:
         lines = Path(words[place + 1]).read_bytes()
         words = [*words[:place], *words[place + 2 :]]
         return "" if call(words, lines).output else "answers nothing"
+    if is_long(words):  # the gate does not make it
+        return ""
     outcomes = [call(words, each) for each in (LINES if any(map(is_stream, words)) else [lines])]
     good = [one for one in outcomes if one.status in (terminal.ANSWERED, terminal.WRONG)]
     if not good:

@@ -378,7 +378,7 @@ COMMANDS = {
         "point-source --flux 1lm:101lm:1lm --distance 1m:101m:1m", "101 x 101 = 10201 answers"),
     "a long range comes after the other lists": (
         "point-source --flux 1lm --distance 1m:10001m:1m --half-angle 1deg,2deg -g flux",
-        "10001 values", "after the other lists"),
+        "10001 values", "-g flux --distance 1m:10001m:1m"),
     # geometry
     "a polygon whose vertices are in a line has no area": (
         "solid-angle polygon 0,0,1 1,0,1 2,0,1", "no area"),

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from radcalc.api import keywords
 from radcalc.api.calculate import calculate
-from radcalc.api.refusals import in_python
+from radcalc.api.refusals import in_python, misspelt
 from radcalc.api.result import Result
 from radcalc.api.spelling import Documented, Python, keyword, symbol_name
 from radcalc.calculators.page import Page, words_of
@@ -119,7 +119,8 @@ def of_page(
             try:
                 bound = signature.bind(*args, **kwargs)
             except TypeError as error:
-                raise TypeError(f"{function.__name__}() {error}") from None
+                hint = misspelt(call, args, kwargs)
+                raise TypeError(f"{function.__name__}() {error}{hint}") from None
             return in_python(function)(**bound.arguments)
 
         call.__signature__ = signature  # type: ignore[attr-defined]

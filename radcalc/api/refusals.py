@@ -1,7 +1,8 @@
 """Errors in Python's spelling, with the calls that their hints propose."""
 
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from functools import wraps
 from inspect import Parameter, signature
 from typing import Any, ParamSpec, TypeVar
@@ -10,8 +11,9 @@ from radcalc.api.quantity import is_quantity, plain
 from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.errors import RadcalcError, Try, mentioned, spell, with_correction
+from radcalc.errors import RadcalcError, Try, mentioned, nearest, spell, with_correction
 from radcalc.quantities.symbols import FLAG, SYMBOLS
+from radcalc.quantities.synonyms import meant
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -34,6 +36,24 @@ def in_python(function: Callable[P, T]) -> Callable[P, T]:
             raise error.reworded(message, hint).with_traceback(error.__traceback__) from None
 
     return call
+
+
+def misspelt(function: Callable[..., Any], args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> str:
+    """Return the hint for a keyword that a function does not have, or ''."""
+    parameters = signature(function).parameters
+    wrong = next((name for name in kwargs if name not in parameters), "")
+    typed, known = symbol_name(wrong), [*map(symbol_name, parameters)]
+    names = wrong and (meant(typed, known) or nearest(typed, known, cutoff=0.7))
+    hints = []
+    for name in map(keyword, names[:MOST]):
+        arguments = {name if key == wrong else key: value for key, value in kwargs.items()}
+        if not all(isinstance(value, SIMPLE) for value in (*args, *arguments.values())):
+            hints.append(name)
+            continue
+        with suppress(RadcalcError, TypeError):
+            answer = _text(function(*args, **arguments))
+            hints.append(f"{_call(function, args, arguments)}\n     {answer}")
+    return "\ntry: " + "\nor:  ".join(hints or names) if names else ""
 
 
 def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str, Any]) -> str:
@@ -84,9 +104,15 @@ def _changed(
         for parameter in signature(function).parameters.values()
         if parameter.kind == Parameter.POSITIONAL_OR_KEYWORD
     ]
-    texts = [_literal(arguments[name]) for name in operands if name in arguments]
-    texts += [f"{name}={_literal(v)}" for name, v in arguments.items() if name not in operands]
-    return f"radcalc.{function.__name__}({', '.join(texts)})", function(**arguments)
+    first = [arguments[name] for name in operands if name in arguments]
+    named = {name: value for name, value in arguments.items() if name not in operands}
+    return _call(function, first, named), function(**arguments)
+
+
+def _call(function: Callable[..., Any], args: Iterable[Any], kwargs: Mapping[str, Any]) -> str:
+    """Return a call as it is typed."""
+    texts = [*map(_literal, args), *(f"{name}={_literal(v)}" for name, v in kwargs.items())]
+    return f"radcalc.{function.__name__}({', '.join(texts)})"
 
 
 def _other(proposal: Try) -> tuple[str, Any]:

@@ -188,8 +188,9 @@ def on_page(error: RadcalcError, command: str) -> RadcalcError:
     if error.hint != option(error.symbol, error.written):  # a better one was found
         return error
     page = page_of(command)
-    likely = with_likely_unit(page.symbol(error.symbol), error.number)
-    if error.symbol in page.bare and page.bare[error.symbol] == "s" and error.number.isdigit():
+    likely = error.with_unit(with_likely_unit(page.symbol(error.symbol), error.number))
+    is_shutter = page.bare.get(error.symbol) == "s" and error.number.isdigit()
+    if is_shutter and not error.several:
         marked = add(error.symbol, f"1/{error.number}s", "as cameras are marked")
-        return error.reworded(hint=[marked, add(error.symbol, likely)])
-    return error.reworded(hint=add(error.symbol, likely))
+        return error.reworded(hint=[marked, *likely.tries])
+    return likely

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import ShownInput
-from radcalc.errors import TooMany, Try, UsageError, add, option, quote
+from radcalc.errors import MissingUnit, TooMany, Try, UsageError, add, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import is_array
@@ -68,12 +68,9 @@ def cases(
     typed = {name: text for name, text in typed.items() if not stream or name != stream.name}
     values = _values(typed, arrays, intervals)
     given = {
-        name: [
-            read_interval(name, value)
-            if name in intervals
-            else read(name, value, uncertain=True, bare=bare.get(name, ""))
-            for value in entries
-        ]
+        name: [read_interval(name, value) for value in entries]
+        if name in intervals
+        else _read_each(name, entries, str(typed[name]), bare.get(name, ""))
         for name, entries in reversed(values.items())
     }
     lists = [name for name, entries in given.items() if len(entries) > 1]
@@ -93,6 +90,13 @@ def cases(
         Case(case, tuple([as_typed(case[name]) for name in lists]), notes, long, stream, names)
         for case in combined
     ]
+
+
+def _read_each(name: str, entries: Sequence[Any], text: str, bare: str) -> list[Input]:
+    try:
+        return [read(name, value, uncertain=True, bare=bare) for value in entries]
+    except MissingUnit as error:
+        raise (error.of_all(text) if len(entries) > 1 and error.number else error) from None
 
 
 def _values(

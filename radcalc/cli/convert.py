@@ -23,7 +23,6 @@ from radcalc.errors import (
     RadcalcError,
     UnitError,
     UsageError,
-    add,
     call,
     correct,
     leave_out,
@@ -236,6 +235,8 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
         operands = [read_operands(words) for words in calls]
     except UnitError as error:
         raise _meant(calls[0]) or error from None
+    except UsageError as error:
+        raise error.reworded(hint=_with_source(calls[0])) from None
     (amount, first), *others = operands
     if others and not first:
         several = quote(",".join(words[-1] for words in calls))
@@ -243,6 +244,24 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
         targets = correct(",".join(units), units[0], ",".join(units[1:]))
         raise UsageError(f"'{several}' is a list, but one unit is expected", targets)
     return amount, [target for _, target in operands if target]
+
+
+def _with_source(words: list[str]) -> Hint:
+    """Propose a unit of the target's quantity for a bare number: `5 lx to fc` for `5 to fc`."""
+    from radcalc.quantities.light import result_name
+    from radcalc.quantities.targets import named
+    from radcalc.quantities.units import units_of
+
+    value, separator, text = sides(words)
+    try:
+        if not separator or split_quantity(value)[1]:
+            return ""
+        target = target_of(text)
+        usual = named(result_name(target)).text if result_name(target) else ""
+        likely = next(unit for unit in (usual, *units_of(target)) if unit not in ("", target.text))
+    except (RadcalcError, StopIteration):
+        return ""
+    return correct(words[0], words[0], likely)
 
 
 def _meant(words: list[str]) -> UnitError | None:
@@ -282,8 +301,8 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> Hint:
     }.get(frozenset(kinds))
     if units is None:
         return error.tries
-    is_small = read_number(error.text)[0] < 1
-    return add("efficacy", f"{error.text}{units[is_small]}")
+    is_small = read_number(error.number)[0] < 1
+    return error.with_unit(f"{error.number}{units[is_small]}").tries
 
 
 def _with_target(words: Sequence[str], call: Conversion) -> Hint:

@@ -25,50 +25,9 @@ from radcalc.errors import (
 )
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
+from radcalc.quantities.synonyms import meant
 from radcalc.render.formats import FORMATS
 from radcalc.units.numbers import is_sentence
-
-# Synonyms of options; those of the command are suggested.
-MEANT_OPTIONS = {
-    "f-number": "aperture f-stop fstop stop",
-    "limit": "mpe el",
-    "time": "shutter shutter-speed exposure-time duration hours photoperiod daylength",
-    "iso": "asa sensitivity film-speed",
-    "luminous-flux": "lumen lumens",
-    "radiant-flux": "watt watts power",
-    "illuminance": "lux illumination footcandles",
-    "luminous-intensity": "candela candelas candlepower",
-    "luminance": "nit nits brightness",
-    "half-angle": "angle beam cone",
-    "apex-angle": "angle cone",
-    "beam-angle": "angle beam spread",
-    "off-axis-angle": "field-angle off-axis angle",
-    "reflectance": "albedo reflectivity",
-    "wavelength": "lambda color colour",
-    "spectrum": "illuminant lamp spd",
-    "distribution": "ies ldt file luminaire photometry",
-    "precision": "digits decimals",
-    "format": "output",
-    "steps": "derivation explain verbose",
-    "quiet": "silent",
-    "utilance": "uf cu utilisation utilization utilisation-factor utilization-factor",
-    "maintenance": "mf llf maintenance-factor light-loss-factor",
-    "luminaires": "fixtures lamps count",
-    "quantum-efficiency": "qe",
-    "na": "numerical-aperture",
-    "sp-ratio": "sp s/p",
-    "incidence": "aoi incidence-angle angle-of-incidence",
-    "sun-elevation": "elevation altitude sun-altitude solar-altitude solar-elevation",
-    "sun-azimuth": "solar-azimuth",
-    "tilt": "inclination slope",
-    "temperature-rise": "temperature dt delta-t",
-    "specific-heat": "heat-capacity",
-    "receiver-area": "detector-area sensor-area target-area",
-    "receiver-diameter": "detector-diameter pupil-diameter",
-    "pixel-pitch": "pixel pixel-size pitch",
-    "height": "mounting-height",
-    "divergence": "full-divergence spread",
-}
 
 
 def about_unit(error: MissingUnit | WrongQuantity, words: list[str]) -> RadcalcError:
@@ -162,7 +121,7 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
     known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
     if doubled := _doubled(typed, known, words):
         return RadcalcError(problem, doubled)
-    near = [name for name in known if name.startswith(typed)] or _synonyms(typed, known)
+    near = [f"--{name}" for name in meant(typed[2:], [name[2:] for name in known])]
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
         others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
         hint = call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")
@@ -207,12 +166,6 @@ def _bare(words: list[str]) -> list[str]:
         elif not equals:
             next(rest, "")
     return [*kept, "-n"]
-
-
-def _synonyms(typed: str, known: list[str]) -> list[str]:
-    name = typed.removeprefix("--").lower()
-    meant = [f"--{option}" for option, words in MEANT_OPTIONS.items() if name in words.split()]
-    return [option for option in meant if option in known]
 
 
 def options_behind(words: list[str]) -> str:

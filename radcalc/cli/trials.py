@@ -293,7 +293,7 @@ def _is_short(words: Words) -> bool:
     if {*words} & {*HELP_NAMES, "help", "--version"}:
         return False
     is_quick = command in SUMMARIES and command not in LONG and not {*options} & {*UNTRIED}
-    if not is_quick or any(map(is_stream, words)) or _is_long(words):
+    if not is_quick or any(map(is_stream, words)) or is_long(words):
         top = context()
         name, found, rest = commands.resolve_command(top, protect_negatives(words))
         if found:
@@ -302,7 +302,7 @@ def _is_short(words: Words) -> bool:
     return not any(map(_is_file, words))
 
 
-def _is_long(words: Words) -> bool:
+def is_long(words: Words) -> bool:
     """Return whether a call has many answers, which take long."""
     return math.prod([size_of(word.rpartition("=")[2]) for word in words]) > ANSWERS
 

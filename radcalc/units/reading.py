@@ -151,7 +151,8 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
         amount = with_unit(amount, "1")
     if amount.unit is None:
         is_plain = words[0].replace(".", "").isalnum()
-        hint: Hint = EXAMPLE if is_plain else call("convert", words[0], "to", "1")
+        example = call("convert", words[0], "lx", "fc")
+        hint: Hint = example if is_plain else call("convert", words[0], "to", "1")
         raise UsageError(f"the unit of '{quote(words[0])}' is missing", hint)
     if rest and not rest[0].strip():
         raise UsageError("the unit to convert to is missing", EXAMPLE)

@@ -1,0 +1,53 @@
+"""Other words for symbols and options, which people type in their place."""
+
+from collections.abc import Sequence
+
+# Symbols, and names of options, with other words for them.
+SYNONYMS = {
+    "f-number": "aperture f-stop fstop stop",
+    "limit": "mpe el",
+    "time": "shutter shutter-speed exposure-time duration hours photoperiod daylength",
+    "iso": "asa sensitivity film-speed",
+    "luminous-flux": "lumen lumens",
+    "radiant-flux": "watt watts power",
+    "illuminance": "lux illumination footcandles",
+    "luminous-intensity": "candela candelas candlepower",
+    "luminance": "nit nits brightness",
+    "half-angle": "angle beam cone",
+    "apex-angle": "angle cone",
+    "beam-angle": "angle beam spread",
+    "off-axis-angle": "field-angle off-axis angle",
+    "reflectance": "albedo reflectivity",
+    "wavelength": "lambda color colour",
+    "spectrum": "illuminant lamp spd",
+    "distribution": "ies ldt file luminaire photometry",
+    "precision": "digits decimals",
+    "format": "output",
+    "steps": "derivation explain verbose",
+    "quiet": "silent",
+    "utilance": "uf cu utilisation utilization utilisation-factor utilization-factor",
+    "maintenance": "mf llf maintenance-factor light-loss-factor",
+    "luminaires": "fixtures lamps count",
+    "quantum-efficiency": "qe",
+    "na": "numerical-aperture",
+    "sp-ratio": "sp s/p",
+    "incidence": "aoi incidence-angle angle-of-incidence",
+    "sun-elevation": "elevation altitude sun-altitude solar-altitude solar-elevation",
+    "sun-azimuth": "solar-azimuth",
+    "tilt": "inclination slope",
+    "temperature-rise": "temperature dt delta-t",
+    "specific-heat": "heat-capacity",
+    "receiver-area": "detector-area sensor-area target-area",
+    "receiver-diameter": "detector-diameter pupil-diameter",
+    "pixel-pitch": "pixel pixel-size pitch",
+    "height": "mounting-height",
+    "divergence": "full-divergence spread",
+}
+
+
+def meant(typed: str, known: Sequence[str]) -> list[str]:
+    """Return the known names that begin with a word, or else those that it is a synonym of."""
+    if begun := [name for name in known if typed and name.startswith(typed)]:
+        return begun
+    word = typed.lower()
+    return [name for name, words in SYNONYMS.items() if word in words.split() and name in known]
