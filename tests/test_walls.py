@@ -14,6 +14,7 @@ from helpers import for_each
 
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.cli.compile import Compiler
+from radcalc.cli.group import OTHERWISE
 from radcalc.cli.help import COMMANDS
 from radcalc.laws import point
 from radcalc.quantities.symbols import DIRECTION, DISTRIBUTIONS, OBSERVER_NAMES, SYMBOLS
@@ -197,7 +198,7 @@ def test_the_vocabulary_names_no_commands():
     """A meaning that a symbol has in one command only is on the page of that command."""
     tree = tree_of("radcalc.quantities.symbols")
     keywords = {node.arg for node in ast.walk(tree) if isinstance(node, ast.keyword)}
-    assert not keywords & {name.replace("-", "_") for name in COMMANDS}
+    assert not keywords & {name.replace("-", "_") for name in COMMANDS if name != "help"}
     others = {"photon", DIRECTION}  # a unit, and a form
     assert not set(texts_of(tree)) & (COMMANDS.keys() - SYMBOLS.keys() - others)
 
@@ -269,6 +270,8 @@ SCALARS = """
     units lambert
     quantities 'svítivost'
     typical sun
+    examples
+    examples museum
     photon 555nm
     convert 1000 lx W/m2 --spectrum D65
     convert 1000 lx umol/m2/s --spectrum AM1.5G
@@ -362,7 +365,7 @@ def test_starting_does_not_look_for_translations_of_clicks_texts():
 
 
 OF_COMMANDS = {
-    f"radcalc.{room}.{name.replace('-', '_')}"
+    f"radcalc.{room}.{OTHERWISE.get(name, name).replace('-', '_')}"
     for room in ("cli", "calculators")
     for name in COMMANDS
 }
@@ -411,6 +414,14 @@ def test_completing_a_word_imports_neither_commands_nor_click(
     done = python(PROBE)
     assert found in done.stdout
     assert not set(json.loads(done.stderr.splitlines()[-1])) & (OF_COMMANDS | HEAVY | left_out)
+
+
+@pytest.mark.parametrize("words", ["lux", "beam angle", "sunlight", "nonsense"])
+def test_a_search_for_words_loads_neither_numpy_nor_the_calculators(words, installed, monkeypatch):
+    monkeypatch.chdir(installed)
+    loaded = loaded_by("help", *words.split())
+    pages = {f"radcalc.calculators.{name.replace('-', '_')}" for name in SUMMARIES}
+    assert not loaded & (pages | HEAVY - {"click"})
 
 
 def test_import_radcalc_costs_nothing():

@@ -9,7 +9,7 @@ from radcalc import terminal
 from radcalc.cli import files
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.errors import MissingUnit, RadcalcError, UsageError, WrongQuantity, call
+from radcalc.errors import MissingUnit, RadcalcError, WrongQuantity
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -19,14 +19,13 @@ if TYPE_CHECKING:
 
 
 def of_help(words: list[str]) -> list[str]:
-    """Return `help [COMMAND]` as the --help option."""
+    """Return `help` and `help COMMAND` as the --help option; other words are searched for."""
     if words[:1] != ["help"]:
         return words
     called = [word for word in words[1:] if word not in HELP_NAMES]
-    if len(called) > 1 and called[0] in COMMANDS:
-        both = [call(name, "--help") for name in called[:3] if name in COMMANDS]
-        raise UsageError("help takes one command", both)
-    return [*called[:1], HELP_NAMES[-1]]
+    if not words[1:] or (len(called) == 1 and called[0] in COMMANDS):
+        return [*called, HELP_NAMES[-1]]
+    return words
 
 
 def run(words: list[str]) -> int:

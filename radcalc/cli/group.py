@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
     from radcalc.cli.options import Listener
 
+OTHERWISE = {"help": "lookup"}  # the module `help` has what all commands share
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 
@@ -35,7 +36,7 @@ class Commands(Helped, click.Group):
             return None
         from importlib import import_module
 
-        module_name = f"radcalc.cli.{cmd_name.replace('-', '_')}"
+        module_name = f"radcalc.cli.{OTHERWISE.get(cmd_name, cmd_name).replace('-', '_')}"
         command: click.Command
         try:
             command = import_module(module_name).command

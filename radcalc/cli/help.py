@@ -13,6 +13,7 @@ COMMANDS = {
     "quantities": "Names of quantities in three languages.",
     "typical": "Typical values: sun, sky, rooms, lamps, screens.",
     "examples": "Tasks with their commands, answers and how to read them.",
+    "help": "Help for a command, or a search for words.",
     "prompt": "Interactive prompt, with ans and variables.",
 }
 HELP_NAMES = ["-h", "--help"]
@@ -25,9 +26,10 @@ def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
         ctx.exit()
 
 
-# Click's own option looks for a translation at every start.
+# Click's own option looks for a translation at every start.  The name is not that of the command
+# `help`, whose settings at the prompt would be taken for the option's.
 HELP = click.Option(
-    HELP_NAMES,
+    [*HELP_NAMES, "wants_help"],
     is_flag=True,
     is_eager=True,
     expose_value=False,

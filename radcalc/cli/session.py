@@ -45,7 +45,7 @@ from radcalc.units.unit import unit_behind
 ANS = "ans"
 LEAVING = ("exit", "quit")
 ALSO_LEAVING = (*LEAVING, "bye", "q", "logout")  # words that people type to exit
-WORDS = {"help": "The commands, or help for one.", "vars": "The variables and their values."}
+WORDS = {"help": "The commands, or a search.", "vars": "The variables and their values."}
 WORDS |= dict.fromkeys(LEAVING, "Leave the prompt.")
 SEPARATING = {*SEPARATORS, *ALSO_UNITS}
 RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, *FUNCTIONS, "radcalc", "per", "pi", "π"}
@@ -68,7 +68,7 @@ EXAMPLES = {
     "ans klx": "The last answer; ans.NAME is one of several results.",
     "x = 800 lm": "A variable keeps an amount or an answer.",
     "vars": "The variables and their values.",
-    "help COMMAND": "Help for a command.",
+    "help WORD": "Help for a command, or a search for a word.",
     "exit": "Exit; also Ctrl-D.",
 }
 

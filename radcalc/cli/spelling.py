@@ -2,6 +2,10 @@
 
 from radcalc.errors import spell
 
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 NEED_QUOTES = set(" ()<>;&|")  # at a shell
 
@@ -37,6 +41,11 @@ class Shell:
         from radcalc.units.table import resolve
 
         return describe(resolve(unit))
+
+
+def pasted(words: "Sequence[str]") -> str:
+    """Return a call as it can be pasted at a shell."""
+    return " ".join(["radcalc", *map(quoted, words)])
 
 
 def quoted(word: str) -> str:

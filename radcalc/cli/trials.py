@@ -16,7 +16,7 @@ from radcalc.cli.command import with_plot
 from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.cli.spelling import Shell, quoted, spelled
+from radcalc.cli.spelling import Shell, pasted, spelled
 from radcalc.errors import (
     MINUS,
     Exclusive,
@@ -51,7 +51,7 @@ class Trial(NamedTuple):
     @property
     def command(self) -> str:
         """Return the call as it can be pasted at a shell."""
-        return " ".join(["radcalc", *map(quoted, self.words)])
+        return pasted(self.words)
 
     @property
     def outcome(self) -> str:

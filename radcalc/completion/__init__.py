@@ -36,8 +36,8 @@ def completions(words: "Sequence[str]", incomplete: str) -> list[Completion]:
 def _candidates(words: list[str], incomplete: str) -> list[Completion]:
     if not words:
         return _first(incomplete)
-    if words[0] == HELP:
-        return _commands(incomplete) if len(words) == 1 else []
+    if words == [HELP] and (commands := _commands(incomplete)):
+        return commands
     if words[0] in COMMANDS:
         return _in_command(Line(words[0], words[1:]), incomplete)
     if is_sentence(words):
@@ -50,7 +50,7 @@ def _first(incomplete: str) -> list[Completion]:
         return _options(map(Option, RADCALC), incomplete)
     if is_sentence([incomplete]):
         return _in_command(Line("convert", ()), incomplete)
-    return [*_commands(incomplete), Completion(HELP, "Show the help for a command.")]
+    return _commands(incomplete)
 
 
 def _commands(incomplete: str) -> list[Completion]:

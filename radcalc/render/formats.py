@@ -35,7 +35,8 @@ class Style(NamedTuple):
 class Records(NamedTuple):
     """Rows of named fields; a `table` shows other rows, with its notes below.
 
-    A field may be a list of texts.  `inputs` are the search terms.
+    A field may be a list of texts.  `inputs` are the search terms.  Columns of the table that are
+    `unfolded` are never folded.
     """
 
     rows: Sequence[Mapping[str, Any]]
@@ -43,6 +44,7 @@ class Records(NamedTuple):
     table: Sequence[Mapping[str, str]]
     right: Sequence[str] = ()
     inputs: Sequence[ShownInput] = ()
+    unfolded: Sequence[str] = ()
 
 
 class Judgement(NamedTuple):

@@ -117,7 +117,7 @@ def records(records: Records, style: Style) -> str:
     }
     above = [f"{name}: {text}" for name, text in alike.items() if text]
     header, lines = _without(header, lines, alike)
-    return draw(Drawn(header, lines, above, notes, records.right), style)
+    return draw(Drawn(header, lines, above, notes, records.right, records.unfolded), style)
 
 
 def verdict(judgement: Judgement, style: Style) -> str:

@@ -206,7 +206,9 @@ def test_commands_have_their_descriptions():
     assert texts("conv") == ["convert"]
     assert said("", "spectrum") == "Peak, efficacies and colour of a spectrum."
     assert texts("help sp") == ["spectrum"]
-    assert texts("help spectrum ") == texts("nosuch ") == []
+    assert texts("help illumina")[0] == "illuminance"
+    assert texts("examples muse") == ["museum"]
+    assert texts("nosuch ") == []
     assert texts("--v") == texts("--version") == ["--version"]
     assert "--version" in texts("-")
     assert texts("-5")[:1] == []

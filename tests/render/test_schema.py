@@ -21,9 +21,9 @@ from radcalc.cli.spelling import Shell
 SCHEMA = json.loads(Path(__file__).with_name("schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 BARE = {"-n", "--number", "--json", "--format"}
-NO_ANSWERS = {"--help", "-h", "--version", "help", "--plot"}
+NO_ANSWERS = {"--help", "-h", "--version", "--plot"}
 # lists of what there is
-LISTS = ("units", "quantities", "typical", "examples", "columns", "spectrum --list")
+LISTS = ("units", "quantities", "typical", "examples", "help", "columns", "spectrum --list")
 MORE = (
     "columns examples/gallery.csv",
     "units lux",
@@ -31,6 +31,7 @@ MORE = (
     "typical sun",
     "spectrum --list",
     "examples uv",
+    "help lux",
 )
 ROOM = "name,x,y,z,flux\ndesk,1,2,1.2,400lm\ndoor,5,0.5,2.5,800lm\n"
 

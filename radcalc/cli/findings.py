@@ -1,0 +1,201 @@
+"""Whatever has some words in its name or text: the search of `radcalc help`.
+
+The commands and their options come from the table of completion; quantities, units, spectra and
+typical values from the searches of their own commands.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
+from typing import Any
+
+from radcalc.calculators.pages import SUMMARIES
+from radcalc.cli.help import COMMANDS
+from radcalc.cli.suggestions import MEANT
+from radcalc.completion import table
+from radcalc.errors import RadcalcError, nearest
+from radcalc.quantities import entries, search, typical
+from radcalc.quantities.language import ENGLISH, LANGUAGES
+from radcalc.quantities.names import QUANTITIES
+from radcalc.quantities.search import comparable, matching
+from radcalc.spectra import listing
+from radcalc.spectra.kinds import FORMS
+from radcalc.spectra.sources import ALIASES
+from radcalc.tuples import NamedTuple
+from radcalc.units.compiled import UNITS
+
+ALIKE = 0.7  # of similar names
+NAMED = 2  # commands with an option that are named
+EXACT, BEGINNING, WORDS, ELSEWHERE = range(4)  # where a text is found, best first
+SENTENCE_END = re.compile(r"(?<=[\w)])\. ")
+OTHER_NAMES = re.compile(r" \(also --[^)]*\)|; also --[^)]*(?=\))")  # of an option, for one kind
+
+
+class Finding(NamedTuple):
+    """Something that has the words: its kind, its name, what it is, and a call that shows it.
+
+    `names` are all its names; `text` has other words by which it is found.  `is_meant` if the words
+    mean it without being its name, as a unit means its quantity.
+    """
+
+    kind: str
+    name: str
+    what: str
+    call: tuple[str, ...]
+    names: Sequence[str]
+    text: str = ""
+    is_meant: bool = False
+
+    def place(self, text: str) -> int:
+        """Return where a text is found: a whole name, its beginning, words of it, elsewhere."""
+        typed = comparable(text)
+        names = [comparable(name) for name in self.names]
+        if typed in names:
+            return EXACT
+        if self.is_meant or any(name.startswith(typed) for name in names):
+            return BEGINNING
+        return WORDS if matching(text, names, str) else ELSEWHERE
+
+
+def find(text: str) -> list[Finding]:
+    """Return everything that has the words of a text, the best first."""
+    found: list[Finding] = []
+    for searched in SEARCHES:
+        with suppress(RadcalcError):  # there is no match
+            found += searched(text)
+    return sorted(found, key=lambda finding: finding.place(text))
+
+
+def near(text: str, count: int) -> list[str]:
+    """Return texts that are found, for one that is not: some of its words, or similar names."""
+    words = [word for word in text.split() if find(word)]
+    if words:
+        return words[:count]
+    names = {comparable(name): name for name in _names()}
+    return [names[name] for name in nearest(comparable(text), names, count, ALIKE)]
+
+
+def _names() -> Iterator[str]:
+    yield from COMMANDS
+    yield from (name.lstrip("-") for name in _rows())
+    yield from (name for q in QUANTITIES for code in LANGUAGES for name in q.names(code))
+    yield from UNITS
+    yield from ALIASES
+    yield from typical.THINGS
+
+
+def _of_commands(text: str) -> Iterable[Finding]:
+    every = [
+        Finding(
+            "command",
+            name,
+            line,
+            (name, "--help"),
+            (name, *_shapes(name)),
+            f"{line} {MEANT.get(name, '')}",
+        )
+        for name, line in COMMANDS.items()
+    ]
+    return matching(text, every, _all_words)
+
+
+def _shapes(name: str) -> Sequence[str]:
+    """Return the operands that a calculator takes by name: cone, disc, overcast."""
+    form, choices = _table()[name][1]
+    return tuple(choices) if form == "choice" and name in SUMMARIES else ()
+
+
+def _of_options(text: str) -> Iterable[Finding]:
+    """Return the options; those for one kind of light only by their names, or if alone."""
+    by_hidden = {is_hidden: [*_options(is_hidden)] for is_hidden in (False, True)}
+    found = matching(text, by_hidden[False], _all_words)
+    hidden = matching(text, by_hidden[True], _all_words)
+    return [*found, *(one for one in hidden if not found or one.place(text) == EXACT)]
+
+
+def _options(are_hidden: bool) -> Iterator[Finding]:
+    """Return the options that some command shows in its help, or the others."""
+    for name, rows in _rows().items():
+        shown = {command: help_text for command, help_text, hidden in rows if not hidden}
+        if are_hidden == bool(shown):
+            continue
+        helps = shown or {command: help_text for command, help_text, _ in rows}
+        first, *others = helps
+        where = ", ".join([*helps][:NAMED])
+        if len(helps) == len(COMMANDS):
+            where = "every command"
+        elif len(others) >= NAMED:
+            where += f" and {len(helps) - NAMED} more"
+        what = f"{_sentence(OTHER_NAMES.sub('', helps[first]))} ({where})"
+        yield Finding("option", name, what, (first, "--help"), (name,), " ".join(helps.values()))
+
+
+def _rows() -> dict[str, list[tuple[str, str, bool]]]:
+    """Return the rows of the options by their long names: command, help, and whether hidden."""
+    options: dict[str, list[tuple[str, str, bool]]] = {}
+    for command, (_, _, rows) in _table().items():
+        for names, _, _, help_text, hidden, _ in rows:
+            options.setdefault(names[-1], []).append((command, help_text, hidden))
+    return options
+
+
+def _table() -> dict[str, Any]:
+    if not table.COMMANDS:
+        from radcalc.cli.compile import fill_table
+
+        fill_table()
+    return table.COMMANDS
+
+
+def _of_quantities(text: str) -> Iterator[Finding]:
+    for quantity, note in search.search(text):
+        name = quantity.name(ENGLISH)
+        what = f"{quantity.unit}: {note or _sentence(quantity.definition)}"
+        names = [n for code in LANGUAGES for n in quantity.names(code)]
+        typed = ("quantities", *name.split())
+        yield Finding("quantity", name, what, typed, (*names, quantity.symbol), is_meant=True)
+
+
+def _of_units(text: str) -> Iterator[Finding]:
+    for unit in entries.search(text):
+        spellings = unit.symbols.partition(" (")[0].split(", ")
+        what = ": ".join(filter(None, [unit.quantity, unit.definition]))
+        yield Finding("unit", unit.name, what, ("units", unit.name), (unit.name, *spellings))
+
+
+def _of_spectra(text: str) -> Iterator[Finding]:
+    for kind, (_, description, example, _) in FORMS.items():
+        if matching(text, [f"{kind} {description}"], str):
+            yield Finding("spectrum", example, description, ("spectrum", example), (kind,))
+    with suppress(RadcalcError):
+        for spectrum in listing.search(text):
+            name = spectrum.name
+            aliases = [alias for alias, owner in ALIASES.items() if owner == name]
+            what = table.SPECTRA.get(name, "")
+            yield Finding("spectrum", name, what, ("spectrum", name), (name, *aliases))
+
+
+def _of_typical_values(text: str) -> Iterator[Finding]:
+    for value in typical.search(text):
+        what = f"{value.value} {value.unit} ({value.quantity})"
+        yield Finding("typical value", value.what, what, ("typical", *text.split()), value.names)
+
+
+def _all_words(finding: Finding) -> str:
+    return f"{' '.join(finding.names)} {finding.text}"
+
+
+def _sentence(text: str) -> str:
+    """Return the first sentence of a text, without its full stop."""
+    return SENTENCE_END.split(text)[0].removesuffix(".")
+
+
+# In the order of the kinds in an answer.
+SEARCHES: Sequence[Callable[[str], Iterable[Finding]]] = (
+    _of_commands,
+    _of_quantities,
+    _of_units,
+    _of_spectra,
+    _of_typical_values,
+    _of_options,
+)

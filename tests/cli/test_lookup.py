@@ -1,0 +1,146 @@
+"""`radcalc help WORD ...`: what is found, in which order, and that the commands answer."""
+
+import json
+import re
+import shlex
+
+import pytest
+from conftest import run
+from helpers import for_each, terminal_of
+
+from radcalc.cli.findings import EXACT, SEARCHES, find, near
+from radcalc.cli.help import COMMANDS
+from radcalc.cli.lookup import KINDS, MOST, OF_A_KIND
+from radcalc.quantities.names import QUANTITIES
+from radcalc.quantities.typical import THINGS
+from radcalc.spectra.sources import names as spectra
+from radcalc.units.compiled import UNITS
+
+WORDS = ["lux", "footcandle", "beam angle", "ppfd", "sunlight", "intensity", "LED", "cone", "W/m2"]
+WORDS += ["výkon", "поток", "blackbody", "sodium", "dBm", "iso", "distance", "projector"]
+
+
+def rows(*words):
+    done = run("help", *words)
+    assert done.returncode == 0, done.stderr
+    return [line.split("\t") for line in done.stdout.splitlines()]
+
+
+@for_each(COMMANDS)
+def test_the_help_of_a_command_is_that_of_its_option(name):
+    assert run("help", name).stdout == run(name, "--help").stdout
+
+
+def test_help_alone_is_the_help_of_radcalc():
+    assert run("help").stdout == run("--help").stdout
+    assert run("help", "help").stdout == run("help", "--help").stdout
+
+
+def test_several_commands_are_refused_with_both():
+    done = run("help", "convert", "ev")
+    assert (done.returncode, done.stdout) == (2, "")
+    calls = re.findall(r"(?:try: |or:  )radcalc (.*)", done.stderr)
+    assert calls == ["convert --help", "ev --help"]
+
+
+# What each word is: the definition of the unit, the quantity that it measures, its misnomer.
+@pytest.mark.parametrize(
+    ("words", "kind", "name"),
+    [
+        ("lux", "unit", "lux"),
+        ("lux", "quantity", "illuminance"),
+        ("footcandle", "unit", "footcandle"),
+        ("foot-candle", "unit", "footcandle"),
+        ("beam angle", "option", "--beam-angle"),
+        ("ppfd", "quantity", "photon irradiance"),
+        ("osvětlenost", "quantity", "illuminance"),
+        ("projector", "command", "screen"),
+        ("cone", "command", "solid-angle"),
+        ("dBm", "unit", "dBm"),
+        ("sodium", "spectrum", "HPS"),
+        ("black body", "spectrum", "blackbody:2856K"),
+        ("moon", "typical value", "full moon"),
+    ],
+)
+def test_a_word_finds_its_meaning(words, kind, name):
+    assert [kind, name] in [row[:2] for row in rows(*words.split())]
+
+
+@for_each([*(q.name("en") for q in QUANTITIES[::3]), *[*UNITS][::19], *spectra()[::19], *COMMANDS])
+def test_an_exact_name_comes_first(name):
+    found = find(name)
+    assert found[0].place(name) == EXACT
+
+
+@for_each(WORDS)
+def test_the_best_come_first_and_no_kind_crowds_the_others_out(text):
+    found = find(text)
+    places = [one.place(text) for one in found]
+    assert places == sorted(places)
+    shown = rows(*text.split())
+    assert 0 < len(shown) <= MOST
+    for kind in KINDS:
+        exact = sum(one.kind == kind and one.place(text) == EXACT for one in found)
+        assert sum(row[0] == kind for row in shown) <= max(OF_A_KIND, exact)
+
+
+@for_each(WORDS)
+def test_notes_count_what_is_not_shown(text):
+    found = find(text)
+    done = run("help", *text.split())
+    more = re.findall(r"^note: (\d+) more", done.stderr, re.M)
+    assert sum(map(int, more)) == len(found) - len(done.stdout.splitlines())
+
+
+@for_each(WORDS)
+def test_every_command_of_a_list_answers(text):
+    done = run("help", *text.split())
+    calls = {line.split("\t")[3] for line in done.stdout.splitlines()}
+    calls |= {*re.findall(r": (radcalc .*)$", done.stderr, re.M)}
+    for command in calls:
+        program, *words = shlex.split(command)
+        answered = run(*words)
+        assert (program, answered.returncode) == ("radcalc", 0), command
+        assert answered.stdout
+
+
+@for_each(["nonsense", "lumnes", "solar zork", "candella", "wavelenght", "zork\nblub", "x" * 300])
+def test_an_unknown_word_is_refused_with_calls_that_answer(text):
+    done = run("help", text)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "nothing has the words" in done.stderr
+    calls = re.findall(r"(?:try: |or:  )radcalc (.*)", done.stderr)
+    assert calls
+    for words in calls:
+        assert run(*shlex.split(words)).returncode == 0
+    assert all(find(name) for name in near(text, 3))
+
+
+@for_each([("candella", "candela"), ("wavelenght", "wavelength"), ("steradien", "steradian")])
+def test_a_misspelt_name_is_proposed(typed, name):
+    assert f"try: radcalc help {name}\n" in run("help", typed).stderr
+
+
+def test_every_search_finds_something():
+    for search in SEARCHES:
+        assert any([*search(word)] for word in ("light", "sun", "D65", "illuminance"))
+
+
+@for_each(THINGS[::3])
+def test_the_subjects_of_typical_values_are_found(word):
+    assert find(word)
+
+
+def test_json_has_the_same_findings_and_the_notes():
+    done = run("help", "lux", "--json")
+    answer = json.loads(done.stdout)
+    assert [[*record.values()] for record in answer["records"]] == rows("lux")
+    assert len(answer["notes"]) == 3
+    assert done.stderr == ""
+
+
+def test_a_table_keeps_each_command_on_one_line():
+    text = terminal_of("help", "beam", "angle", columns=80, NO_COLOR="1")
+    assert "command to type" in text
+    for *_, command in rows("beam", "angle"):
+        assert command in text
