@@ -141,6 +141,7 @@ def convert(
     k: Amount = None,
     c: Amount = None,
     time: Amount = None,
+    photoperiod: Amount = None,
     bandwidth: Amount = None,
 ) -> Quantity: ...
 def direction(
@@ -259,6 +260,7 @@ def explain(
     k: Amount = None,
     c: Amount = None,
     time: Amount = None,
+    photoperiod: Amount = None,
     bandwidth: Amount = None,
 ) -> Result: ...
 def factor(
@@ -292,6 +294,7 @@ def factor(
     k: Amount = None,
     c: Amount = None,
     time: Amount = None,
+    photoperiod: Amount = None,
     bandwidth: Amount = None,
 ) -> float: ...
 def irradiance_map(

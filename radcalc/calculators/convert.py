@@ -29,7 +29,7 @@ PAGE = Page(
         ),
         "Detectors, fields and heat": ("responsivity", "electric-field", "emissivity"),
         "Light meters (EV)": ("k", "c"),
-        "Time and bandwidth": ("time", "bandwidth"),
+        "Time and bandwidth": ("time", "photoperiod", "bandwidth"),
     },
     texts={
         "radius": "Radius of a circular area.",

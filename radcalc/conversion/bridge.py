@@ -68,6 +68,11 @@ WANTED = {
     ),
     BAND: Wanted("a bandwidth", option("bandwidth", "WIDTH"), (add("bandwidth", "10nm"),)),
     TIME: Wanted("a time", option("time", "T"), (add("time", "1h"), add("time", "1s"))),
+    "photoperiod": Wanted(
+        "the time of light in a day",
+        option("photoperiod", "T"),
+        tuple([add("photoperiod", f"{hours}h", f"{hours} h of light") for hours in (12, 16, 18)]),
+    ),
     PUPIL: Wanted(
         "the pupil's diameter",
         option("pupil", "DIAMETER"),

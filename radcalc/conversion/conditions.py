@@ -21,6 +21,7 @@ CONDITIONS = {
     "range": REFINES,
     "photon-range": REFINES,
     "time": TIME,
+    "photoperiod": TIME,
     "area": AREA,
     "radius": AREA,
     "diameter": AREA,

@@ -48,9 +48,15 @@ def area(given: Input) -> Factor:
     return Factor("A", value, "m2", f"uniform over a circle of {area_text}", (step,))
 
 
-def duration(given: Input) -> Factor:
-    """Return the factor of a time [s]."""
-    return Factor("t", given.value, "s", f"constant over {given.text}")
+DAY = Factor("t", 86400.0, "s", "the rate is the mean of a day, over 24 h")
+
+
+def duration(given: Input, is_daily: bool = False) -> Factor:
+    """Return the factor of a time [s], or of the light in a day."""
+    text = f"constant over {given.text}"
+    if is_daily or given.name == "photoperiod":
+        text = f"in a day with {given.text} of light, all of it constant"
+    return Factor("t", given.value, "s", text)
 
 
 def solid_angle(given: Input) -> Factor:

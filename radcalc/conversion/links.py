@@ -47,7 +47,7 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.inputs.given import Input
+from radcalc.inputs.given import Input, require
 from radcalc.maths import any_true, power
 from radcalc.quantities.light import (
     NONE,
@@ -58,6 +58,7 @@ from radcalc.quantities.light import (
     is_incident,
     read,
 )
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.dimensions import (
     ANGLE,
     CHARGE,
@@ -67,7 +68,7 @@ from radcalc.units.dimensions import (
     SOLID_ANGLE,
     TEMPERATURE,
 )
-from radcalc.units.unit import Unit
+from radcalc.units.unit import Daily, Unit
 
 # ---------------------------------------------------------------------------------------------
 # Area and solid angle
@@ -320,11 +321,18 @@ def _unlike_heat(bridge: Bridge) -> RadcalcError:
 def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
     if start.time == end.time:
         return []
+    units = bridge.source, bridge.target
     given = bridge.conditions.use(TIME)
+    is_daily = any(isinstance(unit, Daily) for unit in units)
+    if is_daily and given is None and any(("day", -1) in unit.atoms for unit in units):
+        return [(geometric.DAY, end.time - start.time)]
     if given is None:
-        bridge.want(TIME)
+        bridge.want("photoperiod" if is_daily else TIME)
         return []
-    return [(geometric.duration(given), end.time - start.time)]
+    if is_daily:
+        limits = SYMBOLS["photoperiod"].limits
+        require(given, not any_true(given.value > limits.high), limits.said)
+    return [(geometric.duration(given, is_daily), end.time - start.time)]
 
 
 ELECTRIC = {CURRENT: 0, CHARGE: 1}  # with the power of time relative to a flux

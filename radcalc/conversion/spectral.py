@@ -393,12 +393,13 @@ def band_axis(given: Input) -> str:
 def between(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
     """Return the links between two kinds, and between two axes of spectral density."""
     links = [*_kind(bridge, start, end), *_axis(bridge, start, end)]
-    if isinstance(bridge.target, Photosynthetic):
-        _refuse_other_photons(bridge, bridge.target, links)
+    for unit in (bridge.source, bridge.target):
+        if isinstance(unit, Photosynthetic):
+            _refuse_other_photons(bridge, unit, links)
     return links
 
 
-def _refuse_other_photons(bridge: "Bridge", target: Photosynthetic, links: "Links") -> None:
+def _refuse_other_photons(bridge: "Bridge", unit: Photosynthetic, links: "Links") -> None:
     """Raise for a PPFD of photons that are not from 400 nm to 700 nm."""
     from radcalc.spectra.spectrum import OUTSIDE, PAR
 
@@ -406,8 +407,8 @@ def _refuse_other_photons(bridge: "Bridge", target: Photosynthetic, links: "Link
     notes = [note for factor, _ in links for note in factor.notes]
     if (asked and tuple(asked.value) != PAR) or any(OUTSIDE in note for note in notes):
         raise ConditionError(
-            f"{quote(target.name)} counts photons from 400 nm to 700 nm only",
-            correct(target.name, name_of(target).replace(" ", "-"), remark="all photons"),
+            f"{quote(unit.name)} counts photons from 400 nm to 700 nm only",
+            correct(unit.name, name_of(unit).replace(" ", "-"), remark="all photons"),
         )
 
 

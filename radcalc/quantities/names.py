@@ -11,6 +11,8 @@ in WikiSkripta ("Radiometrické veličiny") and "poměrná spektrální světeln
 
 from typing import NamedTuple
 
+from radcalc.units import horticulture
+
 
 class Quantity(NamedTuple):
     """A quantity: symbol, unit, names separated by commas, and a definition in one line."""
@@ -168,6 +170,7 @@ LABELS = {
     "reflectance, s-polarised": ("činitel odrazu, s-polarizace", "коэффициент отражения, s"),
     "reflectance, p-polarised": ("činitel odrazu, p-polarizace", "коэффициент отражения, p"),
     "transmittance of a slab": ("činitel prostupu desky", "коэффициент пропускания пластины"),
+    "photoperiod": ("fotoperioda", "фотопериод"),
     "emissivity": ("emisivita", "коэффициент излучения"),
     "reflectance": ("činitel odrazu", "коэффициент отражения"),
     "absorptance": ("činitel pohlcení", "коэффициент поглощения"),
@@ -346,6 +349,7 @@ PARTS = {
 
 PPFD, PPF = ("ppfd", "photosynthetic photon flux density", "par"), ("ppf",)
 SOLAR = ("ghi", "dni", "dhi", "gti", "poa")  # irradiances of the sun and the sky
+DLI = ("dli", "daily light integral")
 # Misnomers: the terms, then the symbol of the quantity that is meant, and an explanation.
 MISNOMERS = (
     (
@@ -447,10 +451,11 @@ MISNOMERS = (
     (
         PPFD,
         "E_p",
-        "PPFD is the photon irradiance from 400 nm to 700 nm, usually in umol/m2/s",
+        horticulture.PPFD,
     ),
     (SOLAR[:3], "E_e", "GHI, DNI and DHI are irradiances of the sun and the sky, in W/m2"),
-    (PPF, "Φ_p", "PPF is the photon flux from 400 nm to 700 nm, usually in umol/s"),
+    (PPF, "Φ_p", horticulture.PPF),
+    (DLI, "H_p", horticulture.DLI),
     (("throughput", "geometrical extent"), "G", "that is the etendue of a beam"),
     (
         ("W m-1 sr-1", "W/m/sr", "Вт м-1 ср-1", "Вт/м/ср"),

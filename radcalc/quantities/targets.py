@@ -8,14 +8,16 @@ from typing import NamedTuple
 from radcalc.errors import UnitError, corrections, manual, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import EXITANCES, KINDS, read
-from radcalc.quantities.names import MISNOMERS, PPF, PPFD, QUANTITIES, Quantity
+from radcalc.quantities.names import DLI, MISNOMERS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import Other, called, comparable, index
 from radcalc.quantities.search import near as names_like
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.quantities.units import composed
+from radcalc.units import horticulture
 from radcalc.units.dimensions import COHERENT
+from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve, suggest, unit_of
-from radcalc.units.unit import Exitance, Photosynthetic, Unit
+from radcalc.units.unit import Exitance, Unit
 
 # Names for every kind of light; the source determines the kind.
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
@@ -41,17 +43,16 @@ def named(text: str, source: Unit | None = None) -> Unit:
 
     A known `source` determines the kind of a name for every kind.
     """
+    horticulture.refuse(text)
+    for names in (PPFD, PPF, DLI):
+        if comparable(text) in names:
+            return resolve_any(names[0])
     meanings = _meanings(text, source)
     if not meanings:
         raise _without_unit(text) or _unknown(text)
     if len(meanings) > 1:
         raise _ambiguous(text, meanings, source)
-    unit = meanings[0].as_unit()
-    if comparable(text) in (*PPFD, *PPF):
-        photosynthetic = unit.of_class(Photosynthetic)
-        photosynthetic.name = text
-        return photosynthetic
-    return unit
+    return meanings[0].as_unit()
 
 
 def is_name(text: str) -> bool:
@@ -66,8 +67,10 @@ def names_starting(prefix: str) -> list[tuple[str, str]]:
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
     folded = comparable(text)
-    if len(folded) < SHORTEST:
+    if len(folded) < SHORTEST or folded in horticulture.AMBIGUOUS:
         return []
+    if folded in DLI:
+        return [Target("photon exposure", horticulture.WORDS["dli"][0], horticulture.DLI)]
     if folded in GENERIC:
         return _of_kinds(folded, source)
     if exact := index().names.get(folded):

@@ -104,10 +104,13 @@ def find_unit(text: str, unit: str) -> Unit:
     try:
         return resolve(unit)
     except UnitError:
+        from radcalc.units import horticulture
         from radcalc.units.scales import find, refuse_product
 
         scale = find(unit)
         if scale is None:
+            if word := horticulture.find(unit):
+                return word
             raise
         refuse_product(text, unit)
         return scale

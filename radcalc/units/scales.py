@@ -18,7 +18,7 @@ from radcalc.units.amount import Amount
 from radcalc.units.grammar import plain
 from radcalc.units.numbers import read_number
 from radcalc.units.scale_table import SCALES, SIZES, Scale, named, usual
-from radcalc.units.table import CELSIUS, FAHRENHEIT, resolve
+from radcalc.units.table import CELSIUS, FAHRENHEIT, resolve, unit_of
 from radcalc.units.unit import TEMPERATURE_ALONE, Dimension, Unit
 
 RECIPROCAL = next(scale for scale in SCALES if not scale.steps)
@@ -111,8 +111,12 @@ def find(text: str) -> ScaleUnit | None:
 
 
 def resolve_any(text: str) -> Unit:
-    """Return the unit or the scale of a text; raise UnitError for other texts."""
-    return find(text) or resolve(text)
+    """Return the unit of a text, a scale or a word of growers; raise UnitError for other texts."""
+    if unit := find(text) or unit_of(text):
+        return unit
+    from radcalc.units import horticulture
+
+    return horticulture.find(text) or resolve(text)
 
 
 def refuse_product(text: str, scale: str) -> None:

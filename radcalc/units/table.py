@@ -100,6 +100,8 @@ def _read(text: str) -> Unit | str:
         is_light = is_light or _counts_light(powers)
     if loose and is_light and "(" not in text:
         raise _multiplied_by_length(text, loose)
+    if unit.dimension[COUNT_AT] and ("day", -1) in unit.atoms:
+        unit.notes += (f"{quote(text)} is a rate over 24 h (a daily light integral is in dli)",)
     return _as_wavenumber(unit, inverted)
 
 

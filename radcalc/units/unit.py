@@ -112,6 +112,12 @@ class Photosynthetic(Unit):
     name: str
 
 
+class Daily(Photosynthetic):
+    """A unit of photons from 400 nm to 700 nm in a day: of a DLI."""
+
+    __slots__ = ()
+
+
 def divide(over: int, under: int) -> float:
     """Return the quotient of two whole numbers, rounded once; infinite if out of range."""
     try:
