@@ -101,7 +101,7 @@ MEANT = [
     ("2*3", "radcalc convert 2*3 to 1"),
     ("(2+3)*4", "radcalc convert '(2+3)*4' to 1"),
     ("atan(0.5) deg", "sqrt, sin, cos, tan"),
-    ("log(100) lx fc", "log10 or ln"),
+    ("log(100) lx fc", "log10(100)"),
     ("ev --aperture 8", "radcalc ev --f-number 8"),
     ("ev --shutter 1/60", "radcalc ev --time 1/60"),
     ("ev --ISO 400", "--iso"),

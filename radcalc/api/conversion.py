@@ -23,7 +23,7 @@ from radcalc.quantities.light import describe, result_name
 from radcalc.quantities.symbols import article
 from radcalc.units.amount import Amount as ReadAmount
 from radcalc.units.ranges import real
-from radcalc.units.reading import read_amount
+from radcalc.units.reading import read_amount, read_for
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
@@ -204,7 +204,7 @@ def _again(given: Mapping[str, Any]) -> Any:
 def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:
     if not isinstance(value, str):
         return ShownInput("value", number, conversion.source.text)
-    amount = read_amount(value)
+    amount = read_for(value, conversion.target.text)
     return ShownInput(
         "value", number, conversion.source.text, amount.text, amount.typed_uncertainty
     )
@@ -250,7 +250,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     if isinstance(value, (list, tuple)):
         value = _as_array(value)
     if isinstance(value, str):
-        amount = read_amount(value)
+        amount = read_for(value, target)
         magnitude = amount.exact
         source = source_of(amount, target_of(target, amount.typed[1]), given)
         magnitude = amount if amount.is_uncertain else magnitude

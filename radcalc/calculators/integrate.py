@@ -58,9 +58,9 @@ PAGE = Page(
     remarks="""
     EXPRESSION is made of theta (polar angle) and phi (azimuth), x, y, z (the unit vector),
     numbers, pi, e, the units deg and rad, + - * / **, brackets, sin cos tan asin acos atan atan2
-    sinh cosh tanh exp log log10 sqrt abs min max, and comparisons with < <= > >= (1 if true, 0 if
-    false).  An angle needs a unit: cos(45*deg), (theta<0.5*rad).  An expression that starts with a
-    minus needs brackets: '(-x)'.  The integral is over solid angle: the factor sin(theta)
+    sinh cosh tanh exp ln log10 log2 sqrt abs min max, and comparisons with < <= > >= (1 if true,
+    0 if false).  An angle needs a unit: cos(45 deg), (theta<0.5*rad).  An expression that starts
+    with a minus needs brackets: '(-x)'.  The integral is over solid angle: the factor sin(theta)
     is supplied; do not write it.  An integral that does not converge is refused.
 
     With {unit} the integral of an intensity is a flux.  The integral of a radiance is the

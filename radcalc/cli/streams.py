@@ -78,6 +78,7 @@ def convert(
             unit.encode(),
             output.style.precision,
             layout.mark,
+            target.text,
         )
     record = conversion.record if conversion.as_json else None
     return layout.run(texts, header, record, terminal.pour, options.invalid)

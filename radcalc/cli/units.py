@@ -21,6 +21,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
       radcalc units lambert            the units with that in their name
       radcalc units cd/m2              what a unit measures, and the units like it
       radcalc units scales             dBm, mag, EV and others, with their formulas
+      radcalc units constants          c, h, k_B and others, for arithmetic
     """
     refuse_number_options(output, "units")
     matches = search(" ".join(words))

@@ -34,9 +34,17 @@ def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str 
 
 
 def source_of(amount: "Amount", target: Unit, given: "Sequence[Input]" = ()) -> Unit | None:
-    """Return the unit of an amount; for a formula of a textbook, with the steradian of its law."""
+    """Return the unit of an amount, as the target counts it.
+
+    A formula of a textbook has the steradian of its law, one with h or c the target's photons.
+    """
     source = amount.typed[1]
-    if source is None or amount.rounding is None or given:
+    if source is None or amount.rounding is None:
+        return source
+    from radcalc.units.constants import fit
+
+    source = fit(source, target.dimension)
+    if given:
         return source
     from radcalc.conversion.formulas import as_law
 

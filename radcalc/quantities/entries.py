@@ -1,4 +1,4 @@
-"""Entries of `radcalc units`: a unit, its quantity, its definition and its source.
+"""Entries of `radcalc units`: a unit or a constant, its quantity, definition and source.
 
 A search is for the name of a quantity, as in `radcalc quantities`, or for a unit.
 """
@@ -11,7 +11,9 @@ from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.light import EXITANCES, describe, is_per_length, name_of, read
 from radcalc.quantities.units import composed, named
 from radcalc.units.catalogue import CATALOGUE
-from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.catalogue import CONSTANTS as CATALOGUE_OF_CONSTANTS
+from radcalc.units.compiled import CONSTANTS, NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.constants import unit as unit_of_constants
 from radcalc.units.scale_table import SCALES, Scale, usual
 from radcalc.units.scales import find, on
 from radcalc.units.table import resolve
@@ -67,13 +69,32 @@ def scales(rows: Iterable[Scale]) -> list[Entry]:
     ]
 
 
+def constant(name: str) -> Entry:
+    """Return the entry of a constant of arithmetic."""
+    symbols, _, definition, source = CATALOGUE_OF_CONSTANTS[name]
+    unit = unit_of_constants(CONSTANTS[name][2], {name: 1})
+    return Entry(name, ", ".join(symbols), name_of(unit) or "constant", definition, source, "")
+
+
+def constants(text: str = "") -> list[Entry]:
+    """Return the entries of the constants with a spelling or a part of a name; all for ''."""
+    folded = text.lower().replace("-", "_").replace(" ", "_")
+    return [
+        constant(name)
+        for name, (symbols, names, *_) in CATALOGUE_OF_CONSTANTS.items()
+        if text in symbols or (len(folded) != 1 and any(folded in each for each in names))
+    ]
+
+
 def search(text: str) -> list[Entry]:
     """Find units by name, quantity, part of a name or a unit of their quantity, in that order."""
     text = text.strip()
     if not text:
-        return [entry(name) for name in UNITS] + scales(SCALES)
+        return [entry(name) for name in UNITS] + scales(SCALES) + constants()
     if text.lower() in ("scale", "scales"):
         return scales(SCALES)
+    if text.lower() in ("constant", "constants"):
+        return constants()
     if scale := find(text):
         return scales(reading.scale for reading in (scale, *scale.others))
     if text.lower().replace("-", "_") in NAMES:
@@ -118,14 +139,15 @@ def _products(quantity: str, unit: Unit) -> list[Entry]:
 def _of_name(text: str) -> list[Entry]:
     folded = text.lower().replace("-", "_")
     exact = [name for name in UNITS if text in CATALOGUE[name][0]]
-    if exact and len(folded) < 3:
-        return [entry(name) for name in exact]
+    constants_found = constants(text)
+    if (exact or constants_found) and len(folded) < 3:
+        return [entry(name) for name in exact] + constants_found
     part = [n for n in UNITS if n not in exact and any(folded in k for k in CATALOGUE[n][1])]
     folded = folded.replace("_", " ")
     scales_found = [
         scale for scale in SCALES if any(folded in spelling.lower() for spelling in scale.spellings)
     ]
-    return [entry(name) for name in exact + part] + scales(scales_found)
+    return [entry(name) for name in exact + part] + scales(scales_found) + constants_found
 
 
 def _of_unit(text: str) -> list[Entry]:

@@ -1,21 +1,24 @@
 """Black-body radiation: Planck's law, and its integrals over a range in closed form.
 
-Exact h, c and k of the SI of 2019.  Temperatures in kelvin, wavelengths in metres.
+The constants h, c and k are exact (the SI of 2019).  Temperatures in kelvin, wavelengths in metres.
 """
 
 import math
 from collections.abc import Sequence
 
-PLANCK = 6.62607015e-34  # J s
-LIGHT = 299792458.0  # m/s
-BOLTZMANN = 1.380649e-23  # J/K
-AVOGADRO = 6.02214076e23  # 1/mol
+from radcalc.units.constants import value
+from radcalc.units.table import resolve
+
+PLANCK = value("planck_constant")  # J s
+LIGHT = value("speed_of_light")  # m/s
+BOLTZMANN = value("boltzmann_constant")  # J/K
+AVOGADRO = resolve("mol").factor  # photons
 C2 = PLANCK * LIGHT / BOLTZMANN  # m K
 SMALL = 0.5  # below it the power series in x = c2/(lambda T) has the precision of a float
 WIEN_X = 4.9651142317442763  # the root of x = 5 (1 - e^-x): the peak per wavelength
 HALF_X = (2.7325893071213999, 8.096610458229823)  # roots of x^5/(e^x - 1) at half of its maximum
-WIEN = C2 / WIEN_X  # m K: the wavelength of that peak times the temperature
-STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
+WIEN = value("wien_constant")  # m K: the wavelength of that peak times the temperature
+STEFAN_BOLTZMANN = value("stefan_boltzmann_constant")  # W/m2/K4
 
 
 def photons(energy_wavelength: float) -> float:

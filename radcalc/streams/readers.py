@@ -10,7 +10,7 @@ from radcalc.render.plain import DIGITS, number
 from radcalc.streams.blocks import Bulk
 from radcalc.units.amount import Amount
 from radcalc.units.numbers import parse_number
-from radcalc.units.reading import read_amount
+from radcalc.units.reading import read_for
 from radcalc.units.unit import Unit
 
 MOST_UNITS, LONGEST_UNIT = 1000, 100  # units in the cache
@@ -84,19 +84,24 @@ class Quantities:
         unit: bytes,
         precision: int | None = None,
         mark: bytes = POINT,
+        target: str = "",
     ) -> None:
-        """Take the planner of a unit, the reader of an amount's unit, and the output's form."""
+        """Take the planner of a unit, the reader of an amount's unit, and the output's form.
+
+        The target decides between two readings of an expression.
+        """
         self.line = 0
         self.plans = plans
         self.unit_of = unit_of
         self.unit = unit
         self.precision = precision
         self.mark = mark
+        self.target = target
         self.known: dict[str, Plan | RadcalcError] = {}
         self.bulks: dict[bytes, Bulk | None] = {}
 
     def read(self, text: bytes) -> tuple[Plan, float]:
-        amount = read_amount(pointed(decoded(text), self.mark))
+        amount = read_for(pointed(decoded(text), self.mark), self.target)
         if amount.unit is None:
             raise UsageError(
                 f"the unit of '{quote(text.decode())}' is missing",

@@ -33,11 +33,14 @@ def has_number(unit: str) -> bool:
     return False
 
 
-def read_sum(text: str) -> Amount | None:
-    """Read arithmetic with units; return None for a text that is not an expression."""
+def read_sum(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount | None:
+    """Read arithmetic with units; return None for a text that is not an expression.
+
+    The dimensions that are asked for decide what h is: an hour or the Planck constant.
+    """
     from radcalc.units.expressions import read_expression
 
-    result = read_expression(text)
+    result = read_expression(text, dimensions=tuple(dimensions))
     return Amount(text, *result[:2], rounding=result[2], ratio=result[3]) if result else None
 
 

@@ -28,12 +28,14 @@ class Definition(NamedTuple):
     prefixes: tuple[str, ...]
     note: str
     source: str
+    letters: tuple[str, ...]
 
 
 class Definitions(NamedTuple):
-    """All definitions of `light.txt`."""
+    """All definitions of `light.txt`; `letters` of a constant are its short spellings."""
 
     units: list[Definition]
+    constants: list[Definition]
     prefix_names: dict[str, int]
     prefix_symbols: dict[str, str]
     refused: dict[str, str]
@@ -46,10 +48,10 @@ def is_name(word: str) -> bool:
 
 def read(text: str) -> Definitions:
     """Read the definitions and their marks."""
-    definitions = Definitions([], {}, {}, {})
+    definitions = Definitions([], [], {}, {}, {})
     marks: dict[str, list[str]] = {}
     for line in text.splitlines():
-        if line[:2] in ("#:", "#!", "#~"):
+        if line[:2] in ("#:", "#!", "#~", "#$"):
             marks.setdefault(line[1], []).append(line[2:].strip())
         elif line[:2] == "#?":
             names, _, reason = line[2:].partition(" : ")
@@ -63,9 +65,8 @@ def read(text: str) -> Definitions:
                 definitions.prefix_names[name] = _power_of_ten(Fraction(value))
                 definitions.prefix_symbols.update({a.rstrip("-"): name for a in aliases})
             elif name != "pi":
-                definitions.units.append(
-                    _definition(name, value, aliases, marks, definitions.prefix_symbols)
-                )
+                kind = definitions.constants if "$" in marks else definitions.units
+                kind.append(_definition(name, value, aliases, marks, definitions.prefix_symbols))
             marks = {}
     return definitions
 
@@ -85,7 +86,8 @@ def _definition(
     symbol, rest = (aliases[0], aliases[1:]) if aliases else ("_", [])
     symbols = [a for a in [symbol, *rest] if a != "_" and not (a in rest and is_name(a))]
     names = [name, *(a for a in rest if is_name(a))]
-    plurals = [n + "s" for n in names if n[-1].isalpha() and not n.endswith(("s", "x", "ch"))]
+    countable = [] if "$" in marks else names
+    plurals = [n + "s" for n in countable if n[-1].isalpha() and not n.endswith(("s", "x", "ch"))]
     allowed = " ".join(marks.get("~", [])).split()
     if allowed == ["all"]:
         prefixes = dict.fromkeys(prefix_symbols.values())
@@ -99,6 +101,7 @@ def _definition(
         tuple(prefixes),
         " ".join(marks.get("!", [])),
         " ".join(marks.get(":", [])),
+        tuple(" ".join(marks.get("$", [])).split()),
     )
 
 
@@ -119,11 +122,18 @@ def every_spelling(definitions: Definitions) -> dict[str, list[tuple[str, str]]]
 
 def refuse_collisions(definitions: Definitions) -> None:
     """Raise ValueError for a spelling with two readings, or one that is also refused."""
-    for spelling, readings in every_spelling(definitions).items():
+    every = every_spelling(definitions)
+    for constant in definitions.constants:
+        for spelling in (*constant.symbols, *constant.names):
+            every.setdefault(spelling, []).append(("", constant.name))
+    for spelling, readings in every.items():
         if len(readings) > 1:
             raise ValueError(f"{spelling!r} has more than one reading: {readings}")
         if spelling in definitions.refused:
             raise ValueError(f"{spelling!r} is both a unit and refused")
+    letters = [letter for constant in definitions.constants for letter in constant.letters]
+    if len(set(letters)) < len(letters):
+        raise ValueError(f"a short spelling of two constants: {letters}")
 
 
 def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
@@ -156,6 +166,8 @@ def compile_units(text: str) -> tuple[str, str]:
         f"SYMBOLS = {_lines({s: u.name for u in definitions.units for s in u.symbols})}\n"
         f"NAMES = {_lines({n: u.name for u in definitions.units for n in u.names})}\n"
         f"NOTES = {_lines({u.name: u.note for u in definitions.units if u.note})}\n"
+        f"CONSTANTS = {_lines({c.name: worth(registry, c.name) for c in definitions.constants})}\n"
+        f"SPELLINGS_OF_CONSTANTS = {_lines(_constants(definitions))}\n"
         f"REFUSED = {_lines(definitions.refused)}\n"
         f"PREFIX_NAMES = {_lines(definitions.prefix_names)}\n"
         f"PREFIX_SYMBOLS = {_lines(definitions.prefix_symbols)}\n"
@@ -164,10 +176,24 @@ def compile_units(text: str) -> tuple[str, str]:
         f"    {u.name!r}: ({u.symbols}, {u.names}, {u.value!r}, {u.source!r}),\n"
         for u in definitions.units
     )
+    constants = "".join(
+        f"    {c.name!r}: ({c.letters + c.symbols}, {c.names}, {c.value!r}, {c.source!r}),\n"
+        for c in definitions.constants
+    )
     catalogue = (
         f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {{\n{entries}}}\n"
+        f"CONSTANTS = {{\n{constants}}}\n"
     )
     return table, catalogue
+
+
+def _constants(definitions: Definitions) -> dict[str, str]:
+    """Return the names of the constants by spelling; the first of each is unambiguous."""
+    return {
+        spelling: constant.name
+        for constant in definitions.constants
+        for spelling in (*constant.symbols, constant.name, *constant.names, *constant.letters)
+    }
 
 
 def _lines(mapping: dict[str, Any]) -> str:

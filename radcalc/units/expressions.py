@@ -3,12 +3,16 @@
 The text is read in one pass, bounded in length, depth and size.  Numbers are ratios of whole
 numbers, rounded once in the answer; pi is the ratio in the table of units.
 
-    SUM     = [sign] PRODUCT { ("+" | "-") PRODUCT }
-    PRODUCT = TERM { ("*" | "/") TERM }
-    TERM    = (NUMBER | "(" SUM ")" | FUNCTION "(" SUM ")") [EXPONENT] { UNIT } | UNIT { UNIT }
+    SUM      = [sign] PRODUCT { ("+" | "-") PRODUCT }
+    PRODUCT  = TERM { ("*" | "/") TERM | FACTOR }
+    TERM     = FACTOR { UNIT } | NUMBER [EXPONENT] { UNIT } | UNIT { UNIT }
+    FACTOR   = (CONSTANT | "(" SUM ")" | "(" READING SCALE ")" | FUNCTION "(" SUM ")") [EXPONENT]
+    EXPONENT = ("^" | "**") (NUMBER | "(" SUM ")") | superscripts
 
 Units belong to the number before them: `800 lm / 2 m2` is 400 lm/m2.  Ambiguous expressions
-(`1/2 m` in a product, `100 W / 5 W/m2`) are refused with both readings.
+(`1/2 m` in a product, `100 W / 5 W/m2`, a product without a sign after a solidus) are refused with
+both readings.  A short name of a constant that is also a unit, as h, has the meaning that fits the
+quantity that is asked for.
 """
 
 import math
@@ -17,6 +21,7 @@ from radcalc.errors import (
     ExpressionError,
     Hint,
     NumberError,
+    RadcalcError,
     UnitError,
     call,
     correct,
@@ -24,7 +29,8 @@ from radcalc.errors import (
     measured,
     quote,
 )
-from radcalc.units.compiled import NAMES
+from radcalc.units import constants
+from radcalc.units.compiled import CONSTANTS, NAMES
 from radcalc.units.dimensions import ANGLE
 from radcalc.units.grammar import MAX_DEPTH, NAMED, SUPERSCRIPTS, Scanner, parse_unit, plain
 from radcalc.units.numbers import (
@@ -37,13 +43,16 @@ from radcalc.units.numbers import (
     OTHER_FUNCTIONS,
     SIGNS,
     SMALLEST,
+    parse_number,
     read_term,
     refuse_lookalikes,
     relative_rounding,
     typed_digits,
 )
-from radcalc.units.table import PARTS, resolve
+from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import BASES, NUMBER, PI, Dimension, Unit, divide, lookup
+from radcalc.units.values import KEPT, Term, Value, is_part
+from radcalc.units.words import are_run_together, find, word_at
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -51,140 +60,19 @@ if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit
 
 MAX_POWER = 1000  # of a number
-MAX_BITS = 40_000  # of a number's numerator or denominator: about 12 000 digits
-COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
-KEPT = 1e-12  # largest relative error of a sum by cancellation of digits
+OF_SCALES = 1e-15  # relative error of a scale's quantity
 OF_ANGLES = ("sin", "cos", "tan")
 NO_ANGLE, NOT_A_NUMBER = "has no angle in {}", "has {} in {}"  # also of functions of direction
+# Places of a word: after a unit and a sign; without a sign, after a number or after a unit.
+AFTER_UNIT, BESIDE, BESIDE_UNIT = "after unit", "beside", "beside unit"
+# Names of logarithms with two meanings, or with another usual name.
+LOGARITHMS = {"log": ("log10", "ln"), "lg": ("log10",), "lb": ("log2",)}
 HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
-
-
-class Value:
-    """A number top / bottom in coherent SI units, with the typed units and their powers.
-
-    `rounding` is the relative rounding error of the typed digits, `blur` that of functions.
-    `had_units` is true also if all units cancelled: such a number takes no unit.
-    """
-
-    __slots__ = ("blur", "bottom", "dimension", "had_units", "rounding", "top", "units")
-
-    def __init__(
-        self,
-        top: int,
-        bottom: int = 1,
-        dimension: Dimension = NUMBER,
-        units: "dict[str, int] | None" = None,
-        rounding: float = 0.0,
-        had_units: bool = False,
-        blur: float = 0.0,
-    ) -> None:
-        common = math.gcd(top, bottom) or 1
-        self.top = top // common
-        self.bottom = bottom // common
-        self.dimension = dimension
-        self.units = units or {}
-        self.had_units = had_units or bool(units)
-        self.rounding = rounding
-        self.blur = blur
-        if max(abs(self.top), self.bottom).bit_length() > MAX_BITS:
-            raise ExpressionError("a number in the expression has too many digits", "fewer")
-
-    def times(self, other: "Value", power: int = 1) -> "Value":
-        top, bottom = (other.top, other.bottom) if power > 0 else (other.bottom, other.top)
-        if max(abs(top), bottom).bit_length() * abs(power) > MAX_BITS:
-            raise ExpressionError("a number in the expression has too many digits", "fewer")
-        if bottom == 0:
-            raise ExpressionError("the expression divides by zero", "a number other than 0")
-        if bottom < 0:
-            top, bottom = -top, -bottom
-        size = abs(power)
-        units = dict(self.units)
-        for name, exponent in other.units.items():
-            units[name] = units.get(name, 0) + power * exponent
-        return Value(
-            self.top * top**size,
-            self.bottom * bottom**size,
-            tuple([a + power * b for a, b in zip(self.dimension, other.dimension, strict=True)]),
-            {name: exponent for name, exponent in units.items() if exponent},
-            self.rounding + size * other.rounding,
-            self.had_units or other.had_units,
-            self.blur + size * other.blur,
-        )
-
-    def plus(self, other: "Value", sign: int) -> "Value":
-        """Return the sum, or the difference, in this value's unit."""
-        a, b = self.top * other.bottom, sign * other.top * self.bottom
-        rounding = blur = 0.0
-        if a + b:
-            for part, value in ((a, self), (b, other)):
-                rounding += abs(divide(part, a + b)) * value.rounding if value.rounding else 0.0
-                blur += abs(divide(part, a + b)) * value.blur if value.blur else 0.0
-        if blur >= 1:  # sqrt(2)^2 - 2: 0 to all digits that are computed
-            a, b, rounding, blur = 0, 0, 0.0, 0.0
-        if blur > KEPT:
-            problem = "a difference in the expression cancels too many digits of its terms"
-            raise ExpressionError(problem, "terms that are less alike")
-        had_units = self.had_units or other.had_units
-        bottom = self.bottom * other.bottom
-        return Value(a + b, bottom, self.dimension, self.units, rounding, had_units, blur)
-
-    def is_bare(self) -> bool:
-        return not self.units
-
-    def unit(self) -> Unit | None:
-        """Return the unit for display, None for a bare number."""
-        if self.dimension == NUMBER:
-            (name, power), *more_units = self.units.items() or [("", 0)]
-            if power == 1 and not more_units and _is_part(name):
-                return resolve(name)
-            return resolve("1") if self.had_units else None
-        units = {name: power for name, power in self.units.items() if not _is_part(name)}
-        text = _unit_text(units)
-        try:
-            return resolve(text)
-        except UnitError as error:
-            if "multiplies light" not in error.message:  # the typed * makes it unambiguous
-                raise
-            return resolve(f"({text})")
-
-
-def _is_part(name: str) -> bool:
-    entry = lookup(name)
-    return entry is not None and entry[1] in PARTS
 
 
 def _as_factor(terms: str) -> str:
     """Return terms as a factor: in brackets if there are signs in them."""
     return f"({terms})" if any(sign in terms for sign in SIGNS) else terms
-
-
-def _unit_text(units: dict[str, int]) -> str:
-    def factor(name: str, power: int) -> str:
-        if power == 1:
-            return name
-        name = f"({name})" if name.endswith("-1") else name
-        return f"{name}^{power}" if name[-1] in DIGITS else f"{name}{power}"
-
-    over = [factor(name, power) for name, power in units.items() if power > 0]
-    if not over:
-        return ".".join([factor(name, power) for name, power in units.items()])
-    under = [factor(name, -power) for name, power in units.items() if power < 0]
-    return "/".join([".".join(over), *under])
-
-
-class Term:
-    """A term of a product: its value, its place in the text and its form."""
-
-    __slots__ = ("end", "has_number", "middle", "start", "units", "value")
-
-    def __init__(
-        self, value: Value, start: int, middle: int, end: int, has_number: bool, units: int
-    ) -> None:
-        """The number of the text from `start` to `end` ends at `middle`."""
-        self.value = value
-        self.start, self.middle, self.end = start, middle, end
-        self.has_number = has_number
-        self.units = units  # count of units after the number
 
 
 Leaves = dict[int, tuple[int, Value]]
@@ -193,14 +81,20 @@ Leaves = dict[int, tuple[int, Value]]
 class Calculator(Scanner):
     """One pass over the text of an expression.
 
-    `leaves` are parts of the text that are already read: start, end and value.
+    `leaves` are parts of the text that are already read: start, end and value.  `units` are the
+    homonyms that are not constants; `lone` are the places of those that were read alone.
     """
 
     divides = True
 
-    def __init__(self, text: str, leaves: Leaves | None = None) -> None:
+    def __init__(
+        self, text: str, leaves: Leaves | None = None, units: tuple[str, ...] = ()
+    ) -> None:
         super().__init__(text)
         self.leaves = leaves or {}
+        self.units = units
+        self.lone: dict[int, str] = {}
+        self.notes: dict[str, None] = {}
         self.depth = 0
         self.is_arithmetic = False  # False also for a number with an unreadable unit
 
@@ -308,7 +202,7 @@ class Calculator(Scanner):
 
     def refuse_share(self, value: Value, other: Value, sign: int, begin: int, start: int) -> None:
         """Raise for 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
-        if value.is_bare() and value.top != value.bottom and any(map(_is_part, other.units)):
+        if value.is_bare() and value.top != value.bottom and any(map(is_part, other.units)):
             plus = "+" if sign > 0 else "-"
             terms_before, term = self.slice(begin, start)[:-1].rstrip(), self.slice(start, self.at)
             number = f"{divide(other.top, other.bottom):.12g}"
@@ -320,13 +214,18 @@ class Calculator(Scanner):
 
     def product(self, is_negative: bool = False) -> tuple[Value, bool]:
         """Return the product of terms, and whether it contains a number."""
-        first = self.term(is_negative)
+        first = term = self.term(is_negative)
         value, has_number = first.value, first.has_number
         solidus: Term | None = None  # the last divisor
+        operator = ""
         while True:
             self.skip_blanks()
-            sign_at = self.at
+            sign_at, last_operator = self.at, operator
             operator = self.times_ten() or (self.operator(self.peek()) if self.peek() else "")
+            if not operator and self.begins_factor(term):
+                value = self.implicit(first, value, term, last_operator)
+                operator, has_number = "*", True
+                continue
             if not operator:
                 return value, has_number
             if self.text[sign_at : sign_at + 1] == "." and self.peek() in tuple(DIGITS):
@@ -337,7 +236,8 @@ class Calculator(Scanner):
             is_negative = self.peek() in tuple(MINUSES)
             self.at += is_negative
             self.is_arithmetic |= is_negative or self.begins_number()
-            term = self.term(is_negative)
+            follows = AFTER_UNIT if term.units or not term.has_number else ""
+            term = self.term(is_negative, follows)
             if is_negative:
                 term.value = term.value.times(Value(-1))
             if operator == "/":
@@ -355,6 +255,33 @@ class Calculator(Scanner):
                 solidus = None
             has_number |= term.has_number
             value = value.times(term.value, 1 if operator == "*" else -1)
+
+    def begins_factor(self, before: Term) -> bool:
+        """Return whether a factor without a sign begins here: `4 pi (2 m)^2`, `2 c`."""
+        if not before.has_number or not self.peek():
+            return False
+        if self.peek() == "(":
+            inside, closed, _ = self.text[self.at + 1 :].partition(")")
+            is_number = bool(closed) and typed_digits(inside.strip()) is not None
+            ends_in_number = self.text[before.start : before.middle].strip()[-1:]
+            is_uncertain = before.start in self.leaves or ends_in_number in tuple(DIGITS)
+            return bool(closed) and not before.units and not (is_number and is_uncertain)
+        return bool(
+            self.is_function() or self.constant_here(BESIDE_UNIT if before.units else BESIDE)
+        )
+
+    def implicit(self, first: Term, value: Value, before: Term, operator: str) -> Value:
+        """Return a value times the factor that begins here; raise after a divisor."""
+        start = self.at
+        self.is_arithmetic = True
+        term = self.term(follows=BESIDE_UNIT if before.units else BESIDE)
+        if operator == "/":
+            over = self.slice(first.start, before.start).rstrip("/ ").removesuffix("per")
+            under = self.slice(before.start, term.end)
+            quotient, factor = self.slice(first.start, before.end), self.slice(start, term.end)
+            raise self.two_ways(first.start, f"{over} / ({under})", f"({quotient}) * {factor}")
+        before.end, before.units = term.end, term.units
+        return value.times(term.value)
 
     def times_ten(self) -> str:
         """Read the x of 5x10^3."""
@@ -390,10 +317,10 @@ class Calculator(Scanner):
         if term.value.top == 0:
             raise self.wrong("divides by zero", "a number other than 0")
 
-    def term(self, is_negative: bool = False) -> Term:
-        """Read a number, a bracket or a function with the units after it, or units alone."""
+    def term(self, is_negative: bool = False, follows: str = "") -> Term:
+        """Read a number, a constant, a bracket or a function with its units, or units alone."""
         start = self.at
-        value = self.number(is_negative)
+        value = self.number(is_negative, follows)
         has_number = value is not None
         middle = self.at
         count = 0
@@ -421,6 +348,8 @@ class Calculator(Scanner):
             return False
         if self.text[self.at : self.at + 4].lower() == "per " or self.is_function():
             return False
+        if self.constant_here(BESIDE if follows_number else BESIDE_UNIT):
+            return False
         return not (follows_number and self.is_times_ten())
 
     def begins_number(self) -> bool:
@@ -444,6 +373,37 @@ class Calculator(Scanner):
         self.at = start
         return is_factor
 
+    def constant_here(self, follows: str) -> str:
+        """Return the name of the constant that begins here, '' for a unit or another text.
+
+        A letter beside a number or a unit is a unit: 16 h, 50k.  A homonym is noted where it is
+        alone.
+        """
+        word = word_at(self.text, self.at)
+        name = find(word)
+        if len(word) == 1 and follows in (BESIDE, BESIDE_UNIT):
+            is_number = self.text[: self.at].rstrip()[-1:] in (".", *DIGITS)
+            name = "" if is_number or follows == BESIDE_UNIT else name
+        if not name or word not in constants.HOMONYMS:
+            return name
+        if word != constants.EULER and follows:
+            return ""
+        self.lone[self.at] = word
+        if word in self.units:
+            return name if word == constants.EULER else ""
+        return name
+
+    def constant(self) -> Value:
+        word = word_at(self.text, self.at)
+        self.at += len(word)
+        self.is_arithmetic = True
+        if word == constants.EULER and word in self.units:
+            from radcalc.units import functions
+
+            return Value(*functions.of_number("exp", 1, 1, 0.0)[:2], blur=KEPT / 1e6)
+        name = find(word)
+        return Value(*CONSTANTS[name], {name: 1})
+
     def is_function(self) -> str:
         """Return the name of the function that starts here, or ''."""
         return next((f for f in FUNCTIONS if self.text.startswith(f"{f}(", self.at)), "")
@@ -452,7 +412,11 @@ class Calculator(Scanner):
         for name in OTHER_FUNCTIONS:
             if self.text.startswith(f"{name}(", self.at):
                 self.is_arithmetic = True
-                hint = "log10 or ln" if name in ("log", "lg") else ", ".join(FUNCTIONS)
+                self.at += len(name)
+                start = self.at - len(name)
+                meant = LOGARITHMS.get(name, ())
+                better = [f"{self.text[:start]}{other}{self.text[self.at :]}" for other in meant]
+                hint: Hint = corrections(self.text, *better) or ", ".join(FUNCTIONS)
                 problem = f"unknown function '{name}' in '{quote(self.text)}'"
                 raise ExpressionError(problem, hint)
 
@@ -495,9 +459,9 @@ class Calculator(Scanner):
         try:
             unit = resolve(joined if is_name else text)
         except UnitError:
-            from radcalc.units.scales import find
+            from radcalc.units import scales
 
-            scale = find(text)
+            scale = scales.find(text)
             other_terms = (self.text[:start] + self.text[self.at :]).strip(f"{SIGNS} ")
             if scale is None or not (self.is_arithmetic or other_terms):
                 raise
@@ -517,8 +481,8 @@ class Calculator(Scanner):
         units = {name: power for name, power in units.items() if power}
         return Value(unit.top, unit.bottom, dimension, units)
 
-    def number(self, is_negative: bool) -> Value | None:
-        """Read a number, a bracket or a function with its exponent; None at a unit."""
+    def number(self, is_negative: bool, follows: str = "") -> Value | None:
+        """Read a number, a constant, a bracket or a function with its exponent; None at a unit."""
         start = self.at
         c = self.peek()
         self.refuse_other_functions()
@@ -528,6 +492,8 @@ class Calculator(Scanner):
             value = self.bracket()
             if name:
                 value = self.function(name, value, start)
+        elif self.constant_here(follows):
+            value = self.constant()
         elif c in tuple(DIGITS) or c == "." or self.pi_ends() > self.at:
             value = self.literal()
         else:
@@ -536,22 +502,48 @@ class Calculator(Scanner):
         power = self.power()
         if power is None:
             return value
-        if is_negative and power % 2 == 0:
-            base, raised = self.slice(start, base_end), self.slice(start, self.at)
-            ways = f"(-{base}){self.slice(base_end, self.at)}", f"-({raised})"
+        self.refuse_two_powers(start, base_end, is_negative and _is_even(power))
+        self.is_arithmetic = True
+        if not isinstance(power, int):
+            return self.real_power(value, power, self.slice(start, self.at))
+        return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
+
+    def refuse_two_powers(self, start: int, base_end: int, is_negative: bool) -> None:
+        """Raise for -2^2, 2pi^2 and 5.10^3, whose exponent may belong to more or less."""
+        base, raised = self.slice(start, base_end), self.slice(start, self.at)
+        exponent = self.slice(base_end, self.at)
+        if is_negative:
+            ways = f"(-{base}){exponent}", f"-({raised})"
             raise self.two_ways(len(self.text[:start].rstrip()) - 1, *ways)
-        base = self.slice(start, base_end)
         digits, _, decimals = base.partition(".")
-        if c in (*DIGITS, ".") and base[-1:] in ("i", "π"):  # 2pi^2
+        if base[0] in (*DIGITS, ".") and base[-1:] in ("i", "π"):  # 2pi^2
             pi = "pi" if base.endswith("pi") else "π"
-            raised = self.slice(base_end, self.at)
-            ways = f"({base}){raised}", f"{base.removesuffix(pi)}*{pi}{raised}"
+            ways = f"({base}){exponent}", f"{base.removesuffix(pi)}*{pi}{exponent}"
             raise self.two_ways(start, *ways)
         if decimals == "10" and digits:
-            exponent = self.slice(base_end, self.at)
             raise self.two_ways(start, f"{digits}*10{exponent}", f"({digits}.10){exponent}")
-        self.is_arithmetic = True
-        return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
+
+    def real_power(self, base: Value, power: Value, text: str) -> Value:
+        """Return a number to a power that is not whole."""
+        if base.quantity != NUMBER:
+            unit = base.unit()
+            what = measured(unit.text) if unit else "a unit"
+            hint = "sqrt(4 m2), or a whole number as exponent"
+            raise self.wrong(f"has {what} with an exponent that is not whole, {quote(text)}", hint)
+        if base.top <= 0:
+            if base.top == 0 and power.top > 0:
+                return Value(0, had_units=base.had_units)
+            raise self.wrong(f"has no value for {quote(text)}", "a number above 0")
+        from radcalc.units import functions
+
+        try:
+            top, bottom, blur = functions.of_power(base.ratio, power.ratio)
+        except (ArithmeticError, ValueError):
+            raise self.wrong(f"has no value for {quote(text)}", "another exponent") from None
+        if blur > KEPT:
+            raise self.wrong(f"has too few digits for {quote(text)}", "another exponent")
+        rounding = abs(divide(power.top, power.bottom)) * base.rounding
+        return Value(top, bottom, rounding=rounding, had_units=base.had_units, blur=blur)
 
     def leaf(self) -> Value | None:
         leaf = self.leaves.get(self.at)
@@ -565,6 +557,8 @@ class Calculator(Scanner):
         if (leaf := self.leaf()) is not None:
             return leaf
         self.is_arithmetic |= self.begins_number()
+        if (reading := self.reading()) is not None:
+            return reading
         if self.depth >= MAX_DEPTH:
             raise self.wrong("has too many brackets", f"at most {MAX_DEPTH}, one in the other")
         self.depth += 1
@@ -580,6 +574,32 @@ class Calculator(Scanner):
         self.at += 1
         self.depth -= 1
         return value
+
+    def reading(self) -> Value | None:
+        """Read a bracket around a reading of a scale, (10 dBm), as its quantity; else None."""
+        inside, closed, _ = self.text[self.at + 1 :].partition(")")
+        name = inside.strip(f"{DIGITS}{SIGNS}. e")
+        if not closed or not name[:1].isalpha() or unit_of(name):
+            return None
+        from radcalc.units import scales
+
+        if (scale := scales.find(name)) is None:
+            return None
+        if scale.others:
+            read = [one.unit.text for one in (scale, *scale.others)]
+            problem = f"has {quote(name)}, which is a scale of {' and of '.join(read)}"
+            raise self.wrong(problem, [call("convert", inside.strip(), one) for one in read])
+        number = parse_number(inside.strip().removesuffix(name))
+        quantity = scale.quantity(number)
+        digits = relative_rounding(inside.strip().removesuffix(name).strip())
+        rounding = abs(scale.slope(number) * number * digits / quantity)
+        self.at += len(inside) + 2
+        self.is_arithmetic = True
+        self.notes[scale.assumption] = None
+        top, bottom = quantity.as_integer_ratio()
+        is_number = scale.unit.text == "1"
+        size = Value(top, bottom, NUMBER, {}, rounding, is_number, OF_SCALES)
+        return size if is_number else size.times(self.unit(scale.unit.text))
 
     def pi_ends(self) -> int:
         """Return the end of a pi that starts here, or this place: 40piW has one."""
@@ -624,40 +644,61 @@ class Calculator(Scanner):
         self.at = number_end
         return value
 
-    def power(self) -> int | None:
+    def power(self) -> "int | Value | None":
+        """Read an exponent: a whole number, or another number as a `Value`; None without one."""
         before = self.at
         self.skip_blanks()
+        is_raised = self.peek() in SUPERSCRIPTS
         if self.text.startswith("**", self.at):
             self.at += 2
         elif self.peek() == "^":
             self.at += 1
-        elif self.peek() not in SUPERSCRIPTS:
+        elif not self.peek() or not is_raised:
             self.at = before
             return None
         self.is_arithmetic = True
         self.skip_blanks()
         start = self.at
-        closes = self.peek() == "("
-        self.at += closes
-        digits = self.signed_digits()
-        if closes:
-            digits = digits if self.peek() == ")" else ""
-            self.at += 1
-        size = digits.lstrip("+-")
+        value = self.exponent_of_number(start, is_raised)
         exponent = quote(self.text[start:])
-        if not size.isdigit() or digits.count("-") > 1 or self.peek() in (".", "e", "E"):
-            again = f"{self.text[:before].rstrip()}^{self.text[start:].lstrip('^')}"
-            hint: Hint = correct(self.text, again) if exponent[:1] == "^" else "a whole number"
-            problem = f"has an exponent at '{exponent}' that is not a whole number"
-            raise self.wrong(problem, hint)
-        if len(size) > 4 or int(size) > MAX_POWER:
+        if value.quantity != NUMBER or value.had_units:
+            raise self.wrong(f"has an exponent at '{exponent}' that has a unit", "a bare number")
+        if abs(value.top) > MAX_POWER * value.bottom:
             raise self.wrong(f"has an exponent too large at '{exponent}'", f"at most {MAX_POWER}")
         end = self.at
         self.skip_blanks()
         if self.peek() == "^" or self.text.startswith("**", self.at):
             raise self.wrong("has an exponent on an exponent", self.bracketed(before, start, end))
         self.at = end
-        return int(digits.replace("+", ""))
+        return value.top if value.bottom == 1 and not value.blur else value
+
+    def exponent_of_number(self, start: int, is_raised: bool) -> Value:
+        """Read a decimal with its sign, a bracket without an uncertainty, or superscripts."""
+        sign = self.peek() if self.peek() in tuple(SIGNS) and not is_raised else ""
+        self.at += len(sign)
+        if self.peek() == "(" and self.at not in self.leaves:
+            value = self.bracket()
+        elif not is_raised and self.peek() in (".", *DIGITS) and self.at not in self.leaves:
+            _, end, _ = read_term(self.text, self.at)
+            digits, power = typed_digits(self.text[self.at : end]) or ("0", 0)
+            value = Value(int(digits) * 10 ** max(power, 0), 10 ** max(-power, 0))
+            self.at = end
+        else:
+            value = self.whole_power(start)
+        return value.times(Value(-1)) if sign and sign in MINUSES else value
+
+    def whole_power(self, start: int) -> Value:
+        """Read the digits of an exponent, which may be superscripts."""
+        digits = self.signed_digits()
+        if not digits.lstrip("+-").isdigit() or digits.count("-") > 1:
+            exponent = quote(self.text[start:])
+            again = f"{self.text[:start].rstrip('^* ')}^{self.text[start:].lstrip('^')}"
+            hint: Hint = correct(self.text, again) if exponent[:1] == "^" else "a number"
+            raise self.wrong(f"has an exponent at '{exponent}' that is not a number", hint)
+        if len(digits) > 5:
+            exponent = quote(self.text[start:])
+            raise self.wrong(f"has an exponent too large at '{exponent}'", f"at most {MAX_POWER}")
+        return Value(int(digits.replace("+", "")))
 
     def bracketed(self, before: int, start: int, end: int) -> "Hint":
         """Propose both readings of 2^3^2, whose first exponent is from `start` to `end`."""
@@ -682,11 +723,12 @@ class Calculator(Scanner):
         if name == "sqrt":
             return self.root(value, call)
         dimension = ANGLE if name in OF_ANGLES else NUMBER
-        if value.dimension != dimension and dimension == ANGLE:
-            better = self.with_part(start, f"{self.slice(start, self.at)[:-1]}deg)")
-            hint = correct(self.text, better) if value.dimension == NUMBER else "an angle"
+        if value.quantity != dimension and dimension == ANGLE:
+            inside = self.slice(start, self.at)[:-1]
+            better = [self.with_part(start, f"{inside}{unit})") for unit in ("deg", "rad")]
+            hint = corrections(self.text, *better) if value.quantity == NUMBER else "an angle"
             raise self.wrong(NO_ANGLE.format(call), hint)
-        if value.dimension != dimension:
+        if value.quantity != dimension:
             unit = value.unit()
             what = measured(unit.text) if unit else "a unit"
             raise self.wrong(NOT_A_NUMBER.format(what, call), "a bare number")
@@ -716,40 +758,142 @@ class Calculator(Scanner):
         dimension = tuple([power // 2 for power in value.dimension])
         units = {name: power // 2 for name, power in value.units.items()}
         if any(power % 2 for power in value.units.values()):
-            pairs = zip(COHERENT, dimension, strict=True)
+            pairs = zip(constants.BASE_UNITS, dimension, strict=True)
             units = {name: power for name, power in pairs if power}
         return Value(top, bottom, dimension, units, value.rounding / 2, value.had_units, blur)
 
 
-def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
-    """Return the value of an expression, None for a text that is not an expression."""
+def _is_even(power: "int | Value") -> bool:
+    return isinstance(power, int) and power % 2 == 0
+
+
+class _Reading:
+    """An expression with its homonyms read as constants, or some of them as units."""
+
+    def __init__(self, text: str, leaves: Leaves | None, units: tuple[str, ...]) -> None:
+        calculator = Calculator(text, leaves, units)
+        self.value: Value | None = None
+        self.problem: RadcalcError | None = None
+        try:
+            self.value = calculator.answer()
+            self.unit = self.value.unit()
+        except (NumberError, UnitError) as error:
+            self.problem = error
+        self.is_arithmetic = calculator.is_arithmetic
+        self.units, self.lone, self.notes = units, calculator.lone, calculator.notes
+
+    @property
+    def is_valid(self) -> bool:
+        return self.problem is None and self.is_arithmetic
+
+    def text(self, text: str) -> str:
+        """Return the text with unambiguous names for the homonyms."""
+        for at, word in sorted(self.lone.items(), reverse=True):
+            text = text[:at] + self.meaning(word) + text[at + len(word) :]
+        return text
+
+    def meaning(self, word: str) -> str:
+        if word not in self.units:
+            return constants.plain_spelling(find(word))
+        entry = lookup(word)
+        return "exp(1)" if entry is None else entry[1]
+
+    def said(self) -> list[str]:
+        words = dict.fromkeys(self.lone.values())
+        return [f"{word} is read as {self.meaning(word)}" for word in words]
+
+    def fits(self, dimensions: "tuple[Dimension, ...]", is_counted: bool) -> bool:
+        """Return whether the value is of one of the dimensions, if need be with cycles counted."""
+        if self.unit is None:
+            return NUMBER in dimensions
+        if not is_counted:
+            return self.unit.dimension in dimensions
+        return any(constants.fit(self.unit, one).dimension == one for one in dimensions)
+
+
+class TwoReadings(ExpressionError):
+    """An expression that means two quantities; the one that is asked for may decide."""
+
+
+def _chosen(text: str, leaves: Leaves | None, dimensions: "tuple[Dimension, ...]") -> _Reading:
+    """Return the reading of an expression that fits the dimensions; raise if several do."""
+    first = _Reading(text, leaves, ())
+    letters = constants.homonyms(text) if first.lone or first.problem else []
+    if not letters:
+        return first
+    readings = [first]
+    for number in range(1, 1 << len(letters)):
+        units = tuple([word for k, word in enumerate(letters) if number >> k & 1])
+        readings.append(_Reading(text, leaves, units))
+    if not any(reading.lone for reading in readings):
+        return first
+    valid: dict[str, _Reading] = {}
+    for reading in readings:
+        if reading.is_valid:
+            valid.setdefault(reading.text(text), reading)
+    fitting = list(valid.values())
+    for is_counted in (False, True):
+        if dimensions and len(fitting) > 1:
+            fitting = [r for r in valid.values() if r.fits(dimensions, is_counted)] or fitting
+    if len(fitting) == 1:
+        return fitting[0]
+    if not fitting:
+        return readings[-1]
+    words = ", ".join(dict.fromkeys(w for reading in readings for w in reading.lone.values()))
+    raise TwoReadings(f"'{quote(text)}' is ambiguous: {words}", corrections(text, *valid))
+
+
+def _begins_with_constant(text: str) -> bool:
+    """Return whether a text begins with a constant; raise for two without a sign, as hc."""
+    word = word_at(text, 0)
+    if are_run_together(word) and not lookup(word):
+        problem = f"'{quote(word)}' is not the name of a constant"
+        raise ExpressionError(problem, correct(text, f"{word[0]}*{text[1:]}"))
+    return bool(find(word))
+
+
+def evaluate(
+    text: str, leaves: Leaves | None = None, dimensions: "tuple[Dimension, ...]" = ()
+) -> tuple[Value, Unit | None] | None:
+    """Return the value of an expression and its unit, None for a text that is not an expression.
+
+    The dimensions that are asked for decide between two readings.
+    """
     if len(text) > MAX_LENGTH:
         return None
     text = plain(text)
-    calculator = Calculator(text, leaves)
     begun = text[:1]
-    if not (begun in ("(", ".", *SIGNS, *DIGITS) or text.startswith(CALLS) or begun in "pπ"):
+    begins = begun in ("(", ".", *SIGNS, *DIGITS) or text.startswith(CALLS) or begun in "pπ"
+    if text in constants.HOMONYMS or not (begins or _begins_with_constant(text)):
         return None
-    try:
-        value = calculator.answer()
-    except (NumberError, UnitError):
-        if not calculator.is_arithmetic:
-            return None
-        raise
-    return value if calculator.is_arithmetic else None
+    reading = _chosen(text, leaves, dimensions)
+    if not reading.is_arithmetic:
+        return None
+    if reading.problem:
+        raise reading.problem
+    value, unit = reading.value, reading.unit
+    assert value is not None
+    if unit is None and reading.notes:
+        unit = resolve("1")
+    if unit is not None:
+        unit.notes += (*reading.said(), *reading.notes)
+        for dimension in dimensions:
+            unit = constants.fit(unit, dimension)
+    return value, unit
 
 
 def read_expression(
-    text: str, leaves: Leaves | None = None
+    text: str, leaves: Leaves | None = None, dimensions: "tuple[Dimension, ...]" = ()
 ) -> tuple[float, Unit | None, float, tuple[int, int]] | None:
     """Return the number, unit, relative rounding error and exact ratio of an expression, or None.
 
-    `leaves` are parts of a `plain` text that are already read.
+    `leaves` are parts of a `plain` text that are already read.  The dimensions that are asked for
+    decide between two readings.
     """
-    value = evaluate(text, leaves)
-    if value is None:
+    result = evaluate(text, leaves, dimensions)
+    if result is None:
         return None
-    unit = value.unit()
+    value, unit = result
     top, bottom = value.top, value.bottom
     if unit:
         top, bottom = top * unit.bottom, bottom * unit.top

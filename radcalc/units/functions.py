@@ -30,8 +30,23 @@ def of_number(name: str, top: int, bottom: int, blur: float) -> Ratio:
             return _ratio(x.exp(), abs(x) * Decimal(blur))
         if x <= 0:
             raise ValueError
-        result, natural = x.ln() if name == "ln" else x.log10(), x.ln()
+        natural = x.ln()
+        result = {"ln": natural, "log10": x.log10(), "log2": natural / Decimal(2).ln()}[name]
+        if name == "log2" and 1 in (top, bottom) and (top * bottom).bit_count() == 1:
+            return top.bit_length() - bottom.bit_length(), 1, blur  # of a power of 2
         return _ratio(result, Decimal(blur) / abs(natural) if natural else Decimal(blur))
+
+
+def of_power(base: Ratio, power: Ratio) -> Ratio:
+    """Return a number above 0 to a power that is not whole; ArithmeticError if too large."""
+    if power[1] == 2 and not power[2] and abs(power[0]) < MAX_DIGITS:  # half of a whole number
+        top, bottom, blur = root(*base)
+        size = abs(power[0])
+        over, under = (top, bottom) if power[0] > 0 else (bottom, top)
+        return over**size, under**size, blur * size
+    top, bottom, blur = of_number("ln", *base)
+    over, under = top * power[0], bottom * power[1]
+    return of_number("exp", over, under, blur + power[2])
 
 
 def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:

@@ -26,11 +26,12 @@ SMALLEST = float_info.min  # smallest float with full precision
 EXACT = 1e-9  # relative error of arithmetic with exact numbers
 OF_ONE_DIGIT = 3  # 2m is read as 2.00 m, 20m as typed
 
-FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10")  # of expressions
+FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10", "log2")  # of expressions
 OTHER_FUNCTIONS = (  # common functions that expressions do not support
     *("asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh"),
-    *("log", "lg", "log2", "lb", "pow", "abs", "min", "max", "sum", "mean", "round", "floor"),
+    *("log", "lg", "lb", "pow", "abs", "min", "max", "sum", "mean", "round", "floor"),
 )
+OF_EXPRESSIONS = frozenset("*/^( _")  # in a first word; no command has one of them
 CALLS = tuple([f"{name}(" for name in FUNCTIONS + OTHER_FUNCTIONS])
 DIGITS = "0123456789"
 MINUSES = "-" + MINUS
@@ -88,7 +89,13 @@ def is_sentence(words: list[str]) -> bool:
     is_function = first[start:].startswith(CALLS)
     is_number = begun.isnumeric() or _pi_ends(first, start) > start
     is_stream = first == "-" or first.lstrip()[:2] == "- "
-    return is_stream or is_number or begun in ("(", "±") or is_function
+    if is_stream or is_number or begun in ("(", "±") or is_function:
+        return True
+    if first.isascii() and OF_EXPRESSIONS.isdisjoint(first):
+        return False
+    from radcalc.units.words import begins_formula
+
+    return begins_formula(first[start:])
 
 
 def typed_digits(text: str) -> tuple[str, int] | None:

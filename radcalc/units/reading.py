@@ -48,21 +48,40 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
         problem = error
     is_signed = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
     is_signed |= any(text[k - 1] in DIGITS for k, c in enumerate(text) if k and c == "(")  # 100(3)
-    if not is_signed and (amount := read_sum(text)):
+    if not is_signed and (amount := read_sum(text, dimensions)):
         return amount
     if any(mark in text for mark in UNCERTAIN):
         from radcalc.units.uncertain import read_uncertain
 
-        if reading := read_uncertain(text):
+        if reading := read_uncertain(text, dimensions):
             size, unit_found, off, _, parts = reading
             return amount_in(text, size, unit_found, off, dimensions, parts)
-    if is_signed and (amount := read_sum(text)):
+    if is_signed and (amount := read_sum(text, dimensions)):
         return amount
     if meant := sum_meant(text):
         raise UnitError(f"'{quote(text)}' has several numbers", correct(text, meant))
     if problem:
         raise problem
     return read_plain(text, number, unit, dimensions)
+
+
+def read_for(text: str, target: str) -> Amount:
+    """Read a value that is converted to a target, which decides between two readings."""
+    try:
+        return read_amount(text)
+    except ExpressionError:
+        if not (dimensions := _dimensions_of(target)):
+            raise
+        return read_amount(text, dimensions)
+
+
+def _dimensions_of(target: str) -> tuple[Dimension, ...]:
+    unit = unit_of(target)
+    if unit is None and target:
+        from radcalc.units.scales import find
+
+        unit = find(target)
+    return (unit.dimension,) if unit else ()
 
 
 def sum_meant(text: str) -> str:
@@ -139,7 +158,13 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
         shell = "'to' instead, or '->' in quotes: without them > is the shell's"
         alone = correct(" ".join(words), *words[:-1], remark="'->' needs quotes")
         raise UsageError(f"a unit is missing after '{words[-1]}'", shell, [alone])
-    amount, separator, rest = read_value(words)
+    try:
+        amount, separator, rest = read_value(words)
+    except ExpressionError:
+        target = sides(words)[2] or "".join(words[1:][-1:])
+        if not (dimensions := _dimensions_of(target)):
+            raise
+        amount, separator, rest = read_value(words, dimensions)
     if separator and not rest:
         alone = correct(" ".join(words), *words[:-1])
         raise UsageError(f"a unit is missing after '{separator}'", alone)
@@ -162,10 +187,13 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
     return amount, rest[0] if rest else ""
 
 
-def read_value(words: list[str]) -> tuple[Amount, str, list[str]]:
+def read_value(
+    words: list[str], dimensions: "Sequence[Dimension]" = ()
+) -> tuple[Amount, str, list[str]]:
     """Return the value, the separator after it or '', and the words after both.
 
-    The first of these words may be the unit of a bare number, if there is no separator.
+    The dimensions that are asked for decide between two readings of an expression.  The first
+    word after the value may be the unit of a bare number, if there is no separator.
     """
     if any(mark in word for word in words for mark in SIGNS_OF_UNCERTAINTY):
         from radcalc.units.uncertain import join_words
@@ -173,8 +201,8 @@ def read_value(words: list[str]) -> tuple[Amount, str, list[str]]:
         words = join_words(words)
     source, separator, target = sides(words)
     if separator:
-        return read_amount(source), separator, [target] if target else []
-    return read_amount(words[0]), "", words[1:]
+        return read_amount(source, dimensions), separator, [target] if target else []
+    return read_amount(words[0], dimensions), "", words[1:]
 
 
 def read_stream_operands(words: list[str]) -> tuple[str, str]:

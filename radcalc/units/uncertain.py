@@ -8,7 +8,7 @@ with a point they are the uncertainty itself: 1.234(0.005).
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
@@ -81,23 +81,26 @@ def signed(text: str) -> str:
     return text
 
 
-def read_uncertain(text: str) -> Reading | None:
-    """Read a value with its uncertainty; None for a text without that form."""
+def read_uncertain(text: str, dimensions: Sequence[Dimension] = ()) -> Reading | None:
+    """Read a value with its uncertainty; None for a text without that form.
+
+    The dimensions that are asked for decide between two readings of an expression.
+    """
     try:
-        return _read(signed(text.strip()))
+        return _read(signed(text.strip()), tuple(dimensions))
     except _Beside as error:
         raise error.reworded(hint=corrections(error.text, *_ways(error.text))) from None
 
 
-def _read(text: str) -> Reading | None:
+def _read(text: str, dimensions: tuple[Dimension, ...] = ()) -> Reading | None:
     try:
         reading = _with_one(text)
     except RadcalcError:
-        if (reading := _with_expression(text)) is None:
+        if (reading := _with_expression(text, dimensions)) is None:
             raise
         return reading
     if reading is None:
-        return _with_expression(text)
+        return _with_expression(text, dimensions)
     if reading.uncertainty < 0:
         raise NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
     check_uncertainty(reading.uncertainty, text)
@@ -199,12 +202,13 @@ def _with_digits(text: str) -> Reading | None:
     return Reading(_times(number, power), unit, _times(inside, power + last))
 
 
-def _with_expression(text: str) -> Reading | None:
+def _with_expression(text: str, dimensions: tuple[Dimension, ...]) -> Reading | None:
     """Read `(100±3) lx * (2.0±0.1) m2`: arithmetic with each number with a ± as a variable."""
     import re
 
-    from radcalc.units.expressions import Calculator, Leaves, Value, read_expression
+    from radcalc.units.expressions import Calculator, Leaves, read_expression
     from radcalc.units.grammar import plain
+    from radcalc.units.values import Value
 
     if "," in text:
         return None  # a list: its values are read separately
@@ -225,7 +229,7 @@ def _with_expression(text: str) -> Reading | None:
                 size = size.plus(Value(*shift.as_integer_ratio()), 1)
             unit = reading.unit and Calculator(text).unit(reading.unit.text, number=size)
             places[leaf.start()] = leaf.end(), size.times(unit) if unit else size
-        read = read_expression(text, places)
+        read = read_expression(text, places, dimensions)
         if read is None:
             raise NumberError(f"'{quote(text)}' is not a value with a unit", HINT)
         return read[0], read[1]

@@ -7,7 +7,7 @@ from radcalc.errors import UnitError
 from radcalc.quantities.entries import product, search
 from radcalc.quantities.search import index
 from radcalc.quantities.search import search as search_quantities
-from radcalc.units.compiled import UNITS
+from radcalc.units.compiled import CONSTANTS, UNITS
 from radcalc.units.scale_table import SCALES
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
@@ -75,7 +75,7 @@ def test_a_watt_per_metre_is_per_length_or_per_wavelength():
 
 
 def test_without_a_search_every_named_unit_is_listed():
-    assert found("") == [*UNITS, *(scale.name for scale in SCALES)]
+    assert found("") == [*UNITS, *(scale.name for scale in SCALES), *CONSTANTS]
 
 
 @for_each(sorted(index().names))

@@ -2,6 +2,7 @@
 
 import math
 import random
+from decimal import Decimal
 
 import mpmath
 import pytest
@@ -13,7 +14,9 @@ from radcalc.conversion.plan import plan
 from radcalc.errors import ExpressionError, RadcalcError
 from radcalc.homework.answer import read_claim
 from radcalc.inputs.reading import read
+from radcalc.units import constants
 from radcalc.units.amounts import split_value
+from radcalc.units.compiled import CONSTANTS
 from radcalc.units.ranges import read_series
 from radcalc.units.reading import read_amount, read_operands
 from radcalc.units.table import resolve
@@ -82,6 +85,22 @@ READ = {
     "3 lx / (-4)": (-0.75, "lx"),
     "(-2) lx": (-2.0, "lx"),
     "(50%)^2 * 1 lx": (0.25, "lx"),
+    "(1+2)(3+4) lx": (21.0, "lx"),
+    "4 pi (2 m)^2": (16 * math.pi, "m2"),
+    "2 (3 lx)": (6.0, "lx"),
+    "2(3 lx)": (6.0, "lx"),
+    "500 lx cos(60deg)": (250.0, "lx"),
+    "2 sqrt(4) lx": (4.0, "lx"),
+    "4^0.5 lx": (2.0, "lx"),
+    "2**-1.5": (2**-1.5, None),
+    "-8^(1/3)": (-2.0, None),
+    "(100 lx / 25 lx)^(1/2) * 1 m": (2.0, "m"),
+    "log2(8)": (3.0, None),
+    "log2(1/4) m": (-2.0, "m"),
+    "(10 dBm) * 2": (20.0, "mW"),
+    "(0 dBm) + (0 dBm)": (2.0, "mW"),
+    "(20 dB) * 1 lx": (100.0, "lx"),
+    "(200 mired) / 2": (2500.0, "K"),
     "2 * 3 foot lambert": (6.0, "foot_lambert"),
     "\u2212(1 lx + 2 lx)": (-3.0, "lx"),
 }
@@ -92,6 +111,104 @@ def test_an_expression_is_rounded_once(text):
     amount = read_amount(text)
     assert (amount.number, amount.unit.text if amount.unit else None) == READ[text]
     assert amount.text == text
+
+
+# The exact values of CODATA 2022 and the SI Brochure (9th edition, tables 1 and 2), multiplied in
+# decimals: e = 1.602176634e-19 C, h = 6.62607015e-34 J s, c = 299792458 m/s, k = 1.380649e-23 J/K,
+# N_A = 6.02214076e23/mol.
+H, C, K_B, E_CHARGE, N_A = map(
+    Decimal, ("6.62607015e-34", "299792458", "1.380649e-23", "1.602176634e-19", "6.02214076e23")
+)
+NM500 = Decimal("500e-9")
+CONSTANT = {
+    ("h*c/(500 nm)", "eV"): H * C / NM500 / E_CHARGE,
+    ("h c/(500 nm)", "J"): H * C / NM500,
+    ("h*(600 THz)", "eV"): H * Decimal("6e14") / E_CHARGE,
+    ("h*c/(500 nm)", "kJ/mol"): H * C / NM500 * N_A / 1000,
+    ("N_A*h*c/(500 nm)", "kJ/mol"): H * C / NM500 * N_A / 1000,
+    ("c/(500 nm)", "THz"): C / NM500 / Decimal("1e12"),
+    ("c/(600 THz)", "nm"): C / Decimal("6e14") * Decimal("1e9"),
+    ("(5 mW)/(h*c/(500 nm))", "umol/s"): Decimal("5e-3") * NM500 / H / C / N_A * 1_000_000,
+    ("e*(500 nm)/(h*c)", "A/W"): E_CHARGE * NM500 / H / C,
+    ("k_B * 300 K", "meV"): K_B * 300 / E_CHARGE * 1000,
+    ("2 c_light", "km/s"): 2 * C / 1000,
+    ("2*c", "km/s"): 2 * C / 1000,
+    ("K_cd * (1 W)", "lm"): Decimal(683),
+    ("h_planck/(2 pi)/hbar", "1"): Decimal(1),
+    ("2 h c_light", "m"): 2 * 3600 * C,  # after a number a letter is a unit
+    ("(10 + 6) h", "h"): Decimal(16),
+    ("16 h", "min"): Decimal(960),
+    ("(500 lx)*h", "lx s"): Decimal(500 * 3600),
+    ("2*500 lx * h", "lx s"): Decimal(1000 * 3600),
+    ("h*c/(500 nm) + 1 eV", "eV"): H * C / NM500 / E_CHARGE + 1,
+    ("1 eV + h*c/(500 nm)", "eV"): H * C / NM500 / E_CHARGE + 1,
+    ("e^2", "1"): Decimal(2).exp(),
+    ("100 lx * e^(-1)", "lx"): 100 * Decimal(-1).exp(),
+}
+# CODATA 2022, as printed: Stefan-Boltzmann, Wien and the impedance of the vacuum.
+PRINTED = {
+    ("sigma*(1000 K)^4", "W/m2"): 5.670374419e4,
+    ("b/(1000 K)", "um"): 2.897771955,
+    ("(100 V/m)^2/Z0", "W/m2"): 1e4 / 376.730313412,
+    ("g*(1 kg)*(1 m)", "J"): 9.80665,
+}
+
+
+@pytest.mark.parametrize(("text", "target"), CONSTANT)
+def test_constants_have_the_values_of_the_si(text, target, capfd):
+    assert run([text, "to", target, "-n", "-q"]) == 0
+    assert float(capfd.readouterr().out) == pytest.approx(float(CONSTANT[text, target]), rel=6e-12)
+    assert radcalc.convert(text, target).magnitude == pytest.approx(
+        float(CONSTANT[text, target]), rel=2e-15
+    )
+
+
+@pytest.mark.parametrize(("text", "target"), PRINTED)
+def test_derived_constants_have_the_printed_values(text, target):
+    assert radcalc.convert(text, target).magnitude == pytest.approx(
+        PRINTED[text, target], rel=5e-10
+    )
+
+
+@pytest.mark.parametrize("constant", CONSTANTS)
+def test_every_constant_has_a_name_with_one_reading(constant):
+    name = constants.plain_spelling(constant)
+    top, bottom, dimension = CONSTANTS[constant]
+    amount = read_amount(f"3*{name}")
+    assert amount.number * amount.unit.factor == pytest.approx(3 * top / bottom, rel=1e-15)
+    assert amount.unit.dimension == constants.quantity(dimension, {constant: 1})
+
+
+def test_a_letter_with_two_meanings_is_said(capfd):
+    assert run(["h*c/(500 nm)", "eV"]) == 0
+    assert "note: h is read as h_planck\n" in capfd.readouterr().err
+    assert run(["(500 lx)*h", "lx s"]) == 0
+    assert "note: h is read as hour\n" in capfd.readouterr().err
+    assert run(["c/(500 nm)", "THz"]) == 0
+    assert "note: a cycle counts as 1 in a formula with c or h\n" in capfd.readouterr().err
+
+
+def test_plancks_law_is_a_formula(capfd):
+    """The spectral exitance of a black body of 5778 K at 500 nm, in Decimal."""
+    x = H * C / NM500 / K_B / 5778
+    exitance = 2 * Decimal(str(mpmath.pi)) * H * C**2 / NM500**5 / (x.exp() - 1)
+    text = "2 pi h_planck c^2/((500 nm)^5 (exp(h_planck c/((500 nm) k (5778 K))) - 1))"
+    assert radcalc.convert(text, "W/m2/nm").magnitude == pytest.approx(
+        float(exitance / 10**9), rel=1e-13
+    )
+
+
+@for_each(range(60))
+def test_real_powers_and_logarithms_are_accurate(seed):
+    """Compare with mpmath at 60 digits."""
+    chance = random.Random(seed)
+    base = f"{chance.randint(1, 10**6)}e{chance.randint(-12, 6)}"
+    power = f"{chance.choice(('', '-'))}{chance.randint(0, 3)}.{chance.randint(1, 999):03}"
+    with mpmath.workdps(60):
+        raised = mpmath.power(mpmath.mpf(base), mpmath.mpf(power))
+        binary = mpmath.log(mpmath.mpf(base), 2)
+    assert read_amount(f"{base}^{power}").number == pytest.approx(float(raised), rel=3e-16)
+    assert read_amount(f"log2({base})").number == pytest.approx(float(binary), rel=3e-16)
 
 
 # Interpretations offered by refusals, and their values.
@@ -178,9 +295,9 @@ REFUSED = {
     "2*(500+200 lx)": ("cannot add", "2*((500 + 200) lx)"),
     "2 lx*(100 + 4 - 10%)": ("ambiguous", "2 lx*((100 + 4) * (1 - 10%)) or 2 lx*(100 + 4 - 0.1)"),
     "5 lx + 2*(-2^2) lx": ("ambiguous", "5 lx + 2*((-2)^2) lx or 5 lx + 2*(-(2^2)) lx"),
-    "3*cos(60) + cos(60)": ("no angle in cos(60)", "3*cos(60deg) + cos(60)"),
+    "3*cos(60) + cos(60)": ("no angle in cos(60)", "3*cos(60rad) + cos(60)"),
     "2*abs(3) lx": ("unknown function 'abs'", "sqrt"),
-    "3 lx * log(10)": ("unknown function 'log'", "log10 or ln"),
+    "3 lx * log(10)": ("unknown function 'log'", "3 lx * log10(10) or 3 lx * ln(10)"),
     "100 radlux + 5 lx": ("luminous exitance (radlux) and illuminance (lx)", "one quantity"),
     "1 W/m2/nm + 1 W/m3 * 1": ("cannot add", "one quantity"),
     "1/2 m + 1/2 m": ("ambiguous", "(1/2) m + 1/2 m or 1/(2 m) + 1/2 m"),
@@ -195,13 +312,27 @@ REFUSED = {
     "50%^2": ("a power of percent", "(50%)^2"),
     "4 m^1/2": ("'m^1/2' has an exponent that is not a whole number", "a whole number"),
     "4 m^2.5*2": ("has an exponent that is not a whole number", "a whole number"),
-    "2^(-3 m": ("an exponent at '(-3 m' that is not a whole number", "a whole number"),
+    "2^(-3 m": ("a bracket that is not closed", ")"),
     "-2^2 m": ("ambiguous", "(-2)^2 m or -(2^2) m"),
     "10**10**10": ("an exponent on an exponent", "(10**10)**10"),
     "9^9^9": ("an exponent on an exponent", "(9^9)^9"),
     "2^1000000": ("an exponent too large", "at most 1000"),
     "(9^999)^999": ("too many digits", "fewer"),
-    "2^0.5 m": ("not a whole number", "a whole number"),
+    "(4 m2)^0.5": ("area (m2) with an exponent that is not whole, (4 m2)^0.5", "sqrt(4 m2)"),
+    "(-8)^(1/3) lx": ("no value for (-8)^(1/3)", "above 0"),
+    "0^-0.5 lx": ("no value for 0^-0.5", "above 0"),
+    "1e300^1.5 lx": ("too large", "1.8e308"),
+    "2^(3 m) lx": ("an exponent at '(3 m) lx' that has a unit", "a bare number"),
+    "800 lm / 4 (2 m)^2": ("ambiguous", "800 lm / (4 (2 m)^2) or (800 lm / 4) * (2 m)^2"),
+    "1 J/2 c_light^2": ("ambiguous", "1 J / (2 c_light^2) or (1 J/2) * c_light^2"),
+    "3*2 (3) lx": ("runs two values together at '(3) lx'", "*"),
+    "3 lx * lg(10)": ("unknown function 'lg'", "3 lx * log10(10)"),
+    "hc/(500 nm)": ("'hc' is not the name of a constant", "h*c/(500 nm)"),
+    "h*c/(500 nm)": ("is ambiguous: h", "h_planck*c/(500 nm) or hour*c/(500 nm)"),
+    "(500 lx)*h": ("is ambiguous: h", "(500 lx)*h_planck or (500 lx)*hour"),
+    "e^2": ("is ambiguous: e", "e_charge^2 or exp(1)^2"),
+    "(12 EV) * 2": ("EV, which is a scale of cd/m2 and of lx", "radcalc convert '12 EV' cd/m2"),
+    "2 * (-3 mired)": ("not the reciprocal of a temperature", "more than 0"),
     "1 lx/(2-2)": ("divides by zero", "other than 0"),
     "0^-1 * 2": ("divides by zero", "other than 0"),
     "1e300 lx * 1e300 lx": ("too large", "1.8e308"),
@@ -210,7 +341,6 @@ REFUSED = {
     "(2 * 3)) lx": ("a closing bracket too many", "("),
     "(" * 17 + "1" + ")" * 17: ("too many brackets", "at most 16"),
     "2 * 3 zork": ("unknown unit 'zork'", "units"),
-    "(1+2)(3+4) lx": ("runs two values together", "*"),
     "3 lx * 2 3": ("runs two values together at '3'", "*"),
     "5 m + -3 m": ("two signs in a row", "brackets"),
     "(100)±3 lx": ("has an uncertainty", "100±3 lx"),

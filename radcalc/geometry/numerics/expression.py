@@ -28,6 +28,7 @@ from radcalc.errors import (
 )
 from radcalc.geometry.numerics.angles import Angles
 from radcalc.maths import limit
+from radcalc.units.expressions import LOGARITHMS
 
 NAMES = ("theta", "phi", "x", "y", "z")  # polar angle, azimuth [rad], unit vector [1]
 CONSTANTS = {"pi": math.pi, "e": math.e, "deg": math.pi / 180, "rad": 1.0}  # 30*deg, 0.5*rad
@@ -43,13 +44,15 @@ FUNCTIONS: dict[str, tuple[int, Callable[..., Any]]] = {
     "cosh": (1, numpy.cosh),
     "tanh": (1, numpy.tanh),
     "exp": (1, numpy.exp),
-    "log": (1, numpy.log),
+    "ln": (1, numpy.log),
     "log10": (1, numpy.log10),
+    "log2": (1, numpy.log2),
     "sqrt": (1, numpy.sqrt),
     "abs": (1, numpy.abs),
     "min": (2, numpy.minimum),
     "max": (2, numpy.maximum),
 }
+UNITS = re.compile(r"(?<=[\d.])\s*(?=(?:deg|rad)\b)")  # where 45 deg has no sign
 OPERATORS: dict[type, Callable[..., Any]] = {
     ast.Add: numpy.add,
     ast.Sub: numpy.subtract,
@@ -90,7 +93,8 @@ class Expression:
     text : str
         The expression, of at most 1000 characters, in the names theta and phi [rad], x, y, z
         (components of the unit vector), the constants pi, e, deg and rad, and the functions in
-        `FUNCTIONS`.  ``^`` is read as ``**``, and the Greek letters for theta, phi and pi as names.
+        `FUNCTIONS`.  ``^`` is read as ``**``, the Greek letters for theta, phi and pi as names, and
+        ``45 deg`` as ``45*deg``.
         A comparison by ``< <= > >=`` is 1 if it holds and 0 otherwise; it binds less tightly than
         arithmetic, and a chain (``10*deg < theta < 30*deg``) holds if all its comparisons do.
 
@@ -268,6 +272,11 @@ class Expression:
         return angles
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
+        if name in LOGARITHMS:
+            meant = [f"{other}({', '.join(map(self._part, args))})" for other in LOGARITHMS[name]]
+            raise ConditionError(
+                f"unknown function '{name}' in '{quote(self.text)}'", quote(" or ".join(meant))
+            )
         if name not in FUNCTIONS:
             raise _unknown(name)
         count, function = FUNCTIONS[name]
@@ -321,6 +330,7 @@ def _prepared(text: str) -> str:
     source = text.strip()
     for letter, name in (GREEK | SIGNS).items():
         source = source.replace(letter, name)
+    source = UNITS.sub("*", source)
     if not source:
         raise ConditionError("the expression is empty", EXAMPLE)
     if match := REFUSED.search(source):

@@ -18,7 +18,8 @@ HERE = {name: np.array([0.3, 0.6]) for name in NAMES}
 
 @for_each([
     ("2**3**2", 512), ("-2**2", -4), ("2^3", 8), ("1 − 3", -2), ("--1", 1), ("+1", 1),
-    ("1e3", 1000), ("90*deg", PI / 2), ("e", math.e), ("log(e**2)", 2), ("log10(1e5)", 5),
+    ("1e3", 1000), ("90*deg", PI / 2), ("e", math.e), ("ln(e**2)", 2), ("log10(1e5)", 5),
+    ("log2(8)", 3), ("cos(60 deg)", 0.5), ("sin(90deg)", 1),
     ("atan2(1, -1)", 0.75 * PI), ("min(1, 2) + max(1, 2)", 3), ("7/2", 3.5), ("(1+2)*3", 9),
     ("2 < 3", 1), ("3<2", 0), ("2<2", 0), ("2<=2", 1), ("2>2", 0), ("2 >= 2", 1), ("1≤1", 1),
     ("1⩾2", 0), ("(2<3)*100", 100), ("2<3*100", 1), ("-(1<2)", -1), ("(1<2)-(1<2)", 0),
@@ -53,7 +54,7 @@ def test_a_forbidden_comparison_hints_at_an_allowed_one(text, hint):
     ("exp(-theta)", "(-theta)/deg or (-theta)/rad"), ("2**theta", "theta/deg or theta/rad"),
     ("theta - 30", "30*deg or 30*rad"), ("min(1 < x, acos(z))", "(1 < x)*deg or (1 < x)*rad"),
     ("acos(z) > 60", "60*deg or 60*rad"), ("1 - theta**2", "1*deg**2 or 1*rad**2"),
-    ("atan2(theta, 1)", "1*deg or 1*rad"), ("log(sqrt(phi))", "sqrt(phi)/deg**0.5 or "),
+    ("atan2(theta, 1)", "1*deg or 1*rad"), ("ln(sqrt(phi))", "sqrt(phi)/deg**0.5 or "),
 ])  # fmt: skip
 def test_an_angle_without_a_unit_is_refused(text, ways):
     for whole in (text, f"0*({text}) + x"):
