@@ -254,7 +254,7 @@ COMMANDS = {
     "the help takes one command": (
         "help convert ev", "help takes one command", "radcalc convert --help"),
     "the help of an unknown command names the nearest": (
-        "help covnert", "unknown command", "convert"),
+        "help covnert", "nothing has the words", "radcalc help convert"),
     # too little: quantities that would be enough
     "an irradiance needs a distance": (
         "point-source --flux 800lm -g irradiance:lx", "irradiance", "--distance"),
