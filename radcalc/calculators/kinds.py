@@ -91,12 +91,15 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     notes: list[str] = []
     for item in typed.values():
         generic = item.symbol.generic
-        if generic not in given:
+        known = [of for of in (given, given_in_two_kinds) if generic in of]
+        same_kind = [of for of in known if kind_of(of[generic]) == kind_of(item)]
+        if not known:
             given[generic] = item
-        elif kind_of(given[generic]) == kind_of(item):
+        elif same_kind:
+            (of,) = same_kind
             if item.name != generic:  # the more specific name, whatever the order
-                given[generic], item = item, given[generic]
-            notes += _compare(given[generic], item)
+                of[generic], item = item, of[generic]
+            notes += _compare(of[generic], item)
         elif given_in_two_kinds:
             raise Exclusive((given[generic].name, item.name), "they are the same quantity")
         else:

@@ -57,8 +57,9 @@ class Trial(NamedTuple):
     def outcome(self) -> str:
         """Return the first results, with their names unless the call names them."""
         named = called_in(self.words) != "convert" and "-g" not in self.words
-        rows = list({row.name: row for row in reversed(self.rows)}.values())[::-1]
-        shown = rows[:NAMED] if named else self.rows[:SHOWN]
+        shown = self.rows[:SHOWN]
+        if named:  # each name once
+            shown = list({row.name: row for row in self.rows[::-1]}.values())[::-1][:NAMED]
         texts = [f"{row.name} " * named + _shown(row) for row in shown]
         more = ["..."] if len(self.rows) > SHOWN and not named else []
         remark = spelled(self.remark)
