@@ -150,7 +150,7 @@ MEANT = [
     ("ev --time 125 --f-number 8", "try: radcalc ev --time 1/125s"),
     ("room --area 54m2 --luminaires 12 --flux 3klm --uf 0.6 --mf 0.8", "0.6 --maintenance 0.8"),
     ("sensor --photons 1000photon --qe 0.6", "--quantum-efficiency 0.6"),
-    ("convert 400 umol/m2/s mol/m2 --photoperiod 12h", "--time 12h"),
+    ("convert 400 umol/m2/s mol/m2 --hours 12h", "--time 12h"),
     ("lambertian --luminance 100cd/m2 --tilt 30deg", "lambertian --luminance 100cd/m2\n"),
 ]
 
