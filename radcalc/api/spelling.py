@@ -8,7 +8,10 @@ from radcalc.units.table import resolve
 
 OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
 # Commands that are not functions.
-AT_A_SHELL = ("columns", "dose", "integrate", "prompt", "quantities", "typical", "units")
+AT_A_SHELL = (
+    *("columns", "dose", "examples", "help", "integrate", "prompt", "quantities", "typical"),
+    "units",
+)
 
 
 def keyword(name: str) -> str:

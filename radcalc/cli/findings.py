@@ -21,6 +21,7 @@ from radcalc.quantities.search import comparable, matching
 from radcalc.spectra import listing
 from radcalc.spectra.kinds import FORMS
 from radcalc.spectra.sources import ALIASES
+from radcalc.spectra.sources import MEANT as INSTEAD
 from radcalc.tuples import NamedTuple
 from radcalc.units.compiled import UNITS
 
@@ -59,11 +60,12 @@ class Finding(NamedTuple):
 
 def find(text: str) -> list[Finding]:
     """Return everything that has the words of a text, the best first."""
-    found: list[Finding] = []
+    found: dict[tuple[str, str, str], Finding] = {}
     for searched in SEARCHES:
         with suppress(RadcalcError):  # there is no match
-            found += searched(text)
-    return sorted(found, key=lambda finding: finding.place(text))
+            for one in searched(text):
+                found.setdefault((one.kind, one.name, one.what), one)
+    return sorted(found.values(), key=lambda finding: finding.place(text))
 
 
 def near(text: str, count: int) -> list[str]:
@@ -164,15 +166,23 @@ def _of_units(text: str) -> Iterator[Finding]:
 
 
 def _of_spectra(text: str) -> Iterator[Finding]:
+    """Return the spectra that a word means, the forms with parameters, and the named ones."""
+    for name in filter(None, INSTEAD.get(comparable(text), "").split(", ")):
+        yield _spectrum(name, is_meant=True)
     for kind, (_, description, example, _) in FORMS.items():
         if matching(text, [f"{kind} {description}"], str):
-            yield Finding("spectrum", example, description, ("spectrum", example), (kind,))
+            yield _spectrum(example)
     with suppress(RadcalcError):
         for spectrum in listing.search(text):
-            name = spectrum.name
-            aliases = [alias for alias, owner in ALIASES.items() if owner == name]
-            what = table.SPECTRA.get(name, "")
-            yield Finding("spectrum", name, what, ("spectrum", name), (name, *aliases))
+            yield _spectrum(spectrum.name)
+
+
+def _spectrum(name: str, is_meant: bool = False) -> Finding:
+    kind, _, parameters = name.partition(":")
+    what = FORMS[kind][1] if parameters else table.SPECTRA.get(name, "")
+    aliases = [alias for alias, owner in ALIASES.items() if owner == name]
+    names = (kind,) if parameters else (name, *aliases)
+    return Finding("spectrum", name, what, ("spectrum", name), names, is_meant=is_meant)
 
 
 def _of_typical_values(text: str) -> Iterator[Finding]:

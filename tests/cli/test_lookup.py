@@ -60,6 +60,7 @@ def test_several_commands_are_refused_with_both():
         ("sodium", "spectrum", "HPS"),
         ("black body", "spectrum", "blackbody:2856K"),
         ("moon", "typical value", "full moon"),
+        ("sunlight", "spectrum", "AM1.5G"),
     ],
 )
 def test_a_word_finds_its_meaning(words, kind, name):
