@@ -29,6 +29,15 @@ from radcalc.quantities.synonyms import meant
 from radcalc.render.formats import FORMATS
 from radcalc.units.numbers import is_sentence
 
+# Words for the operand of a command, typed as options.
+MEANT_OPERANDS = {
+    "spectrum": "file spectrum spd csv source illuminant lamp",
+    "environment": "file source map hdr exr pfm picture image",
+    "dose": "file log csv",
+    "scene": "file scene csv",
+    "columns": "file table csv",
+}
+
 
 def about_unit(error: MissingUnit | WrongQuantity, words: list[str]) -> RadcalcError:
     """Return the error about a unit with the calls that are likely in a command."""
@@ -116,6 +125,8 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
         problem = f"convert has no {quote(typed)} option: a conversion has one result"
         return RadcalcError(problem, call(*_with_values(_bare(words))))
     problem = f"{called or 'radcalc'} has no {quote(typed)} option"
+    if operand := _operand(typed, called, words):
+        return RadcalcError(problem, operand)
     if typed[2:] in FORMATS:
         return RadcalcError(problem, correct(typed, "--format", typed[2:]))
     known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
@@ -151,6 +162,17 @@ def _doubled(typed: str, known: list[str], words: list[str]) -> list[Try]:
     return [
         correct(f"{typed}{mark}{values[0]}", whole, twice, remark="the full one is twice the half")
     ]
+
+
+def _operand(typed: str, called: str, words: list[str]) -> Try | None:
+    """Return the call with an option that is a word for the operand left out, or None."""
+    if typed.removeprefix("--").lower() not in MEANT_OPERANDS.get(called, "").split():
+        return None
+    if typed in words[:-1]:
+        following = words[words.index(typed) + 1]
+        return None if following.startswith("--") else drop(typed)
+    joined = next((word for word in words if word.startswith(f"{typed}=")), "")
+    return correct(joined, joined.partition("=")[2]) if joined else None
 
 
 def _bare(words: list[str]) -> list[str]:

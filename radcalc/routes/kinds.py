@@ -56,6 +56,7 @@ NAMES = {
     TABLE: "a table",
 }
 OF_TEXT = set(b"\t\n\v\f\r\x1a")  # control characters
+MOST_BEFORE = 100  # lines before the titles of a scene
 X = re.compile(r"\s*x(?![^\W_])", re.IGNORECASE)
 
 
@@ -98,7 +99,7 @@ def contents_of(path: str) -> Contents:
     if not signatures.foreign(head):
         with suppress(ConditionError):  # not text
             found = _of_text(_lines(head, is_whole, name), name)
-    if found:
+    if found and not (by_ending and found.kind == TABLE):
         return found
     if by_ending:
         return Contents(by_ending)
@@ -124,17 +125,26 @@ def _of_text(lines: list[str], name: str) -> Contents | None:
     titles = rows.names if rows else []
     if rows and _are_of_angles(titles):
         return Contents(LUMINAIRE, rows)
-    if any(map(X.match, titles)):
-        from radcalc.calculators.scene_rows import is_scene  # which needs NumPy
-
-        if is_scene(titles):
-            return Contents(SCENE, rows)
+    if _is_scene(lines):
+        return Contents(SCENE, rows)
     is_log = _is_log(lines, name, rows)
     if is_spectrum(lines):
         return Contents(TABLE, rows) if is_log and rows else Contents(SPECTRUM, rows)
     if is_log:
         return Contents(LOG, rows)
     return Contents(TABLE, rows) if rows else None
+
+
+def _is_scene(lines: Sequence[str]) -> bool:
+    """Return whether one of the first lines has the titles of a scene, whose cells may be texts."""
+    for line in lines[:MOST_BEFORE]:
+        titles = columns.cells(line, columns.dialect(line)[0])
+        if any(map(X.match, titles)):
+            from radcalc.calculators.scene_rows import is_scene  # which needs NumPy
+
+            if is_scene(titles):
+                return True
+    return False
 
 
 def _rows(lines: list[str], name: str) -> FirstRows | None:
@@ -155,7 +165,7 @@ def _is_table(rows: FirstRows, head: Sequence[tuple[int, str]]) -> bool:
         return False
     below = [line for number, line in head if number >= rows.begin and not is_remark(line)]
     widths = [len(columns.cells(line, rows.table.delimiter)) for line in below]
-    return 2 * widths.count(rows.table.width) > len(widths)
+    return 2 * widths.count(rows.table.width) >= len(widths)
 
 
 def _are_of_angles(titles: Sequence[str]) -> bool:

@@ -65,9 +65,13 @@ def is_spectrum(lines: Lines) -> bool:
     reader = _Reader("", lambda _: b"", "", None)
     rows = list(islice(reader.rows(lines, 1), MOST_BEFORE))
     begin = _before(rows)
+    if begin == len(rows):
+        return False
+    if len(columns.cells(rows[begin][1], columns.dialect(rows[begin][1])[0])) < 2:
+        return False
     for _, line in (*rows[max(begin - 2, 0) : begin], *[(0, text) for text in reader.comments]):
         cells = columns.cells(line, columns.dialect(line)[0])
-        if begin < len(rows) and any(map(_is_of_wavelengths, (*cells, line))):
+        if any(map(_is_of_wavelengths, (*cells, line))):
             return True
     try:
         table = reader.find_table(rows)

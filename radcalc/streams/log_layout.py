@@ -50,7 +50,7 @@ PARTS = ("year", "month", "day", "hour", "minute", "second")  # titles of the pa
 FORMATS = ("%Y", "%m", "%d", "%H", "%M", "%S")  # of the parts
 LEAST_PARTS = 3  # a date; with an hour, it is a time
 PAR_ALSO = " (meters give PAR in W/m2, too: its unit in the title, PAR [W/m2], tells)"
-OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
+OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b|^t$")
 
 NumberedLine = tuple[int, str]
 

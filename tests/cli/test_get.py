@@ -27,7 +27,7 @@ from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit
 from radcalc.units.numbers import is_sentence
 from radcalc.units.table import spellings, unit_of
 
-OTHERS = {"convert", "columns", "units", "quantities", "typical"}
+OTHERS = {"convert", "columns", "examples", "units", "quantities", "typical"}
 ENDS = {
     "--auto",
     "--plot",
@@ -39,6 +39,7 @@ ENDS = {
     "--check",
     "--steps",
     "--list",
+    "--by",
     "-",
 }
 TAKING = {"-g", "--get", "--format", "--precision", "--tolerance", "--color"}
