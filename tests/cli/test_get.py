@@ -27,7 +27,7 @@ from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit
 from radcalc.units.numbers import is_sentence
 from radcalc.units.table import spellings, unit_of
 
-OTHERS = {"convert", "columns", "examples", "units", "quantities", "typical"}
+OTHERS = {"convert", "columns", "examples", "help", "units", "quantities", "typical"}
 ENDS = {
     "--auto",
     "--plot",
