@@ -4,7 +4,7 @@ import shlex
 from pathlib import Path
 
 import pytest
-from following import call, liars
+from following import call, is_prose, liars, may_be_prose
 from helpers import for_each, shell
 from test_cases import FILES, transcripts
 from test_refusals import COMMANDS, CONVERSIONS, STREAMS
@@ -44,6 +44,18 @@ def test_a_hint_leads_to_an_answer(first):
     calls = [words for words in CALLS.values() if words[0] == first]
     found = [line for words in calls for line in liars(words)]
     assert not found, "\n".join(found)
+
+
+MOST_PROSE = 0.05  # of all refused calls
+
+
+def test_few_hints_are_sentences():
+    refused = [(words, call(words)) for words in CALLS.values()]
+    prose = [(words, outcome.error) for words, outcome in refused if is_prose(outcome)]
+    needless = [
+        f"{shlex.join(words)}: {error}" for words, error in prose if not may_be_prose(error)
+    ]
+    assert len(needless) <= MOST_PROSE * len(refused), "\n".join(needless)
 
 
 # words of a command, a part of the hint that fits the request

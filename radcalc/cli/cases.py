@@ -67,12 +67,19 @@ def cases(
     stream = _stream(typed, intervals, bare)
     typed = {name: text for name, text in typed.items() if not stream or name != stream.name}
     values = _values(typed, arrays, intervals)
-    given = {
-        name: [read_interval(name, value) for value in entries]
-        if name in intervals
-        else _read_each(name, entries, str(typed[name]), bare.get(name, ""))
-        for name, entries in reversed(values.items())
-    }
+    given = {}
+    for name, entries in reversed(values.items()):
+        unit = bare.get(name, "")
+        try:
+            given[name] = [
+                read_interval(name, value)
+                if name in intervals
+                else read(name, value, uncertain=True, bare=unit)
+                for value in entries
+            ]
+        except MissingUnit as error:
+            is_one = len(entries) == 1 or not error.number
+            raise (error if is_one else error.of_all(str(typed[name]))) from None
     lists = [name for name, entries in given.items() if len(entries) > 1]
     arrays_given = [first for (first, *_) in given.values() if is_array(first.value)]
     long = arrays_given[0] if arrays_given else None
@@ -90,13 +97,6 @@ def cases(
         Case(case, tuple([as_typed(case[name]) for name in lists]), notes, long, stream, names)
         for case in combined
     ]
-
-
-def _read_each(name: str, entries: Sequence[Any], text: str, bare: str) -> list[Input]:
-    try:
-        return [read(name, value, uncertain=True, bare=bare) for value in entries]
-    except MissingUnit as error:
-        raise (error.of_all(text) if len(entries) > 1 and error.number else error) from None
 
 
 def _values(

@@ -8,6 +8,7 @@ from radcalc.errors import (
     ConditionError,
     RadcalcError,
     TooMany,
+    call,
     command,
     corrections,
     leave_out,
@@ -147,7 +148,9 @@ def _unknown(text: str) -> RadcalcError:
         return ConditionError(problem, corrections(text, *fitting))
     known = {_bare(name): name for name in names()}
     near = [known[f] for f in nearest(_bare(text), known, 3)]
-    return ConditionError(problem, corrections(text, *near) or HINT)
+    if near:
+        return ConditionError(problem, corrections(text, *near))
+    return ConditionError(problem, HINT, [call("spectrum", list="")])
 
 
 def _of_list(text: str) -> RadcalcError | None:

@@ -1,7 +1,7 @@
 """Hints of refused conversions and calculators lead to answers.
 
 Units, conditions and inputs are drawn from the examples of the vocabulary; a refused call is
-repeated as its hint suggests, with each alternative.
+made again as its hint proposes, in each of the ways.
 """
 
 import random
