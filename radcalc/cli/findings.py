@@ -70,7 +70,7 @@ def find(text: str) -> list[Finding]:
 
 def near(text: str, count: int) -> list[str]:
     """Return texts that are found, for one that is not: some of its words, or similar names."""
-    words = [word for word in text.split() if find(word)]
+    words = [word.lstrip("-") for word in text.split() if find(word)]
     if words:
         return words[:count]
     names = {comparable(name): name for name in _names()}
@@ -197,7 +197,8 @@ def _all_words(finding: Finding) -> str:
 
 def _sentence(text: str) -> str:
     """Return the first sentence of a text, without its full stop."""
-    return SENTENCE_END.split(text)[0].removesuffix(".")
+    sentence = SENTENCE_END.split(text)[0]
+    return sentence if sentence.endswith("...") else sentence.removesuffix(".")
 
 
 # In the order of the kinds in an answer.

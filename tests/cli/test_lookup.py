@@ -105,9 +105,20 @@ def test_every_command_of_a_list_answers(text):
         assert answered.stdout
 
 
-@for_each(["nonsense", "lumnes", "solar zork", "candella", "wavelenght", "zork\nblub", "x" * 300])
+@for_each(
+    [
+        "nonsense",
+        "lumnes",
+        "solar zork",
+        "candella",
+        "wavelenght",
+        "zork\nblub",
+        "zork --lux",
+        "x" * 300,
+    ]
+)
 def test_an_unknown_word_is_refused_with_calls_that_answer(text):
-    done = run("help", text)
+    done = run("help", "--", text)
     assert (done.returncode, done.stdout) == (2, "")
     assert "nothing has the words" in done.stderr
     calls = re.findall(r"(?:try: |or:  )radcalc (.*)", done.stderr)
