@@ -18,6 +18,7 @@ __all__ = [
     "UsageError",
     "Verdict",
     "__version__",
+    "ask",
     "calorimeter",
     "check",
     "convert",

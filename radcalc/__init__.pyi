@@ -64,6 +64,7 @@ __all__ = [
     "UsageError",
     "Verdict",
     "__version__",
+    "ask",
     "calorimeter",
     "check",
     "convert",
@@ -91,6 +92,9 @@ __all__ = [
     "uberlight",
 ]
 
+def ask(
+    sentence: str,
+) -> Result | Quantity: ...
 def calorimeter(
     *,
     flux: Amount = None,

@@ -396,6 +396,10 @@ class UsageError(RadcalcError):
     """A call with words that do not fit together."""
 
 
+class TooManyWords(UsageError):
+    """A conversion with more words than a value and two units; it may be a sentence."""
+
+
 class OutputError(RadcalcError):
     """An answer that cannot be written."""
 

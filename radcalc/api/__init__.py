@@ -15,6 +15,7 @@ MODULES = {
     "radcalc.api.quantity": ("Quantity",),
     "radcalc.api.result": ("Result",),
     "radcalc.api.scene": ("scene",),
+    "radcalc.api.sentence": ("ask",),
     "radcalc.api.sources": ("lambertian", "point_source", "uberlight"),
     "radcalc.api.spectra": ("photon", "spectrum"),
     "radcalc.api.surroundings": ("environment", "irradiance_map", "reproject", "sky"),

@@ -67,7 +67,7 @@ def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str,
     for proposal in error.tries[:MOST]:
         try:
             call, answer = (
-                _other(proposal) if proposal.words else _changed(proposal, function, given)
+                other_call(proposal) if proposal.words else _changed(proposal, function, given)
             )
         except (RadcalcError, TypeError, ValueError, LookupError):
             continue
@@ -115,7 +115,7 @@ def _call(function: Callable[..., Any], args: Iterable[Any], kwargs: Mapping[str
     return f"radcalc.{function.__name__}({', '.join(texts)})"
 
 
-def _other(proposal: Try) -> tuple[str, Any]:
+def other_call(proposal: Try) -> tuple[str, Any]:
     """Make another call; return it as a text, and its answer."""
     command, *words = proposal.words
     operands = [word for word in words if "=" not in word]

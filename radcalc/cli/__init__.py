@@ -9,7 +9,7 @@ from radcalc import terminal
 from radcalc.cli import files
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.errors import MissingUnit, RadcalcError, WrongQuantity
+from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -33,20 +33,28 @@ def run(words: list[str]) -> int:
     return guarded(words, lambda: answered(words))
 
 
-def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> int:
-    """Run `answer` and return the exit status; report an error with the `place` of the words."""
+def guarded(
+    words: list[str],
+    answer: "Callable[[], int]",
+    place: str = "",
+    listener: "Listener | None" = None,
+) -> int:
+    """Run `answer` and return the exit status; report an error with the `place` of the words.
+
+    Words that are not a call of a command may be a sentence.
+    """
     try:
-        return answer()
+        try:
+            return answer()
+        except MissingCondition:
+            raise
+        except (RadcalcError, click.UsageError) as error:
+            from radcalc.cli import sentence
+
+            found = _problem(error, words)
+            return sentence.instead(words, found, lambda call: answered(call, listener), listener)
     except RadcalcError as error:
         problem = error
-        if isinstance(error, (MissingUnit, WrongQuantity)):
-            from radcalc.cli.refusals import about_unit
-
-            problem = about_unit(error, words)
-    except click.UsageError as error:
-        from radcalc.cli.refusals import of_click
-
-        problem = of_click(error, words)
     except KeyboardInterrupt:
         return terminal.INTERRUPTED
     except BrokenPipeError:
@@ -71,6 +79,15 @@ def _with_files(words: list[str], error: RadcalcError) -> tuple[list[str], Radca
         except RadcalcError:
             return words, error
     return words, files.redirected(error, words)
+
+
+def _problem(error: RadcalcError | click.UsageError, words: list[str]) -> RadcalcError:
+    """Return an error with the hint that fits the words of a call."""
+    if isinstance(error, RadcalcError) and not isinstance(error, (MissingUnit, WrongQuantity)):
+        return error
+    from radcalc.cli.refusals import about_unit, of_click
+
+    return about_unit(error, words) if isinstance(error, RadcalcError) else of_click(error, words)
 
 
 def answered(words: list[str], listener: "Listener | None" = None) -> int:

@@ -5,7 +5,7 @@ from contextlib import suppress
 
 from radcalc import terminal
 from radcalc.cli.help import COMMANDS
-from radcalc.cli.spelling import quoted
+from radcalc.cli.spelling import pasted
 from radcalc.errors import RadcalcError, Try, call, quote_path
 
 # The kind of file that each command reads as an operand, and each option.
@@ -75,7 +75,7 @@ def meant(words: list[str]) -> list[str]:
 def say(words: list[str]) -> None:
     """Write how a call is read, unless it is quiet."""
     if not {*words} & {*QUIET}:
-        terminal.say([f"read as: {' '.join(['radcalc', *map(quoted, words)])}"])
+        terminal.say([f"read as: {pasted(words)}"])
 
 
 def redirected(error: RadcalcError, words: list[str]) -> RadcalcError:

@@ -9,6 +9,7 @@ from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
 
     from radcalc.cli.options import Listener
@@ -93,6 +94,19 @@ def commands() -> None:
 def context(listener: "Listener | None" = None) -> click.Context:
     """Return an empty context of `radcalc` itself."""
     return click.Context(commands, info_name="radcalc", obj=listener, **SETTINGS)
+
+
+def parameters(called: str) -> list[click.Parameter]:
+    """Return the options and arguments of a command, or of `radcalc` itself."""
+    top = context()
+    return (commands.get_command(top, called) or commands).get_params(top)
+
+
+def called_in(words: "Sequence[str]") -> str:
+    """Return the command of a call; "" if it has none."""
+    if is_sentence(list(words)):
+        return "convert"
+    return next((word for word in words if word in COMMANDS), "")
 
 
 def protect_negatives(words: list[str]) -> list[str]:

@@ -5,8 +5,7 @@ from itertools import pairwise
 import click
 
 from radcalc.calculators.missing import on_page
-from radcalc.calculators.pages import SUMMARIES
-from radcalc.cli.group import commands, context
+from radcalc.cli.group import called_in, parameters
 from radcalc.cli.help import COMMANDS
 from radcalc.errors import (
     MINUS,
@@ -41,9 +40,8 @@ MEANT_OPERANDS = {
 
 def about_unit(error: MissingUnit | WrongQuantity, words: list[str]) -> RadcalcError:
     """Return the error about a unit with the calls that are likely in a command."""
-    called = "convert" if is_sentence(words) else next((w for w in words if w in SUMMARIES), "")
     joined = _join_unit(error, words) if isinstance(error, MissingUnit) else None
-    return joined or on_page(error, called)
+    return joined or on_page(error, called_in(words))
 
 
 def _join_unit(error: MissingUnit, words: list[str]) -> RadcalcError | None:
@@ -67,8 +65,7 @@ def _join_unit(error: MissingUnit, words: list[str]) -> RadcalcError | None:
 
 def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     """Return Click's error about an option or a command, with the nearest correct ones."""
-    called = next((word for word in words if word in COMMANDS), "")
-    called = "convert" if is_sentence(words) else called
+    called = called_in(words)
     help_ = f"{f'radcalc {called}'.strip()} --help"
     if isinstance(error, click.NoSuchOption):
         return _no_such_option(error.option_name, called, help_, words)
@@ -129,7 +126,7 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
         return RadcalcError(problem, operand)
     if typed[2:] in FORMATS:
         return RadcalcError(problem, correct(typed, "--format", typed[2:]))
-    known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
+    known = [name for p in parameters(called) for name in p.opts if name.startswith("--")]
     if doubled := _doubled(typed, known, words):
         return RadcalcError(problem, doubled)
     near = [f"--{name}" for name in meant(typed[2:], [name[2:] for name in known])]
@@ -199,7 +196,7 @@ def options_behind(words: list[str]) -> str:
     called = next((word for word in words if word in COMMANDS), implied)
     if not called:
         return ""
-    known = {spelling: p for p in _parameters(called) for spelling in p.opts}
+    known = {spelling: p for p in parameters(called) for spelling in p.opts}
     at = 0
     while words[at : at + 1] and words[at].startswith("-") and not is_sentence(words[at:]):
         name, equals, _ = words[at].partition("=")
@@ -227,12 +224,7 @@ def _with_values(words: list[str]) -> list[str]:
 
 
 def _takers(name: str) -> list[str]:
-    return [c for c in COMMANDS if any(name in p.opts for p in _parameters(c))]
-
-
-def _parameters(called: str) -> list[click.Parameter]:
-    top = context()
-    return (commands.get_command(top, called) or commands).get_params(top)
+    return [c for c in COMMANDS if any(name in p.opts for p in parameters(c))]
 
 
 def one_line(text: str) -> str:

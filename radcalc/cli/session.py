@@ -101,7 +101,7 @@ class Session:
         if line.strip() in LEAVING:
             raise EOFError
         words: list[str] = []
-        return cli.guarded(words, lambda: self._answer(line, words), place)
+        return cli.guarded(words, lambda: self._answer(line, words), place, self)
 
     def _answer(self, line: str, words: list[str]) -> int:
         if not line.strip() or line.lstrip().startswith("#"):

@@ -6,8 +6,8 @@ TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 NEED_QUOTES = set(" ()<>;&|")  # at a shell
+SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
 
 
 class Shell:

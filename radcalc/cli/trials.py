@@ -13,9 +13,9 @@ from radcalc.answer import Row
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.cases import is_stream
 from radcalc.cli.command import with_plot
-from radcalc.cli.group import commands, context, protect_negatives
+from radcalc.cli.group import called_in, commands, context, parameters, protect_negatives
 from radcalc.cli.heard import hear
-from radcalc.cli.help import COMMANDS, HELP_NAMES
+from radcalc.cli.help import HELP_NAMES
 from radcalc.cli.spelling import Shell, pasted, spelled
 from radcalc.errors import (
     MINUS,
@@ -28,7 +28,6 @@ from radcalc.errors import (
     with_correction,
 )
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.units.numbers import is_sentence
 from radcalc.units.ranges import size_of
 
 Words = list[str]
@@ -70,10 +69,15 @@ class Trial(NamedTuple):
         """Return the trial with its results; raise the error of a call that is refused."""
         try:
             rows = _results(self.words) if _is_short(self.words) else ()
-        except click.UsageError as error:
+        except (RadcalcError, click.UsageError) as error:
+            from radcalc.cli import sentence
             from radcalc.cli.refusals import of_click
 
-            raise of_click(error, self.words) from None
+            problem = of_click(error, self.words) if isinstance(error, click.UsageError) else error
+            if not sentence.may_be(self.words, problem):
+                raise problem from None
+            call, _ = sentence.meant(self.words, problem)
+            rows = _results(call)
         return self._replace(rows=rows)
 
     def record(self) -> dict[str, Any]:
@@ -189,7 +193,7 @@ def changed(words: Words, proposal: Try) -> Words | None:
             return None
         call = corrected
     command = called_in(call)
-    known = {name: p for p in _parameters(command) for name in p.opts}
+    known = {name: p for p in parameters(command) for name in p.opts}
     for name in proposal.without:
         call, _ = _without(call, f"--{name}", known)
     for name, value in proposal.inputs:
@@ -274,16 +278,6 @@ def _example(command: str, name: str) -> str:
     return symbol.example if symbol else ""
 
 
-def called_in(words: Words) -> str:
-    """Return the command of a call."""
-    return "convert" if is_sentence(words) else next((w for w in words if w in COMMANDS), "")
-
-
-def _parameters(command: str) -> list[click.Parameter]:
-    top = context()
-    return (commands.get_command(top, command) or commands).get_params(top)
-
-
 def _is_short(words: Words) -> bool:
     """Return whether a call can be tried; raise Click's error if its options are wrong.
 
@@ -320,7 +314,7 @@ def _in_python(words: Words) -> str:
     from radcalc.api.spelling import Python
 
     command = called_in(words)
-    known = {name: p for p in _parameters(command) for name in p.opts}
+    known = {name: p for p in parameters(command) for name in p.opts}
     operands: Words = []
     given: Words = []
     rest = iter([word for word in words if word != command])

@@ -5,6 +5,7 @@ from radcalc.errors import (
     Hint,
     NumberError,
     RadcalcError,
+    TooManyWords,
     UnitError,
     UsageError,
     call,
@@ -261,11 +262,11 @@ def _has_unit(text: str) -> bool:
         return isinstance(error, ExpressionError) or not isinstance(error, NumberError)
 
 
-def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> UsageError:
+def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> TooManyWords:
     """Return the error for words after the units; propose the divisions that fit."""
     _, second, *others = units
     if second.lower() in SEPARATORS + ALSO_UNITS and others:
-        return UsageError(
+        return TooManyWords(
             f"'{quote(second)}' does not separate units",
             correct(f"{second} {others[0]}", f"to {others[0]}"),
         )
@@ -273,9 +274,9 @@ def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> Us
     if any(word in OPERATORS for word in units):
         whole, last = " ".join(words), words[-1]
         calculated = [correct(whole, whole), correct(whole, whole.removesuffix(f" {last}"), last)]
-        return UsageError(problem, "quotes around a value that is calculated", calculated)
+        return TooManyWords(problem, "quotes around a value that is calculated", calculated)
     hint = "quotes around a unit of several words, or 'to' between the units"
-    return UsageError(problem, hint, _divided(units) or _of_targets(units, is_stream))
+    return TooManyWords(problem, hint, _divided(units) or _of_targets(units, is_stream))
 
 
 def _divided(units: list[str]) -> "list[Try]":

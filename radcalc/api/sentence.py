@@ -1,0 +1,47 @@
+"""Sentences in Python."""
+
+from __future__ import annotations
+
+from radcalc.api.quantity import Quantity
+from radcalc.api.refusals import in_python, other_call
+from radcalc.api.result import Result
+from radcalc.errors import Try
+from radcalc.sentences.calls import as_mention, call_of
+from radcalc.sentences.reader import read, refuse_unknown
+from radcalc.units.reading import read_operands
+
+
+@in_python
+def ask(sentence: str) -> Result | Quantity:
+    """Answer a sentence, such as ``"20000 cd at 8 m to lx"``.
+
+    Parameters
+    ----------
+    sentence : str
+        Amounts, their places and a target, as at a shell (radcalc-sentences(7)).
+
+    Returns
+    -------
+    Result or Quantity
+        The result that the sentence asks for; without a target, all results.
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        If words are not understood, if the sentence has several readings, or as in the function
+        that it means.
+
+    Examples
+    --------
+    >>> print(ask("20000 cd at 8 m to lx"))
+    312.5 lux
+    """
+    found = read([sentence])
+    refuse_unknown(found)
+    command, *words = as_mention(call_of(found))
+    if command == "convert":
+        operands = [word for word in words if "=" not in word]
+        amount, target = read_operands(operands)
+        words = [amount.text, *([target] if target else []), *words[len(operands) :]]
+    answer: Result | Quantity = other_call(Try(words=(command, *words)))[1]
+    return answer

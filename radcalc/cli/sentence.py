@@ -1,0 +1,153 @@
+"""Calls in words: read, run as the command that they mean, and shown as that command."""
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from radcalc import terminal
+from radcalc.cli.cases import is_stream
+from radcalc.cli.files import say
+from radcalc.cli.group import context, parameters
+from radcalc.cli.heard import hear
+from radcalc.cli.help import COMMANDS, HELP_NAMES
+from radcalc.cli.options import OPTIONS, STEPS, decide, defaults
+from radcalc.errors import (
+    ExpressionError,
+    MissingCondition,
+    MissingInput,
+    RadcalcError,
+    TooManyWords,
+    UnitError,
+)
+from radcalc.sentences.calls import call_of
+from radcalc.sentences.reader import read, refuse_unknown
+from radcalc.units.numbers import is_sentence as is_value
+from radcalc.units.unit import NUMBER
+
+if TYPE_CHECKING:
+    from radcalc.cli.options import Listener
+
+Words = list[str]
+PLAIN_OPTIONS = {"precision", "quiet", "steps", "color", "auto"}  # with a value and its unit
+
+
+def instead(
+    words: Words,
+    error: RadcalcError,
+    run: Callable[[Words], int],
+    listener: "Listener | None" = None,
+) -> int:
+    """Answer a refused call as a sentence, if it is one; otherwise raise the better error.
+
+    `run` runs a command.  If the call that the sentence means is refused, it replaces `words`, for
+    the calls of its hint.
+    """
+    if not may_be(words, error):
+        raise error
+    call, options = meant(words, error)
+    try:
+        return _answer(call, options, run, listener)
+    except RadcalcError as refused:
+        is_clear = error.tries and not isinstance(error, TooManyWords)
+        if is_clear and not isinstance(refused, (MissingCondition, MissingInput)):
+            raise error from None
+        words[:] = [*call, *options]
+        raise
+
+
+def may_be(words: Sequence[str], error: RadcalcError) -> bool:
+    """Return whether a refused call may be a sentence, and not a command with a mistake."""
+    if not words or any(map(is_stream, words)) or {*words} & {*HELP_NAMES, "help", "--version"}:
+        return False
+    asked, _ = _options_of(words)
+    if isinstance(error, ExpressionError) or all(word[:1] == "-" for word in asked):
+        return False
+    options = [word.partition("=")[0] for word in asked if word[:2] == "--"]
+    if asked[0] in COMMANDS:
+        is_word = len(asked) > 1 and not any(c.isdigit() for c in asked[1])
+        return asked[0] != "convert" and not options and is_word
+    known = {name for parameter in parameters("convert") for name in parameter.opts}
+    return not options or not known.issuperset(options)
+
+
+def meant(words: Words, error: RadcalcError) -> tuple[Words, Words]:
+    """Return the call that a refused call means as a sentence, and its options of the output.
+
+    Raises `error` if the words are not a sentence, or are the same call; raises the problem of the
+    sentence if that is more useful.
+    """
+    asked, options = _options_of(words)
+    understood = is_whole = False
+    try:
+        sentence = read(asked)
+        amounts = [fact.amount for fact in sentence.facts if fact.amount]
+        has_unit = any(amount.dimension != NUMBER for amount in amounts)
+        understood = has_unit and len(sentence.facts) + len(sentence.goals) > 1
+        refuse_unknown(sentence)
+        is_whole = True
+        call = call_of(sentence)
+    except RadcalcError as problem:
+        is_free = asked[0] not in COMMANDS and not any(word[:2] == "--" for word in asked)
+        is_vague = isinstance(error, TooManyWords) or not error.tries
+        is_unknown = not is_value(asked) or isinstance(error, UnitError)  # a command, or a unit
+        is_vague |= is_whole and is_unknown
+        is_better = is_free and understood and is_vague
+        raise (problem if is_better else error) from None
+    is_same = _plain(call) == _plain(asked) and not isinstance(error, TooManyWords)
+    if is_same or asked[0] == call[0]:
+        raise error
+    return call, options
+
+
+def _answer(
+    call: Words, options: Words, run: Callable[[Words], int], listener: "Listener | None"
+) -> int:
+    """Run the call of a sentence; write one result with its unit, and then the call."""
+    chosen = _values(options)
+    if "-g" in call and chosen is not None:
+        results = hear(call)
+        with context(listener):
+            output = decide(**(defaults() | chosen))
+        output.show([result._replace(named=False) for result in results])
+        status = terminal.ANSWERED
+    else:
+        status = run([*call, *options])
+    say([*call, *options])
+    return status
+
+
+def _options_of(words: Sequence[str]) -> tuple[Words, Words]:
+    """Return the words of a call, and its options of the output with their values."""
+    known = {name: option for option in (*OPTIONS, STEPS) for name in option.opts}
+    asked: Words = []
+    options: Words = []
+    rest = iter(words)
+    for word in rest:
+        name, equals, _ = word.partition("=")
+        if name not in known:
+            asked.append(word)
+            continue
+        options.append(word)
+        if not known[name].is_flag and not equals:
+            options += [value for value in [next(rest, None)] if value is not None]
+    return asked, options
+
+
+def _values(options: Words) -> "dict[str, object] | None":
+    """Return the values of options that leave a result with its unit; None for others."""
+    if not options:
+        return {}
+    import click
+
+    nothing = click.Command(None, params=[*OPTIONS, STEPS], add_help_option=False)
+    values = nothing.make_context("", list(options)).params
+    steps = values.pop("steps")
+    default = defaults()
+    changed = {name for name, value in values.items() if value != default[name]}
+    return None if steps or not changed <= PLAIN_OPTIONS else values
+
+
+def _plain(words: Sequence[str]) -> str:
+    """Return the words of a call without what may be left out."""
+    text = " ".join(words).removeprefix("convert ")
+    parts = text.replace("->", " ").replace("=", " ").replace(",", " ").split()
+    return "".join([part for part in parts if part not in ("to", "in", "as", "→")])

@@ -1,0 +1,338 @@
+"""The call of a command that a sentence means: its facts decide."""
+
+from collections.abc import Iterable, Iterator
+from itertools import product
+
+from radcalc.calculators.page import Page
+from radcalc.calculators.pages import page_of
+from radcalc.errors import Try, UsageError, manual, quote
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.light import result_name
+from radcalc.quantities.symbols import FLAG, SPECIFIC, SYMBOLS, in_kind, names_of_kinds
+from radcalc.sentences.phrases import SHAPE
+from radcalc.sentences.reader import Fact, Goal, Sentence
+from radcalc.sentences.words import Amount
+from radcalc.tuples import NamedTuple
+from radcalc.units.dimensions import ANGLE, AREA, LENGTH, TIME, times
+from radcalc.units.unit import NUMBER
+
+VALUE = "value"  # the amount that is converted
+LIGHT = ("flux", "intensity", "exitance", "irradiance", "radiance", "exposure", "energy")
+MOST = 3  # readings to show
+Facts = dict[str, Fact]
+
+
+class Frame(NamedTuple):
+    """A command, and the facts that call for it: one of `needs` is there.
+
+    `operand` is the word after the command, which a shape in the sentence replaces; `renamed` are
+    facts with another name in the command.  Only a command with `light` is for amounts of light.
+    """
+
+    command: str
+    needs: frozenset[str]
+    operand: str = ""
+    light: bool = True
+    renamed: tuple[tuple[str, str], ...] = ()
+
+
+def _frame(command: str, needs: str, operand: str = "", light: bool = True, **names: str) -> Frame:
+    return Frame(command, frozenset(needs.split()), operand, light, tuple(names.items()))
+
+
+FRAMES = (  # the first that takes all facts of a sentence counts
+    _frame("ev", "f-number iso ev ev100 guide-number stops nd"),
+    _frame("room", "luminaires utilance maintenance"),
+    _frame("screen", "diagonal aspect gain"),
+    _frame("laser", "divergence spot-diameter hazard-distance"),
+    _frame("etendue", "na etendue"),
+    _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
+    _frame("refraction", "index"),
+    _frame("convert", " ".join((VALUE, *LIGHT))),
+    _frame("point-source", "flux intensity irradiance", area="receiver-area"),
+    _frame("lambertian", "radiance exitance", "disc"),
+    _frame("lambertian", "radiance exitance reflectance", irradiance="incident-irradiance"),
+    _frame("solid-angle", "half-angle apex-angle", "cone", False),
+    _frame("solid-angle", "radius diameter", "disc", False, distance="height"),
+    _frame("photon", "wavelength", "", False),
+    _frame("spectrum", "spectrum", "", False),
+)
+OPERANDS = {"photon": "wavelength", "spectrum": "spectrum"}  # facts that are words of a call
+# Facts that an amount of that dimension may fill, if no phrase says which.
+OF_DIMENSION = {
+    LENGTH: ("distance",),
+    AREA: ("area",),
+    TIME: ("time",),
+    ANGLE: ("incidence", "half-angle", "apex-angle"),
+}
+ELECTRICAL = ("flux", "input-power")  # of `60 W led`
+# What is asked for without a target, by the value and its condition.
+USUAL_GOALS = {
+    ("flux", "area"): "irradiance",
+    ("irradiance", "area"): "flux",
+    ("irradiance", "time"): "exposure",
+    ("flux", "time"): "energy",
+}
+
+
+def call_of(sentence: Sentence) -> list[str]:
+    """Return the words of the call that a sentence means.
+
+    Raises UsageError if it has several readings, or none.
+    """
+    goal = _goal_of(sentence)
+    for fact in sentence.facts:
+        if fact.symbols == ELECTRICAL:
+            raise _electrical(sentence, fact, goal)
+        if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
+            raise _without_value(sentence, fact, goal)
+    calls = _calls_of(sentence)
+    if len(calls) == 1:
+        return list(calls[0])
+    if not calls:
+        parts = [fact.typed for fact in sentence.facts]
+        wanted = f" and asks for {quote(goal.text)}" if goal else ""
+        what = ", ".join(map(quote, parts)) or "these words"
+        raise UsageError(f"no command takes {what}{wanted}", manual("convert"))
+    tries = [Try(words=tuple(as_mention(call))) for call in calls[:MOST]]
+    raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", tries)
+
+
+def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
+    """Return the calls of all readings of a sentence with at most one goal."""
+    goal = _goal_of(sentence)
+    found = [call for facts in _readings(sentence) for call in _calls(facts, goal)]
+    return list(dict.fromkeys(map(tuple, found)))
+
+
+def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
+    """Return the error for the watts of a lamp, which may be electrical or those of its light."""
+    radiant = fact._replace(symbols=("flux",))
+    electrical = radiant._replace(text=f"{fact.text}*100lm/W")
+    tries = [
+        *_with(sentence, fact, radiant, goal, "watts of light"),
+        *_with(sentence, fact, electrical, goal, "electrical watts of a lamp of 100 lm/W"),
+    ]
+    problem = f"'{quote(fact.typed)}': the watts of a lamp are electrical or of its light"
+    return UsageError(problem, tries or "its flux in lm, or its radiant flux")
+
+
+def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
+    """Return the error for a place without its value, as the reflectance of white paper."""
+    symbol = SYMBOLS[fact.symbols[0]]
+    tries = _with(sentence, fact, fact._replace(text=symbol.example), goal, "an example")
+    return UsageError(f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number")
+
+
+def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark: str) -> list[Try]:
+    """Return the first call of a sentence with another fact in place of one."""
+    facts = tuple([other if one is fact else one for one in sentence.facts])
+    readings = _readings(sentence._replace(facts=facts))
+    calls = [call for reading in readings[:1] for call in _calls(reading, goal)[:1]]
+    return [Try(words=tuple(as_mention(call)), remark=remark) for call in calls]
+
+
+def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the calls of the first frame that takes all facts."""
+    for frame in FRAMES:
+        of_frame = _conversions if frame.command == "convert" else _calculations
+        if frame.needs & {*_generic_names(facts)} and (calls := of_frame(frame, facts, goal)):
+            return calls
+    return _quotients(facts, goal)
+
+
+def _generic_names(facts: Facts) -> Iterator[str]:
+    for name in facts:
+        yield name
+        if name in SPECIFIC:
+            yield SPECIFIC[name][0]
+
+
+def as_mention(call: Iterable[str]) -> Iterator[str]:
+    """Yield the words of a call with NAME=VALUE for options, as a `Try` has them."""
+    rest = iter(call)
+    for word in rest:
+        if word == "-g":
+            yield f"get={next(rest)}"
+        elif word.startswith("--"):
+            is_flag = word[2:] in SYMBOLS and SYMBOLS[word[2:]].form == FLAG
+            yield f"{word[2:]}=" if is_flag else f"{word[2:]}={next(rest)}"
+        else:
+            yield word
+
+
+def _goal_of(sentence: Sentence) -> Goal | None:
+    """Return the only goal; the name and the unit of one result count as one."""
+    goals = list(dict.fromkeys(sentence.goals))
+    units = [goal for goal in goals if goal.unit]
+    named = [goal for goal in goals if not goal.unit]
+    if len(units) > 1 or len(named) > 1:
+        texts = " and ".join([quote(goal.text) for goal in goals])
+        listed = Goal(",".join([goal.text for goal in units]), units[0].unit) if units else goals[0]
+        alone = [sentence._replace(goals=(goal,)) for goal in (listed, *goals[:MOST])]
+        calls = [call for one in alone for call in _calls_of(one)[:1]]
+        tries = [Try(words=tuple(as_mention(call))) for call in calls]
+        problem = f"the sentence asks for several results: {texts}"
+        raise UsageError(problem, tries or "one of them")
+    if units and named:
+        return units[0]._replace(names=named[0].names)
+    return goals[0] if goals else None
+
+
+def _readings(sentence: Sentence) -> list[Facts]:
+    """Return the facts by their symbols, for every choice among the symbols of each phrase."""
+    choices = [fact.symbols or _places(fact.amount, sentence) for fact in sentence.facts]
+    readings: list[Facts] = []
+    for chosen in product(*choices):
+        facts = dict(zip(chosen, sentence.facts, strict=True))
+        if len(facts) == len(chosen):
+            readings.append(facts)
+    if not readings and sentence.facts:
+        texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
+        raise UsageError(f"two of these fill one place: {texts}", "a call for each of them")
+    return readings
+
+
+def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
+    """Return the symbols that an amount alone may fill."""
+    assert amount is not None
+    light = read_light(amount.unit)
+    if light and not light.axis and not amount.unit.is_scale:
+        return (_generic(amount) or VALUE,)
+    alone = [fact.amount for fact in sentence.facts if not fact.symbols]
+    others = {name for fact in sentence.facts for name in fact.symbols}
+    is_first = alone[0] is amount and others <= taken_by(page_of("convert"))
+    if is_first and not any(_is_light(fact) for fact in sentence.facts):
+        return (VALUE,)
+    is_shutter = amount.dimension == NUMBER and amount.text[:2] == "1/"
+    if is_shutter and any({"iso", "f-number"} & {*fact.symbols} for fact in sentence.facts):
+        return ("time",)
+    if amount.is_wavelength:
+        return ("wavelength",)
+    if amount.dimension in SYMBOLS["efficacy"].dimensions:
+        return ("efficacy",)
+    return OF_DIMENSION.get(amount.dimension, (VALUE,))
+
+
+def _is_light(fact: Fact) -> bool:
+    """Return whether a fact is an amount of light, with or without its name."""
+    is_named = any(SYMBOLS[name].geometry for name in fact.symbols if name in SYMBOLS)
+    is_alone = not fact.symbols and fact.amount and read_light(fact.amount.unit)
+    return bool(is_named or is_alone)
+
+
+def _generic(amount: Amount) -> str:
+    """Return the generic name of a light quantity: flux, intensity, irradiance, radiance ..."""
+    if amount.unit.is_exitance:
+        return "exitance"
+    names = [name for name in LIGHT[::-1] if amount.dimension in SYMBOLS[name].dimensions]
+    return next((name for name in names if name != "exitance"), "")
+
+
+def _calculations(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the calls of a calculator: one for each result that the goal may mean."""
+    if not frame.light and any(_is_light(fact) for fact in facts.values()):
+        return []
+    page = page_of(frame.command)
+    given = {dict(frame.renamed).get(name, name): fact for name, fact in facts.items()}
+    words = [frame.command]
+    if operand := OPERANDS.get(frame.command):
+        words.append(_one_word(given.pop(operand)))
+    elif SHAPE in given and frame.operand:
+        words.append(given.pop(SHAPE).text)
+    elif frame.operand:
+        words.append(frame.operand)
+    if not {*given} <= taken_by(page):
+        return []
+    for name, fact in given.items():
+        words += _option(name, fact)
+    if goal is None:
+        return [words]
+    return [[*words, "-g", name] for name in _results(page, goal, given)]
+
+
+def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the conversion of the only amount that is not a condition."""
+    conditions = taken_by(page_of("convert"))
+    values = [name for name in facts if name not in conditions]
+    if len(values) != 1 or values[0] not in (VALUE, *LIGHT, *SPECIFIC):
+        return []
+    ((value,), given) = values, {name: f for name, f in facts.items() if name in conditions}
+    usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
+    target = goal.text if goal else usual if len(given) == 1 else ""
+    if (given and not target) or facts[value].amount is None:
+        return []
+    small = page_of("point-source")
+    if "distance" in given and {*facts} <= taken_by(small) and _results(small, goal, facts):
+        return []
+    number, _, unit = facts[value].text.partition(" ")
+    amount = facts[value].amount
+    is_plain = amount is not None and amount.unit.text == unit
+    words = ["convert", *([number, unit] if is_plain else [facts[value].text])]
+    words += [target] if target else []
+    return [words + [word for name, fact in given.items() for word in _option(name, fact)]]
+
+
+def _quotients(facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
+    amounts = [fact.amount for fact in facts.values() if fact.amount]
+    if len(amounts) != 2 or len(facts) != 2 or goal is None:
+        return []
+    if all(amount.dimension == NUMBER for amount in amounts):
+        return []
+    unit = goal.unit.dimension if goal.unit else SYMBOLS[goal.names[0]].dimensions[0]
+    first, second = amounts
+    ways = {
+        f"{first.text} / ({second.text})": times(first.dimension, second.dimension, -1),
+        f"{second.text} / ({first.text})": times(second.dimension, first.dimension, -1),
+        f"{first.text} * ({second.text})": times(first.dimension, second.dimension),
+    }
+    target = goal.text if goal.unit else SYMBOLS[goal.names[0]].unit
+    return [["convert", way, target] for way, dimension in ways.items() if dimension == unit]
+
+
+def _option(name: str, fact: Fact) -> list[str]:
+    if SYMBOLS[name].form == FLAG:
+        return [f"--{name}"]
+    light = read_light(fact.amount.unit) if fact.amount else None
+    return [f"--{in_kind(name, light.kind) if light else name}", _one_word(fact)]
+
+
+def _one_word(fact: Fact) -> str:
+    """Return the text of a fact as one word, if it reads the same: 2 m becomes 2m."""
+    number, blank, unit = fact.text.partition(" ")
+    is_shutter = fact.symbols == () and fact.amount and fact.amount.dimension == NUMBER
+    if is_shutter and fact.text[:2] == "1/":
+        return f"{fact.text}s"
+    return number + unit if blank and unit[:1].isalpha() and " " not in unit else fact.text
+
+
+def taken_by(page: Page) -> set[str]:
+    """Return the symbols that a page takes, with the names of one kind of light."""
+    names = {name for listed in page.sections.values() for name in listed}
+    return names | {other for name in names for other in names_of_kinds(name)}
+
+
+def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
+    """Return the results of a page that a goal may mean, as `-g` takes them."""
+    if goal is None:
+        return []
+    if not page.light and not page.others:  # the results depend on the inputs
+        return list(goal.names[:1])
+    solved = [name for names in page.sections.values() for name in names]
+    listed = [n for n in dict.fromkeys((*page.light, *page.others, *solved)) if n not in given]
+    if goal.names:
+        wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
+        found = [name for name in listed if name in wanted]
+    else:
+        assert goal.unit is not None
+        own = result_name(goal.unit)
+        wanted = {own, SPECIFIC.get(own, (own,))[0]}
+        fitting = [n for n in listed if goal.unit.dimension in SYMBOLS[n].dimensions]
+        found = [name for name in fitting if name in wanted] or fitting
+    if not goal.unit:
+        return found
+    names = [
+        own if SPECIFIC.get(own := result_name(goal.unit), ("",))[0] == n else n for n in found
+    ]
+    return [f"{name}:{goal.text.replace(' ', '.')}" for name in names]

@@ -1,0 +1,181 @@
+"""The phrases of sentences: patterns of words and amounts, and the symbols that they fill.
+
+A pattern is a sequence of words, of which `a|b` are alternatives, and of amounts in braces.  The
+dimension of an amount decides whether a phrase fits.  The manual's table is made of `PHRASES`.
+"""
+
+from radcalc.quantities.search import comparable
+from radcalc.tuples import NamedTuple
+from radcalc.units.dimensions import (
+    ANGLE,
+    AREA,
+    ENERGY,
+    FREQUENCY,
+    LENGTH,
+    PHOTON_ENERGY,
+    POWER,
+    SOLID_ANGLE,
+    TEMPERATURE,
+    TIME,
+    WAVENUMBER,
+)
+from radcalc.units.unit import NUMBER
+
+# Amounts of a pattern, and their dimensions; a wavelength may also be a length.
+AMOUNTS = {
+    "length": (LENGTH,),
+    "angle": (ANGLE,),
+    "area": (AREA,),
+    "time": (TIME,),
+    "number": (NUMBER,),
+    "power": (POWER,),
+    "temperature": (TEMPERATURE,),
+    "solid-angle": (SOLID_ANGLE,),
+    "wavelength": (LENGTH, FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY),
+}
+SHAPE, TARGET = "shape", "target"  # places that are not symbols
+
+
+class Phrase(NamedTuple):
+    """A phrase: its pattern, and the symbol that it fills, or several for several readings.
+
+    `form` is the text of the value, with the text of the amount in place of {}; "" is a flag.
+    """
+
+    pattern: str
+    fills: tuple[str, ...] = ()
+    form: str = "{}"
+    group: str = ""
+
+
+def _group(title: str, *rows: tuple[str, ...]) -> tuple[Phrase, ...]:
+    """Return phrases from rows of a pattern, symbols joined by `or`, and possibly a form."""
+    return tuple(
+        [Phrase(row[0], tuple(row[1].split(" or ")), (*row, "{}")[2], title) for row in rows]
+    )
+
+
+PHRASES = (
+    *_group(
+        "place",
+        ("at|from|to|in|z|na|ve|v|od|на|в|от|aus|in {length}", "distance"),
+        ("at a|the distance of {length}", "distance"),
+        ("ve vzdálenosti|výšce {length}", "distance"),
+        ("на расстоянии {length}", "distance"),
+        (
+            "{length} away|distance|distant|below|under|above|beneath|down|directly-below",
+            "distance",
+        ),
+        ("{length} away from|below|above", "distance"),
+        ("throw|hung|mounted|mounting at? {length}", "distance"),
+        ("at|under {angle}", "incidence"),
+        ("at|under {angle} incidence", "incidence"),
+        ("at|under an? angle of {angle}", "incidence"),
+        ("angle {angle}", "incidence or half-angle or apex-angle"),
+        ("incidence angle {angle}", "incidence"),
+        ("angle of incidence {angle}", "incidence"),
+        ("{angle} incidence|from-normal", "incidence"),
+        ("pod úhlem {angle}", "incidence"),
+        ("под углом {angle}", "incidence"),
+    ),
+    *_group(
+        "directions",
+        ("isotropic|isotropically|omnidirectional|izotropní|изотропный", "isotropic", ""),
+        ("in|into all directions", "isotropic", ""),
+        ("over|into {solid-angle}", "solid-angle"),
+        ("into|over a? hemisphere|half-sphere", "hemisphere", ""),
+        ("{angle} lobe|fwhm", "beam-angle"),
+        ("beam angle fwhm {angle}", "beam-angle"),
+        ("{angle} full cone|angle", "apex-angle"),
+        ("full angle|cone {angle}", "apex-angle"),
+        ("{angle} half cone|angle", "half-angle"),
+        ("half angle|cone {angle}", "half-angle"),
+        ("{angle} beam", "beam-angle or apex-angle"),
+        ("beam {angle}", "beam-angle or apex-angle"),
+        ("beam angle {angle}", "beam-angle or apex-angle"),
+        ("{angle} beam angle", "beam-angle or apex-angle"),
+        ("cone {angle}", "apex-angle or half-angle"),
+        ("{angle} cone", "apex-angle or half-angle"),
+        ("na {number}", "na"),
+        ("sphere|ball|globe|koule|шар", SHAPE, "sphere"),
+        ("disc|disk|kotouč|диск", SHAPE, "disc"),
+        ("hemispherical dome", SHAPE, "hemisphere"),
+    ),
+    *_group(
+        "surface",
+        ("over|on|onto|across|of|for|per {area}", "area"),
+        ("on|onto a|an? {area}", "area"),
+        ("{area} screen|area|surface|panel|room|office|table", "area"),
+        ("{length} wide|width", "width"),
+        ("{length} diagonal|screen", "diagonal"),
+        ("{length} diameter|dia|aperture|beam|spot|disc|disk|circle", "diameter"),
+        ("{length} radius", "radius"),
+        ("into a? {length} pupil", "pupil"),
+        ("{length} pupil", "pupil"),
+        ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
+        ("{number} reflectance|reflective|reflecting", "reflectance"),
+        ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
+    ),
+    *_group(
+        "time",
+        ("for|over|during|in|after {time}", "time"),
+        ("{time} of light", "time"),
+        ("{time} photoperiod|exposure|pulse|day", "time"),
+    ),
+    *_group(
+        "camera",
+        ("f/ {number}", "f-number"),
+        ("iso {number}", "iso"),
+        ("ev {number}", "ev100"),
+        ("ev100 {number}", "ev100"),
+        ("shutter {time}", "time"),
+        ("k= {number}", "k"),
+        ("c= {number}", "c"),
+    ),
+    *_group(
+        "light",
+        ("at|of|with|λ {wavelength}", "wavelength"),
+        ("{wavelength} light|laser|led|line", "wavelength"),
+        ("{temperature} blackbody|planckian", "spectrum", "blackbody:{}"),
+        ("{temperature} black body", "spectrum", "blackbody:{}"),
+        ("blackbody|planckian|wien|planck at? {temperature}", "spectrum", "blackbody:{}"),
+        ("black body at? {temperature}", "spectrum", "blackbody:{}"),
+        ("{temperature} daylight", "spectrum", "daylight:{}"),
+        ("{power} led|lamp|bulb|light|luminaire|fixture", "flux or input-power"),
+    ),
+    *_group(
+        "question",
+        ("how far", TARGET, "distance"),
+        ("how long", TARGET, "time"),
+        ("how wide", TARGET, "width"),
+        ("what|which f stop|number|fstop", TARGET, "f-number"),
+        ("f stop", TARGET, "f-number"),
+        ("color|colour temperature", TARGET, "cct"),
+        ("peak wavelength", TARGET, "peak-wavelength"),
+    ),
+)
+
+# Words that add nothing to a phrase.
+_FILLERS = """
+    a about an and are at be by calculate can convert corresponds do does equals for from get give
+    given gives have how i if in into is it many me much my need needed needs of on one onto over
+    please required tell than that the there this through to under using value what when which
+    will with you
+
+    air average beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
+    goggles intense lamp lamps laser led leds lens light lights linewidth luminaire luminaires
+    global mean meter metre office page panel paper picture point projection projector projectors
+    pulse radiation ray same screen sensor sheet single small source spot spotlight surface table
+    wall
+
+    je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit
+    zdroj žárovka žárovky stůl plátno bodový
+
+    и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
+    источник точечный экран стол бумага
+"""  # questions, articles, prepositions; sources and surfaces; Czech; Russian
+FILLERS = frozenset(map(comparable, _FILLERS.split()))
+# Words before a target: `to fc`, `in lux`, `as ppfd`.
+MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])
+# Words before the name of a spectrum of one letter: `with A`.
+LONE = frozenset(["with", "using", "under", "illuminant", "spectrum"])

@@ -1,0 +1,305 @@
+"""Reading of sentences: the phrases found in them, and what each of them fills."""
+
+import os
+from functools import cache
+
+from radcalc.errors import UsageError, corrections, nearest, quote
+from radcalc.quantities.language import LANGUAGES
+from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
+from radcalc.quantities.search import called, comparable, index
+from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
+from radcalc.sentences.phrases import AMOUNTS, FILLERS, LONE, MARKS, PHRASES, TARGET, Phrase
+from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, unit_in, words_of
+from radcalc.tuples import NamedTuple
+from radcalc.units.dimensions import LENGTH
+from radcalc.units.reading import read_amount
+from radcalc.units.table import suggest
+from radcalc.units.unit import NUMBER, Unit
+
+LONGEST_NAME = 5  # words
+LONGEST = 2000  # characters
+BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
+
+
+class Fact(NamedTuple):
+    """What a phrase fills: a symbol, or one of several, with the text of its value.
+
+    `amount` is None for a text that is not an amount; a fact without symbols is an amount alone.
+    """
+
+    symbols: tuple[str, ...]
+    text: str
+    typed: str
+    amount: Amount | None = None
+
+
+class Goal(NamedTuple):
+    """What a sentence asks for: the unit or the name of a result, or both."""
+
+    text: str
+    unit: Unit | None = None
+    names: tuple[str, ...] = ()
+
+
+class Sentence(NamedTuple):
+    """A sentence that was read: its facts, its goals, its files and the words not understood."""
+
+    facts: tuple[Fact, ...]
+    goals: tuple[Goal, ...]
+    files: tuple[str, ...]
+    unknown: tuple[str, ...]
+    text: str
+
+
+Found = tuple[int, "Fact | Goal | str | None"]  # the place after a phrase, and what it fills
+
+
+def read(typed: "list[str]") -> Sentence:
+    """Read the words of a call as a sentence; the longest phrase at each place counts."""
+    text = " ".join(typed)
+    if len(text) > LONGEST:
+        raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")
+    words = words_of(typed)
+    reading = _Reading(words)
+    facts: list[Fact] = []
+    goals: list[Goal] = []
+    files: list[str] = []
+    unknown: list[str] = []
+    at = 0
+    while at < len(words):
+        end, filled = reading.longest(at)
+        if isinstance(filled, Fact):
+            facts.append(filled)
+        elif isinstance(filled, Goal):
+            goals.append(filled)
+        elif isinstance(filled, str):
+            (files if filled else unknown).append(filled or words[at].text)
+        at = end
+    return Sentence(tuple(facts), tuple(goals), tuple(files), tuple(unknown), text)
+
+
+class _Reading:
+    """The words of a sentence, with the amounts that begin at each of them."""
+
+    def __init__(self, words: list[Word]) -> None:
+        self.words = words
+        self.amounts: dict[int, Amount | None] = {}
+
+    def amount(self, at: int) -> Amount | None:
+        if at >= len(self.words):
+            return None
+        if at not in self.amounts:
+            self.amounts[at] = amount_at(self.words, at)
+        return self.amounts[at]
+
+    def folded(self, at: int, end: int) -> str:
+        return joined(self.words[at:end], True)
+
+    def text(self, at: int, end: int) -> str:
+        return joined(self.words[at:end])
+
+    def longest(self, at: int) -> Found:
+        """Return the longest phrase at a place; of two of one length, the first."""
+        ways = (
+            self._phrases(at), self._named(at), self._spectrum(at), self._goal(at),
+            self._alone(at), self._file(at), self._aspect(at), self._filler(at),
+        )  # fmt: skip
+        found = [one for way in ways for one in way]
+        return max(found, key=lambda one: one[0]) if found else (at + 1, "")
+
+    def _phrases(self, at: int) -> list[Found]:
+        found: list[Found] = []
+        for phrase, parts in patterns():
+            if match := self._match(parts, at):
+                end, amount = match
+                text = phrase.form.format(_joined(amount.text) if amount else "")
+                if phrase.fills == (TARGET,):
+                    found.append((end, Goal(text, None, (text,))))
+                else:
+                    found.append((end, Fact(phrase.fills, text, self.text(at, end), amount)))
+        return found
+
+    def _match(self, parts: "tuple[str, ...]", at: int) -> "tuple[int, Amount | None] | None":
+        amount: Amount | None = None
+        for part in parts:
+            if part[0] == "{":
+                amount = self.amount(at)
+                if amount is None or not fits(amount, part[1:-1]):
+                    return None
+                at = amount.end
+            elif at < len(self.words) and self.words[at].folded in part.rstrip("?").split("|"):
+                at += 1
+            elif part[-1] != "?":
+                return None
+        return at, amount
+
+    def _named(self, at: int) -> list[Found]:
+        """Find a name with its amount, before or after it: `radius 6 cm`, `1 mrad divergence`."""
+        found: list[Found] = []
+        for end, symbols in self._names(at):
+            start = end
+            while start < len(self.words) and self.words[start].text in BEFORE_AMOUNT:
+                start += 1
+            amount = self.amount(start)
+            if amount and (fitting := _of_amount(symbols, amount)):
+                text = self.text(at, amount.end)
+                found.append((amount.end, Fact(fitting, amount.text, text, amount)))
+        amount = self.amount(at)
+        if amount:
+            for end, symbols in self._names(amount.end):
+                fitting = _of_amount(symbols, amount)
+                own = self.amount(end)
+                if (
+                    fitting
+                    and amount.dimension != NUMBER
+                    and not (own and _of_amount(symbols, own))
+                ):
+                    found.append((end, Fact(fitting, amount.text, self.text(at, end), amount)))
+        return found
+
+    def _names(self, at: int) -> "list[tuple[int, tuple[str, ...]]]":
+        last = min(len(self.words), at + LONGEST_NAME)
+        if at < len(self.words) and self.words[at].text[-1] == "=":
+            letter = self.words[at].text[:-1]
+            found = tuple(
+                [n for n, s in SYMBOLS.items() if s.letter == letter and n not in SPECIFIC]
+            )
+            return [(at + 1, found)] if found else []
+        ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in names()]
+        return [(end, names()[self.folded(at, end)]) for end in ends]
+
+    def _spectrum(self, at: int) -> list[Found]:
+        """Find the name of a spectrum; one of a single letter only after a word such as `with`."""
+        from radcalc.spectra.sources import find_named
+
+        start = at + 1 if self.words[at].folded in LONE and at + 1 < len(self.words) else at
+        for end in range(min(len(self.words), start + LONGEST_NAME), start, -1):
+            text = self.text(start, end)
+            is_letter = len(text) < 2 and (start == at or not text.isupper())
+            if not is_letter and not text[0].isdigit() and find_named(text):
+                return [(end, Fact(("spectrum",), text, self.text(at, end)))]
+        return []
+
+    def _goal(self, at: int) -> list[Found]:
+        """Find a target: a unit or a name, after a word such as `to` or alone."""
+        start = at + 1 if self.words[at].folded in MARKS or self.words[at].text in MARKS else at
+        last = min(len(self.words), start + LONGEST_NAME)
+        for end in range(last, start, -1):
+            text = self.text(start, end)
+            if not text:
+                continue
+            if text[0].isdigit() or (start == at and self.words[at].folded in FILLERS):
+                return []
+            symbols = names().get(self.folded(start, end), ())
+            unit = unit_in(text.split())
+            if not unit and self.folded(start, end) in index().misnomers:
+                symbols = tuple([name for f in called(text) for name in _symbols_of(f.quantity)])
+            if unit or symbols:
+                return [(end, Goal(text, unit, () if unit else symbols))]
+        return []
+
+    def _alone(self, at: int) -> list[Found]:
+        amount = self.amount(at)
+        return [(amount.end, Fact((), amount.text, amount.text, amount))] if amount else []
+
+    def _aspect(self, at: int) -> list[Found]:
+        text = self.words[at].text
+        return [(at + 1, Fact(("aspect",), text, text))] if ASPECT.fullmatch(text) else []
+
+    def _file(self, at: int) -> list[Found]:
+        text = self.words[at].text
+        return [(at + 1, text)] if "." in text and os.path.isfile(text) else []
+
+    def _filler(self, at: int) -> list[Found]:
+        is_unit = len(self.words[at].text) == 1 and self.words[at].text.isupper()  # A, the ampere
+        return [(at + 1, None)] if self.words[at].folded in FILLERS | MARKS and not is_unit else []
+
+
+def fits(amount: Amount, name: str) -> bool:
+    """Return whether an amount may be in that place of a pattern."""
+    if amount.dimension not in AMOUNTS[name]:
+        return False
+    return amount.dimension != LENGTH or amount.is_wavelength == (name == "wavelength")
+
+
+def _joined(text: str) -> str:
+    """Return an amount as one word, if it reads the same: 2 m becomes 2m."""
+    number, blank, unit = text.partition(" ")
+    return number + unit if blank and unit.isalpha() and number.isascii() else text
+
+
+def _of_amount(symbols: "tuple[str, ...]", amount: Amount) -> tuple[str, ...]:
+    return tuple(
+        [
+            name
+            for name in symbols
+            if amount.dimension in SYMBOLS[name].dimensions
+            or (amount.dimension == NUMBER and SYMBOLS[name].form == QUANTITY)
+        ]
+    )
+
+
+@cache
+def patterns() -> "tuple[tuple[Phrase, tuple[str, ...]], ...]":
+    """Return the phrases, each with the parts of its pattern."""
+    return tuple([(phrase, tuple(map(_part, phrase.pattern.split()))) for phrase in PHRASES])
+
+
+def _part(text: str) -> str:
+    """Return a part of a pattern with its words in the form for comparison."""
+    if text[0] == "{":
+        return text
+    optional = "?" if text[-1] == "?" else ""
+    words = [comparable(word) or word for word in text.rstrip("?").split("|")]
+    return "|".join([word if "/" not in text else text for word in words]) + optional
+
+
+@cache
+def names() -> "dict[str, tuple[str, ...]]":
+    """Return the symbols of every name in the vocabulary, in all its languages."""
+    found: dict[str, tuple[str, ...]] = {}
+
+    def add(text: str, symbol: str) -> None:
+        key = comparable(text)
+        if symbol not in found.get(key, ()):
+            found[key] = (*found.get(key, ()), symbol)
+
+    for name, symbol in SYMBOLS.items():
+        if len(name) > 1 and symbol.form == QUANTITY:
+            for text in (name, symbol.label, *LABELS.get(symbol.label, ())):
+                add(text, name)
+    for quantity in QUANTITIES:
+        for own in _symbols_of(quantity):
+            for text in (text for language in LANGUAGES for text in quantity.names(language)):
+                add(text, own)
+    return found
+
+
+def _symbols_of(quantity: Quantity) -> list[str]:
+    """Return the symbol of a quantity of light, unless it is a spectral density."""
+    own = comparable(quantity.name("en")).replace(" ", "-")
+    return [own] if own in SYMBOLS else []
+
+
+def refuse_unknown(sentence: Sentence) -> None:
+    """Refuse a sentence with words that were not understood, and say which were."""
+    if not sentence.unknown:
+        return
+    for word in sentence.unknown:
+        if word[0].isdigit():
+            read_amount(word)  # its error says more
+    understood = [fact.typed for fact in sentence.facts] + [goal.text for goal in sentence.goals]
+    known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
+    word = sentence.unknown[0]
+    near = [one for one in (*suggest(word), *_near(word)) if comparable(one) not in FILLERS]
+    hint = corrections(word, *near[:2]) or f"without {quote(word)}, or with another word for it"
+    listed = ", ".join([quote(one) for one in sentence.unknown])
+    raise UsageError(f"{known}not understood: {listed}", hint)
+
+
+def _near(word: str) -> list[str]:
+    """Return the words of phrases and names that are like a word."""
+    of_names = {part for key in names() for part in key.split()}
+    literal = {part for _, parts in patterns() for text in parts for part in text.split("|")}
+    known = of_names | {part for part in literal if part.isalpha()}
+    return nearest(comparable(word), known, 1, 0.8)

@@ -1,0 +1,156 @@
+"""The words of a sentence, and the amounts among them."""
+
+import re
+from collections.abc import Sequence
+
+from radcalc.errors import RadcalcError
+from radcalc.quantities.search import comparable
+from radcalc.tuples import NamedTuple
+from radcalc.units.dimensions import TIME
+from radcalc.units.reading import read_amount
+from radcalc.units.scales import find
+from radcalc.units.table import unit_of
+from radcalc.units.unit import LENGTH_ALONE, NUMBER, WAVELENGTH_UNITS, Dimension, Unit
+
+LONGEST_UNIT = 4  # words
+ENDS = ",;:?!"  # marks at the end of a word
+OPERATORS = ("+", "-", "*", "/", "^", "**", "×", "·", "±", "+-")
+NOT_AFTER_UNITS = {"in", "as", "a", "at", "to", "d"}  # words that are also units
+TIMES = ("x", "×", "by")  # between the sides of an area
+SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
+F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a lens of the cinema
+ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
+SYMBOL = re.compile(r"([a-zλρθ]+=)(\S+)", re.I)
+PART_OF_UNIT = re.compile(r"[^\W\d]+\^?-\d|per|na")  # m-2, nm^-1, per
+
+
+class Word(NamedTuple):
+    """A word as it was typed, its form for comparison, and whether a comma or a stop follows."""
+
+    text: str
+    folded: str
+    is_last: bool = False
+
+
+def joined(words: Sequence[Word], is_folded: bool = False) -> str:
+    """Return the text of several words; "" if one before the last ends a part of the sentence."""
+    if any(word.is_last for word in words[:-1]):
+        return ""
+    return " ".join([word.folded if is_folded else word.text for word in words])
+
+
+class Amount(NamedTuple):
+    """An amount in a sentence: its text, its unit, and the place after it."""
+
+    text: str
+    unit: Unit
+    end: int
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.unit.dimension
+
+    @property
+    def is_wavelength(self) -> bool:
+        """Return whether it is a length in a unit of wavelengths, from nm to um."""
+        names = [name for name, _ in self.unit.atoms]
+        return self.dimension == LENGTH_ALONE and all(name in WAVELENGTH_UNITS for name in names)
+
+
+def words_of(typed: "list[str]") -> list[Word]:
+    """Return the words of a call, without the marks of sentences."""
+    words: list[Word] = []
+    aspects: list[Word] = []
+    parts = " ".join(typed).split()
+    for at, part in enumerate(parts):  # --lux 200
+        following = parts[at + 1 : at + 2]
+        if part[:2] == "--" and unit_of(part[2:]) and following and following[0][0].isdigit():
+            parts[at : at + 2] = [following[0], part[2:]]
+        elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
+            parts[at : at + 2] = ["", f"{following[0]}^-1"]
+    for part in parts:
+        text = part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part
+        if ASPECT.fullmatch(text):
+            aspects.append(Word(text, text))
+        elif found := F_NUMBER.fullmatch(text):
+            words += [Word("f/", "f/"), Word(found[1], found[1])]
+        elif found := SIDES.fullmatch(text):
+            first, unit, second, other = found.groups()
+            sides = (first + (unit or other), "x", second + other)
+            words += [Word(side, side) for side in sides]
+        elif found := SYMBOL.fullmatch(text):
+            words += [Word(part, comparable(part)) for part in found.groups()]  # w=0.5mm
+        elif text:
+            words.append(Word(text, comparable(text) or text, part[-1] in ENDS))
+    return words + aspects
+
+
+def amount_at(words: "list[Word]", start: int) -> Amount | None:
+    """Return the amount that begins at a word: a number, its unit and arithmetic, or sides."""
+    amount = _operand(words, start)
+    if amount is None:
+        return None
+    if amount.dimension in (NUMBER, LENGTH_ALONE) and (sides := _sides(words, amount)):
+        return sides
+    end = amount.end
+    while end + 1 < len(words) and words[end].text in (*OPERATORS, *TIMES[:2]):
+        following = _operand(words, end + 1)
+        if following is None:
+            break
+        end = following.end
+    if end == amount.end:
+        return amount
+    texts = ["*" if word.folded in TIMES else word.text for word in words[start:end]]
+    return _read(" ".join(texts), end) or amount
+
+
+def _operand(words: "list[Word]", start: int) -> Amount | None:
+    """Return a number with its unit, or what is in brackets: `20000 cd`, `1/60 s`, `(10 m)^2`."""
+    text = words[start].text
+    if not any(c.isdigit() for c in text) and "(" not in text:
+        return None
+    end = start + 1
+    while text.count("(") > text.count(")") and end < len(words):
+        text += f" {words[end].text}"
+        end += 1
+    amount = _read(text, end)
+    if amount and amount.dimension == NUMBER and "%" not in text:
+        for last in range(min(len(words), end + LONGEST_UNIT), end, -1):
+            whole = joined(words[start:last])
+            if whole and (unit := unit_in(whole.split()[1:], words[last : last + 1])):
+                return Amount(whole, unit, last)
+    return amount
+
+
+def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
+    """Return the unit or the scale of the words after a number; `in` before a unit separates."""
+    unit = unit_of(" ".join(parts)) or find(" ".join(parts))
+    if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
+        return None
+    if len(parts) > 1 and not all(map(PART_OF_UNIT.fullmatch, parts[1:])):
+        last = unit_of(parts[-1])
+        if not (last and last.dimension == TIME and unit.is_light and "per" not in parts):
+            return unit if "per" in parts else None
+    return unit
+
+
+def _sides(words: "list[Word]", first: Amount) -> Amount | None:
+    """Return an area of two sides: `15 x 20 ft`, `2 m x 4 m`."""
+    if first.end + 1 >= len(words) or words[first.end].folded not in TIMES:
+        return None
+    second = _operand(words, first.end + 1)
+    if second is None or second.dimension != LENGTH_ALONE:
+        return None
+    unit = "" if first.dimension == LENGTH_ALONE else second.unit.text
+    return _read(f"{first.text}{unit}*{second.text}".replace(" ", ""), second.end)
+
+
+def _read(text: str, end: int) -> Amount | None:
+    try:
+        amount = read_amount(text)
+    except RadcalcError:
+        return None
+    unit = amount.typed[1]
+    if unit is None:
+        return Amount(text, unit_of("1") or Unit("1", 1, 1, NUMBER, ()), end)
+    return Amount(text, unit, end)

@@ -1,0 +1,134 @@
+"""Sentences: what they answer, what they mean, and which are refused."""
+
+import math
+
+import pytest
+from conftest import run
+from following import call
+from helpers import for_each
+
+import radcalc
+from radcalc.cli.spelling import pasted
+from radcalc.sentences.calls import call_of
+from radcalc.sentences.phrases import PHRASES
+from radcalc.sentences.reader import read
+
+# h c / e in eV nm, with the exact constants of the SI (BIPM brochure, 9th edition, 2.2).
+EV_NM = 6.62607015e-34 * 299792458 / 1.602176634e-19 * 1e9
+FC = 0.3048**2  # lx in fc: 1 fc = 1 lm/ft2
+# E = I / d^2, I = Phi / Omega, and N = K t / S of a light meter (ISO 2720).
+ANSWERED = [
+    ("20000 cd at 8 m to lx", 20000 / 8**2, "lx"),
+    ("100 candela to lux 3 m", 100 / 3**2, "lux"),
+    ("1200 lm isotropic to cd", 1200 / (4 * math.pi), "cd"),
+    ("1500 lm over 100 m2 to fc", 1500 / 100 * FC, "fc"),
+    ("800 lm 30 deg full cone to cd", 800 / (2 * math.pi * (1 - math.cos(math.radians(15)))), "cd"),
+    ("how many lumens for a 15 m x 20 m office at 500 lux", 500 * 15 * 20, "lumens"),
+    ("250000 cd how far for 1614 lux", math.sqrt(250000 / 1614), "m"),
+    ("20 W laser 2 mm beam W/cm2", 20 / (math.pi * 0.1**2), "W/cm2"),
+    ("f/5.6 1/60s ISO 100 to cd/m2", 12.5 * 5.6**2 * 60 / 100, "cd/m2"),
+    ("EV 9 to lx", 2.5 * 2**9, "lx"),
+    ("ev100 12 to nits", 2**12 / 8, "nits"),
+    ("svítivost 80 cd, vzdálenost 2.4 m, plocha 600 cm2, kolik lm", 80 / 2.4**2 * 0.06, "lm"),
+    ("25 лк на 2 м под углом 30 градусов сила света", 25 * 4 / math.cos(math.radians(30)), "cd"),
+    ("photon energy 1064nm eV", EV_NM / 1064, "eV"),
+    ("400 J/m2 at 150 mW/m2 how long", 400 / 0.15, "s"),
+    ("peak wavelength of a 5778 K blackbody", 2.897771955e6 / 5778, "nm"),
+]
+
+
+@for_each(ANSWERED)
+def test_a_sentence_is_answered(sentence, value, unit):
+    done = run(*sentence.split())
+    number, _, shown = done.stdout.rstrip("\n").partition("\t")
+    assert float(number) == pytest.approx(value, rel=1e-8), done.stderr
+    assert shown in (unit, "")
+    assert "read as: radcalc " in done.stderr
+
+
+@for_each(ANSWERED)
+def test_python_takes_the_same_sentence(sentence, value, unit):
+    answer = radcalc.ask(sentence)
+    assert float(getattr(answer, "magnitude", answer)) == pytest.approx(value, rel=1e-8)
+
+
+# The calls that sentences mean, as WORDS of a command.
+MEANT = [
+    ("20000 cd at 8 m", "point-source --intensity 20000cd --distance 8m"),
+    ("20000 cd at 8 m to lx", "point-source --intensity 20000cd --distance 8m -g illuminance:lx"),
+    ("5 mW lm 632.8nm", "convert 5 mW lm --wavelength 632.8nm"),
+    ("15500 lux W/m2 with D65", "convert 15500 lux W/m2 --spectrum D65"),
+    ("1/250 s f/8 iso 200", "ev --time 1/250s --f-number 8 --iso 200"),
+    ("2000 lm on a 100 inch 16:9 screen", "screen --flux 2000lm --diagonal 100inch --aspect 16:9"),
+    ("300 lx + 20 fc", "convert '300 lx + 20 fc'"),
+    ("20 mol/m2 per day", "convert 20 'mol/m2 per day'"),
+    ("65 in diagonal 500 lm", "screen --diagonal 65in --flux 500lm"),
+    ("d=2m I=100cd", "point-source --distance 2m --intensity 100cd"),
+]
+
+
+@for_each(MEANT)
+def test_a_sentence_means_a_command(sentence, command):
+    assert pasted(call_of(read(sentence.split()))) == f"radcalc {command}"
+
+
+# Words, and parts of the message and of the hint.
+REFUSED = [
+    ("24 degree beam 800 lm to cd", "2 readings", "--beam-angle 24degree"),
+    ("800 lm 30 deg cone at 5 m lux", "2 readings", "--apex-angle 30deg"),
+    ("60 W led at 2 m", "electrical or of its light", "--flux 60W"),
+    ("500 lx to nits on white", "the reflectance is missing", "--reflectance 0.8"),
+    (
+        "20000 cd at 8 m roughly to lx",
+        "understood 20000 cd, at 8 m, lx; not understood: roughly",
+        "",
+    ),
+    ("100 cd 2 m 3 m lx", "fill one place", ""),
+    ("100 lx at 450", "no command takes", ""),
+    ("100 lm over 4 pi", "not understood: pi", ""),
+    ("10 to 20 lx", "", ""),
+    ("100 lx A", "", ""),
+    ("1 candle lx at 1 m", "'candle' is not accepted as a unit", "candela"),
+    ("covnert 5 lx fc", "unknown command 'covnert'", "radcalc convert 5 lx fc"),
+    ("138 cd at 1,5 m", "has a comma in its number", "1.5 m"),
+    ("malus 30 deg", "unknown command 'malus'", ""),
+    ("melanopic 100 lx D65", "", ""),
+    ("photon 5s", "not time", ""),
+    ("1 lx fc nit", "asks for several results: fc and nit", "radcalc convert 1 lx fc"),
+]
+
+
+@for_each(REFUSED)
+def test_a_sentence_with_several_readings_or_none_is_refused(sentence, message, hint):
+    done = run(*sentence.split())
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert message in done.stderr
+    assert hint in done.stderr
+
+
+@for_each([(phrase.pattern, phrase.fills) for phrase in PHRASES])
+def test_every_phrase_fills_symbols_that_exist(pattern, fills):
+    from radcalc.quantities.symbols import SYMBOLS
+    from radcalc.sentences.phrases import SHAPE, TARGET
+
+    assert {*fills} <= {*SYMBOLS, SHAPE, TARGET}, pattern
+
+
+def test_a_conversion_in_words_has_the_bytes_of_the_quick_lane():
+    assert run("100", "lx", "fc").stdout == "9.290304\tfc\n"
+    assert run("100", "lx", "fc").stderr == ""
+
+
+def test_options_of_the_output_go_with_a_sentence():
+    assert call(["20000", "cd", "at", "8", "m", "to", "lx", "-n"]).output == "312.5\n"
+    assert '"value": 312.5' in call(["20000", "cd", "at", "8", "m", "to", "lx", "--json"]).output
+    assert (
+        call(["20000", "cd", "at", "8", "m", "to", "lx", "--precision", "2", "-q"]).output
+        == "3.1e+02\tlx\n"
+    )
+
+
+def test_a_number_without_a_unit_is_not_lost():
+    for sentence in ("100 lx at 450", "5 100 lx fc", "100 lx 7 fc"):
+        assert run(*sentence.split()).returncode == 2, sentence
