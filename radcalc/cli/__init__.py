@@ -6,7 +6,7 @@ import sys
 import click
 
 from radcalc import terminal
-from radcalc.cli import files
+from radcalc.cli import files, habits
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
@@ -30,6 +30,7 @@ def of_help(words: list[str]) -> list[str]:
 
 def run(words: list[str]) -> int:
     """Run a command; turn whatever happens into an exit status."""
+    words = habits.canonical(words)
     return guarded(words, lambda: answered(words))
 
 

@@ -34,7 +34,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.tuples import NamedTuple
 from radcalc.units.amount import Amount
 from radcalc.units.compiled import PREFIX_SYMBOLS
-from radcalc.units.numbers import read_number, split_quantity
+from radcalc.units.numbers import SEPARATORS, read_number, split_quantity
 from radcalc.units.ranges import note_of, read_lists, refuse_many
 from radcalc.units.reading import read_operands, sides
 from radcalc.units.table import unit_of
@@ -62,6 +62,8 @@ Examples:
   radcalc convert - lx fc -d , --column E < log.csv
   radcalc convert - lx ppfd --spectrum sun -d , --column E --add PPFD < log.csv
   printf '100 lx\\n3 fc\\n' | radcalc convert - klx
+  echo 500 lux | radcalc to fc                 (read as convert - fc)
+  radcalc footcandle lx                        (read as 1 footcandle lx)
 
 Unit symbols are case-sensitive, full names are not.  TARGET may also be the
 name of a quantity in English, Czech or Russian, which stands for its usual unit.  Without
@@ -74,7 +76,8 @@ Values and conditions may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2
 With - as VALUE, each line of standard input is a number, and the result replaces it.
 With - instead of VALUE UNIT, the unit is in each line or in the title of the column (E [lx]).
 A unit in the title must equal UNIT, if UNIT is given; the unit of the result replaces it.  All
-other bytes are unchanged.
+other bytes are unchanged.  With a pipe, - may be left out: to fc, or convert lx fc.  --from UNIT
+and --to TARGET may stand for the operands.
 """
 
 
@@ -104,6 +107,9 @@ def command(
     options = line_options.LineOptions(**stream_options)
     if words and is_stream(words[0]):  # '- lx', as an option has it
         words = (*words[0].split(None, 1), *words[1:])
+    if words and words[0] in SEPARATORS:
+        problem = f"a value is missing before '{words[0]}', and no pipe has values"
+        raise UsageError(problem, call("convert", "-", *words[1:], remark="for values from a pipe"))
     if words[:1] == ("-",):
         line_options.refuse_second_reader(typed)
     try:

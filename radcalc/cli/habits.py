@@ -1,0 +1,114 @@
+"""Conversions in the words of other tools: --from and --to, GNU units, and pipes without a -."""
+
+import os
+import stat
+
+from radcalc.cli.files import say
+from radcalc.cli.help import COMMANDS
+from radcalc.errors import RadcalcError
+from radcalc.units.amounts import ALSO_UNITS
+from radcalc.units.numbers import SEPARATORS, is_sentence
+from radcalc.units.unit import Unit
+
+ENDS = ("--from", "--to")
+BETWEEN = (*SEPARATORS, *ALSO_UNITS)
+
+
+def is_piped() -> bool:
+    """Return whether standard input is a pipe or a regular file, not a terminal or /dev/null."""
+    try:
+        mode = os.fstat(0).st_mode
+    except OSError:
+        return False
+    return stat.S_ISFIFO(mode) or stat.S_ISREG(mode)
+
+
+def canonical(words: list[str]) -> list[str]:
+    """Return the conversion that words of another tool mean, and say so; or the words as they are.
+
+    `convert 500 --from lx --to fc` is `convert 500 lx fc`, and `footcandle lx` is
+    `convert 1 footcandle lx`.  With a pipe, `to fc` is `convert - to fc`, and `convert lx fc` is
+    `convert - lx fc`.
+    """
+    first = words[0] if words else ""
+    is_convert = first == "convert"
+    typed = " ".join(words)
+    if ENDS[0] not in typed and ENDS[1] not in typed:  # without further calls, as most are
+        value = words[is_convert:][:1]
+        if (first in COMMANDS and not is_convert) or (value and value[0][:1].isdigit()):
+            return words
+    begins = is_convert or first in SEPARATORS or first.partition("=")[0] in ENDS
+    begins = begins or is_sentence(words[:1])
+    if not begins and (not first or first in COMMANDS or first[:1] == "-"):
+        return words
+    operands, options, ends = _parts(words[is_convert:])
+    if operands and is_sentence(operands[:1]):  # it has a value, or the - of a stream
+        between = ["to"] if len(ends) == 1 else []
+        return _said("convert", *operands, *between, *ends, *options) if ends else words
+    source, target = _sides([*operands, *ends])
+    units = [source, target] if source else [target]
+    is_open = is_convert or bool(ends) or (not source and operands[:1] != [target])
+    if is_open and is_piped() and _is_target(target) and (not source or _unit(source)):
+        return _said("convert", "-", *units, *options)
+    if source and _unit(source) and _unit(target):
+        return _said("convert", "1", *units, *options)
+    if not source and _is_target(target) and (ends or operands != [target]):
+        return ["convert", "to", target, *options]  # refused for its missing value
+    return words
+
+
+def _said(*words: str) -> list[str]:
+    say([*words])
+    return [*words]
+
+
+def _sides(words: list[str]) -> tuple[str, str]:
+    """Return the unit and the target, "" for what is missing."""
+    if len(words) == 3 and words[1] in BETWEEN:
+        return words[0], words[2]
+    if len(words) == 2:
+        inch, target = map(_unit, words)
+        is_unit = inch and target and inch.dimension == target.dimension
+        return ("" if words[0] in BETWEEN and not is_unit else words[0]), words[1]
+    return "", words[0] if len(words) == 1 else ""
+
+
+def _parts(words: list[str]) -> tuple[list[str], list[str], list[str]]:
+    """Return the operands, the options after them, and the units of --from and --to."""
+    ends: dict[str, str] = {}
+    rest: list[str] = []
+    waiting = ""
+    for word in words:
+        name, is_joined, value = word.partition("=")
+        if waiting:
+            ends[waiting], waiting = word, ""
+        elif name in ENDS and is_joined:
+            ends[name] = value
+        elif name in ENDS:
+            waiting = name
+        else:
+            rest.append(word)
+    if waiting:  # without its unit
+        return words, [], []
+    options = (k for k, word in enumerate(rest) if word[:1] == "-" and not _is_operand(word))
+    count = next(options, len(rest))
+    return rest[:count], rest[count:], [ends[name] for name in ENDS if name in ends]
+
+
+def _is_operand(word: str) -> bool:
+    return word in SEPARATORS or is_sentence([word])
+
+
+def _unit(word: str) -> Unit | None:
+    from radcalc.units.scales import resolve_any
+
+    try:
+        return resolve_any(word)
+    except RadcalcError:
+        return None
+
+
+def _is_target(word: str) -> bool:
+    from radcalc.quantities.targets import is_name
+
+    return bool(word) and (_unit(word) is not None or is_name(word))
