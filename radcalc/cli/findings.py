@@ -20,8 +20,9 @@ from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import comparable, matching
 from radcalc.spectra import listing
 from radcalc.spectra.kinds import FORMS
-from radcalc.spectra.sources import ALIASES
 from radcalc.spectra.sources import MEANT as INSTEAD
+from radcalc.spectra.sources import WORDS as TAKEN
+from radcalc.spectra.sources import aliases
 from radcalc.tuples import NamedTuple
 from radcalc.units.compiled import UNITS
 
@@ -82,7 +83,7 @@ def _names() -> Iterator[str]:
     yield from (name.lstrip("-") for name in _rows())
     yield from (name for q in QUANTITIES for code in LANGUAGES for name in q.names(code))
     yield from UNITS
-    yield from ALIASES
+    yield from TAKEN
     yield from typical.THINGS
 
 
@@ -180,8 +181,7 @@ def _of_spectra(text: str) -> Iterator[Finding]:
 def _spectrum(name: str, is_meant: bool = False) -> Finding:
     kind, _, parameters = name.partition(":")
     what = FORMS[kind][1] if parameters else table.SPECTRA.get(name, "")
-    aliases = [alias for alias, owner in ALIASES.items() if owner == name]
-    names = (kind,) if parameters else (name, *aliases)
+    names = (kind,) if parameters else (name, *aliases(name))
     return Finding("spectrum", name, what, ("spectrum", name), names, is_meant=is_meant)
 
 

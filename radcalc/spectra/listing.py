@@ -12,7 +12,7 @@ from radcalc.spectra.colorimetry import temperature_of
 from radcalc.spectra.counts import Counts
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import AVOGADRO
-from radcalc.spectra.sources import ALIASES, find_named, names
+from radcalc.spectra.sources import aliases, find_named, names
 
 # Kinds by patterns of names (CIE 15:2018, and codes of lamps), in English, Czech and Russian; the
 # first match applies.  Other names have no kind.
@@ -65,8 +65,7 @@ class Named(NamedTuple):
     @property
     def words(self) -> str:
         """Return the text for searches: its name, its alias, and its kind in every language."""
-        others = [alias for alias, name in ALIASES.items() if name == self.name]
-        return " ".join([self.name, *others, *map(self.kind_in, LANGUAGES)])
+        return " ".join([self.name, *aliases(self.name), *map(self.kind_in, LANGUAGES)])
 
 
 def search(text: str = "") -> list[Named]:

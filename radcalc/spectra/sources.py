@@ -43,24 +43,46 @@ from radcalc.units.unit import Dimension
 
 SERIES = ("blackbody", "daylight")  # kinds for which lists and ranges give several spectra
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
-ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
+SPELLED = {"AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
+# Words for light, the spectrum that each is taken as, and what that is.  A word that stands for
+# several spectra, or for none that is defined, is in MEANT.
+_SUN = ("AM1.5G", "the sun on a tilted plane")
+_WHITE, _WARM, _COOL = (
+    ("LED-B3", "a white LED of 4100 K (CIE)"),
+    ("LED-B1", "a warm white LED of 2700 K (CIE)"),
+    ("LED-B5", "a cool white LED of 6600 K (CIE)"),
+)
+_LAMP = ("A", "a tungsten lamp of 2856 K (CIE)")
+WORDS = {
+    **dict.fromkeys(("sun", "sunlight", "full sun", "solar"), _SUN),
+    "daylight": ("D65", "average daylight of 6500 K (CIE)"),
+    "skylight": ("D75", "daylight of a north sky, 7500 K (CIE)"),
+    **dict.fromkeys(("led", "white led", "neutral white led"), _WHITE),
+    **dict.fromkeys(("warm led", "warm white led"), _WARM),
+    **dict.fromkeys(("cool led", "cool white led"), _COOL),
+    **dict.fromkeys(("incandescent", "incandescent lamp", "tungsten", "tungsten lamp"), _LAMP),
+    "high-pressure sodium": ("HPS", "a high-pressure sodium lamp"),
+    "metal halide lamp": ("Metal Halide", "a metal halide lamp"),
+}
 LOOKED_AT = 100  # parts of a list that are checked
-OF_DAY = "D65, daylight:5500K, AM1.5G"
-MEANT = {  # suggestions for words that are not names of spectra
-    "daylight": "D65, daylight:5500K",
-    "day": OF_DAY,
-    "sunlight": OF_DAY,
-    "sky": OF_DAY,
-    "skylight": OF_DAY,
+# Suggestions for words that are not names of spectra; the temperatures of a candle and of moonlight
+# are those of Wikipedia, Color temperature.
+MEANT = {
+    "day": "D65, daylight:5500K, AM1.5G",
+    "sky": "D75, D65, daylight:10000K",
     "blackbody": example("blackbody"),
     "black body": example("blackbody"),
     "planck": example("blackbody"),
     "halogen": "A, blackbody:3000K",
-    "tungsten": "A, blackbody:2856K",
-    **dict.fromkeys(("led", "white led", "white"), "LED-B3, LED-B1, LED-B5"),
-    "warm led": "LED-B1",
-    "cool led": "LED-B5",
+    "white": "LED-B3, D65, E",
     "fluorescent": "F11, F2",
+    "sodium": "HPS, LPS",
+    **dict.fromkeys(("candle", "candlelight"), "blackbody:1850K, A"),
+    **dict.fromkeys(("moon", "moonlight"), "blackbody:4100K, AM1.5G"),
+    **dict.fromkeys(
+        ("grow light", "grow led", "horticultural led", "white horticultural", "red and blue led"),
+        "LED-BH1, HPS",
+    ),
     "laser": "line:632.8nm",
     "line": "line:632.8nm",
     "gaussian": example("gaussian"),
@@ -220,33 +242,46 @@ def _spellings() -> dict[str, str]:
     return names | {f"F{name[2:]}": name for name in SOURCES if name.startswith("FL")}
 
 
+@cache
+def _words() -> dict[str, tuple[str, str]]:
+    return {_spelled(word): meaning for word, meaning in WORDS.items()}
+
+
+def aliases(name: str) -> list[str]:
+    """Return the other names of a named source, and the words that are taken as it."""
+    words = [word for word, (taken, _) in WORDS.items() if taken == name]
+    return [*words, *(alias for alias, owner in SPELLED.items() if owner == name)]
+
+
 def find_named(text: str) -> Table | None:
-    """Return a named source, or None; F1 is FL1, and `sun` is AM1.5G, with a note."""
+    """Return a named source, or None; F1 is FL1, and `sunlight` is AM1.5G, with a note."""
     folded = _spelled(text)
-    sun = ALIASES.get(folded, folded)
+    taken, meaning = _words().get(folded, ("", ""))
+    sun = SPELLED.get(taken or folded, taken or folded)
+    notes = (f"'{quote(text)}' is taken as {taken}, {meaning}",) if taken else ()
     if sun in SUNS:
         from radcalc.spectra.data import suns
 
         label = f"{sun} (ASTM G173-03)"
-        notes = (f"'{quote(text)}' is taken as AM1.5G, the sun on a tilted plane",)
         values = getattr(suns, SUNS[sun])
         return Table(
             label,
             suns.WAVELENGTHS,
             values,
-            notes=notes if folded == "SUN" else (),
+            notes=notes,
             absolute="irradiance",
         )
     from radcalc.spectra.data.sources import SOURCES
 
-    name = _spellings().get(folded)
+    name = _spellings().get(_spelled(taken) if taken else folded)
     if name is None:
         return None
     start, step, values = SOURCES[name]
     about: tuple[str, ...] = ()
     if name == "A":
         about = ("illuminant A over 380-780 nm carries a tenth of what a 2856 K body radiates",)
-    return Table(name, [start + step * i for i in range(len(values))], values, VISIBLE, about)
+    wavelengths = [start + step * i for i in range(len(values))]
+    return Table(name, wavelengths, values, VISIBLE, about + notes)
 
 
 def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:

@@ -1,12 +1,13 @@
 """Named sources, compared with published values, and sources given by formulas."""
 
 import math
+import re
 
 import pytest
 
 from radcalc.errors import ConditionError, RadcalcError
 from radcalc.spectra.observers import OBSERVERS
-from radcalc.spectra.sources import MEANT, names, read_spectra, spectrum
+from radcalc.spectra.sources import MEANT, WORDS, find_named, names, read_spectra, spectrum
 from radcalc.spectra.spectrum import WHOLE, range_text
 
 PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
@@ -164,6 +165,34 @@ def test_a_meaningless_source_is_refused(text):
     with pytest.raises(RadcalcError) as caught:
         spectrum(text)
     assert caught.value.hint
+
+
+# Correlated colour temperatures of CIE 15:2018, which the words round to hundreds.
+TEMPERATURES = {
+    "LED-B1": 2733, "LED-B3": 4103, "LED-B5": 6598, "D65": 6504, "D75": 7504, "A": 2856
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_a_word_for_light_is_taken_as_a_table_and_says_so(word):
+    name, meaning = WORDS[word]
+    for typed in (word, word.upper(), word.replace(" ", "-")):
+        found, table = find_named(typed), find_named(name)
+        assert found is not None
+        assert table is not None
+        assert list(found.grid) == list(table.grid)
+        assert list(found.values) == list(table.values)
+        assert f"'{typed}' is taken as {name}, {meaning}" in found.notes
+    if name in TEMPERATURES:
+        nominal = TEMPERATURES[name]
+        assert {f"{nominal} K", f"{round(nominal, -2)} K"} & set(re.findall(r"\d+ K", meaning))
+
+
+def test_white_is_never_a_fluorescent_tube():
+    for words in (WORDS, MEANT):
+        for word, spectra in words.items():
+            if "white" in word:
+                assert not any(name.startswith("F") for name in str(spectra).split(", "))
 
 
 @pytest.mark.parametrize("word", MEANT)
