@@ -2,6 +2,7 @@
 
 import os
 import sys
+from functools import partial
 
 import click
 
@@ -50,10 +51,11 @@ def guarded(
         except MissingCondition:
             raise
         except (RadcalcError, click.UsageError) as error:
-            from radcalc.cli import sentence
+            from radcalc.cli import sentence, trials
 
-            found = _problem(error, words)
-            return sentence.instead(words, found, lambda call: answered(call, listener), listener)
+            run = partial(answered, listener=listener)
+            gate = sentence.Gate(run, trials.has_answers, listener)
+            return sentence.instead(words, _problem(error, words), gate)
     except RadcalcError as error:
         problem = error
     except KeyboardInterrupt:

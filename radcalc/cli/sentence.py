@@ -1,7 +1,7 @@
 """Calls in words: read, run as the command that they mean, and shown as that command."""
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from radcalc import terminal
 from radcalc.cli.cases import is_stream
@@ -16,42 +16,51 @@ from radcalc.errors import (
     MissingInput,
     RadcalcError,
     TooManyWords,
-    UnitError,
 )
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read, refuse_unknown
-from radcalc.units.numbers import is_sentence as is_value
 from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.cli.options import Listener
 
 Words = list[str]
+SHORT = 4  # words of a call that is rather a command with a mistake
 PLAIN_OPTIONS = {"precision", "quiet", "steps", "color", "auto"}  # with a value and its unit
 
 
-def instead(
-    words: Words,
-    error: RadcalcError,
-    run: Callable[[Words], int],
-    listener: "Listener | None" = None,
-) -> int:
+class Gate(NamedTuple):
+    """What a sentence needs of the command line: to run a call, and to know a good hint.
+
+    `has_answers` returns whether the calls in the hint of an error have answers.
+    """
+
+    run: Callable[[Words], int]
+    has_answers: Callable[[RadcalcError, Words], bool]
+    listener: "Listener | None" = None
+
+
+def instead(words: Words, error: RadcalcError, gate: Gate) -> int:
     """Answer a refused call as a sentence, if it is one; otherwise raise the better error.
 
-    `run` runs a command.  If the call that the sentence means is refused, it replaces `words`, for
-    the calls of its hint.
+    If the call that the sentence means is refused, it replaces `words`, for the calls of its hint.
     """
     if not may_be(words, error):
         raise error
-    call, options = meant(words, error)
+    call, options = meant(words, error, gate.has_answers)
     try:
-        return _answer(call, options, run, listener)
+        return _answer(call, options, gate)
     except RadcalcError as refused:
-        is_clear = error.tries and not isinstance(error, TooManyWords)
-        if is_clear and not isinstance(refused, (MissingCondition, MissingInput)):
+        is_missing = isinstance(refused, (MissingCondition, MissingInput))
+        if not is_missing and _is_clear(error, words, gate.has_answers):
             raise error from None
         words[:] = [*call, *options]
         raise
+
+
+def _is_clear(error: RadcalcError, words: Words, has_answers: Callable[..., bool]) -> bool:
+    """Return whether the hint of an error that is not about the number of words has answers."""
+    return not isinstance(error, TooManyWords) and has_answers(error, words)
 
 
 def may_be(words: Sequence[str], error: RadcalcError) -> bool:
@@ -69,28 +78,27 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
     return not options or not known.issuperset(options)
 
 
-def meant(words: Words, error: RadcalcError) -> tuple[Words, Words]:
+def meant(
+    words: Words, error: RadcalcError, has_answers: Callable[[RadcalcError, Words], bool]
+) -> tuple[Words, Words]:
     """Return the call that a refused call means as a sentence, and its options of the output.
 
     Raises `error` if the words are not a sentence, or are the same call; raises the problem of the
     sentence if that is more useful.
     """
     asked, options = _options_of(words)
-    understood = is_whole = False
+    understood = False
     try:
         sentence = read(asked)
         amounts = [fact.amount for fact in sentence.facts if fact.amount]
         has_unit = any(amount.dimension != NUMBER for amount in amounts)
-        understood = has_unit and len(sentence.facts) + len(sentence.goals) > 1
+        phrases = [*sentence.facts, *sentence.goals, *sentence.files]
+        understood = has_unit and (len(phrases) > 1 or len(asked) > SHORT)
         refuse_unknown(sentence)
-        is_whole = True
         call = call_of(sentence)
     except RadcalcError as problem:
         is_free = asked[0] not in COMMANDS and not any(word[:2] == "--" for word in asked)
-        is_vague = isinstance(error, TooManyWords) or not error.tries
-        is_unknown = not is_value(asked) or isinstance(error, UnitError)  # a command, or a unit
-        is_vague |= is_whole and is_unknown
-        is_better = is_free and understood and is_vague
+        is_better = is_free and understood and not _is_clear(error, words, has_answers)
         raise (problem if is_better else error) from None
     is_same = _plain(call) == _plain(asked) and not isinstance(error, TooManyWords)
     if is_same or asked[0] == call[0]:
@@ -98,19 +106,17 @@ def meant(words: Words, error: RadcalcError) -> tuple[Words, Words]:
     return call, options
 
 
-def _answer(
-    call: Words, options: Words, run: Callable[[Words], int], listener: "Listener | None"
-) -> int:
+def _answer(call: Words, options: Words, gate: Gate) -> int:
     """Run the call of a sentence; write one result with its unit, and then the call."""
     chosen = _values(options)
     if "-g" in call and chosen is not None:
         results = hear(call)
-        with context(listener):
+        with context(gate.listener):
             output = decide(**(defaults() | chosen))
         output.show([result._replace(named=False) for result in results])
         status = terminal.ANSWERED
     else:
-        status = run([*call, *options])
+        status = gate.run([*call, *options])
     say([*call, *options])
     return status
 

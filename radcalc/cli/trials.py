@@ -76,7 +76,7 @@ class Trial(NamedTuple):
             problem = of_click(error, self.words) if isinstance(error, click.UsageError) else error
             if not sentence.may_be(self.words, problem):
                 raise problem from None
-            call, _ = sentence.meant(self.words, problem)
+            call, _ = sentence.meant(self.words, problem, lambda *_: True)
             rows = _results(call)
         return self._replace(rows=rows)
 
@@ -132,6 +132,11 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
         return made
     completed = [one for refused in lacking for one in _completed(*refused)]
     return sorted(completed, key=lambda trial: len(trial.words))
+
+
+def has_answers(error: RadcalcError, words: Words) -> bool:
+    """Return whether a call that the hint of an error proposes has an answer."""
+    return any(trial.rows for trial in trials(error, words))
 
 
 def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:

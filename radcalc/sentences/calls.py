@@ -9,7 +9,7 @@ from radcalc.errors import Try, UsageError, manual, quote
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.light import result_name
 from radcalc.quantities.symbols import FLAG, SPECIFIC, SYMBOLS, in_kind, names_of_kinds
-from radcalc.sentences.phrases import SHAPE
+from radcalc.sentences.phrases import FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
@@ -71,6 +71,7 @@ USUAL_GOALS = {
     ("flux", "area"): "irradiance",
     ("irradiance", "area"): "flux",
     ("irradiance", "time"): "exposure",
+    ("irradiance", "incidence"): "irradiance",
     ("flux", "time"): "energy",
 }
 
@@ -134,11 +135,24 @@ def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark
 
 def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the calls of the first frame that takes all facts."""
+    if FILTER in facts:
+        facts = _filtered(facts)
     for frame in FRAMES:
         of_frame = _conversions if frame.command == "convert" else _calculations
         if frame.needs & {*_generic_names(facts)} and (calls := of_frame(frame, facts, goal)):
             return calls
     return _quotients(facts, goal)
+
+
+def _filtered(facts: Facts) -> Facts:
+    """Return facts with the light after a filter in place of the filter."""
+    values = [name for name in facts if name in LIGHT]
+    loss = facts[FILTER].text
+    rest = {name: fact for name, fact in facts.items() if name != FILTER}
+    if len(values) != 1:
+        return {**rest, FILTER: facts[FILTER]}
+    value = facts[values[0]]
+    return {**rest, values[0]: value._replace(text=f"{value.text} * ({loss})")}
 
 
 def _generic_names(facts: Facts) -> Iterator[str]:
@@ -234,7 +248,8 @@ def _calculations(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[st
     if not frame.light and any(_is_light(fact) for fact in facts.values()):
         return []
     page = page_of(frame.command)
-    given = {dict(frame.renamed).get(name, name): fact for name, fact in facts.items()}
+    taken = taken_by(page)
+    given = {_taken(dict(frame.renamed).get(n, n), fact, taken): fact for n, fact in facts.items()}
     words = [frame.command]
     if operand := OPERANDS.get(frame.command):
         words.append(_one_word(given.pop(operand)))
@@ -242,13 +257,19 @@ def _calculations(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[st
         words.append(given.pop(SHAPE).text)
     elif frame.operand:
         words.append(frame.operand)
-    if not {*given} <= taken_by(page):
+    if not {*given} <= taken:
         return []
     for name, fact in given.items():
         words += _option(name, fact)
     if goal is None:
         return [words]
     return [[*words, "-g", name] for name in _results(page, goal, given)]
+
+
+def _taken(name: str, fact: Fact, taken: set[str]) -> str:
+    """Return the name of a fact, or its name in one kind of light if a page takes only that."""
+    light = read_light(fact.amount.unit) if fact.amount else None
+    return name if name in taken or not light else in_kind(name, light.kind)
 
 
 def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
@@ -319,8 +340,10 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
         return []
     if not page.light and not page.others:  # the results depend on the inputs
         return list(goal.names[:1])
-    solved = [name for names in page.sections.values() for name in names]
-    listed = [n for n in dict.fromkeys((*page.light, *page.others, *solved)) if n not in given]
+    options = [name for names in page.sections.values() for name in names]
+    listed = [n for n in dict.fromkeys((*page.light, *page.others, *options)) if n not in given]
+    if not any(map(_is_light, given.values())):  # ISO 100 is assumed, not found
+        listed = [name for name in listed if "(default" not in page.symbol(name).help]
     if goal.names:
         wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
         found = [name for name in listed if name in wanted]

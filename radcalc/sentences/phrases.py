@@ -33,7 +33,7 @@ AMOUNTS = {
     "solid-angle": (SOLID_ANGLE,),
     "wavelength": (LENGTH, FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY),
 }
-SHAPE, TARGET = "shape", "target"  # places that are not symbols
+SHAPE, FILTER, TARGET = "shape", "filter", "target"  # places that are not symbols
 
 
 class Phrase(NamedTuple):
@@ -110,8 +110,10 @@ PHRASES = (
         ("{length} diagonal|screen", "diagonal"),
         ("{length} diameter|dia|aperture|beam|spot|disc|disk|circle", "diameter"),
         ("{length} radius", "radius"),
-        ("into a? {length} pupil", "pupil"),
-        ("{length} pupil", "pupil"),
+        ("into a? {length} pupil", "pupil or diameter"),
+        ("{length} pupil", "pupil or diameter"),
+        ("od {number}", FILTER, "{} OD"),
+        ("{number} od filter?", FILTER, "{} OD"),
         ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
         ("{number} reflectance|reflective|reflecting", "reflectance"),
         ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
@@ -148,8 +150,8 @@ PHRASES = (
         ("how far", TARGET, "distance"),
         ("how long", TARGET, "time"),
         ("how wide", TARGET, "width"),
-        ("what|which f stop|number|fstop", TARGET, "f-number"),
-        ("f stop", TARGET, "f-number"),
+        ("f-stop|fstop|f-number", TARGET, "f-number"),
+        ("exposure|irradiation time", TARGET, "time"),
         ("color|colour temperature", TARGET, "cct"),
         ("peak wavelength", TARGET, "peak-wavelength"),
     ),
@@ -160,7 +162,7 @@ _FILLERS = """
     a about an and are at be by calculate can convert corresponds do does equals for from get give
     given gives have how i if in into is it many me much my need needed needs of on one onto over
     please required tell than that the there this through to under using value what when which
-    will with you
+    wien will with you
 
     air average beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
     goggles intense lamp lamps laser led leds lens light lights linewidth luminaire luminaires

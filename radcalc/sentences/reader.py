@@ -3,17 +3,18 @@
 import os
 from functools import cache
 
-from radcalc.errors import UsageError, corrections, nearest, quote
+from radcalc.errors import Hint, UsageError, corrections, nearest, quote
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
+from radcalc.quantities.synonyms import SYNONYMS
 from radcalc.sentences.phrases import AMOUNTS, FILLERS, LONE, MARKS, PHRASES, TARGET, Phrase
 from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, unit_in, words_of
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.reading import read_amount
-from radcalc.units.table import suggest
+from radcalc.units.table import suggest, unit_of
 from radcalc.units.unit import NUMBER, Unit
 
 LONGEST_NAME = 5  # words
@@ -268,6 +269,10 @@ def names() -> "dict[str, tuple[str, ...]]":
         if len(name) > 1 and symbol.form == QUANTITY:
             for text in (name, symbol.label, *LABELS.get(symbol.label, ())):
                 add(text, name)
+    for name, words in SYNONYMS.items():
+        for word in words.split() if name in SYMBOLS else ():
+            if unit_of(word) is None and comparable(word) not in FILLERS:
+                add(word, name)
     for quantity in QUANTITIES:
         for own in _symbols_of(quantity):
             for text in (text for language in LANGUAGES for text in quantity.names(language)):
@@ -290,9 +295,12 @@ def refuse_unknown(sentence: Sentence) -> None:
             read_amount(word)  # its error says more
     understood = [fact.typed for fact in sentence.facts] + [goal.text for goal in sentence.goals]
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
-    word = sentence.unknown[0]
-    near = [one for one in (*suggest(word), *_near(word)) if comparable(one) not in FILLERS]
-    hint = corrections(word, *near[:2]) or f"without {quote(word)}, or with another word for it"
+    hint: Hint = f"without {quote(sentence.unknown[0])}, or with another word for it"
+    for word in sentence.unknown:
+        near = [one for one in (*suggest(word), *_near(word)) if comparable(one) not in FILLERS]
+        if near:
+            hint = corrections(word, *near[:2])
+            break
     listed = ", ".join([quote(one) for one in sentence.unknown])
     raise UsageError(f"{known}not understood: {listed}", hint)
 

@@ -4,8 +4,10 @@ import re
 from collections.abc import Sequence
 
 from radcalc.errors import RadcalcError
+from radcalc.quantities.names import DLI, PPF, PPFD
 from radcalc.quantities.search import comparable
 from radcalc.tuples import NamedTuple
+from radcalc.units import horticulture
 from radcalc.units.dimensions import TIME
 from radcalc.units.reading import read_amount
 from radcalc.units.scales import find
@@ -19,6 +21,7 @@ NOT_AFTER_UNITS = {"in", "as", "a", "at", "to", "d"}  # words that are also unit
 TIMES = ("x", "×", "by")  # between the sides of an area
 SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
 F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a lens of the cinema
+BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ]+=)(\S+)", re.I)
 PART_OF_UNIT = re.compile(r"[^\W\d]+\^?-\d|per|na")  # m-2, nm^-1, per
@@ -64,8 +67,12 @@ def words_of(typed: "list[str]") -> list[Word]:
     parts = " ".join(typed).split()
     for at, part in enumerate(parts):  # --lux 200
         following = parts[at + 1 : at + 2]
-        if part[:2] == "--" and unit_of(part[2:]) and following and following[0][0].isdigit():
-            parts[at : at + 2] = [following[0], part[2:]]
+        name = part.removeprefix("--")
+        is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
+        if name.lower() in DLI and at == 0 and following and following[0].isdigit():
+            parts[:2] = [following[0], "ppfd", name]  # dli 600 16h
+        elif is_before and following and following[0][0].isdigit():
+            parts[at : at + 2] = [following[0], name]
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
             parts[at : at + 2] = ["", f"{following[0]}^-1"]
     for part in parts:
@@ -124,10 +131,11 @@ def _operand(words: "list[Word]", start: int) -> Amount | None:
 
 def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
     """Return the unit or the scale of the words after a number; `in` before a unit separates."""
-    unit = unit_of(" ".join(parts)) or find(" ".join(parts))
+    text = " ".join(parts)
+    unit = unit_of(text) or find(text) or horticulture.find(text)
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
         return None
-    if len(parts) > 1 and not all(map(PART_OF_UNIT.fullmatch, parts[1:])):
+    if len(parts) > 1 and len(unit.atoms) != 1 and not all(map(PART_OF_UNIT.fullmatch, parts[1:])):
         last = unit_of(parts[-1])
         if not (last and last.dimension == TIME and unit.is_light and "per" not in parts):
             return unit if "per" in parts else None

@@ -110,9 +110,9 @@ def test_a_sentence_with_several_readings_or_none_is_refused(sentence, message, 
 @for_each([(phrase.pattern, phrase.fills) for phrase in PHRASES])
 def test_every_phrase_fills_symbols_that_exist(pattern, fills):
     from radcalc.quantities.symbols import SYMBOLS
-    from radcalc.sentences.phrases import SHAPE, TARGET
+    from radcalc.sentences.phrases import FILTER, SHAPE, TARGET
 
-    assert {*fills} <= {*SYMBOLS, SHAPE, TARGET}, pattern
+    assert {*fills} <= {*SYMBOLS, FILTER, SHAPE, TARGET}, pattern
 
 
 def test_a_conversion_in_words_has_the_bytes_of_the_quick_lane():
