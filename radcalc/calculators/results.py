@@ -251,6 +251,11 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 label, letter = of_kind(value, unit)
         row = Row(label, letter, number, text, case, name, is_given, 0.0, value.form, ends)
         return _apart(row)
+    from radcalc.calculators.result_names import meant
+
+    other, unit_text = meant(name, values, measured_in(text).dimension if text else None)
+    if other:
+        return pick(values, f"{other}:{text or unit_text}", case)
     names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
     linked = _of_kind(name, generic, values) if generic in names and not text else []

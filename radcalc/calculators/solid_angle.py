@@ -490,7 +490,7 @@ SHAPES = {
     "patch": Shape(("area", *ROUND, "distance", "tilt", "solid-angle"), _patch),
     "polygon": Shape(("viewpoint", "normal"), lambda sheet: _polygon(sheet, ())),
 }
-ALIASES = {"band": "zone", "triangle": "polygon"}
+ALIASES = {"band": "zone", "cap": "cone", "triangle": "polygon"}
 USUAL = ("cone", "disc", "rectangle")  # to propose
 NAMES = (*SHAPES, "pixel", *ALIASES)  # `pixel.py` has the pixel
 OPERAND = Operand("shape", "SHAPE [X,Y,Z ...]", CHOICE, NAMES)
@@ -552,7 +552,7 @@ PAGE = Page(
     \b
     SHAPE is one of:
       full, hemisphere   all directions, or the half above a plane
-      cone               {half-angle}, {apex-angle}, {solid-angle} or {projected-solid-angle}
+      cone (cap)         {half-angle}, {apex-angle}, {solid-angle} or {projected-solid-angle}
       zone (band)        {polar} A:B, {azimuth} A:B
       sphere             two of {radius} (or {diameter}), {distance}, {solid-angle}
       disc               {radius} or {diameter}; {height} (or, on the axis, {distance}); optionally

@@ -6,6 +6,7 @@ from itertools import repeat
 from typing import NamedTuple, cast
 
 from radcalc.answer import Step, Value
+from radcalc.calculators.result_names import meant
 from radcalc.calculators.results import in_unit, measured_in, name_in, of_kind, pick, right_names
 from radcalc.derivation import format_number, with_unit
 from radcalc.errors import ConditionError, RadcalcError, option, quote
@@ -403,9 +404,13 @@ def _named(question: Question, claim: Claim) -> list[Value]:
     if named:
         pick(named, claim.name)  # its error names the missing input
     present = [v for v in question.answer.values if not v.is_absent]
+    dimension = measured_in(claim.unit).dimension if claim.unit else None
+    other, _ = meant(claim.name, present, dimension)
+    if other:
+        return _named(question, claim._replace(name=other))
     right = [name.partition(":")[0] for name in right_names(claim.name, present)]
-    meant = [v for v in present if v.name in right] or (present if claim.unit else [])
-    fitting = [v for v in meant if not claim.unit or _takes(v, claim.unit)]
+    alike = [v for v in present if v.name in right] or (present if claim.unit else [])
+    fitting = [v for v in alike if not claim.unit or _takes(v, claim.unit)]
     hint = _ways(fitting, claim) or ", ".join(dict.fromkeys(v.name for v in present))
     raise ConditionError(f"{option('check')}: unknown result '{quote(claim.name)}'", hint)
 

@@ -112,7 +112,7 @@ def _of_quantities(text: str) -> list[Entry]:
         measured = [(q.name(ENGLISH), resolve(q.unit), "") for q in with_words(text)]
     entries: dict[tuple[str, str], Entry] = {}
     for name, unit, note in measured:
-        for listed in _of_quantity(name, unit):
+        for listed in _of_quantity(name, unit) or [product(unit.text, name)]:
             entries.setdefault(
                 (listed.name, listed.quantity), listed._replace(note=listed.note or note)
             )

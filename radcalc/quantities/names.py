@@ -5,8 +5,8 @@ and Russian equivalents; an empty name means that no settled one is known, and t
 used.  The first of several names is preferred; the others are also in use: "iradiance" and
 "radiozita" in Czech lecture notes on computer graphics, "hustota zářivého toku" in Czech Wikipedia
 ("Intenzita záření", which distinguishes radiozita from intenzita vyzařování), "ozáření" for W/m2
-in WikiSkripta ("Radiometrické veličiny") and "poměrná spektrální světelná účinnost" in Světlopedia
-("Světelná účinnost").  The definitions are radcalc's own.
+in WikiSkripta ("Radiometrické veličiny"), "poměrná spektrální světelná účinnost" in Světlopedia
+("Světelná účinnost") and "intenzita ozařování" in Reichl's Encyklopedie fyziky.  The definitions are radcalc's own.
 """
 
 from typing import NamedTuple
@@ -42,8 +42,8 @@ _ROWS = (
      "Luminous flux summed over time."),
     ("Q_p", "photon", "photon number", "počet fotonů", "число фотонов",
      "Number of photons emitted, carried or received."),
-    ("Φ_e", "W", "radiant flux, radiant power", "zářivý tok",
-     "поток излучения, лучистый поток, энергетический поток",
+    ("Φ_e", "W", "radiant flux, radiant power", "zářivý tok, celkový zářivý tok",
+     "поток излучения, лучистый поток, энергетический поток, полный поток излучения",
      "Power of radiation: radiant energy per time."),
     ("Φ_v", "lm", "luminous flux, luminous power", "světelný tok, světelný výkon", "световой поток",
      "Radiant flux weighted by the eye response: each wavelength by Km V(λ)."),
@@ -65,13 +65,13 @@ _ROWS = (
      "Photon flux incident on a surface, per area."),
     ("M_e", "W/m2", "radiant exitance, radiosity",
      "intenzita vyzařování, intenzita vyzáření, zářivá exitance, radiozita",
-     "энергетическая светимость",
+     "энергетическая светимость, излучательность",
      "Radiant flux that leaves a surface in all directions, per area."),
     ("M_v", "lm/m2", "luminous exitance", "světlení", "светимость",
      "Luminous flux that leaves a surface in all directions, per area."),
     ("M_p", "photon/m2/s", "photon exitance", "", "",
      "Photon flux that leaves a surface in all directions, per area."),
-    ("L_e", "W/m2/sr", "radiance", "zář", "энергетическая яркость",
+    ("L_e", "W/m2/sr", "radiance", "zář", "энергетическая яркость, лучистость",
      "Radiant flux in a direction, per solid angle and per projected area."),
     ("L_v", "cd/m2", "luminance", "jas", "яркость, световая яркость",
      "Luminous flux in a direction, per solid angle and per projected area."),
@@ -79,12 +79,12 @@ _ROWS = (
      "Photon flux in a direction, per solid angle and per projected area."),
     ("H_e", "J/m2", "radiant exposure", "ozáření, dávka", "энергетическая экспозиция",
      "Radiant energy received by a surface, per area."),
-    ("H_v", "lx s", "luminous exposure", "osvit", "световая экспозиция",
+    ("H_v", "lx s", "luminous exposure", "osvit", "световая экспозиция, количество освещения",
      "Luminous energy received by a surface, per area."),
     ("H_p", "photon/m2", "photon exposure", "", "",
      "Photons received by a surface, per area."),
     ("Φ_e,λ", "W/nm", "spectral radiant flux", "spektrální zářivý tok",
-     "спектральная плотность потока излучения",
+     "спектральная плотность потока излучения, спектральный поток",
      "Radiant flux per wavelength."),
     ("I_e,λ", "W/sr/nm", "spectral radiant intensity", "spektrální zářivost",
      "спектральная плотность силы излучения",
@@ -96,7 +96,7 @@ _ROWS = (
      "спектральная плотность энергетической светимости",
      "Radiant exitance per wavelength."),
     ("L_e,λ", "W/m2/sr/nm", "spectral radiance", "spektrální zář",
-     "спектральная плотность энергетической яркости",
+     "спектральная плотность энергетической яркости, спектральная яркость",
      "Radiance per wavelength."),
     ("K", "lm/W", "luminous efficacy, luminous efficacy of radiation",
      "světelná účinnost záření", "световая эффективность излучения",
@@ -104,9 +104,12 @@ _ROWS = (
     ("η_v", "lm/W", "luminous efficacy of a source", "měrný výkon", "световая отдача",
      "Luminous flux of a lamp over its input power."),
     ("V(λ)", "1", "luminous efficiency",
-     "poměrná světelná účinnost, poměrná spektrální světelná účinnost",
-     "относительная световая эффективность",
+     "poměrná světelná účinnost, poměrná spektrální světelná účinnost, křivka světelné efektivity",
+     "относительная световая эффективность, функция спектральной световой эффективности, "
+     "относительная спектральная световая эффективность, кривая видности, функция видности",
      "Luminous efficacy at a wavelength over its maximum."),
+    ("K(λ)", "lm/W", "spectral luminous efficacy", "", "спектральная световая эффективность",
+     "Luminous efficacy of radiation of one wavelength: Km V(λ)."),
     ("Ω", "sr", "solid angle", "prostorový úhel", "телесный угол",
      "Area that a cone cuts from a sphere about its apex, over the radius squared."),
     ("Ω_p", "sr", "projected solid angle",
@@ -115,6 +118,10 @@ _ROWS = (
      "Solid angle, with each direction weighted by its cosine to a surface normal."),
     ("G", "m2 sr", "etendue, optical extent", "étendue", "геометрический фактор",
      "Area of a beam times its projected solid angle."),
+    ("f_r", "1/sr", "bidirectional reflectance distribution function, BRDF",
+     "dvousměrná distribuční funkce odrazu",
+     "двунаправленная функция отражательной способности",
+     "Reflected radiance in a direction over the irradiance from another."),
     ("E_T", "td", "retinal illuminance", "osvětlenost sítnice", "освещённость сетчатки",
      "Luminance times the area of the eye's pupil."),
 )
@@ -347,6 +354,40 @@ PARTS = {
     "sun": ("{} od Slunce", "{} от Солнца"),
 }
 
+# Names in German (DIN 5031, dtv) and Polish (PN-EN 12665), for searches only.
+ELSEWHERE = {
+    "Q_e": "Strahlungsenergie, energia promieniowania",
+    "Q_v": "Lichtmenge, ilość światła",
+    "Φ_e": "Strahlungsleistung, Strahlungsfluss, strumień energetyczny, moc promieniowania",
+    "Φ_v": "Lichtstrom, strumień świetlny",
+    "I_e": "Strahlstärke, natężenie promieniowania",
+    "I_v": "Lichtstärke, światłość",
+    "E_e": "Bestrahlungsstärke, natężenie napromienienia",
+    "E_v": "Beleuchtungsstärke, natężenie oświetlenia",
+    "M_e": "spezifische Ausstrahlung, egzytancja energetyczna",
+    "M_v": "spezifische Lichtausstrahlung, egzytancja świetlna",
+    "L_e": "Strahldichte, luminancja energetyczna",
+    "L_v": "Leuchtdichte, luminancja",
+    "H_e": "Bestrahlung, napromienienie",
+    "H_v": "Belichtung, naświetlenie",
+    "η_v": "Lichtausbeute, skuteczność świetlna",
+    "Ω": "Raumwinkel, kąt bryłowy",
+}
+# Other names of the quantities of `LABELS`, in all languages, for searches only.
+OTHER_NAMES = {
+    "reflectance": "albedo, odrazivost, Reflexionsgrad, współczynnik odbicia",
+    "transmittance": "propustnost, Transmissionsgrad, współczynnik przepuszczania",
+    "absorptance": "pohltivost, Absorptionsgrad",
+    "wavelength": "Wellenlänge, długość fali",
+    "frequency": "kmitočet, Frequenz, częstotliwość",
+    "wavenumber": "Wellenzahl, liczba falowa",
+    "polar": "polar angle, zenith angle, zenitový úhel, зенитный угол",
+    "correlated colour temperature": "CCT, цветовая температура, teplota chromatičnosti",
+    "azimuth": "azimuth angle, azimutální úhel, азимутальный угол",
+    "refractive index": "index of refraction, Brechungsindex, współczynnik załamania",
+    "emissivity": "Emissionsgrad, степень черноты, emisyjność",
+}
+
 PPFD, PPF = ("ppfd", "photosynthetic photon flux density", "par"), ("ppf",)
 SOLAR = ("ghi", "dni", "dhi", "gti", "poa")  # irradiances of the sun and the sky
 DLI = ("dli", "daily light integral")
@@ -408,22 +449,34 @@ MISNOMERS = (
         "ozáření is radiant exposure (J/m2), but irradiance (W/m2) in some courses",
     ),
     (
-        ("flux density", "hustota toku", "hustota zářivého toku", "плотность потока"),
+        (
+            *("flux density", "hustota toku", "hustota zářivého toku"),
+            *("plošná hustota zářivého toku", "плотность потока"),
+            *("плотность потока излучения", "поверхностная плотность потока"),
+        ),
         "E_e",
         "the flux density on a surface, in W/m2, is irradiance",
     ),
     (
-        ("flux density", "hustota toku", "hustota zářivého toku", "плотность потока"),
+        (
+            *("flux density", "hustota toku", "hustota zářivého toku"),
+            *("plošná hustota zářivého toku", "плотность потока"),
+            *("плотность потока излучения", "поверхностная плотность потока"),
+        ),
         "M_e",
         "the flux density that leaves a surface, in W/m2, is radiant exitance",
     ),
     (
-        ("flux density", "hustota toku", "hustota světelného toku", "плотность потока"),
+        (
+            *("flux density", "hustota toku", "hustota světelného toku"),
+            *("plošná hustota světelného toku", "плотность потока"),
+            "поверхностная плотность потока",
+        ),
         "E_v",
         "the flux density of light on a surface, in lx, is illuminance",
     ),
     (
-        ("hustota světelného toku",),
+        ("hustota světelného toku", "plošná hustota světelného toku"),
         "M_v",
         "the flux density of light that leaves a surface, in lm/m2, is luminous exitance",
     ),
@@ -456,7 +509,60 @@ MISNOMERS = (
     (SOLAR[:3], "E_e", "GHI, DNI and DHI are irradiances of the sun and the sky, in W/m2"),
     (PPF, "Φ_p", horticulture.PPF),
     (DLI, "H_p", horticulture.DLI),
-    (("throughput", "geometrical extent"), "G", "that is the etendue of a beam"),
+    (
+        ("throughput", "geometrical extent", "kapacita paprsku"),
+        "G",
+        "that is the etendue of a beam",
+    ),
+    (
+        ("světelný tok",),
+        "Φ_e",
+        "in courses that count watts, světelný tok is the radiant flux (zářivý tok)",
+    ),
+    (
+        ("яркость",),
+        "L_e",
+        "in courses that count watts, яркость is the radiance (энергетическая яркость)",
+    ),
+    (
+        ("полный поток",),
+        "Φ_e",
+        "the whole flux of a source, in W, is its radiant flux; in lm, its luminous flux",
+    ),
+    (("полный поток",), "Φ_v", "the whole flux of a lamp, in lm, is its luminous flux"),
+    (
+        ("expozice", "экспозиция"),
+        "H_v",
+        "the exposure of a film, in lx s, is luminous exposure (osvit)",
+    ),
+    (("expozice", "экспозиция"), "H_e", "the exposure in J/m2 is radiant exposure"),
+    (
+        ("citlivost oka", "spektrální citlivost oka"),
+        "V(λ)",
+        "the eye response, relative to its maximum, is the luminous efficiency V(λ)",
+    ),
+    (
+        ("citlivost oka",),
+        "K",
+        "the luminous flux over the radiant flux, in lm/W, is the efficacy K",
+    ),
+    (("intenzita ozařování",), "E_e", "the radiation on a surface, in W/m2, is irradiance"),
+    (
+        ("интенсивность излучения",),
+        "E_e",
+        "intensity in physics, in W/m2, is irradiance; radiant intensity is in W/sr",
+    ),
+    (
+        ("интенсивность излучения",),
+        "I_e",
+        "in W/sr it is the radiant intensity (сила излучения)",
+    ),
+    (("měrný jas",), "L_v", "the luminance of a surface was once called měrný jas"),
+    (
+        ("hustota fotonového toku", "плотность потока фотонов"),
+        "E_p",
+        "the flux density of photons on a surface is the photon irradiance",
+    ),
     (
         ("W m-1 sr-1", "W/m/sr", "Вт м-1 ср-1", "Вт/м/ср"),
         "L_e",

@@ -20,7 +20,14 @@ from radcalc.quantities.light import (
     name_of,
     read,
 )
-from radcalc.quantities.names import LABELS, MISNOMERS, QUANTITIES, Quantity
+from radcalc.quantities.names import (
+    ELSEWHERE,
+    LABELS,
+    MISNOMERS,
+    OTHER_NAMES,
+    QUANTITIES,
+    Quantity,
+)
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.languages import bare
 from radcalc.units.scales import find
@@ -77,6 +84,7 @@ def search(text: str) -> list[Found]:
     matches = (
         called(text)
         or _by_symbol(text, str)
+        or _of_labels(text)
         or _by_words(text, str.__eq__)
         or _by_name_and_unit(text)
         or _by_unit(unit)
@@ -123,6 +131,7 @@ def index() -> Index:
         result.others.update({comparable(name): other for name in other.names})
     for q in QUANTITIES:
         names = [[comparable(name) for name in q.names(lang)] for lang in LANGUAGES]
+        names.append([comparable(n) for n in ELSEWHERE.get(q.symbol, "").split(", ") if n])
         for name in dict.fromkeys(name for group in names for name in group):
             result.names.setdefault(name, []).append(q)
         result.words[q.symbol] = [[name.split() for name in group] for group in names]
@@ -136,12 +145,18 @@ def _other_quantities() -> Iterator[Other]:
     """Return the quantities of `name_of` that are not in the vocabulary, and the wavelength."""
     for dimension, (name, _) in OTHERS.items():
         if dimension != NUMBER:
-            yield Other((name, *LABELS.get(name, ())), Unit("", 1, 1, dimension, ()))
+            yield Other(_named(name), Unit("", 1, 1, dimension, ()))
     for kind, geometry in product(KIND_NAMES, GEOMETRIES):
         for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
             name = Reading(kind, *geometry, axis).name.partition(" (")[0]
             yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
-    yield Other(("wavelength", *LABELS["wavelength"]), Unit("", 1, 1, LENGTH, ()))
+    yield Other(_named("wavelength"), Unit("", 1, 1, LENGTH, ()))
+
+
+def _named(label: str) -> tuple[str, ...]:
+    """Return a label with its other names: in Czech, in Russian, and for searches."""
+    others = OTHER_NAMES.get(label)
+    return (label, *LABELS.get(label, ()), *(others.split(", ") if others else ()))
 
 
 def called(text: str) -> list[Found]:
@@ -166,6 +181,35 @@ def _is_plain(quantity: Quantity) -> bool:
     return reading is not None and reading.axis == NONE
 
 
+def label_of(text: str) -> str:
+    """Return the English label of a quantity outside the vocabulary of light, by any of its names.
+
+    '' if there is none: vlnová délka is the wavelength.
+    """
+    return _labels().get(comparable(text), "")
+
+
+@cache
+def _labels() -> dict[str, str]:
+    labels = {}
+    for label, others in OTHER_NAMES.items():
+        names = (label, *LABELS[label], *others.split(", "))
+        labels.update({comparable(name): label for name in names})
+    return labels
+
+
+def _of_labels(text: str) -> list[Found]:
+    """Return the quantity of `OTHER_NAMES` with that name in any language: the wavelength."""
+    from radcalc.quantities.symbols import SYMBOLS
+
+    label = label_of(text)
+    symbol = next((s for s in SYMBOLS.values() if s.label == label), None) if label else None
+    if symbol is None:
+        return []
+    names = LABELS[label]
+    return [Found(Quantity(symbol.letter, symbol.unit, label, *names, symbol.help))]
+
+
 def with_words(text: str) -> list[Quantity]:
     """Return the quantities whose first name contains every word of the text."""
     return [f.quantity for f in _by_words(text, str.__eq__, 1)] if len(comparable(text)) > 2 else []
@@ -180,7 +224,7 @@ def near(text: str, count: int, others: Iterable[Other] = ()) -> list[str]:
     return [by_comparable[name] for name in nearest(comparable(text), by_comparable, count)]
 
 
-def _key(symbol: str) -> str:
+def symbol_key(symbol: str) -> str:
     """Return a symbol for comparison: E_v, Ev, $E_{v}$ and Eᵥ are equal, and so are Φ and Phi."""
     text = unicodedata.normalize("NFKC", symbol)
     for name, letter in GREEK.items():
@@ -190,11 +234,11 @@ def _key(symbol: str) -> str:
 
 def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
     """Return the quantities with that symbol, or with that letter without its subscript."""
-    key = case(_key(case(text)))
+    key = case(symbol_key(case(text)))
     matches = []
     for q in QUANTITIES:
         letter, _, below = q.symbol.partition("_")
-        keys = {_key(q.symbol), _key(q.symbol.replace("_e,", "_"))}
+        keys = {symbol_key(q.symbol), symbol_key(q.symbol.replace("_e,", "_"))}
         if below in KINDS or "(" in letter:
             keys.add(letter[0])
         if key in map(case, keys):

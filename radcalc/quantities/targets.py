@@ -23,7 +23,13 @@ from radcalc.units.unit import Exitance, Unit
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
 SHORTEST = 3  # letters of a name; shorter texts are symbols
 # Quantities with the units of others (Ω, K, a number), and the commands that compute them.
-WITHOUT_OWN_UNIT = {"Ω_p": "solid-angle", "η_v": "point-source", "V(λ)": "photon"}
+WITHOUT_OWN_UNIT = {
+    "Ω_p": "solid-angle",
+    "η_v": "point-source",
+    "V(λ)": "photon",
+    "K(λ)": "photon",
+    "f_r": "lambertian",
+}
 
 
 class Target(NamedTuple):

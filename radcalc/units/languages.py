@@ -25,7 +25,7 @@ RUSSIAN_ENDINGS = {
 NAMES = (
     ("metre", "metr m", "метр m"),
     ("gram", "gram m", "грамм m"),
-    ("second", "sekund f, vteřin f", "секунд f"),
+    ("second", "sekund f, vteřin f, sek", "секунд f"),
     ("kelvin", "kelvin m", "кельвин m"),
     ("radian", "radián m", "радиан m"),
     ("photon", "foton m", "фотон m"),
@@ -41,7 +41,7 @@ NAMES = (
     ("hectare", "hektar m", "гектар m"),
     ("litre", "litr m", "литр m"),
     ("minute", "minut f", "минут f"),
-    ("hour", "hodin f", "час m"),
+    ("hour", "hodin f, hod", "час m"),
     ("day", "den dne dny dnů dní dnech", "день дня дню дни дней днях, сутки суток"),
     ("week", "týden týdne týdny týdnů týdnech", "неделя недели недель неделю неделе"),
     ("julian_year", "rok m, roků roky let", "год m, лет"),
@@ -52,7 +52,7 @@ NAMES = (
     ("tonne", "tun f", "тонн f"),
     ("hertz", "hertz m", "герц c"),
     ("joule", "joul m, joule", "джоул ь"),
-    ("watt", "watt m", "ватт m"),
+    ("watt", "watt m", "ватт m, вт"),
     ("ampere", "ampér m", "ампер m"),
     ("volt", "volt m", "вольт m"),
     ("erg", "erg m", "эрг m"),
@@ -136,7 +136,7 @@ def near(word: str) -> list[str]:
 
 def in_english(text: str) -> str:
     """Return a unit's text with its Czech and Russian words in English; '' if it has none."""
-    text = unicodedata.normalize("NFC", text).replace("кв.", "квадратный ")
+    text = unicodedata.normalize("NFC", text).replace("кв.", "квадратный ").removesuffix(".")
     pieces = _pieces(" ".join(text.split()))
     words: list[str] = []
     for place, piece in enumerate(pieces):

@@ -76,7 +76,7 @@ def _read(text: str) -> Unit | str:
     try:
         parsed = parse_unit(text)
     except UnitError:
-        if unit := _in_another_language(text):
+        if unit := _in_another_language(text) or _joined(text):
             return unit
         raise
     unit = Unit(text, 1, 1, NUMBER, ())
@@ -88,7 +88,9 @@ def _read(text: str) -> Unit | str:
         if entry is None and (len(parsed) > 1 or exponent != 1):
             entry = _degree(spelling, unit)
         if entry is None:
-            return (spelling not in SCALE_NAMES and _in_another_language(text)) or spelling
+            if spelling in SCALE_NAMES:
+                return spelling
+            return _in_another_language(text) or _joined(text) or spelling
         if exponent not in (1, -1) and entry[1] in PARTS:
             raise _power_of_part(text, spelling)
         if len(parsed) == 2 and exponent == 1:
@@ -169,6 +171,21 @@ def _multiplied_by_length(text: str, length: str) -> UnitError:
             correct(text, _with(text, length, f"{length}-1"), remark="per length"),
         ],
     )
+
+
+def _joined(text: str) -> Unit | str:
+    """Return the unit of symbols that are written together, as Wm-2; '' for other texts."""
+    from radcalc.units import joined
+
+    texts = joined.readings(text)
+    if len(texts) > 1:
+        raise UnitError(ambiguous(text), corrections(text, *texts))
+    unit = _read(texts[0]) if texts and texts[0] != text else ""
+    if isinstance(unit, str):
+        return ""
+    unit.text = text
+    unit.notes += (f"{quote(text)} is read as {texts[0]}",)
+    return unit
 
 
 def _in_another_language(text: str) -> Unit | str:

@@ -17,6 +17,7 @@ from helpers import Q, for_each
 from helpers import answers as read
 from test_cases import FILES, transcripts
 
+from radcalc.__main__ import run as main
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.calculators.results import pick
 from radcalc.cli import answers
@@ -286,3 +287,45 @@ def is_same(before, after):
         or math.isclose(before[name]["value"], after[name]["value"], rel_tol=1e-6, abs_tol=1e-9)
         for name in before.keys() & after.keys() - {"error"}
     )
+
+
+# 100 cd at 2 m: 25 lx by the inverse square law; 25 lx / (683 lm/W) at 555 nm, where V is 1.
+OF_SYMBOLS = {
+    "E": 25.0,
+    "E_v": 25.0,
+    "Ev:klx": 0.025,
+    "osvětlenost": 25.0,
+    "osvetleni": 25.0,
+    "освещённость": 25.0,
+    "Beleuchtungsstärke": 25.0,
+    "illuminance": 25.0,
+    "I": 100.0,
+    "сила света": 100.0,
+    "d": 2.0,
+    "vzdálenost": 2.0,
+    "Φ": 400 * math.pi,
+    "Phi_v": 400 * math.pi,
+    "luminous flux": 400 * math.pi,
+}
+
+
+@pytest.mark.parametrize("name", OF_SYMBOLS)
+def test_a_result_has_its_symbol_and_its_names(name, capfd):
+    call = ["point-source", "--intensity", "100cd", "--distance", "2m", "-q"]
+    assert main([*call, "-g", name]) == 0
+    assert float(capfd.readouterr().out) == pytest.approx(OF_SYMBOLS[name], rel=1e-11)
+    unit = {"E": "lx", "I": "cd", "d": "m", "Φ": "lm"}.get(name)
+    if unit:
+        assert main([*call, "--check", f"{name}={OF_SYMBOLS[name]:.12g}{unit}"]) == 0
+
+
+@pytest.mark.parametrize("name", ["E_e", "ozářenost", "облучённость"])
+def test_a_name_of_one_kind_of_light_is_not_another(name, capfd):
+    call = ["point-source", "--intensity", "100cd", "--distance", "2m", "-q"]
+    assert main([*call, "-g", name]) == 2
+    assert main([*call, "--check", f"{name}=25lx"]) == 2
+    capfd.readouterr()
+    assert main([*call, "--wavelength", "555nm", "-g", name]) == 0
+    assert float(capfd.readouterr().out) == pytest.approx(25 / 683, rel=1e-4)
+    assert main([*call, "--wavelength", "555nm", "-g", "E"]) == 2
+    assert main([*call, "--wavelength", "555nm", "-g", "E:lx"]) == 0

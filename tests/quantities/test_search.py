@@ -100,7 +100,7 @@ def test_a_quantity_is_found_by_its_symbol_and_its_unit(quantity):
 @for_each(QUANTITIES)
 def test_names_and_symbols_agree_with_those_of_the_units(quantity):
     unit = resolve(quantity.unit)
-    if quantity.symbol[0] in "MηV" or quantity.symbol == "Ω_p":
+    if quantity.symbol[0] in "MηVf" or quantity.symbol in ("Ω_p", "K(λ)"):
         return  # these share the dimension of another quantity
     axis = " (per wavelength)" if "λ" in quantity.symbol else ""
     assert name_of(unit) == quantity.name("en") + axis
@@ -137,9 +137,9 @@ def test_definitions_are_one_line_each():
         ("nit", ["L_v"]),
         ("Вт/м²", ["E_e", "M_e"]),
         ("umol/m2/s", ["E_p", "M_p"]),
-        ("lm/W", ["K", "η_v"]),
-        ("spectral", ["Φ_e,λ", "I_e,λ", "E_e,λ", "M_e,λ", "L_e,λ"]),
-        ("светов", ["Q_v", "Φ_v", "E_v", "L_v", "H_v", "K", "η_v", "V(λ)"]),
+        ("lm/W", ["K", "η_v", "K(λ)"]),
+        ("spectral", ["Φ_e,λ", "I_e,λ", "E_e,λ", "M_e,λ", "L_e,λ", "K(λ)"]),
+        ("светов", ["Q_v", "Φ_v", "E_v", "L_v", "H_v", "K", "η_v", "V(λ)", "K(λ)"]),
         ("flux luminous", ["Φ_v"]),
         ("radiance (W/m2/sr)", ["L_e"]),
         ("etendue", ["G"]),
@@ -159,8 +159,8 @@ def test_a_search_finds_these(text, expected):
         ("intensity", "E_e", "physics"),
         ("light intensity", "I_v", "cd"),
         ("light intensity", "E_v", "lx"),
-        ("světelný tok [W]", "Φ_e", "measured in lm"),
-        ("svetelny tok W", "Φ_e", "measured in lm"),
+        ("světelný tok [W]", "Φ_e", "courses that count watts"),
+        ("svetelny tok W", "Φ_e", "radiant flux (zářivý tok)"),
         ("световой поток [Вт]", "Φ_e", "measured in lm"),
         ("radiance in W m^-1 sr^-1", "L_e", "W/m2/sr"),
         ("W·m⁻¹·sr⁻¹", "L_e", "W/m2/sr"),
@@ -209,3 +209,53 @@ def test_every_misnomer_is_found_and_explained():
     for terms, symbol, note in MISNOMERS:
         for term in terms:
             assert note in {f.note for f in search(term) if f.quantity.symbol == symbol}
+
+
+# Names of lecture notes and textbooks: Reichl, "Encyklopedie fyziky" (intenzita ozařování); MFF UK,
+# "Počítačová grafika III" (zář, radiozita); the Great Soviet Encyclopedia (функция относительной
+# спектральной световой эффективности); instrumentsystems.com and Politechnika Warszawska for the
+# German and Polish names.
+OF_NOTES = {
+    "celkový zářivý tok": "Φ_e",
+    "plošná hustota zářivého toku": "E_e",
+    "kapacita paprsku": "G",
+    "křivka světelné efektivity": "V(λ)",
+    "intenzita ozařování": "E_e",
+    "полный поток": "Φ_e",
+    "спектральный поток": "Φ_e,λ",
+    "функция спектральной световой эффективности": "V(λ)",
+    "плотность потока": "E_e",
+    "кривая видности": "V(λ)",
+    "vlnová délka": "λ",
+    "длина волны": "λ",
+    "azimut": "φ",
+    "азимут": "φ",
+    "zenitový úhel": "θ",
+    "kmitočet": "ν",
+    "reflectance": "ρ",
+    "odrazivost": "ρ",
+    "коэффициент отражения": "ρ",
+    "K(λ)": "K(λ)",
+    "BRDF": "f_r",
+    "DLI": "H_p",
+    "Strahlungsleistung": "Φ_e",
+    "Beleuchtungsstärke": "E_v",
+    "Leuchtdichte": "L_v",
+    "strumień świetlny": "Φ_v",
+    "światłość": "I_v",
+    "luminancja": "L_v",
+}
+
+
+@pytest.mark.parametrize("text", OF_NOTES)
+def test_a_name_of_lecture_notes_is_found(text):
+    assert OF_NOTES[text] in symbols(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"), [("яркость", "radiance"), ("světelný tok", "radiant flux")]
+)
+def test_a_word_that_courses_use_for_watts_has_a_note(text, said):
+    (first, *others) = search(text)
+    assert first.note == ""
+    assert any(said in found.note for found in others)

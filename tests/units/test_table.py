@@ -113,3 +113,40 @@ def test_an_ampere_is_not_an_angstrom():
     assert resolve("A").dimension != resolve("angstrom").dimension
     with pytest.raises(UnitError, match="not accepted"):
         resolve("a")
+
+
+# The products that lecture notes write without signs, with their signs (SI Brochure, 5.4.1).
+JOINED = {
+    "Wm-2": "W/m2",
+    "Js-1": "W",
+    "J/kgK": "J/(kg K)",
+    "Jkg-1K-1": "J/(kg K)",
+    "W/m2sr": "W/(m2 sr)",
+    "Wm-2sr-1": "W/(m2 sr)",
+    "Wm⁻²sr⁻¹": "W/(m2 sr)",
+    "Wm^-2nm^-1": "W/(m2 nm)",
+    "umol/m2s": "umol/(m2 s)",
+    "µmolm-2s-1": "umol/(m2 s)",
+    "kgm2s-3": "W",
+    "cdm-2": "cd/m2",
+    "Втм-2": "W/m2",
+}
+
+
+@pytest.mark.parametrize("text", JOINED)
+def test_units_written_together_are_a_product(text):
+    unit, signed = resolve(text), resolve(JOINED[text])
+    assert (unit.factor, unit.dimension) == (signed.factor, signed.dimension)
+    assert any("is read as" in note for note in unit.notes)
+
+
+@pytest.mark.parametrize("text", ["lmW-1", "lmm-2"])
+def test_units_written_together_in_two_ways_are_refused(text):
+    with pytest.raises(UnitError, match="ambiguous"):
+        resolve(text)
+
+
+@pytest.mark.parametrize("text", ["Wm", "lmlx", "m-2m", "Wmsr", "W/m2srr"])
+def test_letters_without_an_exponent_are_not_a_product(text):
+    with pytest.raises(UnitError):
+        resolve(text)
