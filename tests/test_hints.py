@@ -139,7 +139,7 @@ MEANT = [
     ("solid-angle polygon 0,0,1 2,0,1 0,1,1 1,2,1", "polygon 0,0,1 2,0,1 1,2,1 0,1,1\n"),
     ("solid-angle polygon 0,0 1,0,1 0,1,1", "polygon 0,0,1 1,0,1 0,1,1\n"),
     ("solid-angle cube --width 1m --length 1m --height 2m", "solid-angle rectangle"),
-    ("solid-angle cone --half-angle 30deg --check omega=0.9sr", "--check solid-angle=0.9sr"),
+    ("solid-angle cone --half-angle 30deg --check solidangle=0.9sr", "--check solid-angle=0.9sr"),
     ("direction 30deg 45deg", "direction --polar 30deg --azimuth 45deg"),
     ("direction 1 2 3 --check 0.9", "try: radcalc direction 1 2 3 --check z=0.9"),
     ("direction 1m 1m 1", "direction 1m,1m,1m"),

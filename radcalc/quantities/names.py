@@ -6,7 +6,8 @@ used.  The first of several names is preferred; the others are also in use: "ira
 "radiozita" in Czech lecture notes on computer graphics, "hustota zářivého toku" in Czech Wikipedia
 ("Intenzita záření", which distinguishes radiozita from intenzita vyzařování), "ozáření" for W/m2
 in WikiSkripta ("Radiometrické veličiny"), "poměrná spektrální světelná účinnost" in Světlopedia
-("Světelná účinnost") and "intenzita ozařování" in Reichl's Encyklopedie fyziky.  The definitions are radcalc's own.
+("Světelná účinnost") and "intenzita ozařování" in Reichl's Encyklopedie fyziky.
+The definitions are radcalc's own.
 """
 
 from typing import NamedTuple
