@@ -117,6 +117,7 @@ def check(
 def convert(
     value: Number,
     target: str,
+    to: str | None = None,
     *,
     wavelength: Amount = None,
     spectrum: Text = None,
@@ -236,6 +237,7 @@ def ev(
 def explain(
     value: Number,
     target: str,
+    to: str | None = None,
     *,
     wavelength: Amount = None,
     spectrum: Text = None,

@@ -119,6 +119,19 @@ def _stated_unit(given: Any) -> Unit | None:
     return resolve(str(column.attrs[UNITS])) if UNITS in column.attrs else None
 
 
+def with_unit(column: Any, unit: Unit) -> Any:
+    """Return a column without a unit in a unit; raise UnitError if it has another one."""
+    if stated := _stated_unit(column):
+        problem = f"the column has the unit {quote(stated.text)}, and '{quote(unit.text)}' too"
+        raise UnitError(problem, "only one of them")
+    if library_of(column) == XARRAY:
+        return column.assign_attrs({UNITS: unit.text})
+    name = "value" if column.name in (None, "") else str(column.name)
+    _refuse_other(column, unit)
+    titled = read_title(name, unit).unit
+    return column if titled else column.rename(f"{name} [{unit.text}]")
+
+
 def _refuse_other(column: Any, unit: Unit) -> None:
     """Refuse a column whose title disagrees with its unit, or names another quantity."""
     if column.name is None:

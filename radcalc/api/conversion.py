@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import ShownInput
-from radcalc.api.columns import of_conversion, take_columns
+from radcalc.api.columns import of_conversion, take_columns, with_unit
 from radcalc.api.keywords import Number
 from radcalc.api.pages import of_page
 from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity, unit_of
-from radcalc.api.reading import broadcast, read_inputs, refuse_lazy, together
+from radcalc.api.reading import broadcast, library_of, read_inputs, refuse_lazy, together
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
 from radcalc.conversion.linear import Plan
@@ -24,6 +24,7 @@ from radcalc.quantities.symbols import article
 from radcalc.units.amount import Amount as ReadAmount
 from radcalc.units.ranges import real
 from radcalc.units.reading import read_amount, read_for
+from radcalc.units.registry import light_registry
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
@@ -33,7 +34,7 @@ WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'
 
 
 @of_page("convert")
-def convert(value: Number, target: str, **conditions: Any) -> Quantity:
+def convert(value: Number, target: str, to: str | None = None, **conditions: Any) -> Quantity:
     """Convert a quantity to another unit, or to another quantity under conditions.
 
     Parameters
@@ -44,6 +45,8 @@ def convert(value: Number, target: str, **conditions: Any) -> Quantity:
         with its unit.  A bare number is dimensionless.
     target : str
         The unit of the result, a quantity (``"ppfd"``: its usual unit), or a scale (``"dBm"``).
+    to : str, optional
+        The unit of the result, after that of a value without a unit: ``convert(500, "lx", "fc")``.
 
     Returns
     -------
@@ -62,9 +65,12 @@ def convert(value: Number, target: str, **conditions: Any) -> Quantity:
     --------
     >>> print(convert("800 lm", "cd", half_angle="60deg").round(3))
     254.648 candela
+    >>> print(convert(500, "lx", "fc").round(3))
+    46.452 footcandle
     >>> convert("10 mW", "dBm"), str(convert("-30 dBm", "uW"))
     (10.0, '1.0 microwatt')
     """
+    value, target = _with_unit(value, target, to)
     columns, arrays = take_columns({"value": value, **conditions})
     if columns:
         unit = target_of(target)
@@ -85,14 +91,14 @@ def convert(value: Number, target: str, **conditions: Any) -> Quantity:
 
 
 @of_page("convert")
-def explain(value: Number, target: str, **conditions: Any) -> Result:
+def explain(value: Number, target: str, to: str | None = None, **conditions: Any) -> Result:
     """Convert like `convert`, and return the assumptions, notes and derivation with the value.
 
     Parameters
     ----------
     value : Number
         As in `convert`; a single value, not an array.
-    target : str
+    target, to : str
         As in `convert`.
 
     Returns
@@ -113,6 +119,7 @@ def explain(value: Number, target: str, **conditions: Any) -> Result:
     >>> found.assumptions
     ('uniform over 4 pi sr (isotropic)',)
     """
+    value, target = _with_unit(value, target, to)
     if isinstance(value, (list, tuple)) or any(
         getattr(argument, "shape", ()) for argument in (value, *conditions.values())
     ):
@@ -199,6 +206,27 @@ def factor(source: str, target: str, **conditions: Any) -> float:
 
 def _again(given: Mapping[str, Any]) -> Any:
     return convert(**given)
+
+
+def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
+    """Return the value and the target of a call; of three operands the second is a unit."""
+    if to is None:
+        return value, unit
+    _require_texts(unit, to)
+    start = resolve_any(unit)
+    if is_quantity(value) or (isinstance(value, str) and read_amount(value).unit):
+        problem = f"the value '{quote(str(value))}' has a unit, and '{quote(unit)}' is another"
+        raise ConversionError(problem, f'radcalc.convert("{quote(str(value))}", "{quote(to)}")')
+    if isinstance(value, str) or type(value) in (int, float):
+        return f"{value} {unit}", to
+    if start.is_scale:
+        problem = f"'{quote(unit)}' is a scale, and the value is not a single number"
+        raise ConversionError(problem, "a call for each reading")
+    if isinstance(value, (list, tuple)):
+        value = real(value, "the value", "real numbers")
+    if library_of(value):
+        return with_unit(value, start), to
+    return Quantity(value, light_registry().container(start)), to
 
 
 def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:

@@ -17,6 +17,7 @@ def brightest(distances: list[str]) -> float:
 
 
 def footcandles(illuminance: Quantity) -> Quantity:
+    assert radcalc.convert(500, "lx", "fc") == radcalc.convert("500 lx", "fc")
     return radcalc.convert(illuminance, "fc")
 
 
