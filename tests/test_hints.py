@@ -92,7 +92,6 @@ MEANT = [
     ("calorimeter --mass 1kg --specific-heat 385J/kg/°F --temperature-rise 2K", "K: a step"),
     ("convert 25 ℃ K", "25 °C is 298.15 K"),
     ("convert 77 degF K", "77 °F is 298.15 K"),
-    ("screen --flux 1000lm --width 2m --aspect 16:9", "16/9"),
     # h c / 2.2 eV = 563.564 nm in vacuum; 30 meV are 30/2200 of it; 30 meV / h = 7.25397 THz
     ("spectrum gaussian:2.2eV,30meV", "gaussian:563.408nm,7.685nm"),
     ("spectrum gaussian:550nm,10THz", "gaussian:550nm,10.09nm"),

@@ -43,7 +43,7 @@ def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
 
     A range of directions has polar angles and one azimuth: 0deg:90deg:15deg,90deg.
     """
-    form = SYMBOLS[name].form
+    form, text = SYMBOLS[name].form, _as_aspect(name, text)
     if name in MARKED and MARKED[name] in str(text).lower():
         return text.split(",")  # type: ignore[no-any-return]
     if form == SPECTRUM:
@@ -54,6 +54,14 @@ def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
         angles, comma, azimuth = text.partition(",")
         return [f"{polar}{comma}{azimuth}" for polar in read_values(angles)]
     return _quantities(name, text, arrays) if form == QUANTITY else [text]
+
+
+def _as_aspect(name: str, value: Any) -> Any:
+    """Return 16:9 as 16/9 for an aspect ratio; a range has two colons."""
+    if name != "aspect" or not isinstance(value, str):
+        return value
+    parts = value.split(",")
+    return ",".join(part.replace(":", "/") if part.count(":") == 1 else part for part in parts)
 
 
 def _quantities(name: str, text: str, arrays: bool) -> Sequence[Any]:
@@ -90,7 +98,7 @@ def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Inpu
         given = read_as(SYMBOLS[name], f"{text} {bare}", uncertain)
         assumption = f"{option(name, quote(text))} is in {bare}"
         return given._replace(text=text, assumptions=(*given.assumptions, assumption))
-    return read_as(SYMBOLS[name], value, uncertain)
+    return read_as(SYMBOLS[name], _as_aspect(name, value), uncertain)
 
 
 def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Input:

@@ -5,6 +5,8 @@ import math
 import pytest
 from conftest import run
 
+import radcalc
+
 
 @pytest.mark.parametrize(
     ("words", "asked", "expected"),
@@ -63,3 +65,21 @@ def test_the_gain_follows_from_flux_area_and_luminance():
     words = "screen --flux 3000lm --area 2m2 --luminance 600cd/m2 -g gain"
     done = run(*words.split())
     assert float(done.stdout) == pytest.approx(600 * math.pi / 1500, rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("aspect", "ratio"), [("16:9", 16 / 9), ("2.39:1", 2.39), ("4:3", 4 / 3), ("16/9", 16 / 9)]
+)
+def test_an_aspect_ratio_may_have_a_colon(aspect, ratio):
+    # the width of a diagonal c: c a / sqrt(1 + a^2)
+    done = run("screen", "--diagonal", "100in", "--aspect", aspect, "-g", "width:m", "-q")
+    right = 2.54 * ratio / math.hypot(1, ratio)
+    assert float(done.stdout) == pytest.approx(right, rel=1e-11)
+    found = radcalc.screen(diagonal="100in", aspect=aspect).width.to("m").magnitude
+    assert found == pytest.approx(right, rel=1e-14)
+
+
+def test_aspect_ratios_may_be_a_list_or_a_range():
+    for aspects, count in (("16:9,4:3", 2), ("1.6:2:0.2", 3)):
+        done = run("screen", "--diagonal", "100in", "--aspect", aspects, "-g", "width", "-q")
+        assert len(done.stdout.splitlines()) == count
