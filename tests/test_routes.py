@@ -112,7 +112,7 @@ def test_the_command_is_printed_and_has_the_same_answer():
 def test_what_radcalc_knows_comes_before_a_file_of_that_name(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     saved(tmp_path, "nm,W/m2/nm\n400,1\n500,1\n", name)
-    assert "read as: radcalc spectrum" not in run(name).stderr
+    assert f"read as: radcalc spectrum ./{name}" not in run(name).stderr
     assert f"read as: radcalc spectrum ./{name}\n" in run(f"./{name}").stderr
 
 

@@ -6,7 +6,7 @@ from radcalc.api.quantity import Quantity
 from radcalc.api.refusals import in_python, other_call
 from radcalc.api.result import Result
 from radcalc.errors import Try
-from radcalc.sentences.calls import as_mention, call_of
+from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read, refuse_unknown
 from radcalc.units.reading import read_operands
 
@@ -38,7 +38,7 @@ def ask(sentence: str) -> Result | Quantity:
     """
     found = read([sentence])
     refuse_unknown(found)
-    command, *words = as_mention(call_of(found))
+    command, *words = call_of(found)
     if command == "convert":
         operands = [word for word in words if "=" not in word]
         amount, target = read_operands(operands)

@@ -28,6 +28,8 @@ def begins_with_file(words: list[str]) -> bool:
     word = words[0] if words else ""
     if word in COMMANDS or word == "help" or word[:1] in ("", "-") or not os.path.isfile(word):
         return False
+    if words[1:] and words[1][:1] != "-":  # a sentence
+        return False
     if "/" in word:
         return True
     from radcalc.cli.suggestions import looked_up
@@ -65,9 +67,9 @@ def meant(words: list[str]) -> list[str]:
     routed = [*route(words[0]), *words[1:]]
     has_unit = any(word.partition("=")[0] == "--unit" for word in words)
     if routed[0] == "environment" and not has_unit:
-        from radcalc.distributions.maps.pictures import read_picture
+        from radcalc.routes.kinds import is_relative
 
-        if not read_picture(words[0]).unit:
+        if is_relative(words[0]):
             routed[2:2] = ["--unit", "1"]
     return routed
 

@@ -1,5 +1,6 @@
 """Calls in words: read, run as the command that they mean, and shown as that command."""
 
+import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -10,6 +11,7 @@ from radcalc.cli.group import context, parameters
 from radcalc.cli.heard import hear
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.options import OPTIONS, STEPS, decide, defaults
+from radcalc.cli.spelling import typed
 from radcalc.errors import (
     ExpressionError,
     MissingCondition,
@@ -73,7 +75,8 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
     options = [word.partition("=")[0] for word in asked if word[:2] == "--"]
     if asked[0] in COMMANDS:
         is_word = len(asked) > 1 and not any(c.isdigit() for c in asked[1])
-        return asked[0] != "convert" and not options and is_word
+        has_file = any(map(os.path.exists, asked))
+        return asked[0] != "convert" and not options and is_word and not has_file
     known = {name for parameter in parameters("convert") for name in parameter.opts}
     return not options or not known.issuperset(options)
 
@@ -95,7 +98,7 @@ def meant(
         phrases = [*sentence.facts, *sentence.goals, *sentence.files]
         understood = has_unit and (len(phrases) > 1 or len(asked) > SHORT)
         refuse_unknown(sentence)
-        call = call_of(sentence)
+        call = list(typed(call_of(sentence)))
     except RadcalcError as problem:
         is_free = asked[0] not in COMMANDS and not any(word[:2] == "--" for word in asked)
         is_better = is_free and understood and not _is_clear(error, words, has_answers)

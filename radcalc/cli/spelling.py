@@ -1,10 +1,10 @@
 """The shell's spelling of symbols and commands in messages."""
 
-from radcalc.errors import spell
+from radcalc.errors import MINUS, spell
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
 NEED_QUOTES = set(" ()<>;&|")  # at a shell
 SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
@@ -60,3 +60,15 @@ def quoted(word: str) -> str:
 def spelled(text: str) -> str:
     """Return a text with its mentions spelled as at a shell."""
     return spell(text, Shell)
+
+
+def typed(words: "Sequence[str]") -> "Iterator[str]":
+    """Yield the words of a mention as they are typed: NAME=VALUE is an option."""
+    for word in words:
+        name, equals, value = word.partition("=")
+        if not equals:
+            yield word
+            continue
+        yield "-g" if name == "get" else f"--{name}"
+        if value:
+            yield value.replace(MINUS, "-")

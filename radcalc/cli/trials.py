@@ -2,7 +2,7 @@
 
 import math
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any, NamedTuple
 
@@ -16,7 +16,7 @@ from radcalc.cli.command import with_plot
 from radcalc.cli.group import called_in, commands, context, parameters, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.help import HELP_NAMES
-from radcalc.cli.spelling import Shell, pasted, spelled
+from radcalc.cli.spelling import Shell, pasted, spelled, typed
 from radcalc.errors import (
     MINUS,
     Exclusive,
@@ -190,7 +190,7 @@ def _results(words: Words) -> list[Row]:
 def changed(words: Words, proposal: Try) -> Words | None:
     """Return the words of a call as a hint proposes, or None if they cannot be changed so."""
     if proposal.words:
-        return list(_typed(proposal.words))
+        return list(typed(proposal.words))
     call = list(words)
     if proposal.instead:
         corrected = _corrected(call, *proposal.instead)
@@ -213,18 +213,6 @@ def changed(words: Words, proposal: Try) -> Words | None:
         call, place = _without(call, f"--{name}", known)
         call[place:place] = added
     return call
-
-
-def _typed(words: Sequence[str]) -> Iterator[str]:
-    """Yield the words of a mention as they are typed: NAME=VALUE is an option."""
-    for word in words:
-        name, equals, value = word.partition("=")
-        if not equals:
-            yield word
-            continue
-        yield "-g" if name == "get" else f"--{name}"
-        if value:
-            yield value.replace(MINUS, "-")
 
 
 def _corrected(call: Words, *texts: str) -> Words | None:

@@ -193,3 +193,10 @@ def _is_log(lines: list[str], name: str, rows: FirstRows | None) -> bool:
         of_light = [unit for unit in units if read_light(unit)]
         return len(of_light) == 1 or (not units and len(numbers) == 1)
     return True
+
+
+def is_relative(path: str) -> bool:
+    """Return whether a map of radiances has no unit, so that its values are relative."""
+    from radcalc.distributions.maps.pictures import read_picture
+
+    return not read_picture(path).unit

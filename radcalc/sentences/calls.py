@@ -1,19 +1,20 @@
 """The call of a command that a sentence means: its facts decide."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from itertools import product
 
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
-from radcalc.errors import Try, UsageError, manual, quote
+from radcalc.errors import Try, UsageError, manual, quote, quote_path
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.light import result_name
 from radcalc.quantities.symbols import FLAG, SPECIFIC, SYMBOLS, in_kind, names_of_kinds
+from radcalc.routes.kinds import COMMANDS, LUMINAIRE, MAP, SPECTRUM, is_relative, kind_of
 from radcalc.sentences.phrases import FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
-from radcalc.units.dimensions import ANGLE, AREA, LENGTH, TIME, times
+from radcalc.units.dimensions import ANGLE, AREA, LENGTH, TEMPERATURE, TIME, times
 from radcalc.units.unit import NUMBER
 
 VALUE = "value"  # the amount that is converted
@@ -77,7 +78,7 @@ USUAL_GOALS = {
 
 
 def call_of(sentence: Sentence) -> list[str]:
-    """Return the words of the call that a sentence means.
+    """Return the call that a sentence means: a command, its operands and NAME=VALUE.
 
     Raises UsageError if it has several readings, or none.
     """
@@ -95,15 +96,48 @@ def call_of(sentence: Sentence) -> list[str]:
         wanted = f" and asks for {quote(goal.text)}" if goal else ""
         what = ", ".join(map(quote, parts)) or "these words"
         raise UsageError(f"no command takes {what}{wanted}", manual("convert"))
-    tries = [Try(words=tuple(as_mention(call))) for call in calls[:MOST]]
+    tries = [Try(words=tuple(call)) for call in calls[:MOST]]
     raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", tries)
 
 
 def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     """Return the calls of all readings of a sentence with at most one goal."""
     goal = _goal_of(sentence)
+    if sentence.files:
+        return _of_file(sentence, goal)
     found = [call for facts in _readings(sentence) for call in _calls(facts, goal)]
     return list(dict.fromkeys(map(tuple, found)))
+
+
+def _of_file(sentence: Sentence, goal: Goal | None) -> list[tuple[str, ...]]:
+    """Return the calls of the command that reads a file, with the other facts as its options.
+
+    The file of a spectrum beside an amount of light is the spectrum of that light.
+    """
+    path, *others = sentence.files
+    if others:
+        listed = " and ".join(map(quote_path, sentence.files))
+        raise UsageError(f"the sentence has several files: {listed}", "a call for each of them")
+    kind = kind_of(path)
+    if kind == SPECTRUM and any(map(_is_light, sentence.facts)):
+        with_file = (*sentence.facts, Fact(("spectrum",), path, path))
+        return _calls_of(sentence._replace(files=(), facts=with_file))
+    facts = tuple(map(_toward, sentence.facts)) if kind == LUMINAIRE else sentence.facts
+    command, symbol = COMMANDS[kind]
+    words = [command, f"{symbol}={path}" if symbol else path]
+    if kind == MAP and is_relative(path):
+        words.append("unit=1")
+    found = []
+    for given in _readings(sentence._replace(facts=facts)):
+        found += _on_page(words, page_of(command), given, goal)
+    return list(dict.fromkeys(map(tuple, found)))
+
+
+def _toward(fact: Fact) -> Fact:
+    """Return an angle beside a luminaire: of incidence, or of a direction of its light."""
+    if fact.symbols == ("incidence",) and "incidence" not in fact.typed:
+        return fact._replace(symbols=("toward", "incidence"))
+    return fact
 
 
 def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
@@ -130,7 +164,7 @@ def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark
     facts = tuple([other if one is fact else one for one in sentence.facts])
     readings = _readings(sentence._replace(facts=facts))
     calls = [call for reading in readings[:1] for call in _calls(reading, goal)[:1]]
-    return [Try(words=tuple(as_mention(call)), remark=remark) for call in calls]
+    return [Try(words=tuple(call), remark=remark) for call in calls]
 
 
 def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
@@ -162,19 +196,6 @@ def _generic_names(facts: Facts) -> Iterator[str]:
             yield SPECIFIC[name][0]
 
 
-def as_mention(call: Iterable[str]) -> Iterator[str]:
-    """Yield the words of a call with NAME=VALUE for options, as a `Try` has them."""
-    rest = iter(call)
-    for word in rest:
-        if word == "-g":
-            yield f"get={next(rest)}"
-        elif word.startswith("--"):
-            is_flag = word[2:] in SYMBOLS and SYMBOLS[word[2:]].form == FLAG
-            yield f"{word[2:]}=" if is_flag else f"{word[2:]}={next(rest)}"
-        else:
-            yield word
-
-
 def _goal_of(sentence: Sentence) -> Goal | None:
     """Return the only goal; the name and the unit of one result count as one."""
     goals = list(dict.fromkeys(sentence.goals))
@@ -185,7 +206,7 @@ def _goal_of(sentence: Sentence) -> Goal | None:
         listed = Goal(",".join([goal.text for goal in units]), units[0].unit) if units else goals[0]
         alone = [sentence._replace(goals=(goal,)) for goal in (listed, *goals[:MOST])]
         calls = [call for one in alone for call in _calls_of(one)[:1]]
-        tries = [Try(words=tuple(as_mention(call))) for call in calls]
+        tries = [Try(words=tuple(call)) for call in calls]
         problem = f"the sentence asks for several results: {texts}"
         raise UsageError(problem, tries or "one of them")
     if units and named:
@@ -257,13 +278,19 @@ def _calculations(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[st
         words.append(given.pop(SHAPE).text)
     elif frame.operand:
         words.append(frame.operand)
-    if not {*given} <= taken:
+    return _on_page(words, page, given, goal)
+
+
+def _on_page(words: list[str], page: Page, given: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return calls with facts as options of a page, one for each result that the goal may mean."""
+    if not {*given} <= taken_by(page):
         return []
+    words = [*words]
     for name, fact in given.items():
-        words += _option(name, fact)
+        words.append(_input(name, fact))
     if goal is None:
         return [words]
-    return [[*words, "-g", name] for name in _results(page, goal, given)]
+    return [[*words, f"get={name}"] for name in _results(page, goal, given)]
 
 
 def _taken(name: str, fact: Fact, taken: set[str]) -> str:
@@ -291,7 +318,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     is_plain = amount is not None and amount.unit.text == unit
     words = ["convert", *([number, unit] if is_plain else [facts[value].text])]
     words += [target] if target else []
-    return [words + [word for name, fact in given.items() for word in _option(name, fact)]]
+    return [words + [_input(name, fact) for name, fact in given.items()]]
 
 
 def _quotients(facts: Facts, goal: Goal | None) -> list[list[str]]:
@@ -301,6 +328,9 @@ def _quotients(facts: Facts, goal: Goal | None) -> list[list[str]]:
         return []
     if all(amount.dimension == NUMBER for amount in amounts):
         return []
+    if goal.unit and all(amount.dimension == TEMPERATURE for amount in amounts):
+        before, after = [amount.text for amount in amounts]  # the shift of a filter
+        return [["convert", f"1/({after}) - 1/({before})", "1/MK"]]
     unit = goal.unit.dimension if goal.unit else SYMBOLS[goal.names[0]].dimensions[0]
     first, second = amounts
     ways = {
@@ -312,11 +342,12 @@ def _quotients(facts: Facts, goal: Goal | None) -> list[list[str]]:
     return [["convert", way, target] for way, dimension in ways.items() if dimension == unit]
 
 
-def _option(name: str, fact: Fact) -> list[str]:
+def _input(name: str, fact: Fact) -> str:
+    """Return an input of a call; a flag has no value."""
     if SYMBOLS[name].form == FLAG:
-        return [f"--{name}"]
+        return f"{name}="
     light = read_light(fact.amount.unit) if fact.amount else None
-    return [f"--{in_kind(name, light.kind) if light else name}", _one_word(fact)]
+    return f"{in_kind(name, light.kind) if light else name}={_one_word(fact)}"
 
 
 def _one_word(fact: Fact) -> str:

@@ -162,7 +162,7 @@ _FILLERS = """
     a about an and are at be by calculate can convert corresponds do does equals for from get give
     given gives have how i if in into is it many me much my need needed needs of on one onto over
     please required tell than that the there this through to under using value what when which
-    wien will with you
+    wien will with you below beneath directly straight down shift
 
     air average beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
     goggles intense lamp lamps laser led leds lens light lights linewidth luminaire luminaires

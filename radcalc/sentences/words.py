@@ -69,9 +69,11 @@ def words_of(typed: "list[str]") -> list[Word]:
         following = parts[at + 1 : at + 2]
         name = part.removeprefix("--")
         is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
-        if name.lower() in DLI and at == 0 and following and following[0].isdigit():
+        is_number = bool(following) and following[0][0].isdigit()
+        is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
+        if is_bare and name.lower() in DLI and at == 0:
             parts[:2] = [following[0], "ppfd", name]  # dli 600 16h
-        elif is_before and following and following[0][0].isdigit():
+        elif is_bare and is_before:
             parts[at : at + 2] = [following[0], name]
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
             parts[at : at + 2] = ["", f"{following[0]}^-1"]
@@ -132,6 +134,8 @@ def _operand(words: "list[Word]", start: int) -> Amount | None:
 def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
     """Return the unit or the scale of the words after a number; `in` before a unit separates."""
     text = " ".join(parts)
+    if not text:
+        return None
     unit = unit_of(text) or find(text) or horticulture.find(text)
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
         return None

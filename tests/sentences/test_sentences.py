@@ -8,7 +8,7 @@ from following import call
 from helpers import for_each
 
 import radcalc
-from radcalc.cli.spelling import pasted
+from radcalc.cli.spelling import pasted, typed
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.phrases import PHRASES
 from radcalc.sentences.reader import read
@@ -69,7 +69,7 @@ MEANT = [
 
 @for_each(MEANT)
 def test_a_sentence_means_a_command(sentence, command):
-    assert pasted(call_of(read(sentence.split()))) == f"radcalc {command}"
+    assert pasted([*typed(call_of(read(sentence.split())))]) == f"radcalc {command}"
 
 
 # Words, and parts of the message and of the hint.
