@@ -1,6 +1,6 @@
 """The call of a command that a sentence means: its facts decide."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import product
 
 from radcalc.calculators.page import Page
@@ -105,7 +105,12 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     goal = _goal_of(sentence)
     if sentence.files:
         return _of_file(sentence, goal)
-    found = [call for facts in _readings(sentence) for call in _calls(facts, goal)]
+    readings = _readings(sentence)
+    found = [call for facts in readings for call in _calls(facts, goal)]
+    found = found or _quotients(sentence.facts, goal)
+    if not found and not readings:
+        texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
+        raise UsageError(f"two of these fill one place: {texts}", "a call for each of them")
     return list(dict.fromkeys(map(tuple, found)))
 
 
@@ -175,7 +180,7 @@ def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
         of_frame = _conversions if frame.command == "convert" else _calculations
         if frame.needs & {*_generic_names(facts)} and (calls := of_frame(frame, facts, goal)):
             return calls
-    return _quotients(facts, goal)
+    return []
 
 
 def _filtered(facts: Facts) -> Facts:
@@ -222,9 +227,6 @@ def _readings(sentence: Sentence) -> list[Facts]:
         facts = dict(zip(chosen, sentence.facts, strict=True))
         if len(facts) == len(chosen):
             readings.append(facts)
-    if not readings and sentence.facts:
-        texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
-        raise UsageError(f"two of these fill one place: {texts}", "a call for each of them")
     return readings
 
 
@@ -321,9 +323,9 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     return [words + [_input(name, fact) for name, fact in given.items()]]
 
 
-def _quotients(facts: Facts, goal: Goal | None) -> list[list[str]]:
+def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
-    amounts = [fact.amount for fact in facts.values() if fact.amount]
+    amounts = [fact.amount for fact in facts if fact.amount]
     if len(amounts) != 2 or len(facts) != 2 or goal is None:
         return []
     if all(amount.dimension == NUMBER for amount in amounts):
