@@ -158,7 +158,7 @@ PHRASES = (
 )
 
 # Words that add nothing to a phrase.
-_FILLERS = """
+IGNORED = """
     a about an and are at be by calculate can convert corresponds do does equals for from get give
     given gives have how i if in into is it many me much my need needed needs of on one onto over
     please required tell than that the there this through to under using value what when which
@@ -176,7 +176,7 @@ _FILLERS = """
     и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
     источник точечный экран стол бумага
 """  # questions, articles, prepositions; sources and surfaces; Czech; Russian
-FILLERS = frozenset(map(comparable, _FILLERS.split()))
+FILLERS = frozenset(map(comparable, IGNORED.split()))
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])
 # Words before the name of a spectrum of one letter: `with A`.

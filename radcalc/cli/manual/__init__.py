@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from radcalc.cli.manual import commands, mdoc, reference, tasks
+from radcalc.cli.manual import commands, mdoc, phrases, reference, tasks
 
 MARKED = re.compile(
     r'^(\.\\" generated: (\w+)(?: of (.+))?\n)(?:.*\n)*?(\.\\" end of generated\n)', re.MULTILINE
@@ -23,6 +23,9 @@ WRITERS: Mapping[str, Callable[[str], Iterable[str]]] = {
     "laws": commands.laws,
     "list": commands.listed,
     "tasks": tasks.tasks,
+    "phrases": phrases.phrases,
+    "fillers": phrases.fillers,
+    "frames": phrases.frames,
     "quantities": reference.quantities,
     "conditions": reference.conditions,
     "units": reference.units,
