@@ -100,8 +100,8 @@ def meant(
         refuse_unknown(sentence)
         call = list(typed(call_of(sentence)))
     except RadcalcError as problem:
-        is_free = asked[0] not in COMMANDS and not any(word[:2] == "--" for word in asked)
-        is_better = is_free and understood and not _is_clear(error, words, has_answers)
+        is_free = asked[0] not in COMMANDS and understood
+        is_better = is_free and not _is_clear(error, words, has_answers)
         raise (problem if is_better else error) from None
     is_same = _plain(call) == _plain(asked) and not isinstance(error, TooManyWords)
     if is_same or asked[0] == call[0]:

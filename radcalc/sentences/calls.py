@@ -8,7 +8,14 @@ from radcalc.calculators.pages import page_of
 from radcalc.errors import Try, UsageError, manual, quote, quote_path
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.light import result_name
-from radcalc.quantities.symbols import FLAG, SPECIFIC, SYMBOLS, in_kind, names_of_kinds
+from radcalc.quantities.symbols import (
+    FLAG,
+    SPECIFIC,
+    SYMBOLS,
+    in_kind,
+    names_of_kinds,
+    specific_name,
+)
 from radcalc.routes.kinds import COMMANDS, LUMINAIRE, MAP, SPECTRUM, is_relative, kind_of
 from radcalc.sentences.phrases import FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
@@ -309,7 +316,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
         return []
     ((value,), given) = values, {name: f for name, f in facts.items() if name in conditions}
     usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
-    target = goal.text if goal else usual if len(given) == 1 else ""
+    target = _target(goal, facts[value]) if goal else usual if len(given) == 1 else ""
     if (given and not target) or facts[value].amount is None:
         return []
     small = page_of("point-source")
@@ -321,6 +328,16 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     words = ["convert", *([number, unit] if is_plain else [facts[value].text])]
     words += [target] if target else []
     return [words + [_input(name, fact) for name, fact in given.items()]]
+
+
+def _target(goal: Goal, value: Fact) -> str:
+    """Return the target of a conversion; a name for several kinds of light is that of the value."""
+    light = read_light(value.amount.unit) if value.amount else None
+    for name in goal.names if light else ():
+        symbol = SYMBOLS[name]
+        if light and symbol.geometry and symbol.kind in ("", light.kind):
+            return specific_name(symbol.generic, light.kind).replace("-", " ")
+    return goal.text
 
 
 def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
@@ -358,7 +375,8 @@ def _one_word(fact: Fact) -> str:
     is_shutter = fact.symbols == () and fact.amount and fact.amount.dimension == NUMBER
     if is_shutter and fact.text[:2] == "1/":
         return f"{fact.text}s"
-    return number + unit if blank and unit[:1].isalpha() and " " not in unit else fact.text
+    is_amount = number[:1].isdigit() and unit[:1].isalpha() and " " not in unit
+    return number + unit if blank and is_amount else fact.text
 
 
 def taken_by(page: Page) -> set[str]:
@@ -391,4 +409,4 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     names = [
         own if SPECIFIC.get(own := result_name(goal.unit), ("",))[0] == n else n for n in found
     ]
-    return [f"{name}:{goal.text.replace(' ', '.')}" for name in names]
+    return [f"{name}:{goal.text}" for name in names]

@@ -167,8 +167,8 @@ IGNORED = """
     air average beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
     goggles intense lamp lamps laser led leds lens light lights linewidth luminaire luminaires
     global mean meter metre office page panel paper picture point projection projector projectors
-    pulse radiation ray same screen sensor sheet single small source spot spotlight surface table
-    wall
+    pulse radiation ray room same screen sensor sheet single small source spot spotlight surface
+    table wall
 
     je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit
     zdroj žárovka žárovky stůl plátno bodový

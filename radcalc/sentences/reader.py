@@ -297,7 +297,7 @@ def refuse_unknown(sentence: Sentence) -> None:
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
     hint: Hint = f"without {quote(sentence.unknown[0])}, or with another word for it"
     for word in sentence.unknown:
-        near = [one for one in (*suggest(word), *_near(word)) if comparable(one) not in FILLERS]
+        near = [n for n in (*suggest(word), *_near(word)) if comparable(n) not in {*FILLERS, word}]
         if near:
             hint = corrections(word, *near[:2])
             break

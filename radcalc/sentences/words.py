@@ -22,6 +22,7 @@ TIMES = ("x", "×", "by")  # between the sides of an area
 SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
 F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a lens of the cinema
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
+MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ]+=)(\S+)", re.I)
 PART_OF_UNIT = re.compile(r"[^\W\d]+\^?-\d|per|na")  # m-2, nm^-1, per
@@ -71,8 +72,8 @@ def words_of(typed: "list[str]") -> list[Word]:
         is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
         is_number = bool(following) and following[0][0].isdigit()
         is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
-        if is_bare and name.lower() in DLI and at == 0:
-            parts[:2] = [following[0], "ppfd", name]  # dli 600 16h
+        if is_number and name.lower() in DLI and at == 0 and (is_bare or parts[2] in MICROMOLES):
+            parts[: 2 + (not is_bare)] = [following[0], "ppfd", name]  # dli 600 16h
         elif is_bare and is_before:
             parts[at : at + 2] = [following[0], name]
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
