@@ -55,7 +55,7 @@ Examples:
   radcalc convert 100 W/m2 ppfd --spectrum D65
   radcalc convert 532 nm eV                    (a photon; also THz, cm-1, kJ/mol)
   radcalc convert 5778 K MW/m2                 (a black body; also um, W/m2/sr)
-  radcalc 100,200 lx fc,klx                    (lists; or a range: 1:5:1 m ft)
+  radcalc 100,200,500 lx fc,klx                (lists; or a range: 1:5:1 m ft)
   radcalc convert 250 cd/m2                    (every unit of luminance)
   radcalc convert 10 dBm mW                    (also mag, EV, mired, OD, stops ...)
   cut -f3 log.tsv | radcalc convert - lx fc

@@ -92,8 +92,8 @@ def _is_number(text: str) -> bool:
 
 
 def _are_groups(parts: Sequence[str]) -> bool:
-    """Return whether all have three digits: 100,200 is a list, but may mean 100200."""
-    return len(parts) > 1 and all(part.isdigit() and len(part) == GROUP for part in parts)
+    """Return whether three or more have three digits: a list, but also a number with commas."""
+    return len(parts) > 2 and all(part.isdigit() and len(part) == GROUP for part in parts)
 
 
 def note_of(text: str) -> tuple[str, ...]:
@@ -109,7 +109,7 @@ def note_of(text: str) -> tuple[str, ...]:
 def read_values(text: str) -> list[str]:
     """Split a list or a range into values, each with the unit after the last one.
 
-    `100,200 lx` are 100 lx and 200 lx.
+    `10,20,30 lx` are three values; two numbers around a comma may be one, and are refused.
     """
     values, unit = _cut_unit(text)
     series = read_series(values)

@@ -176,9 +176,9 @@ def test_an_uncertain_value_has_targets(value):
 
 
 def test_lists_complete_at_their_ends():
-    assert texts("100,200 lx k")[0] == "klx"
+    assert texts("100,200,400 lx k")[0] == "klx"
     assert texts("1:5:1 m k")[0] == texts("1m:5m:1m k")[0] == "km"
-    assert texts("100lx,200lx to k")[0] == texts("100,200 lx to k")[0] == "klx"
+    assert texts("100lx,200lx to k")[0] == texts("100,200,400 lx to k")[0] == "klx"
     assert texts("100 lx fc,kl")[0] == "fc,klx"
     assert texts("100 lx fc,cd ") == ["--distance"]
 
