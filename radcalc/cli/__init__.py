@@ -32,30 +32,29 @@ def of_help(words: list[str]) -> list[str]:
 def run(words: list[str]) -> int:
     """Run a command; turn whatever happens into an exit status."""
     words = habits.canonical(words)
-    return guarded(words, lambda: answered(words))
+    return guarded(words, lambda: or_sentence(words, lambda: answered(words)))
 
 
-def guarded(
-    words: list[str],
-    answer: "Callable[[], int]",
-    place: str = "",
-    listener: "Listener | None" = None,
+def or_sentence(
+    words: list[str], answer: "Callable[[], int]", listener: "Listener | None" = None
 ) -> int:
-    """Run `answer` and return the exit status; report an error with the `place` of the words.
-
-    Words that are not a call of a command may be a sentence.
-    """
+    """Run `answer`; if it is refused, answer the words as a sentence, if they are one."""
     try:
-        try:
-            return answer()
-        except MissingCondition:
-            raise
-        except (RadcalcError, click.UsageError) as error:
-            from radcalc.cli import sentence, trials
+        return answer()
+    except MissingCondition:
+        raise
+    except (RadcalcError, click.UsageError) as error:
+        from radcalc.cli import sentence, trials
 
-            run = partial(answered, listener=listener)
-            gate = sentence.Gate(run, trials.has_answers, listener)
-            return sentence.instead(words, _problem(error, words), gate)
+        run = partial(answered, listener=listener)
+        gate = sentence.Gate(run, trials.has_answers, listener)
+        return sentence.instead(words, _problem(error, words), gate)
+
+
+def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> int:
+    """Run `answer` and return the exit status; report an error with the `place` of the words."""
+    try:
+        return answer()
     except RadcalcError as error:
         problem = error
     except KeyboardInterrupt:
@@ -104,7 +103,7 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
         return terminal.FAILED
     if files.begins_with_file(words):
         words = files.meant(words)
-        files.say(words)
+        files.say(words, listener)
     words = protect_negatives(of_help(words))
     terminal.choose_color(_color_in(words, listener))
     settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None

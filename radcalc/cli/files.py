@@ -8,6 +8,10 @@ from radcalc.cli.help import COMMANDS
 from radcalc.cli.spelling import pasted
 from radcalc.errors import RadcalcError, Try, call, quote_path
 
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from radcalc.cli.options import Listener
+
 # The kind of file that each command reads as an operand, and each option.
 OPERANDS = {
     "spectrum": "spectrum",
@@ -74,9 +78,10 @@ def meant(words: list[str]) -> list[str]:
     return routed
 
 
-def say(words: list[str]) -> None:
+def say(words: list[str], listener: "Listener | None" = None) -> None:
     """Write how a call is read, unless it is quiet."""
-    if not {*words} & {*QUIET}:
+    is_quiet = listener is not None and listener.settings.get("quiet")
+    if not is_quiet and not {*words} & {*QUIET}:
         terminal.say([f"read as: {pasted(words)}"])
 
 

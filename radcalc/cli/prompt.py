@@ -41,7 +41,7 @@ WARM = (  # modules of the first answers
 
 
 def prompt(**values: Any) -> int:
-    """Type one command on each line, without the word radcalc in front.
+    """Type one command or sentence on each line, without the word radcalc in front.
 
     \b
     Examples:
@@ -53,6 +53,8 @@ def prompt(**values: Any) -> int:
       100 lx fc
       2 * 800 lm in lx --isotropic --distance 2m
       ans klx
+      800 lm 24 deg lobe to cd
+      ans at 3 m to lx
       x = point-source --flux 800lm --distance 2m -g irradiance
       x fc
       help point-source

@@ -1,7 +1,7 @@
 """Calls in words: read, run as the command that they mean, and shown as that command."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from radcalc import terminal
@@ -111,7 +111,7 @@ def meant(
 
 def _answer(call: Words, options: Words, gate: Gate) -> int:
     """Run the call of a sentence; write one result with its unit, and then the call."""
-    chosen = _values(options)
+    chosen = _values(options, gate.listener.settings if gate.listener else {})
     if "-g" in call and chosen is not None:
         results = hear(call)
         with context(gate.listener):
@@ -120,7 +120,7 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
         status = terminal.ANSWERED
     else:
         status = gate.run([*call, *options])
-    say([*call, *options])
+    say([*call, *options], gate.listener)
     return status
 
 
@@ -141,14 +141,17 @@ def _options_of(words: Sequence[str]) -> tuple[Words, Words]:
     return asked, options
 
 
-def _values(options: Words) -> "dict[str, object] | None":
-    """Return the values of options that leave a result with its unit; None for others."""
-    if not options:
+def _values(options: Words, settings: Mapping[str, object]) -> "dict[str, object] | None":
+    """Return the values of options that leave a result with its unit; None for others.
+
+    `settings` are those of all lines of a prompt.
+    """
+    if not options and not settings:
         return {}
     import click
 
     nothing = click.Command(None, params=[*OPTIONS, STEPS], add_help_option=False)
-    values = nothing.make_context("", list(options)).params
+    values = nothing.make_context("", list(options), default_map=dict(settings)).params
     steps = values.pop("steps")
     default = defaults()
     changed = {name for name, value in values.items() if value != default[name]}

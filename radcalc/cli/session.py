@@ -1,12 +1,13 @@
 """State of the prompt: reading a line, the last answer, and variables.
 
-A line is a command without `radcalc`.  Texts of amounts replace `ans` and the names of variables
-before a line is read, so the commands do not know them.
+A line is a command or a sentence, without `radcalc`.  Texts of amounts replace `ans` and the
+names of variables before a line is read, so the commands do not know them.
 """
 
 import re
 import shlex
 from collections.abc import Mapping, Sequence
+from functools import partial
 from string import ascii_letters
 from typing import Any
 
@@ -33,6 +34,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
+from radcalc.sentences.words import ENDS
 from radcalc.units import scales
 from radcalc.units.amount import Amount
 from radcalc.units.amounts import ALSO_UNITS
@@ -66,6 +68,7 @@ EXAMPLES = {
     "100 lx fc": "A value with its unit, converted.",
     "2 * 100 lx in fc": "Arithmetic.",
     "ans klx": "The last answer; ans.NAME is one of several results.",
+    "800 cd at 3 m to lx": "A sentence, also with ans or a variable for an amount.",
     "x = 800 lm": "A variable keeps an amount or an answer.",
     "vars": "The variables and their values.",
     "help WORD": "Help for a command, or a search for a word.",
@@ -101,7 +104,7 @@ class Session:
         if line.strip() in LEAVING:
             raise EOFError
         words: list[str] = []
-        return cli.guarded(words, lambda: self._answer(line, words), place, self)
+        return cli.guarded(words, lambda: self._answer(line, words), place)
 
     def _answer(self, line: str, words: list[str]) -> int:
         if not line.strip() or line.lstrip().startswith("#"):
@@ -122,11 +125,12 @@ class Session:
         words[:] = _as_typed(called, split(text))
         amount = _amount(called)
         if amount and (name or not _is_plain(amount) or self._has_names(text)):
-            status = self._show(amount, called)
+            answer = partial(self._show, amount, called)
         elif called or not name:
-            status = self._run(called)
+            answer = partial(self._run, called)
         else:
             raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
+        status = cli.or_sentence(words, answer, self)
         if name and status == terminal.ANSWERED:
             self.variables[name] = _text(amount) if amount else self._kept(name)
             self.origins[name] = self.used | {self.count}
@@ -152,7 +156,7 @@ class Session:
             return [called, *self._filled(called, words[1:])]
         if is_sentence(words) or self._begins_with_name(called):
             return ["convert", *self._filled("convert", words)]
-        return words
+        return [self._fill(word) if NAME.fullmatch(word.rstrip(ENDS)) else word for word in words]
 
     def _begins_with_name(self, word: str) -> bool:
         match = NAME.match(word)
@@ -248,7 +252,7 @@ class Session:
         is_bare = value[-1][-1] == ")" or bool(NUMBER_AT_END.search(value[-1]))
         if is_bare and remaining[1:]:
             value, remaining = [*value, remaining[0]], remaining[1:]
-        head = self._fill(" ".join(value), True)
+        head, remaining = self._fill(" ".join(value), True), list(map(self._fill, remaining))
         return (
             _parted(head, remaining[0]) if is_bare and len(remaining) == 1 else [head, *remaining]
         )

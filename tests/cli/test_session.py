@@ -1,5 +1,7 @@
 """Lines of a prompt: their syntax, the last answer, and names of amounts."""
 
+import json
+import math
 import re
 from pathlib import Path
 
@@ -164,6 +166,57 @@ def test_a_name_keeps_the_answer_of_a_conversion(typed):
 
 def test_a_name_keeps_a_bare_number(typed):
     assert typed("k = 1/4", "k lx mlx") == "250\tmlx\n"
+
+
+# E = I / d^2 and Phi = E A
+SENTENCES = {
+    "20000 cd at 8 m to lx": "312.5\tlx",
+    "source at 8 m to lx": "312.5\tlx",
+    "source at there to lx": "312.5\tlx",
+    "at there, source, lx": "312.5\tlx",
+    "source * 2 at there lx": "625\tlx",
+    "how many lumens for 500 lx on table": "1500\tlumens",
+    "20000 cd at 4 m to lx": "1250\tlx",
+}
+
+
+@pytest.mark.parametrize("line", SENTENCES)
+def test_a_line_may_be_a_sentence_with_names(typed, line):
+    typed("source = 20000 cd", "there = 8 m", "table = 3 m2")
+    assert typed(line) == SENTENCES[line] + "\n"
+
+
+@pytest.mark.parametrize("line", SENTENCES)
+def test_the_answer_of_a_sentence_is_the_last_answer(typed, line):
+    typed("source = 20000 cd", "there = 8 m", "table = 3 m2")
+    value, _, unit = typed(f"x = {line}").rstrip("\n").partition("\t")
+    assert typed(f"ans {unit} -n") == typed(f"x {unit} -n") == f"{value}\n"
+
+
+def test_the_last_answer_goes_on_in_a_sentence(typed):
+    # I = Phi (n + 1) / 2 pi sr, where cos^n(12 deg) = 1/2; E = I / d^2
+    exponent = math.log(0.5) / math.log(math.cos(math.radians(12)))
+    lx = 800 * (exponent + 1) / (2 * math.pi) / 3**2
+    answer = typed("800 lm 24 deg lobe to cd", "ans at 3 m to lx")
+    assert float(answer.split()[0]) == pytest.approx(lx, rel=1e-9)
+    typed("100 cd at 2 m")  # all results
+    assert typed("ans.illuminance on 3 m2 to lm") == "75\tlm\n"
+
+
+def test_a_sentence_has_the_settings_of_all_lines(capsys):
+    session = Session({"json_": True})
+    session.answer("20000 cd at 8 m to lx")
+    shown = json.loads(capsys.readouterr().out)
+    assert shown["results"]["illuminance"]["value"] == 312.5
+    Session({"number": True, "quiet": True}).answer("20000 cd at 8 m to lx")
+    assert capsys.readouterr() == ("312.5\n", "")
+
+
+def test_a_refused_sentence_has_the_values_of_its_names(typed):
+    typed("flow = 800 lm")
+    refusal = typed("24 degree beam flow to cd")
+    assert "radcalc convert 800 lm cd --beam-angle 24degree" in refusal
+    assert "understood 800 lm, fc; not understood: roughly" in typed("flow fc roughly")
 
 
 ARITHMETIC = {  # 1 ft = 0.3048 m; 1 lx = 1 lm/m2
