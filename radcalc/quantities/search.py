@@ -51,6 +51,8 @@ class Found(NamedTuple):
 
 def comparable(text: str) -> str:
     """Return a text for comparison: no case, no diacritics, single blanks between words."""
+    if text.isascii() and text.replace("-", "").replace(" ", "").isalnum():  # most names
+        return " ".join(text.lower().replace("-", " ").split())
     parts = (c if c.isalnum() or c in IN_NO_NAME else " " for c in bare(text))
     return " ".join("".join(parts).split())
 

@@ -16,7 +16,6 @@ from radcalc.quantities.symbols import (
     names_of_kinds,
     specific_name,
 )
-from radcalc.routes.kinds import COMMANDS, LUMINAIRE, MAP, SPECTRUM, is_relative, kind_of
 from radcalc.sentences.phrases import FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import Amount
@@ -126,6 +125,8 @@ def _of_file(sentence: Sentence, goal: Goal | None) -> list[tuple[str, ...]]:
 
     The file of a spectrum beside an amount of light is the spectrum of that light.
     """
+    from radcalc.routes.kinds import COMMANDS, LUMINAIRE, MAP, SPECTRUM, is_relative, kind_of
+
     path, *others = sentence.files
     if others:
         listed = " and ".join(map(quote_path, sentence.files))

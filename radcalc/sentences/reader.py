@@ -4,7 +4,7 @@ import os
 from functools import cache
 
 from radcalc.errors import Hint, UsageError, corrections, nearest, quote
-from radcalc.quantities.language import LANGUAGES
+from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
@@ -14,10 +14,11 @@ from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, uni
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.reading import read_amount
-from radcalc.units.table import suggest, unit_of
+from radcalc.units.table import suggest
 from radcalc.units.unit import NUMBER, Unit
 
 LONGEST_NAME = 5  # words
+ENGLISH_ALONE = (ENGLISH,)
 LONGEST = 2000  # characters
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
 
@@ -61,7 +62,12 @@ def read(typed: "list[str]") -> Sentence:
     if len(text) > LONGEST:
         raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")
     words = words_of(typed)
-    reading = _Reading(words)
+    found = _found(text, _Reading(words, ENGLISH_ALONE))
+    return _found(text, _Reading(words, LANGUAGES)) if found.unknown else found
+
+
+def _found(text: str, reading: "_Reading") -> Sentence:
+    words = reading.words
     facts: list[Fact] = []
     goals: list[Goal] = []
     files: list[str] = []
@@ -82,8 +88,9 @@ def read(typed: "list[str]") -> Sentence:
 class _Reading:
     """The words of a sentence, with the amounts that begin at each of them."""
 
-    def __init__(self, words: list[Word]) -> None:
+    def __init__(self, words: list[Word], languages: tuple[str, ...]) -> None:
         self.words = words
+        self.names = names(languages)
         self.amounts: dict[int, Amount | None] = {}
 
     def amount(self, at: int) -> Amount | None:
@@ -166,8 +173,8 @@ class _Reading:
                 [n for n, s in SYMBOLS.items() if s.letter == letter and n not in SPECIFIC]
             )
             return [(at + 1, found)] if found else []
-        ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in names()]
-        return [(end, names()[self.folded(at, end)]) for end in ends]
+        ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in self.names]
+        return [(end, self.names[self.folded(at, end)]) for end in ends]
 
     def _spectrum(self, at: int) -> list[Found]:
         """Find the name of a spectrum; one of a single letter only after a word such as `with`."""
@@ -191,7 +198,7 @@ class _Reading:
                 continue
             if text[0].isdigit() or (start == at and self.words[at].folded in FILLERS):
                 return []
-            symbols = names().get(self.folded(start, end), ())
+            symbols = self.names.get(self.folded(start, end), ())
             unit = unit_in(text.split())
             if not unit and self.folded(start, end) in index().misnomers:
                 symbols = tuple([name for f in called(text) for name in _symbols_of(f.quantity)])
@@ -256,8 +263,8 @@ def _part(text: str) -> str:
 
 
 @cache
-def names() -> "dict[str, tuple[str, ...]]":
-    """Return the symbols of every name in the vocabulary, in all its languages."""
+def names(languages: tuple[str, ...] = LANGUAGES) -> "dict[str, tuple[str, ...]]":
+    """Return the symbols of every name in the vocabulary, in some languages."""
     found: dict[str, tuple[str, ...]] = {}
 
     def add(text: str, symbol: str) -> None:
@@ -267,15 +274,16 @@ def names() -> "dict[str, tuple[str, ...]]":
 
     for name, symbol in SYMBOLS.items():
         if len(name) > 1 and symbol.form == QUANTITY:
-            for text in (name, symbol.label, *LABELS.get(symbol.label, ())):
+            others = LABELS.get(symbol.label, ()) if languages != ENGLISH_ALONE else ()
+            for text in (name, symbol.label, *others):
                 add(text, name)
     for name, words in SYNONYMS.items():
         for word in words.split() if name in SYMBOLS else ():
-            if unit_of(word) is None and comparable(word) not in FILLERS:
+            if comparable(word) not in FILLERS:
                 add(word, name)
     for quantity in QUANTITIES:
         for own in _symbols_of(quantity):
-            for text in (text for language in LANGUAGES for text in quantity.names(language)):
+            for text in (text for language in languages for text in quantity.names(language)):
                 add(text, own)
     return found
 
