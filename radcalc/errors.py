@@ -463,7 +463,10 @@ def _with_units(several: str, unit: str) -> str:
 
 
 class WrongQuantity(ConditionError):
-    """A value of a quantity that a symbol does not take; `text` is the value as typed."""
+    """A value of a quantity that a symbol does not take; `text` is the value as typed.
+
+    An array has no such text.
+    """
 
     def __init__(self, message: str, hint: "Hint", symbol: str, text: str) -> None:
         super().__init__(message, hint)

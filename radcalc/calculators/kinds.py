@@ -127,7 +127,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     if preferred not in ("", kind) and linking_factor(links, preferred, kind):
         kind = preferred
     kinds_given = {kind_of(item) for item in typed.values()} if len(typed) > 1 else ()
-    is_mixed = len(kinds_given) > 1 and kind != preferred
+    is_mixed = len(kinds_given) > 1
     assumptions: list[str] = []
     amounts = {}
     for name, item in given.items():

@@ -156,6 +156,8 @@ def _as_another(error: WrongQuantity, page: Page) -> list[Try]:
     inputs |= {other for name in inputs & SYMBOLS.keys() for other in names_of_kinds(name)}
     if error.tries and all(name in inputs for one in error.tries for name, _ in one.inputs):
         return list(error.tries)
+    if not error.text:
+        return []
     amount, symbol = read_amount(error.text), page.symbol(error.symbol)
     if amount.unit is None:
         return []

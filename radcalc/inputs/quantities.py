@@ -167,8 +167,8 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
         is_expression = amount.rounding is not None
         number = f"({quote(text)})" if is_expression else quote(text)
         return MissingUnit(name, quote(text), with_likely_unit(symbol, number), number)
-    example = symbol.example
-    if name == "bandwidth" and unit.dimension == ENERGY:
+    example, is_array = symbol.example, maths.is_array(amount.number)
+    if name == "bandwidth" and unit.dimension == ENERGY and not is_array:
         from radcalc.spectra.planck import PLANCK
 
         example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
@@ -178,11 +178,13 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
         other = specific_name(symbol.generic, light.kind)
     elif ANGLE in symbol.dimensions and unit.dimension == SOLID_ANGLE:
         other = "solid-angle"
+    text = "" if is_array else text
     if other in SYMBOLS and unit.dimension in SYMBOLS[other].dimensions:
-        return WrongQuantity(problem, Try(((other, text),), (name,)), name, text)
+        proposal = Try(((other, text),), (name,))
+        return WrongQuantity(problem, proposal if text else str(proposal), name, text)
     hint: Hint = add(name, example) if name == "bandwidth" else f"a value such as {example}"
     error = WrongQuantity(problem, hint, name, text)
-    if name == "wavelength" and unit.dimension == TIME and maths.any_true(amount.number > 0):
+    if name == "wavelength" and unit.dimension == TIME and text and amount.number > 0:
         period = f"{1 / (amount.number * unit.factor):.6g}Hz"
         return error.reworded(
             tries=[add(name, period, f"the frequency of a period of {quote(text)}")]

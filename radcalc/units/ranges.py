@@ -39,6 +39,8 @@ def read_series(text: str) -> list[str]:
     if ":" in text:
         return _range(text)
     parts = text.split(",")
+    if len(parts) == 1:
+        return parts
     if len(parts) > MOST:
         raise TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
     if all(_has_unit(part) for part in parts) or _is_list_of_numbers(parts):
