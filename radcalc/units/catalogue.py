@@ -129,7 +129,7 @@ CONSTANTS = {
     'boltzmann_constant': (('k', 'kB', 'k_boltzmann', 'k_B'), ('boltzmann_constant', 'boltzmann'), '1.380649e-23 * joule / kelvin', 'exact, the SI of 2019 (SI Brochure, table 1)'),
     'avogadro_constant': (('N_avogadro', 'N_A'), ('avogadro_constant', 'avogadro'), '6.02214076e23 / mole', 'exact, the SI of 2019 (SI Brochure, table 1); per mole of photons here'),
     'stefan_boltzmann_constant': (('sigma', 'σ', 'sigma_sb', 'sigma_SB'), ('stefan_boltzmann_constant', 'stefan_boltzmann'), '2 * pi**5 * boltzmann_constant**4 / (15 * planck_constant**3 * speed_of_light**2)', '2 pi^5 k^4/(15 h^3 c^2)'),
-    'wien_constant': (('b', 'b_wien'), ('wien_constant', 'wien_displacement'), 'planck_constant * speed_of_light / boltzmann_constant / 4.96511423174427630369875913132', 'h c/(k x), x = 4.965... the root of x = 5 (1 - exp(-x)): the peak per wavelength'),
+    'wien_constant': (('b', 'b_wien'), ('wien_constant', 'wien_displacement'), 'planck_constant * speed_of_light / boltzmann_constant / 4.9651142317442763037', 'h c/(k x), x = 4.965... the root of x = 5 (1 - exp(-x)): the peak per wavelength'),
     'luminous_efficacy_constant': (('Kcd', 'K_cd'), ('luminous_efficacy_constant',), '683 * lumen / watt', 'exact, the SI of 2019 (SI Brochure, table 1): of 540 THz'),
     'vacuum_impedance': (('Z0', 'Z_0'), ('vacuum_impedance',), '376.730313412 * volt / ampere', '376.730313412(59) ohm (CODATA 2022)'),
     'elementary_charge': (('e', 'e_charge'), ('elementary_charge',), '1.602176634e-19 * ampere * second', 'exact, the SI of 2019 (SI Brochure, table 1)'),
