@@ -124,6 +124,11 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         lambda: errors.TooMany("9 values", f"at most 8, or {option('distance')} last"),
         ("9 values", "at most 8, or --distance last"),
         ("9 values", "at most 8, or distance last"), ("9 values", "at most 8, or distance last")),
+    "a conversion of too many words may be a sentence": (
+        lambda: errors.TooManyWords("too many words: 'lx to fc now'", errors.drop("now")),
+        ("too many words: 'lx to fc now'", "leave out now"),
+        ("too many words: 'lx to fc now'", "leave out now"),
+        ("too many words: 'lx to fc now'", "leave out now")),
     "a patch that is near is refused with its distance and size": (
         lambda: TooNear(option("distance", "2m"), "source", "1.1", command("lambertian", "disc")),
         ("--distance 2m is too short: the size of the source is 1.1 m, and the inverse square "
