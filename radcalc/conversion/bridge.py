@@ -143,10 +143,11 @@ class Bridge:
             ]
             phrases, hints, choices = zip(*(WANTED[slot] for slot in wanted), strict=True)
             alternatives[" and ".join(phrases)] = " with ".join(hints)
-            # a surface that shines is commoner than one that reflects
-            tries[len(tries) if REFLECTANCE in wanted or not start_shines else 0 : 0] = together(
-                choices
-            )
+            calls = together(choices)
+            if start_shines and REFLECTANCE not in wanted:
+                tries = [*calls, *tries]  # a surface that shines is commoner than one that reflects
+            else:
+                tries += calls
         plain = all(" and " not in phrase for phrase in alternatives)
         phrase = (" or " if plain else ", or ").join(alternatives)
         self.lacking["space"] = Wanted(phrase, ", or ".join(alternatives.values()), tuple(tries))
