@@ -12,6 +12,8 @@ from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
 
+VARIABLE = "RADCALC_DEFINITIONS"
+
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,8 +33,28 @@ def of_help(words: list[str]) -> list[str]:
 
 def run(words: list[str]) -> int:
     """Run a command; turn whatever happens into an exit status."""
+    if path := _definitions(words):
+        from radcalc.inputs import definitions
+
+        try:
+            definitions.load(path)
+        except RadcalcError as error:
+            return terminal.complain(error)
     words = habits.canonical(words)
     return guarded(words, lambda: or_sentence(words, lambda: answered(words)))
+
+
+def _definitions(words: list[str]) -> str:
+    """Return the file of the user's definitions, '' without one."""
+    for word, following in zip(words, [*words[1:], ""], strict=False):
+        name, is_joined, value = word.partition("=")
+        if name == "--definitions":
+            return value if is_joined else following
+    if VARIABLE in os.environ:
+        return os.environ[VARIABLE]
+    folder = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
+    path = os.path.join(folder, "radcalc", "definitions.txt")
+    return path if os.path.exists(path) else ""
 
 
 def or_sentence(

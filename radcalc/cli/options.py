@@ -170,6 +170,12 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
             help="Choose SI prefixes that fit: 2.1 mlx, not 0.0021 lx.",
         ),
         click.Option(["-q", "--quiet"], is_flag=True, help="Omit notes and assumptions."),
+        click.Option(
+            ["--definitions"],
+            metavar="FILE",
+            help="Units, constants and spectra of your own (default: ~/.config/radcalc/"
+            "definitions.txt).",
+        ),
     )
     for option in all_options:
         option.hidden = option.name in hidden
@@ -196,8 +202,12 @@ def decide(
     quiet: bool,
     auto: bool = False,
     command: str = "",
+    definitions: str | None = None,
 ) -> Output:
-    """Choose the format from the options and the kind of standard output."""
+    """Choose the format from the options and the kind of standard output.
+
+    The file of definitions is read before.
+    """
     if json_ and format_ not in (None, JSON):
         raise UsageError(f"--json cannot be used with --format {format_}", one_of("json", "format"))
     if number and (json_ or format_ not in (None, PLAIN)):

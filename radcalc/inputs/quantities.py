@@ -29,7 +29,7 @@ from radcalc.units.numbers import parse_number, relative_rounding
 from radcalc.units.ranges import real, with_list
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit, divide
+from radcalc.units.unit import NUMBER, Unit, divide, is_own
 
 LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that can be in OD, stops or dB
 if TYPE_CHECKING:
@@ -112,13 +112,19 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
         *amount.typed,
         not isinstance(value, str),
         amount.uncertainty * unit.factor if unit else amount.uncertainty,
-        amount.assumptions,
+        (*amount.assumptions, *_said(amount)),
         variable,
         amount.rounding,
         amount.parts,
     )
     check_limits(given, symbol.limits)
     return given
+
+
+def _said(amount: Amount) -> tuple[str, ...]:
+    """Return the notes on the letters of an expression, and on definitions of one's own."""
+    notes = amount.unit.notes if amount.unit else ()
+    return notes if amount.rounding is not None else tuple(filter(is_own, notes))
 
 
 def _typed_amount(symbol: Symbol, text: str) -> Amount:

@@ -64,6 +64,7 @@ WORDS = {
     "high-pressure sodium": ("HPS", "a high-pressure sodium lamp"),
     "metal halide lamp": ("Metal Halide", "a metal halide lamp"),
 }
+OWN: dict[str, tuple[str, str]] = {}  # names of a user's definitions: a source, and a note
 LOOKED_AT = 100  # parts of a list that are checked
 # Suggestions for words that are not names of spectra; the temperatures of a candle and of moonlight
 # are those of Wikipedia, Color temperature.
@@ -102,6 +103,11 @@ def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     `column`, or FILE:COLUMN, chooses the values of a file with several columns, `unit` is theirs.
     """
     text = text.strip()
+    if text in OWN:
+        source, note = OWN[text]
+        made = spectrum(source, column, unit)
+        made.notes += (note,)
+        return made
     if (column or unit) and (
         find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)
     ):
@@ -231,7 +237,7 @@ def names() -> list[str]:
     """Return the names of all named sources."""
     from radcalc.spectra.data.sources import SOURCES
 
-    return [*SOURCES, *SUNS]
+    return [*SOURCES, *SUNS, *OWN]
 
 
 @cache

@@ -4,7 +4,7 @@ A short spelling may also be a unit (h, g), or a number (e): `HOMONYMS`.  In a p
 whose laws count cycles and photons as 1, the target decides whether they are counted.
 """
 
-from radcalc.units.compiled import CONSTANTS, SPELLINGS_OF_CONSTANTS
+from radcalc.units.compiled import CONSTANTS, NOTES, SPELLINGS_OF_CONSTANTS
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve
 from radcalc.units.unit import (
@@ -89,6 +89,7 @@ def unit(dimension: Dimension, units: dict[str, int]) -> OfConstants:
     plain = quantity(dimension, units)
     made = resolve(_text(plain)).of_class(OfConstants)
     made.powers = {name: power for name, power in units.items() if name in CONSTANTS}
+    made.notes += tuple([NOTES[name] for name in made.powers if name in NOTES])
     return made
 
 

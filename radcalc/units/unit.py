@@ -150,6 +150,14 @@ def lookup(spelling: str) -> tuple[str, str] | None:
     return None
 
 
+OWN = "own definition"  # the beginning of the notes on a user's definitions
+
+
+def is_own(note: str) -> bool:
+    """Return whether a note is on a definition of the user."""
+    return note.startswith(OWN)
+
+
 def takes(prefix: str, symbol: str) -> bool:
     """Return whether the prefix goes before this symbol: Cyrillic goes with Cyrillic."""
     allowed = UNITS[SYMBOLS[symbol]][3]

@@ -1,0 +1,153 @@
+"""Units, constants, reflectances and spectra of one's own, from a file of definitions.
+
+Each call is a process of its own: definitions change the tables of a process.
+"""
+
+import json
+import os
+import shlex
+import subprocess
+import sys
+
+import pytest
+
+FILE = """\
+# the length of a bridge, and a lamp
+#~ k
+smoot = 67 inch = smt
+
+constant mylamp = 54 lm/W
+reflectance wall = 65%
+spectrum office = LED-B3
+spectrum mine = mine.csv
+"""
+SPECTRUM = "wavelength,W\n500,1\n600,1\n"
+
+
+@pytest.fixture
+def home(tmp_path, monkeypatch):
+    """Return a folder with a configuration and a cache of its own."""
+    folder = tmp_path / "config" / "radcalc"
+    folder.mkdir(parents=True)
+    (folder / "definitions.txt").write_text(FILE, encoding="utf-8")
+    (folder / "mine.csv").write_text(SPECTRUM, encoding="utf-8")
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.delenv("RADCALC_DEFINITIONS", raising=False)
+    return tmp_path
+
+
+def call(text: str, *, status: int = 0) -> subprocess.CompletedProcess[str]:
+    words = [sys.executable, "-m", "radcalc", *shlex.split(text)]
+    done = subprocess.run(
+        words, capture_output=True, text=True, timeout=60, stdin=subprocess.DEVNULL
+    )
+    assert done.returncode == status, done.stderr
+    return done
+
+
+# 67 inches of 0.0254 m; 54 lm/W; rho E / pi with rho 0.65.
+ANSWERS = {
+    "2 smoot m": (3.4036, "smoot = 67 inch, definitions.txt line 3"),
+    "3 ksmt km": (5.1054, "smoot = 67 inch"),
+    "1 kilosmoot m": (1701.8, "smoot = 67 inch"),
+    "3.4036 m smoot": (2.0, "smoot = 67 inch"),
+    "'100 W * mylamp' lm": (5400.0, "mylamp = 54 lm/W, definitions.txt line 5"),
+    "100W lm --efficacy mylamp": (5400.0, "mylamp = 54 lm/W"),
+    "500 lx cd/m2 --reflectance wall": (103.450713009, "wall = 65%, definitions.txt line 6"),
+    "point-source --intensity 100cd --distance 2smoot -g illuminance": (
+        8.63222933842,
+        "smoot = 67 inch",
+    ),
+}
+
+
+@pytest.mark.parametrize("text", ANSWERS)
+def test_a_definition_is_used_and_said(home, text):
+    done = call(text)
+    number, said = ANSWERS[text]
+    assert float(done.stdout.split()[0]) == pytest.approx(number, rel=1e-11)
+    assert f"own definition: {said}" in done.stderr
+
+
+def test_spectra_of_ones_own_are_those_that_they_name(home):
+    for name, source in (("office", "LED-B3"), ("mine", f"{home}/config/radcalc/mine.csv")):
+        own, other = (call(f"100 lx W/m2 --spectrum {one}") for one in (name, source))
+        assert own.stdout == other.stdout
+        assert f"own definition: {name} = " in own.stderr
+
+
+def test_definitions_are_listed_by_units(home):
+    assert "own definition, definitions.txt line 3" in call("units smoot").stdout
+    assert "own definition, definitions.txt line 5" in call("units constants").stdout
+
+
+def test_the_option_and_the_variable_name_another_file(home, monkeypatch):
+    other = home / "other.txt"
+    other.write_text("smoot = 1.7018 m\n", encoding="utf-8")
+    assert "other.txt line 1" in call(f"1 smoot m --definitions {other}").stderr
+    monkeypatch.setenv("RADCALC_DEFINITIONS", str(other))
+    assert "other.txt line 1" in call("1 smoot m").stderr
+    monkeypatch.setenv("RADCALC_DEFINITIONS", "")
+    assert "unknown unit 'smoot'" in call("1 smoot m", status=2).stderr
+
+
+MALFORMED = {
+    "lux = 3 lm": "line 1, column 1: 'lux' is lux already",
+    "Hz = 3 lm": "line 1, column 1: 'Hz' is hertz already",
+    "ns = 3 lm": "line 1, column 1: 'ns' is nanosecond already",
+    "constant c = 3 m/s": "line 1, column 10: 'c' is speed_of_light already",
+    "dBm = 3 W": "line 1, column 1: 'dBm' is dBm already",
+    "candle = 1 cd": "line 1, column 1: 'candle' is a word of radcalc",
+    "\nfoo 3": "line 2, column 1: not a definition",
+    "a1 = 3 m": "line 1, column 1: 'a1' is not a name",
+    "foo = 3 zork": "line 1, column 9: unknown unit 'zork'",
+    "foo = 3 m +": "line 1, column 7: '3 m +' is not a value",
+    "foo = -3 m": "line 1, column 7: '-3 m' is not above 0",
+    "foo = 9**9**9 m": "line 1, column 7: '9**9**9 m' has a large power",
+    "reflectance w = 1.2": "line 1, column 17: '1.2' is not a reflectance",
+    "foo = 1 m\nbar = 2 m = foo": "line 2, column 13: 'foo' is defined in line 1, too",
+    "foo = 1 m\nfoo = 1 m": "line 2, column 1: 'foo' is defined in line 1, too",
+    "foo = __import__('os')": "line 1, column 7: '__import__('os')' is not a value",
+    "spectrum D65 = A": "line 1: 'D65' is a name of radcalc",
+}
+
+
+@pytest.mark.parametrize("text", MALFORMED)
+def test_a_malformed_definition_is_refused_with_its_place(home, text):
+    file = home / "own.txt"
+    file.write_text(f"{text}\n", encoding="utf-8")
+    done = call(f"100 lx fc -q --definitions {file}", status=2)
+    assert done.stdout == ""
+    assert f"own.txt, {MALFORMED[text]}" in done.stderr
+
+
+def test_a_file_that_cannot_be_read_is_named(home):
+    assert "cannot read /nope" in call("100 lx fc -q --definitions /nope", status=2).stderr
+
+
+def test_the_cache_is_used_rebuilt_and_not_needed(home, monkeypatch):
+    first = call("2 smoot m")
+    (kept,) = (home / "cache" / "radcalc").iterdir()
+    text = kept.read_text(encoding="utf-8")
+    for damaged in ("", "{", text.replace('"top": 8509', '"top": 9999'), "[1]", '{"rows": 3}'):
+        kept.write_text(damaged, encoding="utf-8")
+        assert call("2 smoot m").stdout == first.stdout
+        assert json.loads(kept.read_text(encoding="utf-8"))["rows"]
+    monkeypatch.setenv("XDG_CACHE_HOME", "/proc/none")
+    assert call("2 smoot m").stdout == first.stdout
+
+
+def test_a_plain_conversion_does_not_look_for_definitions(home):
+    """The file is malformed: reading it would be an error."""
+    (home / "config" / "radcalc" / "definitions.txt").write_text("zork\n", encoding="utf-8")
+    assert call("100 lx fc -n").stdout == "9.290304\n"
+    assert "not a definition" in call("100 lx fc -q", status=2).stderr
+
+
+def test_a_compiled_file_loads_no_pint(home):
+    call("2 smoot m")
+    words = [sys.executable, "-X", "importtime", "-m", "radcalc", "2", "smoot", "m"]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=60, env=os.environ)
+    assert "radcalc.units.unit" in done.stderr
+    assert "pint" not in done.stderr
