@@ -40,7 +40,12 @@ def run(words: list[str]) -> int:
             definitions.load(path)
         except RadcalcError as error:
             return terminal.complain(error)
-    words = habits.canonical(words)
+    try:
+        words = habits.canonical(words)
+    except RadcalcError as error:
+        from radcalc.cli import trials
+
+        return trials.refuse(error, words)
     return guarded(words, lambda: or_sentence(words, lambda: answered(words)))
 
 

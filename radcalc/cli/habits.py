@@ -1,11 +1,12 @@
 """Conversions in the words of other tools: --from and --to, GNU units, and pipes without a -."""
 
 import os
+import select
 import stat
 
 from radcalc.cli.files import say
 from radcalc.cli.help import COMMANDS
-from radcalc.errors import RadcalcError
+from radcalc.errors import RadcalcError, UsageError, call
 from radcalc.units.amounts import ALSO_UNITS
 from radcalc.units.numbers import SEPARATORS, is_sentence
 from radcalc.units.unit import Unit
@@ -51,10 +52,25 @@ def canonical(words: list[str]) -> list[str]:
     if is_open and is_piped() and _is_target(target) and (not source or _unit(source)):
         return _said("convert", "-", *units, *options)
     if source and _unit(source) and _unit(target):
-        return _said("convert", "1", *units, *options)
+        return _said("convert", "-" if _has_lines(units) else "1", *units, *options)
     if not source and _is_target(target) and (ends or operands != [target]):
         return ["convert", "to", target, *options]  # refused for its missing value
     return words
+
+
+def _has_lines(units: list[str]) -> bool:
+    """Return whether a pipe has lines; refuse one that may have some later."""
+    if not is_piped() or not stat.S_ISFIFO(os.fstat(0).st_mode):
+        return False
+    poll = select.poll()
+    poll.register(0, select.POLLIN)
+    events = dict(poll.poll(0)).get(0, 0)
+    if events & select.POLLIN:
+        return True
+    if events & select.POLLHUP:  # closed, and empty
+        return False
+    problem = "standard input is a pipe, whose lines may be the values"
+    raise UsageError(problem, [call("convert", "-", *units), call("convert", "1", *units)])
 
 
 def _said(*words: str) -> list[str]:

@@ -76,6 +76,7 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
     if asked[0] in COMMANDS:
         is_word = len(asked) > 1 and not any(c.isdigit() for c in asked[1])
         has_file = any(map(os.path.exists, asked))
+        is_word |= "unexpected argument" in error.message
         return asked[0] != "convert" and not options and is_word and not has_file
     known = {name for parameter in parameters("convert") for name in parameter.opts}
     return not options or not known.issuperset(options)
@@ -96,7 +97,7 @@ def meant(
         amounts = [fact.amount for fact in sentence.facts if fact.amount]
         has_unit = any(amount.dimension != NUMBER for amount in amounts)
         phrases = [*sentence.facts, *sentence.goals, *sentence.files]
-        understood = has_unit and (len(phrases) > 1 or len(asked) > SHORT)
+        understood = bool(sentence.files) or (has_unit and (len(phrases) > 1 or len(asked) > SHORT))
         refuse_unknown(sentence)
         call = list(typed(call_of(sentence)))
     except RadcalcError as problem:

@@ -13,6 +13,7 @@ from radcalc.quantities.symbols import (
     SPECIFIC,
     SYMBOLS,
     in_kind,
+    light_unit,
     names_of_kinds,
     specific_name,
 )
@@ -48,6 +49,7 @@ def _frame(command: str, needs: str, operand: str = "", light: bool = True, **na
 
 
 FRAMES = (  # the first that takes all facts of a sentence counts
+    _frame("ev", "stops nd", time="unfiltered-time"),
     _frame("ev", "f-number iso ev ev100 guide-number stops nd"),
     _frame("room", "luminaires utilance maintenance"),
     _frame("screen", "diagonal aspect gain"),
@@ -55,7 +57,7 @@ FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("etendue", "na etendue"),
     _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
     _frame("refraction", "index"),
-    _frame("convert", " ".join((VALUE, *LIGHT))),
+    _frame("convert", " ".join((VALUE, *LIGHT, "wavelength", "fwhm"))),
     _frame("point-source", "flux intensity irradiance", area="receiver-area"),
     _frame("lambertian", "radiance exitance", "disc"),
     _frame("lambertian", "radiance exitance reflectance", irradiance="incident-irradiance"),
@@ -254,6 +256,8 @@ def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
         return ("time",)
     if amount.is_wavelength:
         return ("wavelength",)
+    if "aspect" in others and amount.dimension == LENGTH:  # of a screen
+        return ("diagonal",)
     if amount.dimension in SYMBOLS["efficacy"].dimensions:
         return ("efficacy",)
     return OF_DIMENSION.get(amount.dimension, (VALUE,))
@@ -312,10 +316,10 @@ def _taken(name: str, fact: Fact, taken: set[str]) -> str:
 def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the only amount that is not a condition."""
     conditions = taken_by(page_of("convert"))
-    values = [name for name in facts if name not in conditions]
-    if len(values) != 1 or values[0] not in (VALUE, *LIGHT, *SPECIFIC):
+    values = [name for name in facts if name not in conditions] or [*facts]
+    if len(values) != 1 or values[0] not in (VALUE, *LIGHT, *SPECIFIC, "wavelength", "fwhm"):
         return []
-    ((value,), given) = values, {name: f for name, f in facts.items() if name in conditions}
+    ((value,), given) = values, {name: f for name, f in facts.items() if name != values[0]}
     usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
     target = _target(goal, facts[value]) if goal else usual if len(given) == 1 else ""
     if (given and not target) or facts[value].amount is None:
@@ -334,7 +338,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
 def _target(goal: Goal, value: Fact) -> str:
     """Return the target of a conversion; a name for several kinds of light is that of the value."""
     light = read_light(value.amount.unit) if value.amount else None
-    for name in goal.names if light else ():
+    for name in goal.names if light and not goal.unit else ():
         symbol = SYMBOLS[name]
         if light and symbol.geometry and symbol.kind in ("", light.kind):
             return specific_name(symbol.generic, light.kind).replace("-", " ")
@@ -344,6 +348,8 @@ def _target(goal: Goal, value: Fact) -> str:
 def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
     amounts = [fact.amount for fact in facts if fact.amount]
+    if len(amounts) == len(facts) == MOST and [*map(_is_light, facts)] == [True, False, False]:
+        return _farther(amounts, goal)
     if len(amounts) != 2 or len(facts) != 2 or goal is None:
         return []
     if all(amount.dimension == NUMBER for amount in amounts):
@@ -351,15 +357,29 @@ def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     if goal.unit and all(amount.dimension == TEMPERATURE for amount in amounts):
         before, after = [amount.text for amount in amounts]  # the shift of a filter
         return [["convert", f"1/({after}) - 1/({before})", "1/MK"]]
-    unit = goal.unit.dimension if goal.unit else SYMBOLS[goal.names[0]].dimensions[0]
+    dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
     first, second = amounts
     ways = {
         f"{first.text} / ({second.text})": times(first.dimension, second.dimension, -1),
         f"{second.text} / ({first.text})": times(second.dimension, first.dimension, -1),
         f"{first.text} * ({second.text})": times(first.dimension, second.dimension),
     }
-    target = goal.text if goal.unit else SYMBOLS[goal.names[0]].unit
-    return [["convert", way, target] for way, dimension in ways.items() if dimension == unit]
+    kinds = [light.kind for amount in amounts if (light := read_light(amount.unit))]
+    symbol = SYMBOLS[goal.names[0]] if goal.names else None
+    target = goal.text
+    if symbol and not goal.unit:
+        is_light = symbol.generic and kinds
+        target = light_unit(symbol.generic, kinds[0]) if is_light else symbol.unit
+    return [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+
+
+def _farther(amounts: Sequence[Amount], goal: Goal | None) -> list[list[str]]:
+    """Return the conversion of light on a surface from one distance to another."""
+    light, here, there = amounts
+    if _generic(light) != "irradiance" or {here.dimension, there.dimension} != {LENGTH}:
+        return []
+    moved = f"{light.text} * ({here.text})^2 / ({there.text})^2"
+    return [["convert", moved, goal.text if goal else light.unit.text]]
 
 
 def _input(name: str, fact: Fact) -> str:

@@ -67,6 +67,7 @@ PHRASES = (
             "distance",
         ),
         ("{length} away from|below|above", "distance"),
+        ("at|from {length} away|distance", "distance"),
         ("throw|hung|mounted|mounting at? {length}", "distance"),
         ("at|under {angle}", "incidence"),
         ("at|under {angle} incidence", "incidence"),
@@ -90,10 +91,10 @@ PHRASES = (
         ("full angle|cone {angle}", "apex-angle"),
         ("{angle} half cone|angle", "half-angle"),
         ("half angle|cone {angle}", "half-angle"),
-        ("{angle} beam", "beam-angle or apex-angle"),
-        ("beam {angle}", "beam-angle or apex-angle"),
-        ("beam angle {angle}", "beam-angle or apex-angle"),
-        ("{angle} beam angle", "beam-angle or apex-angle"),
+        ("{angle} beam", "apex-angle or beam-angle"),
+        ("beam {angle}", "apex-angle or beam-angle"),
+        ("beam angle {angle}", "apex-angle or beam-angle"),
+        ("{angle} beam angle", "apex-angle or beam-angle"),
         ("cone {angle}", "apex-angle or half-angle"),
         ("{angle} cone", "apex-angle or half-angle"),
         ("na {number}", "na"),
@@ -131,6 +132,9 @@ PHRASES = (
         ("ev {number}", "ev100"),
         ("ev100 {number}", "ev100"),
         ("shutter {time}", "time"),
+        ("{number} stop|stops nd|filter?", "stops"),
+        ("gn {number}", "guide-number"),
+        ("gn {length}", "guide-number"),
         ("k= {number}", "k"),
         ("c= {number}", "c"),
     ),
@@ -162,13 +166,14 @@ IGNORED = """
     a about an and are at be by calculate can convert corresponds do does equals for from get give
     given gives have how i if in into is it many me much my need needed needs of on one onto over
     please required tell than that the there this through to under using value what when which
-    wien will with you below beneath directly straight down shift
+    wien will with you below beneath directly straight down shift measured takes still throw total
+    unit front
 
-    air average beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
-    goggles intense lamp lamps laser led leds lens light lights linewidth luminaire luminaires
-    global mean meter metre office page panel paper picture point projection projector projectors
-    pulse radiation ray room same screen sensor sheet single small source spot spotlight surface
-    table wall
+    air ansi beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
+    display gel global goggles image intense lamp lamps laser led leds lens light lights linewidth
+    luminaire luminaires meter metre monitor office page panel paper picture point pointer
+    projection projector projectors pulse radiation ray room same screen sensor sheet showing single
+    sky small source spot spotlight surface table tent tv wall
 
     je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit
     zdroj žárovka žárovky stůl plátno bodový
@@ -176,6 +181,8 @@ IGNORED = """
     и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
     источник точечный экран стол бумага
 """  # questions, articles, prepositions; sources and surfaces; Czech; Russian
+# Colours, which add nothing where a wavelength is given.
+COLOURS = frozenset(["violet", "blue", "green", "yellow", "orange", "red", "infrared"])
 FILLERS = frozenset(map(comparable, IGNORED.split()))
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])

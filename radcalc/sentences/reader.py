@@ -5,11 +5,20 @@ from functools import cache
 
 from radcalc.errors import Hint, UsageError, corrections, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
-from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
+from radcalc.quantities.names import DLI, LABELS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
 from radcalc.quantities.synonyms import SYNONYMS
-from radcalc.sentences.phrases import AMOUNTS, FILLERS, LONE, MARKS, PHRASES, TARGET, Phrase
+from radcalc.sentences.phrases import (
+    AMOUNTS,
+    COLOURS,
+    FILLERS,
+    LONE,
+    MARKS,
+    PHRASES,
+    TARGET,
+    Phrase,
+)
 from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, unit_in, words_of
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import LENGTH
@@ -82,7 +91,13 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         elif isinstance(filled, str):
             (files if filled else unknown).append(filled or words[at].text)
         at = end
+    if any("wavelength" in fact.symbols for fact in facts) or any(_is_line(fact) for fact in facts):
+        unknown = [word for word in unknown if word.lower() not in COLOURS]
     return Sentence(tuple(facts), tuple(goals), tuple(files), tuple(unknown), text)
+
+
+def _is_line(fact: Fact) -> bool:
+    return not fact.symbols and fact.amount is not None and fact.amount.is_wavelength
 
 
 class _Reading:
@@ -219,7 +234,8 @@ class _Reading:
         return [(at + 1, text)] if "." in text and os.path.isfile(text) else []
 
     def _filler(self, at: int) -> list[Found]:
-        is_unit = len(self.words[at].text) == 1 and self.words[at].text.isupper()  # A, the ampere
+        text = self.words[at].text
+        is_unit = len(text) == 1 and text.isupper() and unit_in([text])  # A, the ampere
         return [(at + 1, None)] if self.words[at].folded in FILLERS | MARKS and not is_unit else []
 
 
@@ -317,5 +333,5 @@ def _near(word: str) -> list[str]:
     """Return the words of phrases and names that are like a word."""
     of_names = {part for key in names() for part in key.split()}
     literal = {part for _, parts in patterns() for text in parts for part in text.split("|")}
-    known = of_names | {part for part in literal if part.isalpha()}
-    return nearest(comparable(word), known, 1, 0.8)
+    known = of_names | {part for part in literal if part.isalpha()} | {*PPFD, *PPF, *DLI}
+    return nearest(comparable(word), known, 1, 0.75)

@@ -23,6 +23,7 @@ SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
 F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a lens of the cinema
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
+SPELLED = {"@": "at", "average": "mean"}
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ]+=)(\S+)", re.I)
 PART_OF_UNIT = re.compile(r"[^\W\d]+\^?-\d|per|na")  # m-2, nm^-1, per
@@ -78,8 +79,9 @@ def words_of(typed: "list[str]") -> list[Word]:
             parts[at : at + 2] = [following[0], name]
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
             parts[at : at + 2] = ["", f"{following[0]}^-1"]
+    before = ""
     for part in parts:
-        text = part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part
+        text = SPELLED.get(part, part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part)
         if ASPECT.fullmatch(text):
             aspects.append(Word(text, text))
         elif found := F_NUMBER.fullmatch(text):
@@ -91,7 +93,9 @@ def words_of(typed: "list[str]") -> list[Word]:
         elif found := SYMBOL.fullmatch(text):
             words += [Word(part, comparable(part)) for part in found.groups()]  # w=0.5mm
         elif text:
-            words.append(Word(text, comparable(text) or text, part[-1] in ENDS))
+            is_value = before[:2] == "--" and text[0].isdigit()  # one word, as of an option
+            words.append(Word(text, comparable(text) or text, part[-1] in ENDS or is_value))
+        before = part
     return words + aspects
 
 
@@ -139,6 +143,8 @@ def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
         return None
     unit = unit_of(text) or find(text) or horticulture.find(text)
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
+        return None
+    if any(part[0].isdigit() for part in parts[1:]):
         return None
     if len(parts) > 1 and len(unit.atoms) != 1 and not all(map(PART_OF_UNIT.fullmatch, parts[1:])):
         last = unit_of(parts[-1])

@@ -97,11 +97,15 @@ def test_the_kind_of_standard_input_decides():
     assert "try: radcalc convert - fc\n" in done.stderr
 
 
-def test_two_units_do_not_wait_for_standard_input():
+def test_two_units_before_a_pipe_are_a_value_or_the_units_of_its_lines():
     # the pipe stays open: a reader of it would never end
     code = (
         "import os, subprocess, sys; r, w = os.pipe(); "
         "done = subprocess.run([sys.executable, '-m', 'radcalc', 'footcandle', 'lx', '-n'], "
-        "stdin=r, timeout=30, capture_output=True); print(done.stdout.decode(), end='')"
+        "stdin=r, timeout=30, capture_output=True); print(done.returncode, done.stderr.decode())"
     )
-    assert python(code).stdout == "10.7639104167\n"
+    refused = python(code).stdout
+    assert refused.startswith("2 radcalc: standard input is a pipe")
+    assert "try: radcalc convert - footcandle lx\nor:  radcalc convert 1 footcandle lx" in refused
+    assert radcalc("lux fc -q", "100\n200\n").stdout == "9.290304\n18.580608\n"
+    assert radcalc("footcandle lx -n", "").stdout == "10.7639104167\n"
