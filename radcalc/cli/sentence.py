@@ -78,6 +78,8 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
         has_file = any(map(os.path.exists, asked))
         is_word |= "unexpected argument" in error.message
         return asked[0] != "convert" and not options and is_word and not has_file
+    if asked[0][:1] == "-" and {*asked} & {*COMMANDS}:  # options before a command
+        return False
     known = {name for parameter in parameters("convert") for name in parameter.opts}
     return not options or not known.issuperset(options)
 
