@@ -9,7 +9,7 @@ import click
 from radcalc import terminal
 from radcalc.cli import files, habits
 from radcalc.cli.group import commands, protect_negatives
-from radcalc.cli.help import COMMANDS, HELP_NAMES
+from radcalc.cli.help import COMMANDS, EXPLAIN, HELP_NAMES
 from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
 
 VARIABLE = "RADCALC_DEFINITIONS"
@@ -41,7 +41,7 @@ def run(words: list[str]) -> int:
         except RadcalcError as error:
             return terminal.complain(error)
     try:
-        words = habits.canonical(words)
+        words = words if EXPLAIN in words else habits.canonical(words)
     except RadcalcError as error:
         from radcalc.cli import trials
 
@@ -82,8 +82,8 @@ def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> i
     """Run `answer` and return the exit status; report an error with the `place` of the words."""
     try:
         return answer()
-    except RadcalcError as error:
-        problem = error
+    except (RadcalcError, click.UsageError) as error:
+        problem = error if isinstance(error, RadcalcError) else _problem(error, words)
     except KeyboardInterrupt:
         return terminal.INTERRUPTED
     except BrokenPipeError:
@@ -128,6 +128,10 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
         with commands.make_context("radcalc", [], resilient_parsing=True) as context:
             terminal.say(commands.get_help(context).splitlines())
         return terminal.FAILED
+    if EXPLAIN in words:
+        from radcalc.cli.explained import explain
+
+        return explain(words, listener)
     if files.begins_with_file(words):
         words = files.meant(words)
         files.say(words, listener)

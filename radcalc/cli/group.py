@@ -3,7 +3,7 @@
 import click
 
 from radcalc import terminal
-from radcalc.cli.help import COMMANDS, HELP_NAMES, Helped
+from radcalc.cli.help import COMMANDS, EXPLAIN, HELP_NAMES, Helped
 from radcalc.errors import MINUS, UsageError, quote
 from radcalc.units.numbers import is_sentence
 
@@ -75,6 +75,12 @@ class Commands(Helped, click.Group):
     expose_value=False,
     callback=_version,
     help="Show the version and exit.",
+)
+@click.option(
+    EXPLAIN,
+    is_flag=True,
+    expose_value=False,
+    help="Show how a sentence is read, without answering it.",
 )
 def commands() -> None:
     """Calculate with light: units, photometry, radiometry, photons and their geometry.

@@ -17,6 +17,7 @@ COMMANDS = {
     "prompt": "Interactive prompt, with ans and variables.",
 }
 HELP_NAMES = ["-h", "--help"]
+EXPLAIN = "--explain"
 
 
 def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:

@@ -2,15 +2,17 @@
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import click
 
 from radcalc import terminal
 from radcalc.cli.cases import is_stream
 from radcalc.cli.files import say
 from radcalc.cli.group import context, parameters
 from radcalc.cli.heard import hear
-from radcalc.cli.help import COMMANDS, HELP_NAMES
-from radcalc.cli.options import OPTIONS, STEPS, decide, defaults
+from radcalc.cli.help import COMMANDS, EXPLAIN, HELP_NAMES
+from radcalc.cli.options import NAMES, OPTIONS, STEPS, decide, defaults
 from radcalc.cli.spelling import typed
 from radcalc.errors import (
     ExpressionError,
@@ -28,7 +30,7 @@ if TYPE_CHECKING:
 
 Words = list[str]
 SHORT = 4  # words of a call that is rather a command with a mistake
-PLAIN_OPTIONS = {"precision", "quiet", "steps", "color", "auto"}  # with a value and its unit
+PLAIN_OPTIONS = {"precision", "quiet", "color", "auto"}  # with a value and its unit
 
 
 class Gate(NamedTuple):
@@ -67,9 +69,10 @@ def _is_clear(error: RadcalcError, words: Words, has_answers: Callable[..., bool
 
 def may_be(words: Sequence[str], error: RadcalcError) -> bool:
     """Return whether a refused call may be a sentence, and not a command with a mistake."""
-    if not words or any(map(is_stream, words)) or {*words} & {*HELP_NAMES, "help", "--version"}:
+    others = {*HELP_NAMES, "help", "--version", EXPLAIN}
+    if not words or any(map(is_stream, words)) or {*words} & others:
         return False
-    asked, _ = _options_of(words)
+    asked, _ = options_of(words)
     if isinstance(error, ExpressionError) or all(word[:1] == "-" for word in asked):
         return False
     options = [word.partition("=")[0] for word in asked if word[:2] == "--"]
@@ -92,7 +95,7 @@ def meant(
     Raises `error` if the words are not a sentence, or are the same call; raises the problem of the
     sentence if that is more useful.
     """
-    asked, options = _options_of(words)
+    asked, options = options_of(words)
     understood = False
     try:
         sentence = read(asked)
@@ -106,7 +109,7 @@ def meant(
         is_free = asked[0] not in COMMANDS and understood
         is_better = is_free and not _is_clear(error, words, has_answers)
         raise (problem if is_better else error) from None
-    is_same = _plain(call) == _plain(asked) and not isinstance(error, TooManyWords)
+    is_same = plain(call) == plain(asked) and not isinstance(error, TooManyWords)
     if is_same or asked[0] == call[0]:
         raise error
     return call, options
@@ -114,11 +117,11 @@ def meant(
 
 def _answer(call: Words, options: Words, gate: Gate) -> int:
     """Run the call of a sentence; write one result with its unit, and then the call."""
-    chosen = _values(options, gate.listener.settings if gate.listener else {})
-    if "-g" in call and chosen is not None:
+    values = values_of(options, gate.listener)
+    if "-g" in call and _has_unit(values):
         results = hear(call)
         with context(gate.listener):
-            output = decide(**(defaults() | chosen))
+            output = decide(**{name: values[name] for name in NAMES})
         output.show([result._replace(named=False) for result in results])
         status = terminal.ANSWERED
     else:
@@ -127,7 +130,7 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
     return status
 
 
-def _options_of(words: Sequence[str]) -> tuple[Words, Words]:
+def options_of(words: Sequence[str]) -> tuple[Words, Words]:
     """Return the words of a call, and its options of the output with their values."""
     known = {name: option for option in (*OPTIONS, STEPS) for name in option.opts}
     asked: Words = []
@@ -144,24 +147,20 @@ def _options_of(words: Sequence[str]) -> tuple[Words, Words]:
     return asked, options
 
 
-def _values(options: Words, settings: Mapping[str, object]) -> "dict[str, object] | None":
-    """Return the values of options that leave a result with its unit; None for others.
-
-    `settings` are those of all lines of a prompt.
-    """
-    if not options and not settings:
-        return {}
-    import click
-
+def values_of(options: Words, listener: "Listener | None") -> dict[str, Any]:
+    """Return the values of the options of the output; a listener has those of all lines."""
     nothing = click.Command(None, params=[*OPTIONS, STEPS], add_help_option=False)
-    values = nothing.make_context("", list(options), default_map=dict(settings)).params
-    steps = values.pop("steps")
-    default = defaults()
-    changed = {name for name, value in values.items() if value != default[name]}
-    return None if steps or not changed <= PLAIN_OPTIONS else values
+    settings = dict(listener.settings) if listener else {}
+    return nothing.make_context("", list(options), default_map=settings).params
 
 
-def _plain(words: Sequence[str]) -> str:
+def _has_unit(values: Mapping[str, Any]) -> bool:
+    """Return whether a result keeps its unit with these values of options."""
+    default = {**defaults(), STEPS.name: False}
+    return {name for name, value in values.items() if value != default[name]} <= PLAIN_OPTIONS
+
+
+def plain(words: Sequence[str]) -> str:
     """Return the words of a call without what may be left out."""
     text = " ".join(words).removeprefix("convert ")
     parts = text.replace("->", " ").replace("=", " ").replace(",", " ").split()

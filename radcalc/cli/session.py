@@ -17,7 +17,7 @@ from radcalc import cli, terminal
 from radcalc.answer import Result, Row
 from radcalc.cli import group
 from radcalc.cli.cases import is_stream
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.help import COMMANDS, EXPLAIN
 from radcalc.cli.options import decide, defaults
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
 from radcalc.quantities.light import LUMINOUS, name_of
@@ -152,10 +152,16 @@ class Session:
         if words[:1] == ["radcalc"]:
             words = words[1:]
         called = words[0] if words else ""
+        if EXPLAIN in words:
+            return self._in_sentence(words)
         if called in COMMANDS or (called[:1] == "-" and not is_sentence(words)):
             return [called, *self._filled(called, words[1:])]
         if is_sentence(words) or self._begins_with_name(called):
             return ["convert", *self._filled("convert", words)]
+        return self._in_sentence(words)
+
+    def _in_sentence(self, words: list[str]) -> list[str]:
+        """Replace words that are names of amounts."""
         return [self._fill(word) if NAME.fullmatch(word.rstrip(ENDS)) else word for word in words]
 
     def _begins_with_name(self, word: str) -> bool:

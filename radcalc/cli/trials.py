@@ -15,7 +15,7 @@ from radcalc.cli.cases import is_stream
 from radcalc.cli.command import with_plot
 from radcalc.cli.group import called_in, commands, context, parameters, protect_negatives
 from radcalc.cli.heard import hear
-from radcalc.cli.help import HELP_NAMES
+from radcalc.cli.help import EXPLAIN, HELP_NAMES
 from radcalc.cli.spelling import Shell, pasted, spelled, typed
 from radcalc.errors import (
     MINUS,
@@ -280,6 +280,10 @@ def _is_short(words: Words) -> bool:
     options = [word.partition("=")[0] for word in words]
     if {*words} & {*HELP_NAMES, "help", "--version"}:
         return False
+    if EXPLAIN in words:
+        from radcalc.cli.explained import explained
+
+        return not explained(words)
     is_quick = command in SUMMARIES and command not in LONG and not {*options} & {*UNTRIED}
     if not is_quick or any(map(is_stream, words)) or is_long(words):
         top = context()

@@ -287,7 +287,7 @@ def _calculations(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[st
     given = {_taken(dict(frame.renamed).get(n, n), fact, taken): fact for n, fact in facts.items()}
     words = [frame.command]
     if operand := OPERANDS.get(frame.command):
-        words.append(_one_word(given.pop(operand)))
+        words.append(one_word(given.pop(operand)))
     elif SHAPE in given and frame.operand:
         words.append(given.pop(SHAPE).text)
     elif frame.operand:
@@ -387,10 +387,10 @@ def _input(name: str, fact: Fact) -> str:
     if SYMBOLS[name].form == FLAG:
         return f"{name}="
     light = read_light(fact.amount.unit) if fact.amount else None
-    return f"{in_kind(name, light.kind) if light else name}={_one_word(fact)}"
+    return f"{in_kind(name, light.kind) if light else name}={one_word(fact)}"
 
 
-def _one_word(fact: Fact) -> str:
+def one_word(fact: Fact) -> str:
     """Return the text of a fact as one word, if it reads the same: 2 m becomes 2m."""
     number, blank, unit = fact.text.partition(" ")
     is_shutter = fact.symbols == () and fact.amount and fact.amount.dimension == NUMBER

@@ -53,13 +53,17 @@ class Goal(NamedTuple):
 
 
 class Sentence(NamedTuple):
-    """A sentence that was read: its facts, its goals, its files and the words not understood."""
+    """A sentence that was read: its facts, its goals, its files and the words not understood.
+
+    `ignored` are the words that add nothing.
+    """
 
     facts: tuple[Fact, ...]
     goals: tuple[Goal, ...]
     files: tuple[str, ...]
     unknown: tuple[str, ...]
     text: str
+    ignored: tuple[str, ...] = ()
 
 
 Found = tuple[int, "Fact | Goal | str | None"]  # the place after a phrase, and what it fills
@@ -81,6 +85,7 @@ def _found(text: str, reading: "_Reading") -> Sentence:
     goals: list[Goal] = []
     files: list[str] = []
     unknown: list[str] = []
+    ignored: list[str] = []
     at = 0
     while at < len(words):
         end, filled = reading.longest(at)
@@ -90,10 +95,14 @@ def _found(text: str, reading: "_Reading") -> Sentence:
             goals.append(filled)
         elif isinstance(filled, str):
             (files if filled else unknown).append(filled or words[at].text)
+        else:
+            ignored.append(words[at].text)
         at = end
     if any("wavelength" in fact.symbols for fact in facts) or any(_is_line(fact) for fact in facts):
+        ignored += [word for word in unknown if word.lower() in COLOURS]
         unknown = [word for word in unknown if word.lower() not in COLOURS]
-    return Sentence(tuple(facts), tuple(goals), tuple(files), tuple(unknown), text)
+    found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
+    return Sentence(*found, text, tuple(ignored))
 
 
 def _is_line(fact: Fact) -> bool:

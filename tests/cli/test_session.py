@@ -212,6 +212,13 @@ def test_a_sentence_has_the_settings_of_all_lines(capsys):
     assert capsys.readouterr() == ("312.5\n", "")
 
 
+def test_a_sentence_with_names_is_explained(typed):
+    typed("source = 20000 cd")
+    shown = "at 8 m\t--distance 8m\n20000 cd\t--intensity 20000cd\nlx\t-g illuminance:lx\n"
+    assert typed("at 8 m source to lx --explain").startswith(shown)
+    assert typed("--explain at 8 m source to lx").startswith(shown)
+
+
 def test_a_refused_sentence_has_the_values_of_its_names(typed):
     typed("flow = 800 lm")
     refusal = typed("24 degree beam flow to cd")
