@@ -76,7 +76,7 @@ class Trial(NamedTuple):
             problem = of_click(error, self.words) if isinstance(error, click.UsageError) else error
             if not sentence.may_be(self.words, problem):
                 raise problem from None
-            call, _ = sentence.meant(self.words, problem, lambda *_: True)
+            call, _ = sentence.meant(self.words, problem, lambda *_: False)
             rows = _results(call)
         return self._replace(rows=rows)
 
@@ -141,6 +141,12 @@ def has_answers(error: RadcalcError, words: Words) -> bool:
 
 def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
     """Return a refused call with what it lacks, if it is answered then."""
+    if further.tries and all(one.words for one in further.tries):  # readings of a sentence
+        readings = []
+        for one in further.tries[:MOST]:
+            with suppress(RadcalcError):
+                readings.append(Trial([*typed(one.words)], one.remark).answered())
+        return readings
     for _ in range(MOST - 1):
         added = [one for one in further.tries if one.inputs and not one.without]
         if not added:  # another word of the same kind: 1/2 m + 1/2 m

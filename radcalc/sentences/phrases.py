@@ -169,7 +169,7 @@ IGNORED = """
     wien will with you below beneath directly straight down shift measured takes still throw total
     unit front
 
-    air ansi beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
+    air beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
     display gel global goggles image intense lamp lamps laser led leds lens light lights linewidth
     luminaire luminaires meter metre monitor office page panel paper picture point pointer
     projection projector projectors pulse radiation ray room same screen sensor sheet showing single

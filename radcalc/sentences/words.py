@@ -24,6 +24,8 @@ F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a 
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"@": "at", "average": "mean"}
+OF_AMOUNTS = ("mean", "average")  # add nothing to an amount before them
+ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ]+=)(\S+)", re.I)
 PART_OF_UNIT = re.compile(r"[^\W\d]+\^?-\d|per|na")  # m-2, nm^-1, per
@@ -82,6 +84,11 @@ def words_of(typed: "list[str]") -> list[Word]:
     before = ""
     for part in parts:
         text = SPELLED.get(part, part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part)
+        is_after_unit = bool(words) and unit_in([words[-1].text]) is not None
+        if text.lower() in OF_AMOUNTS and is_after_unit:  # 5 W average; mean luminance is a result
+            continue
+        if text.lower() == ANSI:
+            continue
         if ASPECT.fullmatch(text):
             aspects.append(Word(text, text))
         elif found := F_NUMBER.fullmatch(text):
