@@ -348,7 +348,7 @@ def _target(goal: Goal, value: Fact) -> str:
 def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
     amounts = [fact.amount for fact in facts if fact.amount]
-    if len(amounts) == len(facts) == MOST and [*map(_is_light, facts)] == [True, False, False]:
+    if [fact.symbols for fact in facts[1:]] == [("distance",)] * 2 and _is_light(facts[0]):
         return _farther(amounts, goal)
     if len(amounts) != 2 or len(facts) != 2 or goal is None:
         return []

@@ -33,6 +33,15 @@ ANSWERED = [
     ("25 лк на 2 м под углом 30 градусов сила света", 25 * 4 / math.cos(math.radians(30)), "cd"),
     ("photon energy 1064nm eV", EV_NM / 1064, "eV"),
     ("400 J/m2 at 150 mW/m2 how long", 400 / 0.15, "s"),
+    ("136 fc at 16 m, how much at 20 m", 136 * 16**2 / 20**2, "fc"),
+    ("mired shift 3092K 5600K", 1e6 / 5600 - 1e6 / 3092, "1/MK"),
+    ("300 mW through OD 4 goggles to uW", 300e3 * 1e-4, "uW"),
+    (
+        "500 nit 65 inch 16:9 TV to lumens",
+        500 * math.pi * (65 * 0.0254) ** 2 * 16 * 9 / (16**2 + 9**2),
+        "lumens",
+    ),
+    ("dli 600 16h", 600 * 16 * 3600 / 1e6, "mol/m2"),
     ("peak wavelength of a 5778 K blackbody", 2.897771955e6 / 5778, "nm"),
 ]
 
@@ -85,6 +94,9 @@ REFUSED = [
     ),
     ("100 cd 2 m 3 m lx", "fill one place", ""),
     ("100 lx at 450", "no command takes", ""),
+    ("100 lx 2 m 3 m", "fill one place", ""),
+    ("what ISO for f/4 at 1/100", "", ""),
+    ("red led 5 W lumens", "not understood: red", ""),
     ("100 lm over 4 pi", "not understood: pi", ""),
     ("10 to 20 lx", "", ""),
     ("100 lx A", "", ""),
