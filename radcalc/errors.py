@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 MINUS = "\u2212"  # pasted by people, and used for the - of a number on the command line
 SHOWN = 60  # characters of a text
 LISTED = 10  # names
+MOST = 3  # calls of a hint that a gate makes
 # The marks of a mention: private characters, which `quote` escapes.
 START, VALUE, WORD, END = "\ue000", "\ue001", "\ue002", "\ue003"
 
@@ -327,6 +328,17 @@ class RadcalcError(Exception):
         self.missing: dict[str, tuple[str, ...]] = {}
 
     @property
+    def others(self) -> list[str]:
+        """Return the symbols that the hint mentions, and that no call of it adds or leaves out.
+
+        They are further ways where calls of the hint add symbols.
+        """
+        added = {name for one in self.tries[:MOST] for name, _ in one.inputs}
+        left_out = {name for one in self.tries for name in one.without}
+        known = {*added, *left_out, "get"}
+        return [name for name in mentioned(self.hint) if name not in known] if added else []
+
+    @property
     def code(self) -> str:
         """Return the kind of the error, as a program reads it: `missing-condition`."""
         kind = next(kind for kind in type(self).__mro__ if kind.__module__ == __name__)
@@ -398,6 +410,14 @@ class UsageError(RadcalcError):
 
 class TooManyWords(UsageError):
     """A conversion with more words than a value and two units; it may be a sentence."""
+
+
+class UnknownResult(UsageError):
+    """The name of a result that the answer does not have; `names` are those that it has."""
+
+    def __init__(self, message: str, names: "Sequence[str]", hint: "Hint" = "") -> None:
+        super().__init__(message, hint or ", ".join(names))
+        self.names = tuple(names)
 
 
 class OutputError(RadcalcError):

@@ -2,12 +2,13 @@
 
 import inspect
 import pickle
+import re
 from collections.abc import Callable
 from itertools import product
 from typing import Any
 
 import pytest
-from conftest import run
+from conftest import ROOT, run
 from helpers import for_each, shell
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -124,6 +125,10 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         lambda: errors.TooMany("9 values", f"at most 8, or {option('distance')} last"),
         ("9 values", "at most 8, or --distance last"),
         ("9 values", "at most 8, or distance last"), ("9 values", "at most 8, or distance last")),
+    "a result that is unknown has the names of those that are known": (
+        lambda: errors.UnknownResult("unknown result 'x'", ["flux", "area"]),
+        ("unknown result 'x'", "flux, area"), ("unknown result 'x'", "flux, area"),
+        ("unknown result 'x'", "flux, area")),
     "a conversion of too many words may be a sentence": (
         lambda: errors.TooManyWords("too many words: 'lx to fc now'", errors.drop("now")),
         ("too many words: 'lx to fc now'", "leave out now"),
@@ -239,6 +244,12 @@ def test_every_class_of_error_is_tested():
     classes -= {errors.Plain, errors.Try}
     assert {type(error()) for error, *_ in ERRORS.values()} == classes
     assert all(issubclass(one, RadcalcError) for one in classes)
+
+
+def test_the_manual_lists_the_code_of_every_error():
+    listed = (ROOT / "man" / "man1" / "radcalc.1").read_text().partition(".It Cm code")[2]
+    codes = {error().code for error, *_ in ERRORS.values()}
+    assert {*re.findall(r"^\.Cm ([a-z-]+)", listed.partition(".It")[0], re.M)} == codes
 
 
 def test_an_error_has_attributes_for_programs():

@@ -11,13 +11,12 @@ from radcalc.api.quantity import is_quantity, plain
 from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.errors import RadcalcError, Try, mentioned, nearest, spell, with_correction
+from radcalc.errors import MOST, RadcalcError, Try, nearest, spell, with_correction
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.quantities.synonyms import meant
 
 P = ParamSpec("P")
 T = TypeVar("T")
-MOST = 3  # calls to make
 SIMPLE = (str, int, float, bool, type(None))
 
 
@@ -73,9 +72,7 @@ def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str,
             continue
         remark = spell(proposal.remark, PythonHint)
         texts.append("\n     ".join([call, ", ".join(filter(None, [_text(answer), remark]))]))
-    typed = {name for proposal in error.tries[:MOST] for name, _ in proposal.inputs}
-    typed |= {name for proposal in error.tries for name in (*proposal.without, "get")}
-    if texts and (others := [name for name in mentioned(error.hint) if name not in typed]):
+    if texts and (others := error.others):
         help_ = Python.manual(symbol_name(function.__name__))
         return "\nor:  ".join(texts) + f"\nor {', '.join(map(keyword, others))} ({help_})"
     return "\nor:  ".join(texts)

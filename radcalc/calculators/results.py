@@ -13,6 +13,7 @@ from radcalc.errors import (
     NumberError,
     RadcalcError,
     Try,
+    UnknownResult,
     UsageError,
     ambiguous,
     correct,
@@ -263,8 +264,8 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         raise MissingInput(f"{name} {NEEDS_LINK}", f"{LINKS_HINT}, or {generic}")
     of_case = f"{case}: " if case else ""
     few = names if len(names) <= MOST_OF_A_UNIT else []
-    hint = linked or corrections(name, *(right_names(name, values) or few)) or ", ".join(names)
-    raise UsageError(f"{of_case}unknown result '{quote(name)}'", hint)
+    hint = linked or corrections(name, *(right_names(name, values) or few))
+    raise UnknownResult(f"{of_case}unknown result '{quote(name)}'", names, hint)
 
 
 def _of_kind(name: str, generic: str, values: Sequence[Value]) -> list[Try]:

@@ -29,9 +29,10 @@ class Answered(NamedTuple):
         return arrays[0] if arrays else None
 
 
-def refuse_bare(output: Output, rows: Sequence[Row] = ()) -> None:
-    """Refuse -n if there are several results; propose the first two of `rows`."""
+def refuse_bare(output: Output, answered: Answered | None = None) -> None:
+    """Refuse -n if there are several results; propose the first two of an answer."""
     if output.style.bare:
+        rows = result(answered).rows if answered else ()
         found = [f"{row.name}:{row.unit}" for row in rows if not row.given][:2]
         hint = [Try((("get", name),), ("number",)) for name in found] or "-g NAME:UNIT"
         raise UsageError("-n prints one number, but there are several results", hint)
@@ -49,9 +50,9 @@ def show(
             answered._replace(answer=answered.answer._replace(steps=())) for answered in answers
         )
     if not request.wanted:
-        if output.style.bare:
-            refuse_bare(output, result(next(iter(answers))).rows)
-        output.show([result(answered) for answered in _spread(answers)])
+        first, *others = _spread(answers)
+        refuse_bare(output, first)
+        output.show([result(answered) for answered in (first, *others)])
     elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
         hint = [leave_out("auto"), add("format", TABLE)]
         output.refuse_auto("--get prints bare numbers", hint)

@@ -34,22 +34,20 @@ def refuse_idle(check: str | None, tolerance: str | None) -> None:
         raise UsageError("--tolerance does not apply without --check", leave_out("tolerance"))
 
 
-def refuse_several(
-    count: int, varied: Sequence[ShownInput] = (), operands: Sequence[tuple[str, str]] = ()
-) -> None:
-    """Refuse --check with several answers; propose the first values.
+def several(
+    varied: Sequence[ShownInput] = (), operands: Sequence[tuple[str, str]] = ()
+) -> UsageError:
+    """Return the error for --check with several answers, with the first values as a proposal.
 
     `varied` are the inputs with several values, `operands` the lists typed as words, each with
     its first value.
     """
-    if count <= 1:
-        return
     problem = "--check takes one answer, not several"
     first = first_of(varied)
     if first.inputs:
-        raise UsageError(problem, first)
+        return UsageError(problem, first)
     lists = [correct(typed, value) for typed, value in operands if typed != value]
-    raise UsageError(problem, lists or leave_out("check"))
+    return UsageError(problem, lists or leave_out("check"))
 
 
 def first_of(varied: Sequence[ShownInput]) -> Try:

@@ -20,7 +20,7 @@ from radcalc.cli.help import COMMANDS, HELP
 from radcalc.completion import sources, table
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS
-from radcalc.errors import RadcalcError, UsageError
+from radcalc.errors import RadcalcError, UnknownResult
 from radcalc.files.text import ENDINGS as COLUMNS
 from radcalc.plots.figure import FORMATS
 from radcalc.quantities.light import GEOMETRIES
@@ -200,7 +200,7 @@ def main_options() -> list[click.Option]:
 
 
 def results_of(command: SectionedCommand) -> list[str]:
-    """Return the names of a calculator's results, which the hint for an unknown name lists."""
+    """Return the names of a calculator's results, which the error about an unknown name has."""
     names = [
         option.opts[-1].removeprefix("--")
         for group in command.sections.values()
@@ -211,8 +211,8 @@ def results_of(command: SectionedCommand) -> list[str]:
         try:
             with commands.make_context("radcalc", [*words, "-g", "?"]) as call_context:
                 commands.invoke(call_context)
-        except UsageError as error:
-            names += error.hint.replace(" or ", ", ").split(", ")
+        except UnknownResult as error:
+            names += error.names
         except (RadcalcError, click.ClickException):
             continue  # the file is missing here
     kinds = [name for generic in names for name in names_of_kinds(generic)]

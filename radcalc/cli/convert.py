@@ -141,9 +141,10 @@ def command(
     if check is not None:
         from radcalc.homework.question import of_conversion
 
-        ends = [first.targets[0].text] if len(first.targets) > 1 else []
-        lists = [(words[0], words[0].split(",")[0]), *((words[-1], end) for end in ends)]
-        checking.refuse_several(len(calls) * len(first.targets), first.case.varied, lists)
+        if len(calls) * len(first.targets) > 1:
+            ends = [first.targets[0].text] if len(first.targets) > 1 else []
+            lists = [(words[0], words[0].split(",")[0]), *((words[-1], end) for end in ends)]
+            raise checking.several(first.case.varied, lists)
         target, conditions = first.targets[0], first.conditions
         amount, value = first.amount, float(first.value)
         question = of_conversion(value, first.source, target, conditions, steps, amount)

@@ -12,7 +12,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, show
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
-from radcalc.cli.check import refuse_several
+from radcalc.cli.check import several
 from radcalc.cli.command import define
 from radcalc.cli.line_options import refuse_second_reader
 from radcalc.cli.options import Output
@@ -165,8 +165,8 @@ def command(
         _show_periods(summed, log, all_cases[0].given, operands, by, request, output)
         status = terminal.ANSWERED
     else:
-        if by:
-            refuse_several(len(summed.dose.periods))
+        if by and len(summed.dose.periods) > 1:
+            raise several()
         status = run(all_cases, _task(summed, log, operands, bool(by)), request, output)
     return status if log.is_good or status else terminal.FAILED
 

@@ -22,8 +22,6 @@ from radcalc.errors import (
     nearest,
     quote,
 )
-from radcalc.errors import command as call_of
-from radcalc.errors import manual as help_of
 from radcalc.quantities.synonyms import meant
 from radcalc.render.formats import FORMATS
 from radcalc.units.numbers import is_sentence
@@ -187,33 +185,30 @@ def _bare(words: list[str]) -> list[str]:
     return [*kept, "-n"]
 
 
-def options_behind(words: list[str]) -> str:
-    """Mention the call with the options before the command moved after it.
+def options_behind(words: list[str]) -> Try | None:
+    """Return the call with the options before the command moved after it.
 
-    Return '' if there are none, or if the call has another error.
+    Return None if there are none, or if the call has another error.
     """
     implied = "convert" if any(is_sentence([word]) for word in words) else ""
     called = next((word for word in words if word in COMMANDS), implied)
     if not called:
-        return ""
+        return None
     known = {spelling: p for p in parameters(called) for spelling in p.opts}
     at = 0
     while words[at : at + 1] and words[at].startswith("-") and not is_sentence(words[at:]):
         name, equals, _ = words[at].partition("=")
         if name not in known:
-            return ""
+            return None
         is_flag = getattr(known[name], "is_flag", False)
         at += 1 if is_flag or equals else 2
-    call = [*words[at:], *words[:at]]
     if not at or not (words[at:] and (words[at] == called or is_sentence(words[at:]))):
-        return ""
-    if any(quote(word) != word for word in call):
-        return help_of(called)
-    return call_of(*_with_values(call))
+        return None
+    return call(*_with_values([*words[at:], *words[:at]]))
 
 
 def _with_values(words: list[str]) -> list[str]:
-    """Join an option and a value with a =, for a mention."""
+    """Join an option and a value with a =, for a proposal."""
     mentioned: list[str] = []
     for word in words:
         if "=" in word and mentioned and mentioned[-1].startswith("--"):

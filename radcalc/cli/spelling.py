@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
 NEED_QUOTES = set(" ()<>;&|")  # at a shell
-SAFE = "%+,-./:=@_^µΩ°²³·"  # at a shell, without quotes
+SAFE = dict.fromkeys(map(ord, "%+,-./:=@_^µΩ°²³·"))  # at a shell, without quotes
 
 
 class Shell:
@@ -50,7 +50,8 @@ def pasted(words: "Sequence[str]") -> str:
 
 def quoted(word: str) -> str:
     """Return a word as typed at a shell; < is a redirection."""
-    if word == "<" or (word and all(c.isalnum() or c in SAFE for c in word)):
+    others = word.translate(SAFE)
+    if word == "<" or (word and (others.isalnum() or not others)):
         return word
     import shlex  # slow, and rarely needed
 

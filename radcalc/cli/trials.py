@@ -19,11 +19,11 @@ from radcalc.cli.help import EXPLAIN, HELP_NAMES
 from radcalc.cli.spelling import Shell, pasted, spelled, typed
 from radcalc.errors import (
     MINUS,
+    MOST,
     Exclusive,
     OutputError,
     RadcalcError,
     Try,
-    mentioned,
     quote,
     with_correction,
 )
@@ -31,7 +31,6 @@ from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.ranges import size_of
 
 Words = list[str]
-MOST = 3  # calls to make
 ANSWERS = 100  # of a call that is made
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
@@ -176,11 +175,7 @@ def lines(error: RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str
         texts.append(start + trial.command)
         if trial.outcome:
             texts.append("     " + trial.outcome)
-    typed = {name for proposal in error.tries[:MOST] for name, _ in proposal.inputs}
-    left_out = {name for proposal in error.tries for name in proposal.without}
-    known = {*typed, *left_out, "get"}
-    others = [f"--{name}" for name in mentioned(error.hint) if name not in known]
-    if typed and others:
+    if others := [f"--{name}" for name in error.others]:
         texts.append(f"or {', '.join(others)} (radcalc {called_in(words)} --help)")
     if further := [quote(" ".join(one.instead[1:])) for one in error.tries[MOST:] if one.instead]:
         texts.append(f"or {', '.join(further)}")

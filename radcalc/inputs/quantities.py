@@ -112,7 +112,7 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
         *amount.typed,
         not isinstance(value, str),
         amount.uncertainty * unit.factor if unit else amount.uncertainty,
-        (*amount.assumptions, *_said(amount)),
+        (*amount.assumptions, *(_said(amount) if unit and unit.notes else ())),
         variable,
         amount.rounding,
         amount.parts,

@@ -43,7 +43,9 @@ def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
 
     A range of directions has polar angles and one azimuth: 0deg:90deg:15deg,90deg.
     """
-    form, text = SYMBOLS[name].form, _as_aspect(name, text)
+    form = SYMBOLS[name].form
+    if name == "aspect":
+        text = _as_aspect(text)
     if name in MARKED and MARKED[name] in str(text).lower():
         return text.split(",")  # type: ignore[no-any-return]
     if form == SPECTRUM:
@@ -56,11 +58,9 @@ def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     return _quantities(name, text, arrays) if form == QUANTITY else [text]
 
 
-def _as_aspect(name: str, value: Any) -> Any:
+def _as_aspect(text: str) -> str:
     """Return 16:9 as 16/9 for an aspect ratio; a range has two colons."""
-    if name != "aspect" or not isinstance(value, str):
-        return value
-    parts = value.split(",")
+    parts = text.split(",")
     return ",".join(part.replace(":", "/") if part.count(":") == 1 else part for part in parts)
 
 
@@ -98,7 +98,9 @@ def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Inpu
         given = read_as(SYMBOLS[name], f"{text} {bare}", uncertain)
         assumption = f"{option(name, quote(text))} is in {bare}"
         return given._replace(text=text, assumptions=(*given.assumptions, assumption))
-    return read_as(SYMBOLS[name], _as_aspect(name, value), uncertain)
+    if name == "aspect" and isinstance(value, str):
+        value = _as_aspect(value)
+    return read_as(SYMBOLS[name], value, uncertain)
 
 
 def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Input:
