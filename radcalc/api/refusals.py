@@ -30,8 +30,9 @@ def in_python(function: Callable[P, T]) -> Callable[P, T]:
         except RadcalcError as error:
             error = on_page(error, symbol_name(function.__name__))
             message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
-            if error.tries and not args:
-                hint = calls(error, function, kwargs) or hint
+            if error.tries:
+                given = signature(function).bind_partial(*args).arguments | kwargs
+                hint = calls(error, function, given) or hint
             raise error.reworded(message, hint).with_traceback(error.__traceback__) from None
 
     return call
@@ -112,8 +113,11 @@ def _call(function: Callable[..., Any], args: Iterable[Any], kwargs: Mapping[str
     return f"radcalc.{function.__name__}({', '.join(texts)})"
 
 
-def other_call(proposal: Try) -> tuple[str, Any]:
-    """Make another call; return it as a text, and its answer."""
+def other_call(proposal: Try, in_core: bool = True) -> tuple[str, Any]:
+    """Make another call; return it as a text, and its answer.
+
+    Its error is that of the core, or that of Python with the calls that its hint proposes.
+    """
     command, *words = proposal.words
     operands = [word for word in words if "=" not in word]
     inputs = dict(word.split("=", 1) for word in words if "=" in word)
@@ -122,7 +126,8 @@ def other_call(proposal: Try) -> tuple[str, Any]:
         keyword(name): value or SYMBOLS[name].form == FLAG or page_of(command).symbol(name).example
         for name, value in inputs.items()
     }
-    function = getattr(getattr(sys.modules["radcalc"], keyword(command), None), "__wrapped__", None)
+    function = getattr(sys.modules["radcalc"], keyword(command), None)
+    function = getattr(function, "__wrapped__", None) if in_core else function
     if function is None:
         raise LookupError
     answer = function(*operands, **arguments)

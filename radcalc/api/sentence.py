@@ -5,7 +5,7 @@ from __future__ import annotations
 from radcalc.api.quantity import Quantity
 from radcalc.api.refusals import in_python, other_call
 from radcalc.api.result import Result
-from radcalc.errors import Try
+from radcalc.errors import Try, UsageError
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read, refuse_unknown
 from radcalc.units.reading import read_operands
@@ -42,6 +42,11 @@ def ask(sentence: str) -> Result | Quantity:
     if command == "convert":
         operands = [word for word in words if "=" not in word]
         amount, target = read_operands(operands)
-        words = [amount.text, *([target] if target else []), *words[len(operands) :]]
-    answer: Result | Quantity = other_call(Try(words=(command, *words)))[1]
+        unit = amount.unit.text if amount.unit else "1"
+        words = [amount.text, target or unit, *words[len(operands) :]]
+    try:
+        answer: Result | Quantity = other_call(Try(words=(command, *words)), in_core=False)[1]
+    except (LookupError, TypeError) as error:  # no function, or one that needs more
+        problem = str(error) or f"{command} is not a function of Python"
+        raise UsageError(problem, "the same sentence at a shell") from None
     return answer

@@ -1,6 +1,7 @@
 """Sentences: what they answer, what they mean, and which are refused."""
 
 import math
+import re
 
 import pytest
 from conftest import run
@@ -144,3 +145,37 @@ def test_options_of_the_output_go_with_a_sentence():
 def test_a_number_without_a_unit_is_not_lost():
     for sentence in ("100 lx at 450", "5 100 lx fc", "100 lx 7 fc"):
         assert run(*sentence.split()).returncode == 2, sentence
+
+
+def test_a_refusal_in_python_proposes_calls_with_their_numbers():
+    # A lobe of cos^n with cos^n(12 deg) = 1/2 has I = Phi (n + 1) / 2 pi sr; a cone has
+    # I = Phi / 2 pi (1 - cos(12 deg)) sr.
+    cos = math.cos(math.radians(12))
+    lobe = 800 * (math.log(0.5) / math.log(cos) + 1) / (2 * math.pi)
+    cone = 800 / (2 * math.pi * (1 - cos))
+    with pytest.raises(radcalc.RadcalcError, match="2 readings") as caught:
+        radcalc.ask("24 deg beam 800 lm to cd")
+    calls = re.findall(r"(radcalc\.convert\(.*\))\n +(\S+) cd", str(caught.value))
+    answers = {text: eval(text, {"radcalc": radcalc}).magnitude for text, _ in calls}
+    assert sorted(answers.values()) == pytest.approx([lobe, cone])
+    assert [float(number) for _, number in calls] == pytest.approx([*answers.values()], rel=1e-5)
+
+
+# Sentences, and parts of the refusal in Python.
+REFUSED_IN_PYTHON = [
+    ("800 lm to cd", 'try: radcalc.convert("800 lm", "cd", isotropic=True)\n     63.662 cd'),
+    ("800 lm isotorpic cd", 'try: radcalc.ask("800 lm isotropic cd")\n     63.662 cd'),
+    ("examples/office.csv", "'points'"),
+    ("examples/gallery.csv", "dose is not a function of Python"),
+]
+
+
+@for_each(REFUSED_IN_PYTHON)
+def test_a_refusal_in_python_is_that_of_the_function_that_is_meant(sentence, text):
+    with pytest.raises(radcalc.RadcalcError) as caught:
+        radcalc.ask(sentence)
+    assert text in str(caught.value)
+
+
+def test_an_amount_alone_is_a_quantity_in_python():
+    assert radcalc.ask("300 lx + 20 fc").to("lx").magnitude == pytest.approx(300 + 20 / FC)
