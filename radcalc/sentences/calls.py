@@ -77,7 +77,7 @@ OF_DIMENSION = {
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
 # What is asked for without a target, by the value and its condition.
 USUAL_GOALS = {
-    ("flux", "area"): "irradiance",
+    **dict.fromkeys((("flux", "area"), ("flux", "diameter"), ("flux", "radius")), "irradiance"),
     ("irradiance", "area"): "flux",
     ("irradiance", "time"): "exposure",
     ("irradiance", "incidence"): "irradiance",
@@ -322,14 +322,16 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     ((value,), given) = values, {name: f for name, f in facts.items() if name != values[0]}
     usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
     target = _target(goal, facts[value]) if goal else usual if len(given) == 1 else ""
-    if (given and not target) or facts[value].amount is None:
+    amount = facts[value].amount
+    if amount is None or (given and not target):
+        return []
+    if amount.dimension == NUMBER and given:  # a number whose unit is missing
         return []
     small = page_of("point-source")
     if "distance" in given and {*facts} <= taken_by(small) and _results(small, goal, facts):
         return []
     number, _, unit = facts[value].text.partition(" ")
-    amount = facts[value].amount
-    is_plain = amount is not None and amount.unit.text == unit
+    is_plain = amount.unit.text == unit
     words = ["convert", *([number, unit] if is_plain else [facts[value].text])]
     words += [target] if target else []
     return [words + [_input(name, fact) for name, fact in given.items()]]

@@ -58,7 +58,7 @@ def _group(title: str, *rows: tuple[str, ...]) -> tuple[Phrase, ...]:
 PHRASES = (
     *_group(
         "place",
-        ("at|from|to|in|z|na|ve|v|od|на|в|от|aus|in {length}", "distance"),
+        ("at|from|z|na|ve|v|od|на|в|от|aus {length}", "distance"),
         ("at a|the distance of {length}", "distance"),
         ("ve vzdálenosti|výšce {length}", "distance"),
         ("на расстоянии {length}", "distance"),
@@ -118,6 +118,7 @@ PHRASES = (
         ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
         ("{number} reflectance|reflective|reflecting", "reflectance"),
         ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
+        ("white|grey|gray|black surface|paper|wall|board|card", "reflectance", ""),
     ),
     *_group(
         "time",

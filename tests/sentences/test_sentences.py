@@ -35,6 +35,7 @@ ANSWERED = [
     ("photon energy 1064nm eV", EV_NM / 1064, "eV"),
     ("400 J/m2 at 150 mW/m2 how long", 400 / 0.15, "s"),
     ("136 fc at 16 m, how much at 20 m", 136 * 16**2 / 20**2, "fc"),
+    ("3 mW in a 1 mm spot to W/cm2", 3e-3 / (math.pi * 0.05**2), "W/cm2"),
     ("mired shift 3092K 5600K", 1e6 / 5600 - 1e6 / 3092, "1/MK"),
     ("300 mW through OD 4 goggles to uW", 300e3 * 1e-4, "uW"),
     (
@@ -95,6 +96,8 @@ REFUSED = [
     ),
     ("100 cd 2 m 3 m lx", "fill one place", ""),
     ("100 lx at 450", "no command takes", ""),
+    ("1 sun to lux", "unknown unit 'sun'", ""),
+    ("luminance of white paper at 500 lx", "the reflectance is missing", "--reflectance 0.8"),
     ("100 lx 2 m 3 m", "fill one place", ""),
     ("what ISO for f/4 at 1/100", "", ""),
     ("red led 5 W lumens", "not understood: red", ""),
