@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from radcalc.cli.options import Listener
 
 Words = list[str]
-SHORT = 4  # words of a call that is rather a command with a mistake
+SHORT = 3  # words of a call that is rather a command with a mistake
 PLAIN_OPTIONS = {"precision", "quiet", "color", "auto"}  # with a value and its unit
 
 

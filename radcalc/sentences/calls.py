@@ -17,7 +17,7 @@ from radcalc.quantities.symbols import (
     names_of_kinds,
     specific_name,
 )
-from radcalc.sentences.phrases import FILTER, SHAPE
+from radcalc.sentences.phrases import FILLERS, FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
@@ -72,7 +72,7 @@ OF_DIMENSION = {
     LENGTH: ("distance",),
     AREA: ("area",),
     TIME: ("time",),
-    ANGLE: ("incidence", "half-angle", "apex-angle"),
+    ANGLE: ("apex-angle", "incidence", "half-angle"),
 }
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
 # What is asked for without a target, by the value and its condition.
@@ -90,18 +90,17 @@ def call_of(sentence: Sentence) -> list[str]:
 
     Raises UsageError if it has several readings, or none.
     """
-    goal = _goal_of(sentence)
     for fact in sentence.facts:
         if fact.symbols == ELECTRICAL:
-            raise _electrical(sentence, fact, goal)
+            raise _electrical(sentence, fact, _goal_of(sentence))
         if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
-            raise _without_value(sentence, fact, goal)
+            raise _without_value(sentence, fact, _goal_of(sentence))
     calls = _calls_of(sentence)
     if len(calls) == 1:
         return list(calls[0])
     if not calls:
         parts = [fact.typed for fact in sentence.facts]
-        wanted = f" and asks for {quote(goal.text)}" if goal else ""
+        wanted = f" and asks for {quote(sentence.goals[0].text)}" if sentence.goals else ""
         what = ", ".join(map(quote, parts)) or "these words"
         raise UsageError(f"no command takes {what}{wanted}", manual("convert"))
     tries = [Try(words=tuple(call)) for call in calls[:MOST]]
@@ -110,9 +109,10 @@ def call_of(sentence: Sentence) -> list[str]:
 
 def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     """Return the calls of all readings of a sentence with at most one goal."""
-    goal = _goal_of(sentence)
     if sentence.files:
-        return _of_file(sentence, goal)
+        return _of_file(sentence)
+    goal = _goal_of(sentence)
+    sentence = _without_lamp(sentence, goal)
     readings = _readings(sentence)
     found = [call for facts in readings for call in _calls(facts, goal)]
     found = found or _quotients(sentence.facts, goal)
@@ -122,7 +122,17 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     return list(dict.fromkeys(map(tuple, found)))
 
 
-def _of_file(sentence: Sentence, goal: Goal | None) -> list[tuple[str, ...]]:
+def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
+    """Return a sentence without `led` as a spectrum, if all of its light is of one kind."""
+    units = [fact.amount.unit for fact in sentence.facts if fact.amount]
+    units += [goal.unit] if goal and goal.unit else []
+    if len({light.kind for unit in units if (light := read_light(unit))}) > 1:
+        return sentence
+    facts = [fact for fact in sentence.facts if fact.text.lower() not in FILLERS]
+    return sentence._replace(facts=tuple(facts))
+
+
+def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
     """Return the calls of the command that reads a file, with the other facts as its options.
 
     The file of a spectrum beside an amount of light is the spectrum of that light.
@@ -143,8 +153,13 @@ def _of_file(sentence: Sentence, goal: Goal | None) -> list[tuple[str, ...]]:
     if kind == MAP and is_relative(path):
         words.append("unit=1")
     found = []
+    goals = sentence.goals if len(sentence.goals) > 1 else [_goal_of(sentence)]
     for given in _readings(sentence._replace(facts=facts)):
-        found += _on_page(words, page_of(command), given, goal)
+        of_goals = [_on_page(words, page_of(command), given, goal) for goal in goals]
+        if len(goals) == 1:
+            found += of_goals[0]
+        elif all(of_goals):  # several results of one file
+            found.append([*of_goals[0][0], *[calls[0][-1] for calls in of_goals[1:]]])
     return list(dict.fromkeys(map(tuple, found)))
 
 

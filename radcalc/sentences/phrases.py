@@ -61,7 +61,7 @@ PHRASES = (
         ("at|from|z|na|ve|v|od|на|в|от|aus {length}", "distance"),
         ("at a|the distance of {length}", "distance"),
         ("ve vzdálenosti|výšce {length}", "distance"),
-        ("на расстоянии {length}", "distance"),
+        ("на расстоянии|высоте {length}", "distance"),
         (
             "{length} away|distance|distant|below|under|above|beneath|down|directly-below",
             "distance",
@@ -82,7 +82,7 @@ PHRASES = (
     *_group(
         "directions",
         ("isotropic|isotropically|omnidirectional|izotropní|изотропный", "isotropic", ""),
-        ("in|into all directions", "isotropic", ""),
+        ("in|into all directions uniformly?", "isotropic", ""),
         ("over|into {solid-angle}", "solid-angle"),
         ("into|over a? hemisphere|half-sphere", "hemisphere", ""),
         ("{angle} lobe|fwhm", "beam-angle"),
@@ -94,7 +94,8 @@ PHRASES = (
         ("{angle} beam", "apex-angle or beam-angle"),
         ("beam {angle}", "apex-angle or beam-angle"),
         ("beam angle {angle}", "apex-angle or beam-angle"),
-        ("{angle} beam angle", "apex-angle or beam-angle"),
+        ("{angle} beam|viewing angle", "apex-angle or beam-angle"),
+        ("viewing angle {angle}", "apex-angle or beam-angle"),
         ("cone {angle}", "apex-angle or half-angle"),
         ("{angle} cone", "apex-angle or half-angle"),
         ("na {number}", "na"),
@@ -110,6 +111,8 @@ PHRASES = (
         ("{length} wide|width", "width"),
         ("{length} diagonal|screen", "diagonal"),
         ("{length} diameter|dia|aperture|beam|spot|disc|disk|circle", "diameter"),
+        ("{length} beam|spot diameter", "diameter"),
+        ("beam|spot diameter? {length}", "diameter"),
         ("{length} radius", "radius"),
         ("into a? {length} pupil", "pupil or diameter"),
         ("{length} pupil", "pupil or diameter"),
@@ -152,7 +155,8 @@ PHRASES = (
     ),
     *_group(
         "question",
-        ("how far", TARGET, "distance"),
+        ("how far away?", TARGET, "distance"),
+        ("nohd", TARGET, "hazard-distance"),
         ("how long", TARGET, "time"),
         ("how wide", TARGET, "width"),
         ("f-stop|fstop|f-number", TARGET, "f-number"),
@@ -179,7 +183,7 @@ IGNORED = """
     je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit
     zdroj žárovka žárovky stůl plátno bodový
 
-    и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
+    если и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
     источник точечный экран стол бумага
 """  # questions, articles, prepositions; sources and surfaces; Czech; Russian
 # Colours, which add nothing where a wavelength is given.

@@ -124,6 +124,10 @@ class _Reading:
             self.amounts[at] = amount_at(self.words, at)
         return self.amounts[at]
 
+    def number(self, at: int) -> Amount | None:
+        """Return the bare number of a word, without the unit that may follow."""
+        return amount_at(self.words[: at + 1], at) if at < len(self.words) else None
+
     def folded(self, at: int, end: int) -> str:
         return joined(self.words[at:end], True)
 
@@ -156,6 +160,8 @@ class _Reading:
         for part in parts:
             if part[0] == "{":
                 amount = self.amount(at)
+                if part == "{number}" and amount and amount.unit.text != "1":
+                    amount = self.number(at)  # iso 100 EV
                 if amount is None or not fits(amount, part[1:-1]):
                     return None
                 at = amount.end
@@ -173,6 +179,8 @@ class _Reading:
             while start < len(self.words) and self.words[start].text in BEFORE_AMOUNT:
                 start += 1
             amount = self.amount(start)
+            if amount and not _of_amount(symbols, amount):
+                amount = self.number(start)  # gain 1.1 nits
             if amount and (fitting := _of_amount(symbols, amount)):
                 text = self.text(at, amount.end)
                 found.append((amount.end, Fact(fitting, amount.text, text, amount)))

@@ -24,7 +24,7 @@ F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a 
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"@": "at", "average": "mean"}
-OF_AMOUNTS = ("mean", "average")  # add nothing to an amount before them
+OF_AMOUNTS = ("mean", "average", "par")  # add nothing to an amount before them
 ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ]+=)(\S+)", re.I)
@@ -148,7 +148,8 @@ def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
     text = " ".join(parts)
     if not text:
         return None
-    unit = unit_of(text) or find(text) or horticulture.find(text)
+    is_par = text.lower() in horticulture.AMBIGUOUS
+    unit = unit_of(text) or find(text) or (None if is_par else horticulture.find(text))
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
         return None
     if any(part[0].isdigit() for part in parts[1:]):

@@ -36,6 +36,12 @@ ANSWERED = [
     ("400 J/m2 at 150 mW/m2 how long", 400 / 0.15, "s"),
     ("136 fc at 16 m, how much at 20 m", 136 * 16**2 / 20**2, "fc"),
     ("3 mW in a 1 mm spot to W/cm2", 3e-3 / (math.pi * 0.05**2), "W/cm2"),
+    (
+        "2000lm 100inch 16:9 gain 1.1 nits",
+        2000 * 1.1 / math.pi / (2.54**2 * 16 * 9 / (16**2 + 9**2)),
+        "nits",
+    ),
+    ("120mW beam diameter 0.8mm W/cm2", 0.12 / (math.pi * 0.04**2), "W/cm2"),
     ("mired shift 3092K 5600K", 1e6 / 5600 - 1e6 / 3092, "1/MK"),
     ("300 mW through OD 4 goggles to uW", 300e3 * 1e-4, "uW"),
     (
@@ -74,6 +80,8 @@ MEANT = [
     ("300 lx + 20 fc", "convert '300 lx + 20 fc'"),
     ("20 mol/m2 per day", "convert 20 'mol/m2 per day'"),
     ("65 in diagonal 500 lm", "screen --diagonal 65in --flux 500lm"),
+    ("800 lm led at 2 m", "point-source --flux 800lm --distance 2m"),
+    ("75 lm led bulb to umol/s", "convert 75 lm umol/s --spectrum led"),
     ("d=2m I=100cd", "point-source --distance 2m --intensity 100cd"),
 ]
 
