@@ -88,6 +88,8 @@ def commands() -> None:
     \b
     Examples:
       radcalc 100 lx fc                  (convert may be left out)
+      radcalc 20000 cd at 8 m to lx      (a sentence)
+      radcalc lamp.ies at 3 m            (a file: luminaire, spectrum, log ...)
       radcalc convert 5 mW lm --wavelength 632.8nm
       radcalc convert 800 lm cd --isotropic
       radcalc solid-angle cone --half-angle 30deg
