@@ -431,3 +431,8 @@ def test_zsh_and_fish_get_the_full_description(ask):
 )
 def test_completion_never_prints_an_error(shell, line, ask):
     ask(shell, line)
+
+
+@for_each(["20000 cd at ", "20000 cd at 8 m ", "20000 cd at 8 m to ", "isotropic 800 lm "])
+def test_tab_in_a_sentence_offers_options_or_nothing(line):
+    assert all(text.startswith("--") for text in texts(line))
