@@ -44,6 +44,7 @@ Shape: TypeAlias = Literal[
     "full",
     "hemisphere",
     "cone",
+    "cap",
     "zone",
     "band",
     "sphere",
