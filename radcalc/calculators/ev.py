@@ -1,12 +1,13 @@
 """The light meter: exposure values and their luminances and illuminances; filters and flashes."""
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
 
 from radcalc.answer import FRACTION, Answer
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
-from radcalc.calculators.worksheet import Placed, worksheet
+from radcalc.calculators.worksheet import Placed, Worksheet, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, Try, mention, option, quote
 from radcalc.inputs.given import Input, Inputs
@@ -22,6 +23,7 @@ from radcalc.laws.exposure import (
     UNFILTERED,
     exact,
 )
+from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import TO_DIGITS
 from radcalc.maths import any_true
 from radcalc.quantities.symbols import METER_UNITS
@@ -163,6 +165,16 @@ def _solve_exposure(given: Inputs) -> Answer:
     if not {*LIGHT, "ev", "f-number"} & set(given):
         hint = mention("{ev100}, {luminance}, {illuminance} or {f-number}")
         raise MissingInput("the light or the setting of the camera is missing", hint)
+    _place_usual(given, placed)
+    if not {"luminance", "illuminance"} <= set(given):
+        solved = solve(sheet, all_laws, placed, STEPS)
+        _assume_average(solved)
+        return solved.answer()
+    return _solve_reflectance(given, sheet, placed, all_laws)
+
+
+def _place_usual(given: Inputs, placed: Placed) -> None:
+    """Add the usual constants of meters and sensitivity where none are given."""
     if "k" not in given:
         placed.add("k", K)
         placed.assume(usual("k", settable=True))
@@ -174,10 +186,12 @@ def _solve_exposure(given: Inputs) -> Answer:
     if "iso" not in given and not (film_is_known and light_is_known):
         placed.add("iso", 100.0)
         placed.assume("ISO 100")
-    if not {"luminance", "illuminance"} <= set(given):
-        solved = solve(sheet, all_laws, placed, STEPS)
-        _assume_average(solved)
-        return solved.answer()
+
+
+def _solve_reflectance(
+    given: Inputs, sheet: Worksheet, placed: Placed, all_laws: Sequence[AnyLaw]
+) -> Answer:
+    """Return the answer to a luminance with an illuminance, which give the reflectance."""
     if {"k", "c"} & set(given):
         with suppress(ConditionError):  # an average scene
             return solve(sheet, [*all_laws, REFLECTANCE], placed, STEPS).answer()

@@ -86,6 +86,34 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     The kind is that of the first, or the preferred one if they are linked.  Other kinds need a
     wavelength, a spectrum or an efficacy, or one quantity in both kinds.
     """
+    given, given_in_two_kinds, notes = _by_generic_names(typed)
+    links, further, steps = _links(links, given, given_in_two_kinds)
+    notes += further
+    first = next(iter(given), "")
+    kind = kind_of(given[first]) if first else preferred or RADIANT
+    if preferred not in ("", kind) and linking_factor(links, preferred, kind):
+        kind = preferred
+    kinds_given = {kind_of(item) for item in typed.values()} if len(typed) > 1 else ()
+    assumptions: list[str] = []
+    amounts = {}
+    for name, item in given.items():
+        of_kind = kind_of(item)
+        amounts[name] = item.value
+        if of_kind != kind:
+            factor = linking_factor(links, kind, of_kind)
+            if factor is None:
+                raise _unlinked(item, given[first], kind)
+            amounts[name] = item.value * factor.value
+            assumptions.append(factor.assumption)
+            notes += factor.notes
+            steps += factor.steps
+    remarks = tuple(assumptions), tuple(notes), tuple(steps)
+    mixed = tuple(kinds_given) if len(kinds_given) > 1 else ()
+    return LightInputs(kind, given, amounts, links, *remarks, given_in_two_kinds, mixed)
+
+
+def _by_generic_names(typed: Inputs) -> tuple[Inputs, Inputs, list[str]]:
+    """Return light quantities, those that are given again in another kind, and notes."""
     given: Inputs = {}
     given_in_two_kinds: Inputs = {}
     notes: list[str] = []
@@ -104,6 +132,15 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
             raise Exclusive((given[generic].name, item.name), "they are the same quantity")
         else:
             given_in_two_kinds[generic] = item
+    return given, given_in_two_kinds, notes
+
+
+def _links(
+    links: Inputs, given: Inputs, given_in_two_kinds: Inputs
+) -> tuple[Inputs, list[str], list[Step]]:
+    """Return the links between kinds, with that of a quantity in two kinds, notes and steps."""
+    notes: list[str] = []
+    steps: list[Step] = []
     if "efficacy" in links:
         from radcalc.conversion.agreement import without_efficacy
 
@@ -112,7 +149,6 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     linking = [name for name in links if name in LINKS]
     if len(linking) > 1:
         raise Exclusive(linking[:2], "both link radiant, luminous and photon quantities")
-    steps: list[Step] = []
     for name, twin in given_in_two_kinds.items():
         ratio = Ratio.of(given[name], twin)
         if linking:
@@ -122,34 +158,17 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
         steps.append(ratio.step())
         _refuse_impossible(ratio, links)
     _refuse_idle_refinements(links)
-    first = next(iter(given), "")
-    kind = kind_of(given[first]) if first else preferred or RADIANT
-    if preferred not in ("", kind) and linking_factor(links, preferred, kind):
-        kind = preferred
-    kinds_given = {kind_of(item) for item in typed.values()} if len(typed) > 1 else ()
-    is_mixed = len(kinds_given) > 1
-    assumptions: list[str] = []
-    amounts = {}
-    for name, item in given.items():
-        of_kind = kind_of(item)
-        amounts[name] = item.value
-        if of_kind != kind:
-            factor = linking_factor(links, kind, of_kind)
-            if factor is None:
-                first_name = option(given[first].name)
-                raise MissingInput(
-                    f"{option(item.name)} is {KIND_NAMES[of_kind]}, "
-                    f"{first_name} {KIND_NAMES[kind]}: {MISSING_LINK}",
-                    LINKS_HINT,
-                    [add("wavelength"), add("spectrum"), leave_out(item.name)],
-                )
-            amounts[name] = item.value * factor.value
-            assumptions.append(factor.assumption)
-            notes += factor.notes
-            steps += factor.steps
-    remarks = tuple(assumptions), tuple(notes), tuple(steps)
-    mixed = tuple(kinds_given) if is_mixed else ()
-    return LightInputs(kind, given, amounts, links, *remarks, given_in_two_kinds, mixed)
+    return links, notes, steps
+
+
+def _unlinked(item: Input, first: Input, kind: str) -> MissingInput:
+    """Return the error for a light quantity that no link converts to the kind of the first."""
+    return MissingInput(
+        f"{option(item.name)} is {KIND_NAMES[kind_of(item)]}, "
+        f"{option(first.name)} {KIND_NAMES[kind]}: {MISSING_LINK}",
+        LINKS_HINT,
+        [add("wavelength"), add("spectrum"), leave_out(item.name)],
+    )
 
 
 def _compare(first: Input, second: Input) -> list[str]:

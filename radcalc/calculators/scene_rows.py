@@ -143,41 +143,57 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         problem = "the file has a header but no source" if lines else "the file has no source"
         raise ConditionError(f"{name}: {problem}", "a header such as x,y,z,flux and rows below it")
     begin = _header_place([line for _, line in lines])
-    skipped, lines = lines[:begin], lines[begin:]
-    number, header = lines[0]
+    number, header = lines[begin]
     delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
     if delimiter is None:
         raise ConditionError(
             f"{text.where(name, number)}: there is only one column", "a header such as x,y,z,flux"
         )
-    cells = columns.cells(header, delimiter)
-    below = columns.cells(lines[1][1], delimiter) if len(lines) > 2 else []
-    if len(below) == len(cells) and all(not unit or unit_of(unit) for unit in below):
-        del lines[1]
-        cells = [
-            f"{title} ({unit})" if unit else title for title, unit in zip(cells, below, strict=True)
-        ]
+    cells, below = _with_units(lines[begin:], delimiter)
     titles, units = _header(cells, text.where(name, number))
+    rows = _rows(name, below, delimiter, titles, units)
+    notes = []
+    like_rows = [
+        str(place) for place, line in comments if len(columns.cells(line, delimiter)) == len(titles)
+    ]
+    if like_rows:
+        lines_text = f"lines {listed(like_rows)}"
+        notes.append(f"{name}: comments with as many cells as the rows, skipped: {lines_text}")
+    if begin:
+        skipped = "the lines of text above are skipped"
+        notes.append(f"{name}: the titles are in line {number}; {skipped}")
+    return rows, notes
+
+
+def _with_units(
+    lines: Sequence[tuple[int, str]], delimiter: str
+) -> tuple[list[str], Sequence[tuple[int, str]]]:
+    """Return the titles of a table, with a row of units if it has one, and the lines below."""
+    cells = columns.cells(lines[0][1], delimiter)
+    units = columns.cells(lines[1][1], delimiter) if len(lines) > 2 else []
+    if len(units) != len(cells) or not all(not unit or unit_of(unit) for unit in units):
+        return cells, lines[1:]
+    pairs = zip(cells, units, strict=True)
+    return [f"{title} ({unit})" if unit else title for title, unit in pairs], lines[2:]
+
+
+def _rows(
+    name: str,
+    lines: Sequence[tuple[int, str]],
+    delimiter: str,
+    titles: dict[str, str],
+    units: Mapping[str, Unit],
+) -> list[Row]:
+    """Return the rows of lines with their numbers, with the units of their columns."""
     rows = []
     table = Table(partial(text.refusal, name), delimiter, len(titles), [list(titles.values())])
-    for number, line in lines[1:]:
+    for number, line in lines:
         cells = table.cells(number, line)
         filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
         rows.append(Row(text.where(name, number), filled, titles))
         _check_marks(rows[-1], number, table)
     _read_numbers(rows, units, bool(table.decimals.comma))
-    like_rows = [
-        str(number)
-        for number, line in comments
-        if len(columns.cells(line, delimiter)) == len(titles)
-    ]
-    notes = [f"{name}: comments with as many cells as the rows, skipped: lines {listed(like_rows)}"]
-    notes = notes if like_rows else []
-    if skipped:
-        notes.append(
-            f"{name}: the titles are in line {number}; the lines of text above are skipped"
-        )
-    return rows, notes
+    return rows
 
 
 def _header_place(lines: Sequence[str]) -> int:

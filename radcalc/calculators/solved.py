@@ -133,7 +133,7 @@ class Solved(Remarks):
         search.refuse_idle(values.keys(), self.used)
         amounts = {name: self.value(name) for name in page.light if name in values}
         light = kinds.show_light(self.lit, amounts)
-        results = [*first, *(row for name in amounts for row in light.values[name])]
+        results = [*first, *[row for name in amounts for row in light.values[name]]]
         results += self._others()
         results += [value(name, ratio) for name, ratio in kinds.efficacies(self.lit)]
         results += self._absent(search)

@@ -66,20 +66,7 @@ def cases(
     names = tuple(typed)
     stream = _stream(typed, intervals, bare)
     typed = {name: text for name, text in typed.items() if not stream or name != stream.name}
-    values = _values(typed, arrays, intervals)
-    given = {}
-    for name, entries in reversed(values.items()):
-        unit = bare.get(name, "")
-        try:
-            given[name] = [
-                read_interval(name, value)
-                if name in intervals
-                else read(name, value, uncertain=True, bare=unit)
-                for value in entries
-            ]
-        except MissingUnit as error:
-            is_one = len(entries) == 1 or not error.number
-            raise (error if is_one else error.of_all(str(typed[name]))) from None
+    given = _given(typed, _values(typed, arrays, intervals), intervals, bare)
     lists = [name for name, entries in given.items() if len(entries) > 1]
     arrays_given = [first for (first, *_) in given.values() if is_array(first.value)]
     long = arrays_given[0] if arrays_given else None
@@ -97,6 +84,29 @@ def cases(
         Case(case, tuple([as_typed(case[name]) for name in lists]), notes, long, stream, names)
         for case in combined
     ]
+
+
+def _given(
+    typed: dict[str, Any],
+    values: dict[str, Sequence[Any]],
+    intervals: Sequence[str],
+    bare: Mapping[str, str],
+) -> dict[str, list[Input]]:
+    """Return the inputs of each name, one for each value."""
+    given = {}
+    for name, entries in reversed(values.items()):
+        unit = bare.get(name, "")
+        try:
+            given[name] = [
+                read_interval(name, value)
+                if name in intervals
+                else read(name, value, uncertain=True, bare=unit)
+                for value in entries
+            ]
+        except MissingUnit as error:
+            is_one = len(entries) == 1 or not error.number
+            raise (error if is_one else error.of_all(str(typed[name]))) from None
+    return given
 
 
 def _values(

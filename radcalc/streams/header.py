@@ -3,7 +3,7 @@
 The unit in the header is compared with the unit of the numbers, and replaced in the output.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from radcalc.errors import (
     Hint,
@@ -88,17 +88,7 @@ class Header:
             if self.cut and self.cut.delimiter and len(places) == 1:
                 self.units = unit_column(titles, places[0])
             if self.cut:  # not a line of text
-                over = [read_title(names[place]) for place in places if names]
-                for title in [*read, *over]:
-                    refuse_altered(title)
-                if self.source and read_light(self.source):
-                    for title in read:
-                        refuse_unknown(title, self.source)
-                        if not title.unit:
-                            refuse_misnamed(title, self.source)
-                for title, parsed in zip(over, read, strict=False):
-                    if parsed.unit:
-                        refuse_misnamed(title, parsed.unit)
+                self._refuse(read, [read_title(names[place]) for place in places if names])
         except (NumberError, UnitError) as error:
             raise UsageError(f"{WHERE}: {error.message}", error.hint) from None
         self._check_units(read)
@@ -116,6 +106,19 @@ class Header:
                 raise UsageError(f"{WHERE} has the column '{quote(new_title)}'", "another name")
             out += (self.cut.joint(line) if self.cut else b"\t") + self._cell(new_title)
         return bytes(out), len(titles) if self.cut else 0
+
+    def _refuse(self, read: Sequence[Title], above: Sequence[Title]) -> None:
+        """Refuse titles, with those above them, that are not of the unit that is read."""
+        for title in [*read, *above]:
+            refuse_altered(title)
+        if self.source and read_light(self.source):
+            for title in read:
+                refuse_unknown(title, self.source)
+                if not title.unit:
+                    refuse_misnamed(title, self.source)
+        for title, parsed in zip(above, read, strict=False):
+            if parsed.unit:
+                refuse_misnamed(title, parsed.unit)
 
     def title_of(self, title: Title | None = None) -> str:
         unit = self.target.text

@@ -285,34 +285,11 @@ def _range(text: str) -> list[str]:
 
 def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     """Return the start, the step and the number of values of a range, in the unit of its start."""
-    parts = text.split(":")
-    if len(parts) != 3:
-        hint = "START:STOP:STEP, as in 1m:5m:1m"
-        if len(parts) == 2 and all(part.strip().isdigit() for part in parts):
-            hint = f"{quote('/'.join(parts))}, or {hint}"  # 16:9
-        raise ConditionError(f"'{quote(text)}' is not a range", hint)
-    if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
-        problem = f"'{quote(text)}' has an uncertainty, which a range cannot have"
-        raise ConditionError(problem, correct(text, ":".join(map(nominal, parts))))
-    from radcalc.units.scales import resolve_given, scale_of
-
-    numbers = [split_value(part) for part in parts]
-    units = [resolve_given(unit or "1") for _, unit in numbers]
-    if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:
-        raise ConditionError(
-            f"'{quote(text)}' mixes quantities",
-            "one unit in START, STOP and STEP",
-            [correct(text, ":".join([f"{number:.12g}{numbers[0][1]}" for number, _ in numbers]))],
-        )
-    size = [
-        value * divide(unit.top * units[0].bottom, unit.bottom * units[0].top)
-        for (value, _), unit in zip(numbers, units, strict=True)
-    ]
-    start, stop, step = size
+    parts = _parts(text)
+    (start, stop, step), unit = _numbers(text, parts)
     count = (stop - start) / step if step else 0.0
-    if not all(map(math.isfinite, (*size, count))):
+    if not all(map(math.isfinite, (start, stop, step, count))):
         raise TooMany(f"'{quote(text)}' has too many values", f"at most {most}")
-    unit = numbers[0][1]
     if step == 0 or count < 0:
         problem = "has a step of 0" if step == 0 else "has a step that leads away from its end"
         ends = [part.strip() for part in parts]
@@ -326,6 +303,40 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
         tries = [correct(text, better, remark="a larger step")] if better else []
         raise TooMany(problem, f"at most {most}", tries)
     return start, step, values, unit
+
+
+def _parts(text: str) -> list[str]:
+    """Return the start, the end and the step of a range as texts."""
+    parts = text.split(":")
+    if len(parts) != 3:
+        hint = "START:STOP:STEP, as in 1m:5m:1m"
+        if len(parts) == 2 and all(part.strip().isdigit() for part in parts):
+            hint = f"{quote('/'.join(parts))}, or {hint}"  # 16:9
+        raise ConditionError(f"'{quote(text)}' is not a range", hint)
+    if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
+        problem = f"'{quote(text)}' has an uncertainty, which a range cannot have"
+        raise ConditionError(problem, correct(text, ":".join(map(nominal, parts))))
+    return parts
+
+
+def _numbers(text: str, parts: Sequence[str]) -> tuple[list[float], str]:
+    """Return the numbers of a range in the unit of its start, and that unit."""
+    from radcalc.units.scales import resolve_given, scale_of
+
+    numbers = [split_value(part) for part in parts]
+    first = numbers[0][1]
+    units = [resolve_given(unit or "1") for _, unit in numbers]
+    if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:
+        raise ConditionError(
+            f"'{quote(text)}' mixes quantities",
+            "one unit in START, STOP and STEP",
+            [correct(text, ":".join([f"{number:.12g}{first}" for number, _ in numbers]))],
+        )
+    sizes = [
+        value * divide(unit.top * units[0].bottom, unit.bottom * units[0].top)
+        for (value, _), unit in zip(numbers, units, strict=True)
+    ]
+    return sizes, first
 
 
 def size_of(text: str) -> int:

@@ -304,6 +304,13 @@ def test_a_skipped_row_is_noted(tmp_path):
     assert "rig.csv: comments with as many cells as the rows, skipped: lines 3\n" in done.stderr
 
 
+def test_the_line_of_titles_below_lines_of_text_is_noted(tmp_path):
+    text = "my room\nmeasured in May\nx,y,z,flux\nm,m,m,lm\n0,0,2,8\n0,0,3,8\n"
+    done = scene(tmp_path, text, "--at", "0,0,0", "-g", "irradiance:lx")
+    assert float(done.stdout) == pytest.approx(8 / (4 * math.pi) * (1 / 4 + 1 / 9))
+    assert "the titles are in line 3; the lines of text above are skipped\n" in done.stderr
+
+
 def test_a_row_with_blank_first_cells_is_not_a_comment(tmp_path):
     text = "name;aim_x;aim_y;aim_z;x;y;z;flux\n;;;;0;0;2;8lm\nb;;;;0;0;3;8lm\n"
     expected = 8 / (4 * math.pi) * (1 / 4 + 1 / 9)
