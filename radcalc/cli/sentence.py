@@ -101,6 +101,7 @@ def meant(
         sentence = read(asked)
         amounts = [fact.amount for fact in sentence.facts if fact.amount]
         has_unit = any(amount.dimension != NUMBER for amount in amounts)
+        has_unit |= len([fact for fact in sentence.facts if fact.symbols]) > 1  # ev 9 iso 400
         phrases = [*sentence.facts, *sentence.goals, *sentence.files]
         understood = bool(sentence.files) or (has_unit and (len(phrases) > 1 or len(asked) > SHORT))
         refuse_unknown(sentence)

@@ -1,7 +1,6 @@
 """The call of a command that a sentence means: its facts decide."""
 
 from collections.abc import Iterator, Sequence
-from itertools import product
 
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
@@ -17,7 +16,7 @@ from radcalc.quantities.symbols import (
     names_of_kinds,
     specific_name,
 )
-from radcalc.sentences.phrases import FILLERS, FILTER, SHAPE
+from radcalc.sentences.phrases import BESIDE, FILLERS, FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
@@ -82,6 +81,14 @@ USUAL_GOALS = {
     ("irradiance", "time"): "exposure",
     ("irradiance", "incidence"): "irradiance",
     ("flux", "time"): "energy",
+}
+
+
+# Results that an input is for: they come before the others of their unit.
+OF_INPUT = {
+    "receiver-area": "received-flux",
+    "within": "flux-within",
+    "toward": "intensity-toward",
 }
 
 
@@ -240,19 +247,42 @@ def _goal_of(sentence: Sentence) -> Goal | None:
         problem = f"the sentence asks for several results: {texts}"
         raise UsageError(problem, tries or "one of them")
     if units and named:
+        _check_named(named[0], units[0])
         return units[0]._replace(names=named[0].names)
     return goals[0] if goals else None
 
 
+def _check_named(named: Goal, goal: Goal) -> None:
+    """Refuse the name of one quantity with the unit of another."""
+    assert goal.unit is not None
+    dimensions = {one for name in named.names for one in SYMBOLS[name].dimensions}
+    if goal.unit.dimension not in dimensions:
+        problem = f"{quote(goal.text)} is not a unit of {quote(named.text)}"
+        raise UsageError(problem, f"one of them: {quote(named.text)} or {quote(goal.text)}")
+
+
 def _readings(sentence: Sentence) -> list[Facts]:
     """Return the facts by their symbols, for every choice among the symbols of each phrase."""
-    choices = [fact.symbols or _places(fact.amount, sentence) for fact in sentence.facts]
-    readings: list[Facts] = []
-    for chosen in product(*choices):
-        facts = dict(zip(chosen, sentence.facts, strict=True))
-        if len(facts) == len(chosen):
-            readings.append(facts)
+    readings: list[Facts] = [{}]
+    for fact in sentence.facts:
+        names = _choices(fact, sentence)
+        readings = [
+            {**given, name: fact} for given in readings for name in names if name not in given
+        ]
     return readings
+
+
+def _choices(fact: Fact, sentence: Sentence) -> tuple[str, ...]:
+    """Return the symbols that a fact may fill in a sentence."""
+    if len(fact.symbols) < 2:
+        return fact.symbols or _places(fact.amount, sentence)
+    others = {name: other.text for other in sentence.facts for name in other.symbols}
+    left_out = [
+        name
+        for name, (beside, value) in BESIDE.items()
+        if name in fact.symbols and others.get(beside, value) == value
+    ]
+    return tuple([name for name in fact.symbols if name not in left_out])
 
 
 def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
@@ -371,7 +401,10 @@ def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
         return []
     if all(amount.dimension == NUMBER for amount in amounts):
         return []
-    if goal.unit and all(amount.dimension == TEMPERATURE for amount in amounts):
+    if any(amount.dimension in (LENGTH, ANGLE) for amount in amounts):  # they have places
+        return []
+    is_mired = goal.unit and goal.unit.is_scale and goal.unit.dimension == TEMPERATURE
+    if is_mired and all(amount.dimension == TEMPERATURE for amount in amounts):
         before, after = [amount.text for amount in amounts]  # the shift of a filter
         return [["convert", f"1/({after}) - 1/({before})", "1/MK"]]
     dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
@@ -441,6 +474,8 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
         own = result_name(goal.unit)
         wanted = {own, SPECIFIC.get(own, (own,))[0]}
         fitting = [n for n in listed if goal.unit.dimension in SYMBOLS[n].dimensions]
+        own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
+        wanted = own_results & {*fitting} or wanted
         found = [name for name in fitting if name in wanted] or fitting
     if not goal.unit:
         return found

@@ -60,15 +60,17 @@ PHRASES = (
         "place",
         ("at|from|z|na|ve|v|od|на|в|от|aus {length}", "distance"),
         ("at a|the distance of {length}", "distance"),
-        ("ve vzdálenosti|výšce {length}", "distance"),
-        ("на расстоянии|высоте {length}", "distance"),
-        (
-            "{length} away|distance|distant|below|under|above|beneath|down|directly-below",
-            "distance",
-        ),
-        ("{length} away from|below|above", "distance"),
+        ("ve vzdálenosti {length}", "distance"),
+        ("ve výšce {length}", "distance or height"),
+        ("на высоте {length}", "distance or height"),
+        ("на расстоянии {length}", "distance"),
+        ("{length} away|distance|distant", "distance"),
+        ("{length} away from", "distance"),
         ("at|from {length} away|distance", "distance"),
-        ("throw|hung|mounted|mounting at? {length}", "distance"),
+        ("{length} below|under|above|beneath|down|directly-below", "distance or height"),
+        ("{length} away below|above", "distance or height"),
+        ("throw at? {length}", "distance"),
+        ("hung|mounted|mounting at? {length}", "distance or height"),
         ("at|under {angle}", "incidence"),
         ("at|under {angle} incidence", "incidence"),
         ("at|under an? angle of {angle}", "incidence"),
@@ -106,6 +108,7 @@ PHRASES = (
     *_group(
         "surface",
         ("over|on|onto|across|of|for|per {area}", "area"),
+        ("mean|average over|on|across {area}", "area"),
         ("on|onto a|an? {area}", "area"),
         ("{area} screen|area|surface|panel|room|office|table", "area"),
         ("{length} wide|width", "width"),
@@ -116,8 +119,8 @@ PHRASES = (
         ("{length} radius", "radius"),
         ("into a? {length} pupil", "pupil or diameter"),
         ("{length} pupil", "pupil or diameter"),
-        ("od {number}", FILTER, "{} OD"),
-        ("{number} od filter?", FILTER, "{} OD"),
+        ("through? od {number} filter|goggles?", FILTER, "{} OD"),
+        ("through? {number} od filter|goggles?", FILTER, "{} OD"),
         ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
         ("{number} reflectance|reflective|reflecting", "reflectance"),
         ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
@@ -133,7 +136,7 @@ PHRASES = (
         "camera",
         ("f/ {number}", "f-number"),
         ("iso {number}", "iso"),
-        ("ev {number}", "ev100"),
+        ("ev {number}", "ev100 or ev"),
         ("ev100 {number}", "ev100"),
         ("shutter {time}", "time"),
         ("{number} stop|stops nd|filter?", "stops"),
@@ -166,16 +169,19 @@ PHRASES = (
     ),
 )
 
+# Readings that count only in a sentence with another symbol, unless that has the value here.
+BESIDE = {"height": ("incidence", "0deg"), "ev": ("iso", "100")}
+
 # Words that add nothing to a phrase.
 IGNORED = """
     a about an and are at be by calculate can convert corresponds do does equals for from get give
-    given gives have how i if in into is it many me much my need needed needs of on one onto over
-    please required tell than that the there this through to under using value what when which
-    wien will with you below beneath directly straight down shift measured takes still throw total
+    given gives have how how-many how-much i if in into is it me my need needed needs of on
+    one onto over please required tell that the there this to under using value what when which
+    wien will with you below beneath directly straight down shift measured takes still throw
     unit front
 
-    air beam bulb bulbs camera desk detector direct emits film fixture flash floor glowing
-    display gel global goggles image intense lamp lamps laser led leds lens light lights linewidth
+    air beam bulb bulbs camera desk detector emits film fixture flash floor glowing
+    display gel image intense lamp lamps laser led leds lens light lights linewidth
     luminaire luminaires meter metre monitor office page panel paper picture point pointer
     projection projector projectors pulse radiation ray room same screen sensor sheet showing single
     sky small source spot spotlight surface table tent tv wall
@@ -188,7 +194,7 @@ IGNORED = """
 """  # questions, articles, prepositions; sources and surfaces; Czech; Russian
 # Colours, which add nothing where a wavelength is given.
 COLOURS = frozenset(["violet", "blue", "green", "yellow", "orange", "red", "infrared"])
-FILLERS = frozenset(map(comparable, IGNORED.split()))
+FILLERS = frozenset(comparable(word.replace("-", " ")) for word in IGNORED.split())
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])
 # Words before the name of a spectrum of one letter: `with A`.

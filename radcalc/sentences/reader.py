@@ -96,7 +96,7 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         elif isinstance(filled, str):
             (files if filled else unknown).append(filled or words[at].text)
         else:
-            ignored.append(words[at].text)
+            ignored += [word.text for word in words[at:end]]
         at = end
     if any("wavelength" in fact.symbols for fact in facts) or any(_is_line(fact) for fact in facts):
         ignored += [word for word in unknown if word.lower() in COLOURS]
@@ -228,7 +228,8 @@ class _Reading:
             text = self.text(start, end)
             if not text:
                 continue
-            if text[0].isdigit() or (start == at and self.words[at].folded in FILLERS):
+            is_filler = start == at and self.words[at].folded in FILLERS
+            if text[0].isdigit() or (is_filler and not self._is_last_unit(at)):
                 return []
             symbols = self.names.get(self.folded(start, end), ())
             unit = unit_in(text.split())
@@ -253,7 +254,12 @@ class _Reading:
     def _filler(self, at: int) -> list[Found]:
         text = self.words[at].text
         is_unit = len(text) == 1 and text.isupper() and unit_in([text])  # A, the ampere
-        return [(at + 1, None)] if self.words[at].folded in FILLERS | MARKS and not is_unit else []
+        ends = [end for end in (at + 1, at + 2) if self.folded(at, end) in FILLERS | MARKS]
+        return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]
+
+    def _is_last_unit(self, at: int) -> bool:
+        """Return whether a word is the last, and a unit, not a preposition: s, in, a."""
+        return at + 1 == len(self.words) and unit_in([self.words[at].text]) is not None
 
 
 def fits(amount: Amount, name: str) -> bool:

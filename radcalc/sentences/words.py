@@ -84,7 +84,8 @@ def words_of(typed: "list[str]") -> list[Word]:
     before = ""
     for part in parts:
         text = SPELLED.get(part, part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part)
-        is_after_unit = bool(words) and unit_in([words[-1].text]) is not None
+        has_number = any(word.text[0].isdigit() for word in words[-2:])
+        is_after_unit = has_number and unit_in([words[-1].text]) is not None
         if text.lower() in OF_AMOUNTS and is_after_unit:  # 5 W average; mean luminance is a result
             continue
         if text.lower() == ANSI:
@@ -156,7 +157,8 @@ def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
         return None
     if len(parts) > 1 and len(unit.atoms) != 1 and not all(map(PART_OF_UNIT.fullmatch, parts[1:])):
         last = unit_of(parts[-1])
-        if not (last and last.dimension == TIME and unit.is_light and "per" not in parts):
+        is_time = last and last.dimension == TIME and parts[-1] not in NOT_AFTER_UNITS
+        if not (is_time and unit.is_light and "per" not in parts):
             return unit if "per" in parts else None
     return unit
 

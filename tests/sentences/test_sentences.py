@@ -10,8 +10,9 @@ from helpers import for_each
 
 import radcalc
 from radcalc.cli.spelling import pasted, typed
+from radcalc.quantities.search import comparable
 from radcalc.sentences.calls import call_of
-from radcalc.sentences.phrases import PHRASES
+from radcalc.sentences.phrases import FILLERS, MARKS, PHRASES
 from radcalc.sentences.reader import read
 
 # h c / e in eV nm, with the exact constants of the SI (BIPM brochure, 9th edition, 2.2).
@@ -118,6 +119,14 @@ REFUSED = [
     ("malus 30 deg", "unknown command 'malus'", ""),
     ("melanopic 100 lx D65", "", ""),
     ("photon 5s", "not time", ""),
+    ("800 cd 3 m above at 30 deg to lx", "2 readings", "--height 3m"),
+    ("iso 400 ev 9 f/4 how long", "2 readings", "--ev 9"),
+    ("many 500 lm lamps over 3 m2 lx", "not understood: many", ""),
+    ("1000 lm over 3 m2 to maximum lx", "lx is not a unit of maximum", ""),
+    ("2 m radius 3 m distance to m2", "no command takes", ""),
+    ("100 cd 2 m in", "", ""),
+    ("800 lm 24 deg lobe to cd mean", "not understood: mean", ""),
+    (f"{'30 deg ' * 40} 100 lm cd", "fill one place", ""),
     ("1 lx fc nit", "asks for several results: fc and nit", "radcalc convert 1 lx fc"),
 ]
 
@@ -129,6 +138,35 @@ def test_a_sentence_with_several_readings_or_none_is_refused(sentence, message, 
     assert done.stdout == ""
     assert message in done.stderr
     assert hint in done.stderr
+
+
+# Words that change an amount, or its meaning.
+MEANINGFUL = str.split("""
+    mean average peak maximum minimum total direct diffuse global incident reflected transmitted
+    half double twice two many much per each every not without than less more through squared times
+""")
+
+
+@for_each(MEANINGFUL)
+def test_a_word_that_changes_an_amount_is_not_ignored(word):
+    assert comparable(word) not in FILLERS | MARKS
+
+
+def test_an_input_with_a_result_of_its_own_is_asked_for_that():
+    # The luminaire is a table of intensities; a flux within an angle is less than the whole.
+    whole, within = ["examples/downlight.ies"], ["within", "30", "deg"]
+    fluxes = [run(*words, "lm").stdout.split()[0] for words in (whole, [*whole, *within])]
+    assert float(fluxes[1]) < float(fluxes[0])
+    # A point of 105 cd at d = sqrt(I / E) from a disc of radius r, along its axis.
+    distance = math.sqrt(105 / 195)
+    inside = 2 * math.pi * (1 - distance / math.hypot(distance, math.sqrt(2 / math.pi)))
+    received = run(*["195", "lx", "over", "2", "m2", "105", "cd", "to", "lm"]).stdout.split()[0]
+    assert float(received) == pytest.approx(105 * inside, rel=1e-9)
+
+
+def test_the_last_word_is_not_a_preposition():
+    assert run(*["400", "J/m2", "at", "150", "mW/m2", "s"]).stdout == "2666.66666667\ts\n"
+    assert call_of(read(["61.3", "lx", "as", "cd", "2", "m"]))[-1] == "get=luminous-intensity:cd"
 
 
 @for_each([(phrase.pattern, phrase.fills) for phrase in PHRASES])

@@ -34,7 +34,9 @@ def phrases(_: str) -> Iterator[str]:
 
 def fillers(_: str) -> Iterator[str]:
     """Yield the words that add nothing to a sentence."""
-    yield from filled([", ".join(sorted({*IGNORED.split()})) + "."])
+    yield from filled(
+        [", ".join(sorted({word.replace("-", " ") for word in IGNORED.split()})) + "."]
+    )
 
 
 def frames(_: str) -> Iterator[str]:
