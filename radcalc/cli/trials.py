@@ -24,6 +24,7 @@ from radcalc.errors import (
     OutputError,
     RadcalcError,
     Try,
+    UsageError,
     quote,
     with_correction,
 )
@@ -140,7 +141,8 @@ def has_answers(error: RadcalcError, words: Words) -> bool:
 
 def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
     """Return a refused call with what it lacks, if it is answered then."""
-    if further.tries and all(one.words for one in further.tries):  # readings of a sentence
+    has_readings = isinstance(further, UsageError) and len(further.tries) > 1
+    if has_readings and all(one.words for one in further.tries):  # of a sentence
         readings = []
         for one in further.tries[:MOST]:
             with suppress(RadcalcError):
