@@ -211,7 +211,7 @@ def refuse_unknown(title: Title, typed: Unit | None = None) -> None:
 
 def unit_of_meter(text: str) -> Unit | None:
     """Return the unit in a cell of its own, also in a spelling of meters; None for other texts."""
-    return unit_of(text) or _of_watts(text) or unit_of(SPELLINGS.get(_folded(text), ""))
+    return _of_watts(text) or unit_of(text) or unit_of(SPELLINGS.get(_folded(text), ""))
 
 
 def _folded(text: str) -> str:
@@ -386,7 +386,7 @@ def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title
     inner = inner.strip()
     if inner == DIRECT_NORMAL:
         return None
-    unit = find_scale(inner) or unit_of(inner) or _of_words(inner) or _of_watts(inner)
+    unit = find_scale(inner) or _of_watts(inner) or unit_of(inner) or _of_words(inner)
     if unit is None:
         return None
     if text[opening - 1 : opening] == '"' == text[closing : closing + 1]:

@@ -48,7 +48,8 @@ def test_a_word_is_a_unit_of_values_alone(word):
 
 
 def test_lists_streams_and_calculators_take_the_words():
-    assert run("600,700", "ppfd", "dli", "--photoperiod", "16h", "-n").stdout == "34.56\n40.32\n"
+    words = ("600ppfd,700ppfd", "dli", "--photoperiod", "16h", "-n")
+    assert run(*words).stdout == "34.56\n40.32\n"
     numbers = run("convert", "-", "ppfd", "dli", "--photoperiod", "16h", input="600\n700\n")
     assert numbers.stdout == "34.56\n40.32\n"
     found = radcalc.point_source(irradiance="700ppfd", distance="2 m")
