@@ -73,7 +73,8 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
     if not words or any(map(is_stream, words)) or {*words} & others:
         return False
     asked, _ = options_of(words)
-    if isinstance(error, ExpressionError) or all(word[:1] == "-" for word in asked):
+    is_read = isinstance(error, (ExpressionError, MissingCondition))
+    if is_read or all(word[:1] == "-" for word in asked):
         return False
     options = [word.partition("=")[0] for word in asked if word[:2] == "--"]
     if asked[0] in COMMANDS:

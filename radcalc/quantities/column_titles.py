@@ -211,7 +211,7 @@ def refuse_unknown(title: Title, typed: Unit | None = None) -> None:
 
 def unit_of_meter(text: str) -> Unit | None:
     """Return the unit in a cell of its own, also in a spelling of meters; None for other texts."""
-    return _of_watts(text) or unit_of(text) or unit_of(SPELLINGS.get(_folded(text), ""))
+    return _unit_of(text) or unit_of(SPELLINGS.get(_folded(text), ""))
 
 
 def _folded(text: str) -> str:
@@ -386,7 +386,7 @@ def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title
     inner = inner.strip()
     if inner == DIRECT_NORMAL:
         return None
-    unit = find_scale(inner) or _of_watts(inner) or unit_of(inner) or _of_words(inner)
+    unit = find_scale(inner) or _unit_of(inner) or _of_words(inner)
     if unit is None:
         return None
     if text[opening - 1 : opening] == '"' == text[closing : closing + 1]:
@@ -405,8 +405,13 @@ def _of_words(text: str) -> Unit | None:
     return unit_of(" ".join(words) if "-" in text else "/".join(words))
 
 
-def _of_watts(text: str) -> Unit | None:
-    return resolve("W/m2") if _folded(text) in WATTS else None
+def _unit_of(text: str) -> Unit | None:
+    """Return the unit of a text, which is W/m2 for Wm2; None for other texts."""
+    unit = unit_of(text)
+    if _folded(text) not in WATTS:
+        return unit
+    watts = resolve("W/m2")
+    return unit if unit and unit.dimension == watts.dimension else watts
 
 
 def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
