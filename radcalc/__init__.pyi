@@ -35,6 +35,7 @@ from radcalc.api.keywords import (
     Sky,
     Surroundings,
     Text,
+    Unnamed,
     Vector,
     WholeSphere,
 )
@@ -96,7 +97,7 @@ def ask(
     sentence: str,
 ) -> Result | Quantity: ...
 def calorimeter(
-    *,
+    *amounts: Unnamed,
     flux: Amount = None,
     radiant_flux: Amount = None,
     energy: Amount = None,
@@ -186,7 +187,7 @@ def environment(
     photon_range: Text = None,
 ) -> Result: ...
 def etendue(
-    *,
+    *amounts: Unnamed,
     area: Amount = None,
     radius: Amount = None,
     diameter: Amount = None,
@@ -218,7 +219,7 @@ def etendue(
     photon_range: Text = None,
 ) -> Result: ...
 def ev(
-    *,
+    *amounts: Unnamed,
     ev100: Number = None,
     luminance: Amount = None,
     illuminance: Amount = None,
@@ -330,7 +331,7 @@ def irradiance_map(
 ) -> Quantity: ...
 def lambertian(
     shape: Diffuse = "patch",
-    *,
+    *amounts: Unnamed,
     radiance: Amount = None,
     luminance: Amount = None,
     photon_radiance: Amount = None,
@@ -384,7 +385,7 @@ def lambertian(
     photon_range: Text = None,
 ) -> Result: ...
 def laser(
-    *,
+    *amounts: Unnamed,
     diameter: Amount = None,
     divergence: Amount = None,
     profile: Profile | None = None,
@@ -423,7 +424,7 @@ def laser(
     photon_range: Text = None,
 ) -> Result: ...
 def mesopic(
-    *,
+    *amounts: Unnamed,
     luminance: Amount = None,
     sp_ratio: Number = None,
     spectrum: Text = None,
@@ -436,7 +437,7 @@ def photon(
     observer: Observer | None = None,
 ) -> Result: ...
 def point_source(
-    *,
+    *amounts: Unnamed,
     flux: Amount = None,
     radiant_flux: Amount = None,
     luminous_flux: Amount = None,
@@ -489,7 +490,7 @@ def point_source(
     any_incidence: bool = False,
 ) -> Result: ...
 def refraction(
-    *,
+    *amounts: Unnamed,
     index: Number = None,
     incidence: Amount = None,
     refraction_angle: Amount = None,
@@ -522,7 +523,7 @@ def reproject(
     photon_range: Text = None,
 ) -> Quantity: ...
 def room(
-    *,
+    *amounts: Unnamed,
     width: Amount = None,
     length: Amount = None,
     area: Amount = None,
@@ -559,7 +560,7 @@ def scene(
     shares: bool = False,
 ) -> Result: ...
 def screen(
-    *,
+    *amounts: Unnamed,
     flux: Amount = None,
     radiant_flux: Amount = None,
     luminous_flux: Amount = None,
@@ -584,7 +585,7 @@ def screen(
     photon_range: Text = None,
 ) -> Result: ...
 def sensor(
-    *,
+    *amounts: Unnamed,
     radiance: Amount = None,
     luminance: Amount = None,
     photon_radiance: Amount = None,
@@ -703,7 +704,7 @@ def spectrum(
 ) -> Result: ...
 def uberlight(
     point: Points,
-    *,
+    *amounts: Unnamed,
     intensity: Amount = None,
     radiant_intensity: Amount = None,
     luminous_intensity: Amount = None,

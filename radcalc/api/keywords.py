@@ -28,6 +28,7 @@ class Column(Protocol):
 
 # A signature shows the names of these unions.
 Amount: TypeAlias = str | Quantity | Sequence[str] | Sequence[Quantity] | Column | None
+Unnamed: TypeAlias = str | Quantity | Sequence[str] | Sequence[Quantity]  # without a keyword
 Number: TypeAlias = Amount | float | Sequence[float] | Array
 Direction: TypeAlias = str | Quantity | Sequence[Quantity] | Sequence[float] | Array | None
 Vector: TypeAlias = str | Sequence[float] | Array | None

@@ -14,6 +14,7 @@ from importlib import import_module
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from radcalc.api import keywords
+from radcalc.api.amounts import with_amounts
 from radcalc.api.calculate import calculate
 from radcalc.api.refusals import in_python, misspelt
 from radcalc.api.result import Result
@@ -56,6 +57,11 @@ RETURNS = """Result
     The inputs and results, as attributes with the names of ``radcalc -g``."""
 RAISES = """radcalc.RadcalcError
     If an input is missing, contradictory, out of range or unused."""
+# Quantities after the operands of a function.
+AMOUNTS = inspect.Parameter("amounts", inspect.Parameter.VAR_POSITIONAL, annotation="Unnamed")
+ABOUT_AMOUNTS = """amounts : Unnamed, optional
+    Quantities without a keyword: the unit decides which input each is (light, a distance, an
+    area, a time, a wavelength), and a quantity that may be several inputs needs its keyword."""
 HEADINGS = PARAMETERS, _, _, EXAMPLES = "Parameters", "Returns", "Raises", "Examples"
 
 
@@ -88,16 +94,17 @@ def function(name: str) -> Callable[..., Result]:
         return calculate(command, given, work_out)
 
     call.__name__ = call.__qualname__ = name
-    return of_page(command)(call)
+    return of_page(command, amounts=True)(call)
 
 
 def of_page(
-    command: str, without: Sequence[str] = ()
+    command: str, without: Sequence[str] = (), *, amounts: bool = False
 ) -> Callable[[Callable[..., T]], Callable[..., T]]:
     """Decorate a function with the keywords and the documentation of a page.
 
     The function takes the keywords as `**given`, except those named in `without`.  The sections of
-    its docstring replace the remarks and examples of the page.
+    its docstring replace the remarks and examples of the page.  With `amounts`, its operands may be
+    followed by quantities without keywords.
     """
     page = page_of(command)
     page_keywords = _keywords(page, without)
@@ -111,7 +118,9 @@ def of_page(
         ]
         operands = [parameter for parameter in fixed if parameter.kind != parameter.KEYWORD_ONLY]
         options = [parameter for parameter in fixed if parameter.kind == parameter.KEYWORD_ONLY]
-        parameters = [*operands, *(added.parameter for added in page_keywords), *options]
+        unnamed = [AMOUNTS] if amounts else []
+        keyword_only = [added.parameter for added in page_keywords]
+        parameters = [*operands, *unnamed, *keyword_only, *options]
         signature = signature.replace(parameters=parameters)
 
         @wraps(function)
@@ -121,7 +130,10 @@ def of_page(
             except TypeError as error:
                 hint = misspelt(call, args, kwargs)
                 raise TypeError(f"{function.__name__}() {error}{hint}") from None
-            return in_python(function)(**bound.arguments)
+            given = bound.arguments
+            if unnamed and (values := given.pop(AMOUNTS.name, ())):
+                given = with_amounts(function, command, values, given)
+            return in_python(function)(**given)
 
         call.__signature__ = signature  # type: ignore[attr-defined]
         call.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
@@ -129,7 +141,7 @@ def of_page(
         call.__annotations__ = get_type_hints(call, {**vars(keywords), **function.__globals__})
         own_text = inspect.cleandoc(function.__doc__ or "")
         call.__doc__ = _docstring(
-            own_text, command, page, [parameter.name for parameter in operands], page_keywords
+            own_text, command, page, [one.name for one in (*operands, *unnamed)], page_keywords
         )
         call.__module__ = "radcalc"
         return call
@@ -186,6 +198,8 @@ def _docstring(
     entries = [entry[0] for entry in ENTRY.finditer(sections.get(PARAMETERS, ""))]
     first = [entry for entry in entries if re.split(r"\W", entry)[0] in operands]
     last = [entry for entry in entries if entry not in first]
+    if AMOUNTS.name in operands:
+        first.append(ABOUT_AMOUNTS)
     sections[PARAMETERS] = "\n".join([*first, *_entries(page_keywords), *last])
     parts = [
         f"{heading}\n{'-' * len(heading)}\n{sections[heading].strip()}" for heading in HEADINGS

@@ -1,10 +1,19 @@
 """Quantities of Pint in the registry of radcalc."""
 
+import sys
+from collections.abc import Callable, Mapping
+from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from radcalc.errors import UnitError, quote
+from radcalc.errors import ConversionError, RadcalcError, UnitError, quote
 from radcalc.maths import frozen
-from radcalc.units.registry import from_container, light_registry
+from radcalc.quantities.light import describe
+from radcalc.units.registry import (
+    Dimensionality,
+    DimensionalityError,
+    from_container,
+    light_registry,
+)
 from radcalc.units.unit import Unit
 
 if TYPE_CHECKING:
@@ -52,3 +61,81 @@ def quantity(magnitude: Any, unit: Unit) -> Quantity:
     """Return a number, or an array, in a unit; nobody can change the array."""
     result: Quantity = Quantity(frozen(magnitude), light_registry().container(unit))
     return result
+
+
+def typed(value: Any) -> str:
+    """Return a quantity as it would be typed."""
+    return f"{str(value.magnitude).removesuffix('.0')} {unit_of(value).text}"
+
+
+def in_short(value: Any) -> str:
+    """Return a number, a quantity, or several solutions in short, for a message."""
+    if is_quantity(value):
+        number, unit = plain(value)
+        return f"{in_short(number)} {unit.text}"
+    numbers = value.ravel().tolist() if hasattr(value, "ravel") else [value]
+    return " or ".join(dict.fromkeys([f"{number:.6g}" for number in numbers]))
+
+
+class OtherQuantity(ConversionError, Dimensionality):
+    """A unit of another quantity: an error of radcalc, and of Pint for those who catch that."""
+
+
+def _in_words(pint_method: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a method of Pint that refuses a unit in the words of `radcalc.convert`."""
+
+    @wraps(pint_method)
+    def to(self: Any, other: Any = None, *contexts: Any, **settings: Any) -> Any:
+        try:
+            return pint_method(self, other, *contexts, **settings)
+        except (DimensionalityError, UnitError) as error:
+            refusal = _refusal(self, other)
+            if isinstance(error, DimensionalityError):
+                refusal = OtherQuantity(refusal.message, refusal.hint)
+        raise refusal
+
+    return to
+
+
+def _refusal(value: Any, other: Any) -> RadcalcError:
+    """Return the error for a unit of another quantity, or a text that is not a unit."""
+    target = other if isinstance(other, str) else from_container(other._units).text
+    is_one = isinstance(value.magnitude, (int, float))
+    try:
+        answer = sys.modules["radcalc"].convert(typed(value) if is_one else value, target)
+    except RadcalcError as error:
+        return error
+    problem = f"'{quote(target)}' is not a unit of {describe(unit_of(value))}"
+    shown = f'"{typed(value)}"' if is_one else "quantity"
+    hint = f'radcalc.convert({shown}, "{target}")'
+    problem = f"{problem}, and Quantity.to keeps the quantity"
+    return UnitError(problem, f"{hint}\n     {in_short(answer)}" if is_one else hint)
+
+
+def _reduced(measure: Any) -> tuple[Any, ...]:
+    return _restored, (
+        type(measure).__name__,
+        getattr(measure, "magnitude", None),
+        dict(measure._units),
+    )
+
+
+def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:
+    registry = light_registry()
+    for name in powers:
+        registry.get_name(name)  # defines a prefixed unit
+    units = registry.UnitsContainer(powers)
+    return getattr(registry, kind)(*([] if magnitude is None else [magnitude]), units)
+
+
+def _adapt() -> None:
+    """Change two things in Pint's classes: the registry of pickles, and the words of refusals."""
+    registry = light_registry()
+    for kind in (registry.Quantity, registry.Measurement, registry.Unit):
+        kind.__reduce__ = _reduced  # type: ignore[method-assign]
+    for quantities in (registry.Quantity, registry.Measurement):
+        for name in ("to", "ito"):
+            setattr(quantities, name, _in_words(getattr(quantities, name)))
+
+
+_adapt()

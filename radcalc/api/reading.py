@@ -5,7 +5,7 @@ from typing import Any, TypeVar
 
 import numpy
 
-from radcalc.api.quantity import is_lazy, is_quantity, plain, quantity, unit_of
+from radcalc.api.quantity import is_lazy, is_quantity, plain, quantity, typed, unit_of
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, option, quote
 from radcalc.inputs.given import Input, Inputs
@@ -121,7 +121,7 @@ def together(label: str, pairs: Sequence[tuple[Any, Unit]]) -> tuple[Any, Unit]:
 
 def as_text(value: Any) -> str:
     """Return a quantity, or another value, as it would be typed."""
-    return f"{value.magnitude} {unit_of(value).text}" if is_quantity(value) else str(value)
+    return typed(value) if is_quantity(value) else str(value)
 
 
 def as_interval(value: Any) -> str:

@@ -7,7 +7,7 @@ from functools import wraps
 from inspect import Parameter, signature
 from typing import Any, ParamSpec, TypeVar
 
-from radcalc.api.quantity import is_quantity, plain
+from radcalc.api.quantity import in_short, is_quantity
 from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES, page_of
@@ -28,14 +28,21 @@ def in_python(function: Callable[P, T]) -> Callable[P, T]:
         try:
             return function(*args, **kwargs)
         except RadcalcError as error:
-            error = on_page(error, symbol_name(function.__name__))
-            message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
-            if error.tries:
-                given = signature(function).bind_partial(*args).arguments | kwargs
-                hint = calls(error, function, given) or hint
-            raise error.reworded(message, hint).with_traceback(error.__traceback__) from None
+            given = signature(function).bind_partial(*args).arguments | kwargs
+            raise spelled(error, function, given) from None
 
     return call
+
+
+def spelled(
+    error: RadcalcError, function: Callable[..., Any], given: Mapping[str, Any]
+) -> RadcalcError:
+    """Return the error of a call with keywords, and with the calls that its hint proposes."""
+    error = on_page(error, symbol_name(function.__name__))
+    message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
+    if error.tries:
+        hint = calls(error, function, given) or hint
+    return error.reworded(message, hint).with_traceback(error.__traceback__)
 
 
 def misspelt(function: Callable[..., Any], args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> str:
@@ -144,21 +151,12 @@ def _literal(value: Any) -> str:
 
 def _text(answer: Any) -> str:
     """Return the first number of an answer, with its unit."""
-    if isinstance(answer, float):
-        return _number(answer)
-    if is_quantity(answer):
-        number, unit = plain(answer)
-        return f"{_number(number)} {unit.text}"
+    if isinstance(answer, float) or is_quantity(answer):
+        return in_short(answer)
     return next(_rows(answer), "")
 
 
 def _rows(result: Any) -> Iterator[str]:
     for row in result.rows:
         if not row.given:
-            yield f"{keyword(row.name)} {_number(row.value)} {row.unit}".removesuffix(" 1")
-
-
-def _number(value: Any) -> str:
-    """Return a number as text, or those of several solutions."""
-    numbers = value.ravel().tolist() if hasattr(value, "ravel") else [value]
-    return " or ".join(dict.fromkeys([f"{number:.6g}" for number in numbers]))
+            yield f"{keyword(row.name)} {in_short(row.value)} {row.unit}".removesuffix(" 1")

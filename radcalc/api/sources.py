@@ -16,7 +16,7 @@ from radcalc.calculators.shapes import SHAPES
 from radcalc.calculators.uberlight import uberlight as of_uberlight
 
 
-@of_page("point-source")
+@of_page("point-source", amounts=True)
 def point_source(*, any_incidence: bool = False, **given: Any) -> Result:
     """
     Parameters
@@ -41,7 +41,7 @@ def point_source(*, any_incidence: bool = False, **given: Any) -> Result:
     return calculate("point-source", given, partial(of_point, any_incidence=any_incidence))
 
 
-@of_page("lambertian")
+@of_page("lambertian", amounts=True)
 def lambertian(shape: Diffuse = "patch", **given: Any) -> Result:
     """
     Parameters
@@ -58,7 +58,7 @@ def lambertian(shape: Diffuse = "patch", **given: Any) -> Result:
     return calculate("lambertian", given, partial(of_surface, name), {"shape": name})
 
 
-@of_page("uberlight")
+@of_page("uberlight", amounts=True)
 def uberlight(point: Points, **given: Any) -> Result:
     """
     Parameters

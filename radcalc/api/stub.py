@@ -45,13 +45,14 @@ def _imports(names: Mapping[str, Iterable[str]]) -> str:
 
 
 def _signature(function: Any) -> str:
-    lines = []
+    lines: list[str] = []
     signature = inspect.signature(function)
     for parameter in signature.parameters.values():
-        if parameter.kind == parameter.KEYWORD_ONLY and "*" not in lines:
+        stars = "*" * (parameter.kind == parameter.VAR_POSITIONAL)
+        if parameter.kind == parameter.KEYWORD_ONLY and not any(line[0] == "*" for line in lines):
             lines.append("*")
         default = "" if parameter.default is parameter.empty else f" = {parameter.default!r}"
-        lines.append(f"{parameter.name}: {parameter.annotation}{default}")
+        lines.append(f"{stars}{parameter.name}: {parameter.annotation}{default}")
     return _lines(f"def {function.__name__}(", f") -> {signature.return_annotation}: ...", lines)
 
 

@@ -1,12 +1,12 @@
 """The call of a command that a sentence means: its facts decide."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
 from radcalc.errors import Try, UsageError, manual, quote, quote_path
+from radcalc.quantities.light import Reading, result_name
 from radcalc.quantities.light import read as read_light
-from radcalc.quantities.light import result_name
 from radcalc.quantities.symbols import (
     FLAG,
     SPECIFIC,
@@ -21,7 +21,7 @@ from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import ANGLE, AREA, LENGTH, TEMPERATURE, TIME, times
-from radcalc.units.unit import NUMBER
+from radcalc.units.unit import NUMBER, Unit
 
 VALUE = "value"  # the amount that is converted
 LIGHT = ("flux", "intensity", "exitance", "irradiance", "radiance", "exposure", "energy")
@@ -288,9 +288,8 @@ def _choices(fact: Fact, sentence: Sentence) -> tuple[str, ...]:
 def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
     """Return the symbols that an amount alone may fill."""
     assert amount is not None
-    light = read_light(amount.unit)
-    if light and not light.axis and not amount.unit.is_scale:
-        return (_generic(amount) or VALUE,)
+    if _light_of(amount):
+        return _meant(amount)
     alone = [fact.amount for fact in sentence.facts if not fact.symbols]
     others = {name for fact in sentence.facts for name in fact.symbols}
     is_first = alone[0] is amount and others <= taken_by(page_of("convert"))
@@ -299,13 +298,49 @@ def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
     is_shutter = amount.dimension == NUMBER and amount.text[:2] == "1/"
     if is_shutter and any({"iso", "f-number"} & {*fact.symbols} for fact in sentence.facts):
         return ("time",)
+    if "aspect" in others and amount.dimension == LENGTH and not amount.is_wavelength:
+        return ("diagonal",)  # of a screen
+    return _meant(amount)
+
+
+def _light_of(amount: Amount) -> Reading | None:
+    """Return the light that an amount measures; None for a density, a scale or no light."""
+    light = read_light(amount.unit)
+    return light if light and not light.axis and not amount.unit.is_scale else None
+
+
+def _meant(amount: Amount) -> tuple[str, ...]:
+    """Return the symbols that a unit means."""
+    if _light_of(amount):
+        return (_generic(amount) or VALUE,)
     if amount.is_wavelength:
         return ("wavelength",)
-    if "aspect" in others and amount.dimension == LENGTH:  # of a screen
-        return ("diagonal",)
     if amount.dimension in SYMBOLS["efficacy"].dimensions:
         return ("efficacy",)
     return OF_DIMENSION.get(amount.dimension, (VALUE,))
+
+
+def inputs_of(command: str, unit: Unit, given: Iterable[str] = ()) -> list[str]:
+    """Return the inputs of a command that an amount without a name may be, by its unit.
+
+    They are several if the command has other inputs of the same light, or lengths in um, or if its
+    frames rename the input beside those that are given.
+    """
+    page, amount = page_of(command), Amount("", unit, 0)
+    taken = taken_by(page)
+    names, light = [*_meant(amount)], _light_of(amount)
+    if light and names != [VALUE]:
+        alike = [n for n in listed_by(page) if SYMBOLS[n].geometry == SYMBOLS[names[0]].geometry]
+        names += [name for name in alike if not name.startswith("peak-")]
+    elif amount.is_wavelength:
+        alike = [n for n in listed_by(page) if SYMBOLS[n].unit in ("nm", "um")]
+        names = [name for name in alike if amount.dimension in SYMBOLS[name].dimensions]
+    found = [in_kind(name, light.kind) if light else name for name in names]
+    for frame in FRAMES:
+        if frame.command == command:
+            names = [n for n in found if n not in taken or frame.needs & {*given}]
+            found += [new for name, new in frame.renamed if name in names]
+    return [name for name in dict.fromkeys(found) if name in taken]
 
 
 def _is_light(fact: Fact) -> bool:
@@ -450,9 +485,14 @@ def one_word(fact: Fact) -> str:
     return number + unit if blank and is_amount else fact.text
 
 
+def listed_by(page: Page) -> list[str]:
+    """Return the symbols of a page's options, in their order."""
+    return [name for names in page.sections.values() for name in names]
+
+
 def taken_by(page: Page) -> set[str]:
     """Return the symbols that a page takes, with the names of one kind of light."""
-    names = {name for listed in page.sections.values() for name in listed}
+    names = {*listed_by(page)}
     return names | {other for name in names for other in names_of_kinds(name)}
 
 
@@ -462,8 +502,8 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
         return []
     if not page.light and not page.others:  # the results depend on the inputs
         return list(goal.names[:1])
-    options = [name for names in page.sections.values() for name in names]
-    listed = [n for n in dict.fromkeys((*page.light, *page.others, *options)) if n not in given]
+    options = (*page.light, *page.others, *listed_by(page))
+    listed = [name for name in dict.fromkeys(options) if name not in given]
     if not any(map(_is_light, given.values())):  # ISO 100 is assumed, not found
         listed = [name for name in listed if "(default" not in page.symbol(name).help]
     if goal.names:

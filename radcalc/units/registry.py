@@ -3,7 +3,6 @@
 Only this module and `compile.py` import Pint.
 """
 
-from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -25,6 +24,18 @@ if TYPE_CHECKING:
     Registry = pint.UnitRegistry[Any]
 else:
     Registry = pint.UnitRegistry  # generic in some versions of Pint only
+
+
+DimensionalityError = pint.DimensionalityError
+
+
+class Dimensionality(DimensionalityError):
+    """Pint's error for a unit of another quantity, with a message of radcalc."""
+
+    __eq__, __hash__ = Exception.__eq__, Exception.__hash__
+
+    def __init__(self, message: str) -> None:
+        Exception.__init__(self, message)
 
 
 class LightRegistry(Registry):
@@ -79,26 +90,7 @@ def light_registry() -> LightRegistry:
         str(DEFINITIONS), cache_folder=None, autoconvert_offset_to_baseunit=False
     )
     registry.closed = True
-    for kind in (registry.Quantity, registry.Measurement, registry.Unit):
-        # Pint's own __reduce__ restores into the registry of the application
-        kind.__reduce__ = _reduced  # type: ignore[method-assign]
     return registry
-
-
-def _reduced(measure: Any) -> tuple[Any, ...]:
-    return _restored, (
-        type(measure).__name__,
-        getattr(measure, "magnitude", None),
-        dict(measure._units),
-    )
-
-
-def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:
-    registry = light_registry()
-    for name in powers:
-        registry.get_name(name)  # defines a prefixed unit
-    units = UnitsContainer(powers)
-    return getattr(registry, kind)(*([] if magnitude is None else [magnitude]), units)
 
 
 def exact_registry() -> Registry:

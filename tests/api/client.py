@@ -47,6 +47,7 @@ def main() -> None:
     print(radcalc.photon("555 nm", observer="scotopic").to_dict()["results"].keys())
     print(radcalc.solid_angle("zone", polar=("30 deg", "60 deg")).solid_angle.m_as("sr"))
     print(radcalc.ev(f_number=16, time=Quantity(10, "ms")).ev.magnitude)
+    assert radcalc.point_source("100 cd", Quantity(2, "m")).illuminance.m_as("lx") == 25
     lamps = [{"x": 0, "y": 0, "z": 2, "intensity": "100 cd"}]
     print(radcalc.scene(lamps, np.zeros((1, 3)), normal=(0, 0, 1)).irradiance.shape)
 

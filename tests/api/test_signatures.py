@@ -64,8 +64,8 @@ def test_units_are_those_of_the_kinds_that_a_calculator_takes():
 def test_arguments_that_a_function_does_not_take_are_a_type_error():
     with pytest.raises(TypeError, match=r"laser\(\) got an unexpected keyword argument 'powre'"):
         radcalc.laser(powre="1 W")
-    with pytest.raises(TypeError, match=r"laser\(\) too many positional arguments"):
-        radcalc.laser("1 W")
+    with pytest.raises(TypeError, match=r"photon\(\) too many positional arguments"):
+        radcalc.photon("555 nm", "1 W")
 
 
 # function, operands, keywords, the call in the hint, its answer by the definition:

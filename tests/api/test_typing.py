@@ -23,10 +23,10 @@ def errors_of(*paths):
     return [(name, int(line)) for name, line in found]
 
 
-def test_a_program_is_accepted_and_one_with_five_mistakes_refused_at_each():
+def test_a_program_is_accepted_and_one_with_six_mistakes_refused_at_each():
     lines = MISTAKES.read_text(encoding="utf-8").splitlines()
     marked = [k for k, line in enumerate(lines, start=1) if "# mistake: " in line]
-    assert len(marked) == 5
+    assert len(marked) == 6
     assert errors_of(CLIENT, MISTAKES) == [(MISTAKES.name, line) for line in marked]
 
 
