@@ -414,7 +414,10 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     is_plain = amount.unit.text == unit
     words = ["convert", *([number, unit] if is_plain else [facts[value].text])]
     words += [target] if target else []
-    return [words + [_input(name, fact) for name, fact in given.items()]]
+    calls = [words + [_input(name, fact) for name, fact in given.items()]]
+    if "incidence" in given and len(given) > 1 and _generic(amount) == "irradiance":
+        calls.append([word for word in calls[0] if not word.startswith("incidence=")])
+    return calls  # an irradiance is that across the light, or that on the surface
 
 
 def _target(goal: Goal, value: Fact) -> str:
@@ -508,6 +511,9 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
         listed = [name for name in listed if "(default" not in page.symbol(name).help]
     if goal.names:
         wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
+        dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
+        own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
+        wanted |= {name for name in own_results if dimensions & {*SYMBOLS[name].dimensions}}
         found = [name for name in listed if name in wanted]
     else:
         assert goal.unit is not None

@@ -181,6 +181,7 @@ class _Reading:
             amount = self.amount(start)
             if amount and not _of_amount(symbols, amount):
                 amount = self.number(start)  # gain 1.1 nits
+                symbols = tuple([n for n in symbols if NUMBER in SYMBOLS[n].dimensions])
             if amount and (fitting := _of_amount(symbols, amount)):
                 text = self.text(at, amount.end)
                 found.append((amount.end, Fact(fitting, amount.text, text, amount)))
