@@ -498,7 +498,8 @@ def check(draw: random.Random, kind: int, seen: Counter[str]) -> None:
         return
     if case:
         check_known(case, found, seen)
-    if found and found.command and not options:
+    is_plain = not options and not re.search(r"(^| )-", text)
+    if found and found.command and is_plain:
         check_command(text, found)
         check_python(text, found)
         if draw.random() < 0.1:
