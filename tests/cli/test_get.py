@@ -25,7 +25,6 @@ from radcalc.cli.compile import command_of
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
 from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit, specific_name
-from radcalc.units.numbers import is_sentence
 from radcalc.units.table import spellings, unit_of
 
 OTHERS = {"convert", "columns", "examples", "help", "units", "quantities", "typical"}
@@ -54,7 +53,12 @@ def listing_of(command, output):
         words = shlex.split(command, comments=True)
     except ValueError:
         return None
-    if words[:1] != ["radcalc"] or len(words) < 3 or words[1] in OTHERS or is_sentence(words[1:]):
+    if (
+        words[:1] != ["radcalc"]
+        or len(words) < 3
+        or words[1] not in SUMMARIES
+        or words[1] in OTHERS
+    ):
         return None
     if Path(words[1]).is_file() or ENDS & set(words) or any(c in command for c in "|<>;&$`\n"):
         return None
