@@ -8,6 +8,7 @@ import pytest
 from conftest import ROOT, run
 
 from radcalc.cli.files import route
+from radcalc.cli.spelling import quoted
 from radcalc.errors import ConditionError
 from radcalc.routes.kinds import LOG, LUMINAIRE, MAP, SCENE, SPECTRUM, TABLE, kind_of
 
@@ -102,7 +103,7 @@ def test_the_command_is_printed_and_has_the_same_answer():
         run("point-source", "--distribution", lamp, "-g", "flux"),
     )
     first, _, rest = routed.stderr.partition("\n")
-    assert first == f"read as: radcalc point-source --distribution {lamp} -g flux"
+    assert first == f"read as: radcalc point-source --distribution {quoted(lamp)} -g flux"
     assert (routed.stdout, rest) == (typed.stdout, typed.stderr)
     assert "read as" not in run(lamp, "-q").stderr
     assert json.loads(run(lamp, "--json").stdout)["command"] == "point-source"

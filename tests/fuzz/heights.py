@@ -1,8 +1,8 @@
 """Heights above a place with a given illuminance, at offsets from 1e-12 m to 1000 m.
 
-With y = h / d the illuminance of a lobe is E = I y^(n + 1) (1 - y^2) / x^2.  Both zeros in y, found
-with 60 digits, are the expected heights: those of a cubic for n = 0, which stands for an isotropic
-source, a hemisphere and a distribution, and those of a bisection for the others.
+With y = h / d the illuminance of a lobe is E = I y^(n + 1) (1 - y^2) / x^2; n = 0 stands for an
+isotropic source, a hemisphere and a distribution.  Both zeros in y, found by bisection with 60
+digits, are the expected heights.
 """
 
 import random
@@ -29,11 +29,7 @@ def heights(offset: float, part: float, exponent: float) -> list[float]:
     """Return the heights at which E / I is `part`."""
     with mpmath.workdps(60):
         light = mpf(part) * mpf(offset) ** 2
-        if exponent == 0:
-            found = mpmath.polyroots([1, 0, -1, light], maxsteps=500, extraprec=400)
-            cosines = [y.real for y in found if abs(y.imag) < 1e-40 and 0 < y.real < 1]
-        else:
-            cosines = _zeros(light, mpf(exponent))
+        cosines = _zeros(light, mpf(exponent))
         return sorted(float(offset * y / mpmath.sqrt(1 - y * y)) for y in cosines)
 
 
