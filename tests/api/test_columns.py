@@ -70,7 +70,7 @@ def test_a_value_that_is_not_a_number_is_not_taken_for_one(values):
         lambda: radcalc.convert(Q(np.asarray(values), "lx"), "fc"),
         lambda: lamp(Q(np.asarray(values), "m")),
     ):
-        with pytest.raises(refusals, match=r"is not a number|takes real numbers|Cannot convert"):
+        with pytest.raises(refusals, match=r"is not a number|takes real numbers|[Cc]annot convert"):
             ask()
 
 
