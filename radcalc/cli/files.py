@@ -58,8 +58,7 @@ def route(path: str) -> tuple[str, ...]:
     from radcalc.routes.kinds import COMMANDS as FOR_KIND
     from radcalc.routes.kinds import kind_of
 
-    kind = kind_of(path)
-    command, symbol = FOR_KIND[kind]
+    command, symbol = FOR_KIND[kind_of(path)]
     return (command, f"--{symbol}", path) if symbol else (command, path)
 
 
@@ -116,7 +115,6 @@ def _of_other_kind(path: str, expected: str) -> RadcalcError | None:
 
 def proposed(kind: str, path: str) -> Try:
     """Propose the command for a file of a kind."""
-    from radcalc.routes.kinds import COMMANDS as FOR_KIND
+    from radcalc.routes.kinds import call_of_file
 
-    command, symbol = FOR_KIND[kind]
-    return call(command, **{symbol: path}) if symbol else call(command, path)
+    return call(*call_of_file(kind, path))

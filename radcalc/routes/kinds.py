@@ -195,6 +195,12 @@ def _is_log(lines: list[str], name: str, rows: FirstRows | None) -> bool:
     return True
 
 
+def call_of_file(kind: str, path: str) -> tuple[str, str]:
+    """Return the command for a file of a kind, and the file as its operand or NAME=VALUE."""
+    command, symbol = COMMANDS[kind]
+    return command, f"{symbol}={path}" if symbol else path
+
+
 def is_relative(path: str) -> bool:
     """Return whether a map of radiances has no unit, so that its values are relative."""
     from radcalc.distributions.maps.pictures import read_picture

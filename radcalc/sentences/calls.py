@@ -144,7 +144,7 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
 
     The file of a spectrum beside an amount of light is the spectrum of that light.
     """
-    from radcalc.routes.kinds import COMMANDS, LUMINAIRE, MAP, SPECTRUM, is_relative, kind_of
+    from radcalc.routes.kinds import LUMINAIRE, MAP, SPECTRUM, call_of_file, is_relative, kind_of
 
     path, *others = sentence.files
     if others:
@@ -155,8 +155,8 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
         with_file = (*sentence.facts, Fact(("spectrum",), path, path))
         return _calls_of(sentence._replace(files=(), facts=with_file))
     facts = tuple(map(_toward, sentence.facts)) if kind == LUMINAIRE else sentence.facts
-    command, symbol = COMMANDS[kind]
-    words = [command, f"{symbol}={path}" if symbol else path]
+    command, *operands = call_of_file(kind, path)
+    words = [command, *operands]
     if kind == MAP and is_relative(path):
         words.append("unit=1")
     found = []
@@ -452,13 +452,17 @@ def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
         f"{second.text} / ({first.text})": times(second.dimension, first.dimension, -1),
         f"{first.text} * ({second.text})": times(first.dimension, second.dimension),
     }
-    kinds = [light.kind for amount in amounts if (light := read_light(amount.unit))]
-    symbol = SYMBOLS[goal.names[0]] if goal.names else None
-    target = goal.text
-    if symbol and not goal.unit:
-        is_light = symbol.generic and kinds
-        target = light_unit(symbol.generic, kinds[0]) if is_light else symbol.unit
+    target = _unit_of(goal, amounts)
     return [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+
+
+def _unit_of(goal: Goal, amounts: Sequence[Amount]) -> str:
+    """Return the unit of a goal; a name for several kinds of light is that of the amounts."""
+    if goal.unit or not goal.names:
+        return goal.text
+    symbol = SYMBOLS[goal.names[0]]
+    kinds = [light.kind for amount in amounts if (light := read_light(amount.unit))]
+    return light_unit(symbol.generic, kinds[0]) if symbol.generic and kinds else symbol.unit
 
 
 def _farther(amounts: Sequence[Amount], goal: Goal | None) -> list[list[str]]:

@@ -68,27 +68,10 @@ def words_of(typed: "list[str]") -> list[Word]:
     """Return the words of a call, without the marks of sentences."""
     words: list[Word] = []
     aspects: list[Word] = []
-    parts = " ".join(typed).split()
-    for at, part in enumerate(parts):  # --lux 200
-        following = parts[at + 1 : at + 2]
-        name = part.removeprefix("--")
-        is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
-        is_number = bool(following) and following[0][0].isdigit()
-        is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
-        if is_number and name.lower() in DLI and at == 0 and (is_bare or parts[2] in MICROMOLES):
-            parts[: 2 + (not is_bare)] = [following[0], "ppfd", name]  # dli 600 16h
-        elif is_bare and is_before:
-            parts[at : at + 2] = [following[0], name]
-        elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
-            parts[at : at + 2] = ["", f"{following[0]}^-1"]
     before = ""
-    for part in parts:
+    for part in _reordered(" ".join(typed).split()):
         text = SPELLED.get(part, part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part)
-        has_number = any(word.text[0].isdigit() for word in words[-2:])
-        is_after_unit = has_number and unit_in([words[-1].text]) is not None
-        if text.lower() in OF_AMOUNTS and is_after_unit:  # 5 W average; mean luminance is a result
-            continue
-        if text.lower() == ANSI:
+        if _adds_nothing(text, words):
             continue
         if ASPECT.fullmatch(text):
             aspects.append(Word(text, text))
@@ -105,6 +88,31 @@ def words_of(typed: "list[str]") -> list[Word]:
             words.append(Word(text, comparable(text) or text, part[-1] in ENDS or is_value))
         before = part
     return words + aspects
+
+
+def _adds_nothing(text: str, words: Sequence[Word]) -> bool:
+    """Return whether a word adds nothing to an amount: 5 W average; mean luminance is a result."""
+    has_number = any(word.text[0].isdigit() for word in words[-2:])
+    is_after_unit = has_number and unit_in([words[-1].text]) is not None
+    return text.lower() == ANSI or (text.lower() in OF_AMOUNTS and is_after_unit)
+
+
+def _reordered(parts: list[str]) -> list[str]:
+    """Return words with a number before its unit: `--lux 200`, `dli 600 16h`, `inverse cm`."""
+    parts = [*parts]
+    for at, part in enumerate(parts):
+        following = parts[at + 1 : at + 2]
+        name = part.removeprefix("--")
+        is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
+        is_number = bool(following) and following[0][0].isdigit()
+        is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
+        if is_number and name.lower() in DLI and at == 0 and (is_bare or parts[2] in MICROMOLES):
+            parts[: 2 + (not is_bare)] = [following[0], "ppfd", name]  # dli 600 16h
+        elif is_bare and is_before:
+            parts[at : at + 2] = [following[0], name]
+        elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
+            parts[at : at + 2] = ["", f"{following[0]}^-1"]
+    return parts
 
 
 def amount_at(words: "list[Word]", start: int) -> Amount | None:
