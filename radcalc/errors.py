@@ -8,7 +8,7 @@ command, by a mention (`option("height")`), which the shell and Python spell dif
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
     from typing import Any, TypeAlias, TypeVar
 
     Kind = TypeVar("Kind", bound="RadcalcError")
@@ -312,20 +312,42 @@ class RadcalcError(Exception):
 
     Both may have mentions; `spelled` spells them.  `tries` are the calls that the hint proposes:
     a gate makes them before it shows them.  `missing` describes what is missing, with the symbols
-    that supply it.
+    that supply it.  A function gives a hint that takes long, once it is needed.
     """
 
-    def __init__(self, message: str, hint: "Hint" = "", tries: "Sequence[Try]" = ()) -> None:
+    hint: str
+    tries: tuple[Try, ...]
+
+    def __init__(
+        self,
+        message: str,
+        hint: "Hint | Callable[[], Hint]" = "",
+        tries: "Sequence[Try]" = (),
+    ) -> None:
         super().__init__(message)
+        self.message: str = message
+        self.missing: dict[str, tuple[str, ...]] = {}
+        if callable(hint):
+            self._later = hint
+        else:
+            self._propose(hint, tries)
+
+    def _propose(self, hint: "Hint", tries: "Sequence[Try]" = ()) -> None:
         if not isinstance(hint, str):
             tries = (hint,) if isinstance(hint, Try) else hint
             hint = " or ".join(map(str, tries))
         elif not tries:
             tries = proposed(hint)
-        self.message: str = message
-        self.hint: str = hint
-        self.tries: tuple[Try, ...] = tuple(tries)
-        self.missing: dict[str, tuple[str, ...]] = {}
+        self.hint, self.tries = hint, tuple(tries)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> "Any":
+            """Return the hint, or its calls, that a function gives."""
+            if name not in ("hint", "tries") or "_later" not in self.__dict__:
+                raise AttributeError(name)
+            self._propose(self.__dict__.pop("_later")())
+            return self.__dict__[name]
 
     @property
     def others(self) -> list[str]:
@@ -347,12 +369,14 @@ class RadcalcError(Exception):
 
     def __reduce__(self) -> "tuple[Any, ...]":
         """Return the pickled form, with its fields."""
+        _ = self.hint  # which may be given by a function
         return _remade, (type(self), self.args, self.__dict__)
 
     def reworded(
         self: "Kind", message: str = "", hint: "Hint" = "", tries: "Sequence[Try]" = ()
     ) -> "Kind":
         """Return a copy with another message or hint, or with calls for a hint in words."""
+        _ = self.hint  # which may be given by a function
         error: Kind = _remade(type(self), self.args, self.__dict__)
         error.message = message or self.message
         error.tries = tuple(tries) or self.tries

@@ -19,7 +19,7 @@ from radcalc.calculators.integrate import integrate
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick
 from radcalc.calculators.solid_angle import solid_angle
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.conversion.plan import plan
 from radcalc.errors import (
     END,

@@ -15,7 +15,7 @@ from helpers import for_each
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.cli.compile import Compiler
 from radcalc.cli.group import OTHERWISE
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.laws import point
 from radcalc.quantities.symbols import DIRECTION, DISTRIBUTIONS, OBSERVER_NAMES, SYMBOLS
 from radcalc.spectra.observers import OBSERVERS
@@ -318,6 +318,11 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich():
     assert "click" in loaded[0]
     for words, modules in zip(calls, loaded, strict=True):
         assert not HEAVY & {*modules} - {"click"}, words
+
+
+@for_each(["20000 cd at 8 m to lx", "1200 lm isotropic to cd", "ev100 12 to nits"])
+def test_a_sentence_into_a_pipe_does_not_load_click(sentence):
+    assert not HEAVY & loaded_by(*sentence.split())
 
 
 @pytest.mark.parametrize(

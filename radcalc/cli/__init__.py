@@ -1,34 +1,16 @@
-"""The command line: one module per command, and one boundary for every error."""
+"""The command line: one module per command.
+
+Click is loaded for calls with options, for help and for errors; a sentence does without it.
+"""
 
 import os
-import sys
-from functools import partial
-
-import click
 
 from radcalc import terminal
-from radcalc.cli import files, habits
-from radcalc.cli.group import commands, protect_negatives
-from radcalc.cli.help import COMMANDS, EXPLAIN, HELP_NAMES
-from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
+from radcalc.cli import habits
+from radcalc.cli.names import COMMANDS, EXPLAIN
+from radcalc.errors import RadcalcError
 
 VARIABLE = "RADCALC_DEFINITIONS"
-
-TYPE_CHECKING = False  # typing is slow to import
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from radcalc.cli.options import Listener
-
-
-def of_help(words: list[str]) -> list[str]:
-    """Return `help` and `help COMMAND` as the --help option; other words are searched for."""
-    if words[:1] != ["help"]:
-        return words
-    called = [word for word in words[1:] if word not in HELP_NAMES]
-    if not words[1:] or (len(called) == 1 and called[0] in COMMANDS):
-        return [*called, HELP_NAMES[-1]]
-    return words
 
 
 def run(words: list[str]) -> int:
@@ -46,7 +28,16 @@ def run(words: list[str]) -> int:
         from radcalc.cli import trials
 
         return trials.refuse(error, words)
-    return guarded(words, lambda: or_sentence(words, lambda: answered(words)))
+    status = None
+    if may_be_sentence(words):
+        from radcalc.cli import lane
+
+        status = lane.answer(words)
+    if status is None:
+        from radcalc.cli import boundary
+
+        status = boundary.run(words)
+    return status
 
 
 def _definitions(words: list[str]) -> str:
@@ -62,116 +53,11 @@ def _definitions(words: list[str]) -> str:
     return path if os.path.exists(path) else ""
 
 
-def or_sentence(
-    words: list[str], answer: "Callable[[], int]", listener: "Listener | None" = None
-) -> int:
-    """Run `answer`; if it is refused, answer the words as a sentence, if they are one."""
-    try:
-        return answer()
-    except MissingCondition:
-        raise
-    except (RadcalcError, click.UsageError) as error:
-        from radcalc.cli import sentence, trials
-
-        run = partial(answered, listener=listener)
-        gate = sentence.Gate(run, trials.has_answers, listener)
-        return sentence.instead(words, _problem(error, words), gate)
+def may_be_sentence(words: list[str]) -> bool:
+    """Return whether a call has several words, but neither a command nor options nor a stream."""
+    return bool(words[1:]) and words[0] not in COMMANDS and not any(map(_is_option, words))
 
 
-def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> int:
-    """Run `answer` and return the exit status; report an error with the `place` of the words."""
-    try:
-        return answer()
-    except (RadcalcError, click.UsageError) as error:
-        problem = error if isinstance(error, RadcalcError) else _problem(error, words)
-    except KeyboardInterrupt:
-        return terminal.INTERRUPTED
-    except BrokenPipeError:
-        return terminal.ANSWERED
-    except MemoryError:
-        problem = RadcalcError("not enough memory", "fewer values at a time")
-    except Exception as error:
-        return _bug(error)
-    words, problem = _with_files(words, problem)
-    if place:
-        problem = problem.reworded(f"{place}: {problem.message}")
-    from radcalc.cli import trials
-
-    return trials.refuse(problem, words)
-
-
-def _with_files(words: list[str], error: RadcalcError) -> tuple[list[str], RadcalcError]:
-    """Return the call that a file as the first word means, and the error of a file."""
-    if files.begins_with_file(words):
-        try:
-            words = files.meant(words)
-        except RadcalcError:
-            return words, error
-    return words, files.redirected(error, words)
-
-
-def _problem(error: RadcalcError | click.UsageError, words: list[str]) -> RadcalcError:
-    """Return an error with the hint that fits the words of a call."""
-    if isinstance(error, RadcalcError) and not isinstance(error, (MissingUnit, WrongQuantity)):
-        return error
-    from radcalc.cli.refusals import about_unit, of_click
-
-    return about_unit(error, words) if isinstance(error, RadcalcError) else of_click(error, words)
-
-
-def answered(words: list[str], listener: "Listener | None" = None) -> int:
-    """Run a command like Click's `main`, without its own ways to exit; return the exit status.
-
-    A listener hears every answer and has options for all commands.
-    """
-    if not words and not (words := _alone()):
-        with commands.make_context("radcalc", [], resilient_parsing=True) as context:
-            terminal.say(commands.get_help(context).splitlines())
-        return terminal.FAILED
-    if EXPLAIN in words:
-        from radcalc.cli.explained import explain
-
-        return explain(words, listener)
-    if files.begins_with_file(words):
-        words = files.meant(words)
-        files.say(words, listener)
-    words = protect_negatives(of_help(words))
-    terminal.choose_color(_color_in(words, listener))
-    settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None
-    try:
-        with commands.make_context("radcalc", words, obj=listener, default_map=settings) as context:
-            status = commands.invoke(context)
-    except click.exceptions.Exit as left:
-        status = left.exit_code
-    return status if isinstance(status, int) else terminal.ANSWERED
-
-
-def _color_in(words: list[str], listener: "Listener | None") -> str:
-    """Return the value of --color, which is needed before Click has read it."""
-    chosen: str = listener.settings.get("color", terminal.AUTO) if listener else terminal.AUTO
-    for word, following in zip(words, [*words[1:], ""], strict=True):
-        name, is_joined, value = word.partition("=")
-        value = value if is_joined else following
-        if name == "--color" and value in terminal.COLORING:
-            chosen = value
-    return chosen
-
-
-def _alone() -> list[str]:
-    return ["prompt"] if terminal.is_terminal() and os.isatty(0) else []
-
-
-def _bug(error: Exception) -> int:
-    from radcalc._version import __version__
-
-    if os.environ.get("RADCALC_DEBUG") == "1":
-        import traceback
-
-        traceback.print_exc(file=sys.stderr)
-    terminal.say(
-        [
-            f"radcalc: this is a bug in radcalc {__version__}: {type(error).__name__}",
-            "try: the same with RADCALC_DEBUG=1, and report what it prints with the command",
-        ]
-    )
-    return terminal.BUG
+def _is_option(word: str) -> bool:
+    """Return whether a word is an option, a negative number or a stream, or has an option in it."""
+    return (word.lstrip()[:1] == "-" and word != "->") or " -" in word

@@ -7,7 +7,7 @@ from radcalc import terminal
 from radcalc.answer import Answer, Result, Row, ShownInput
 from radcalc.calculators.results import LINKS_HINT, element, pick, rows, scales_of
 from radcalc.cli.cases import Case, label
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import MissingInput, Try, UsageError, add, leave_out
 from radcalc.maths import is_array

@@ -1,18 +1,21 @@
 """Steps common to all calculators: inputs, --get, --check and answers."""
 
 from collections.abc import Iterator, Sequence
+from importlib import import_module
+from typing import Any
 
 from radcalc import terminal
 from radcalc.answer import Answer, ShownInput
+from radcalc.calculators.page import words_of
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.results import rows
 from radcalc.calculators.task import Task
 from radcalc.cli import check, line_options
 from radcalc.cli.answers import every_answer, show, with_notes
-from radcalc.cli.cases import Case
-from radcalc.cli.options import Output
+from radcalc.cli.cases import Case, at_points, cases
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
-from radcalc.errors import Hint, RadcalcError, Try, UsageError, add, leave_out, option
+from radcalc.errors import Hint, RadcalcError, Try, UsageError, add, command, leave_out, option
 from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import QUANTITY
@@ -22,23 +25,48 @@ from radcalc.units.ranges import MOST
 BLOCK = 100_000  # values of a long range in one calculation
 
 
-def run(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
+def calculate(
+    name: str,
+    words: Sequence[str],
+    typed: dict[str, Any],
+    request: Request,
+    output: Output,
+) -> int:
+    """Answer a call of a calculator, of its operands and its typed inputs.
+
+    It calculates with the function of the command's name, or with the task that the function
+    `task` of the same module makes of the operands.
+    """
+    module = import_module(f"radcalc.calculators.{name.replace('-', '_')}")
+    page = module.PAGE
+    all_cases = cases(typed, intervals=page.intervals, bare=page.bare)
+    if hasattr(module, "task"):
+        return run(all_cases, module.task(words, request.wants), request, output)
+    if page.operand and not words:
+        example, _ = words_of(page.examples[0])
+        raise UsageError(f"a {page.operand.name} is missing", command(name, *example))
+    if page.operand:
+        all_cases = at_points(all_cases, page.operand.name, words)
+    return run(all_cases, Task(name, getattr(module, name.replace("-", "_"))), request, output)
+
+
+def run(all_cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
     """Answer the cases of a task, check an answer, or draw them; return the exit status."""
     if request.plot:
         from radcalc.cli import plot
 
         plot.refuse(request, output)
-    if cases[0].stream:
-        return _answer_lines(cases, task, request, output)
+    if all_cases[0].stream:
+        return _answer_lines(all_cases, task, request, output)
     if request.lines is not None:
-        line_options.refuse(request.lines, _lines_for(cases[0].given))
+        line_options.refuse(request.lines, _lines_for(all_cases[0].given))
     if request.check is not None:
-        return _judge(cases, task, request, output)
+        return _judge(all_cases, task, request, output)
     if request.plot:
-        return _draw(cases, task, request, output)
-    cases = _in_parts(cases, task, request, output)
-    inputs = _shown_inputs(cases, task)
-    show(every_answer(cases, inputs, _solve(cases, task)), request, output, inputs)
+        return _draw(all_cases, task, request, output)
+    all_cases = _in_parts(all_cases, task, request, output)
+    inputs = _shown_inputs(all_cases, task)
+    show(every_answer(all_cases, inputs, _solve(all_cases, task)), request, output, inputs)
     return terminal.ANSWERED
 
 

@@ -1,31 +1,15 @@
-"""The options --check and --tolerance."""
+"""Checks of a learner's answer: --check and --tolerance."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
-
-import click
 
 from radcalc import terminal
 from radcalc.answer import Row, ShownInput
 from radcalc.errors import Try, UsageError, correct, leave_out
 
 if TYPE_CHECKING:
-    from radcalc.cli.options import Output
+    from radcalc.cli.output import Output
     from radcalc.homework.question import Question
-
-OPTIONS = (
-    click.Option(
-        ["--check"],
-        metavar="[NAME=]VALUE[UNIT]",
-        help="Compare VALUE, your own answer, with the result.  If it is wrong, radcalc names the "
-        "likely mistake and exits with status 1.",
-    ),
-    click.Option(
-        ["--tolerance"],
-        metavar="1%",
-        help="Allowed deviation: 1% (default), 0.5lx, or 3sf (3 significant digits).",
-    ),
-)
 
 
 def refuse_idle(check: str | None, tolerance: str | None) -> None:

@@ -6,7 +6,7 @@ from radcalc.answer import Result, texts_of
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.cli.command import define
 from radcalc.cli.files import proposed
-from radcalc.cli.options import Output, refuse_number_options
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import quoted
 from radcalc.errors import ConditionError, UsageError, quote, quote_path
 from radcalc.errors import command as call_of

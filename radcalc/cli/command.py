@@ -2,18 +2,18 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
-from importlib import import_module
 from typing import Any
 
 import click
 
 from radcalc.calculators.page import Page, words_of
-from radcalc.calculators.task import Task
-from radcalc.cli import check, options
+from radcalc.calculators.pages import page_of
+from radcalc.cli import options
 from radcalc.cli.help import Helped
+from radcalc.cli.output import Output, decide
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
-from radcalc.errors import Try, UsageError, add, command, mention, quote
+from radcalc.errors import Try, UsageError, add, mention, quote
 from radcalc.quantities.symbols import (
     CHOICE,
     FLAG,
@@ -67,13 +67,11 @@ def define(
         sections["Results"] = (
             *result_options,
             GET,
-            *check.OPTIONS,
+            *options.OF_CHECKS,
             *([PLOT] if page.draws else []),
         )
         if page.takes_lines:
-            from radcalc.cli import line_options
-
-            sections[LINES] = [_hidden(option) for option in line_options.OPTIONS]
+            sections[LINES] = [_hidden(option) for option in options.OF_LINES]
     groups = {
         title: [option for member in members for option in _options(member, page)]
         for title, members in sections.items()
@@ -92,9 +90,9 @@ def define(
 
     def decorate(function: Callable[..., Any]) -> "SectionedCommand":
         def call(**values: Any) -> Any:
-            chosen_output = options.decide(
-                **{key: values.pop(key) for key in options.NAMES}, command=name
-            )
+            root = click.get_current_context().find_root()
+            of_output = {key: values.pop(key) for key in options.NAMES}
+            chosen_output = decide(**of_output, command=name, listener=root.obj)
             typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
             given = {key: text for key, text in typed.items() if text not in (None, False)}
             if calculates:
@@ -119,31 +117,17 @@ def define(
 
 @cache
 def of_page(name: str) -> "SectionedCommand":
-    """Make a command of a calculator's page.
+    """Make a command of a calculator's page."""
+    page = page_of(name)
 
-    It calculates with the function of the command's name, or with the task that the function
-    `task` of the same module makes of the words of a call.
-    """
-    module = import_module(f"radcalc.calculators.{name.replace('-', '_')}")
-    page = module.PAGE
-
-    def calculate(
-        typed: dict[str, Any], request: Any, output: options.Output, words: Sequence[str] = ()
+    def answer(
+        typed: dict[str, Any], request: Any, output: Output, words: Sequence[str] = ()
     ) -> int:
-        from radcalc.cli.calculator import run
-        from radcalc.cli.cases import at_points, cases
+        from radcalc.cli.calculator import calculate
 
-        all_cases = cases(typed, intervals=page.intervals, bare=page.bare)
-        if hasattr(module, "task"):
-            return run(all_cases, module.task(words, request.wants), request, output)
-        if page.operand and not words:
-            example, _ = words_of(page.examples[0])
-            raise UsageError(f"a {page.operand.name} is missing", command(name, *example))
-        if page.operand:
-            all_cases = at_points(all_cases, page.operand.name, words)
-        return run(all_cases, Task(name, getattr(module, name.replace("-", "_"))), request, output)
+        return calculate(name, words, typed, request, output)
 
-    return define(name, page)(calculate)
+    return define(name, page)(answer)
 
 
 class SymbolOption(click.Option):

@@ -13,10 +13,11 @@ from typing import Any
 import click
 
 from radcalc.calculators.page import ENVIRONMENT, FILE
-from radcalc.cli import check
+from radcalc.cli import options
 from radcalc.cli.command import GET, PLOT, SectionedCommand, SymbolOption
 from radcalc.cli.group import commands, context, protect_negatives
-from radcalc.cli.help import COMMANDS, HELP
+from radcalc.cli.help import HELP
+from radcalc.cli.names import COMMANDS
 from radcalc.completion import sources, table
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS
@@ -141,7 +142,7 @@ class Compiler:
             return CHOICE, tuple(option.type.choices)
         if option is GET:
             return RESULT, dict(results)
-        if option in check.OPTIONS:
+        if option in options.OF_CHECKS:
             return (CLAIM, dict(results)) if results and "--check" in option.opts else (WORD, ())
         if example.startswith("FILE"):
             return FILE, ENDINGS[ENVIRONMENT]

@@ -15,7 +15,7 @@ from radcalc.cli.cases import Case, cases
 from radcalc.cli.check import several
 from radcalc.cli.command import define
 from radcalc.cli.line_options import refuse_second_reader
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.cli.streams import complain
 from radcalc.errors import UsageError, quote

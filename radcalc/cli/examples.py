@@ -9,7 +9,7 @@ from radcalc.answer import texts_of
 from radcalc.calculators.page import Operand, Page
 from radcalc.cli.command import define
 from radcalc.cli.help_format import narrowed
-from radcalc.cli.options import Output, refuse_number_options, width_of_terminal
+from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
 from radcalc.cli.tasks import CALL, Task, search
 from radcalc.cli.tasks import words as searches
 from radcalc.quantities.symbols import CHOICE

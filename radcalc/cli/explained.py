@@ -8,11 +8,11 @@ from radcalc import terminal
 from radcalc.answer import Result, texts_of
 from radcalc.cli import files, habits
 from radcalc.cli.cases import is_stream
-from radcalc.cli.group import context
 from radcalc.cli.heard import hear
-from radcalc.cli.help import COMMANDS, EXPLAIN
-from radcalc.cli.options import Output, decide, refuse_number_options
-from radcalc.cli.sentence import Words, options_of, plain, values_of
+from radcalc.cli.lane import plain
+from radcalc.cli.names import COMMANDS, EXPLAIN
+from radcalc.cli.output import Output, decide, refuse_number_options
+from radcalc.cli.sentence import Words, options_of, values_of
 from radcalc.cli.spelling import pasted, quoted, typed
 from radcalc.errors import RadcalcError, UsageError, call, drop, leave_out
 from radcalc.render.formats import JSON, Records
@@ -21,7 +21,7 @@ from radcalc.sentences.parts import parts_of
 from radcalc.sentences.reader import read, refuse_unknown
 
 if TYPE_CHECKING:
-    from radcalc.cli.options import Listener
+    from radcalc.cli.output import Listener
 
 EXAMPLE = "20000 cd at 8 m to lx"
 Rows = list[dict[str, str]]
@@ -47,8 +47,7 @@ def explained(words: Words, listener: "Listener | None" = None) -> tuple[Output,
         raise UsageError(f"{EXPLAIN} does not apply to {asked[0]}", drop(EXPLAIN))
     values = values_of(options, listener)
     steps = values.pop("steps")
-    with context(listener):
-        output = decide(**values, command="explain")
+    output = decide(**values, command="explain", listener=listener)
     refuse_number_options(output, EXPLAIN)
     if steps:
         tries = [leave_out("steps"), drop(EXPLAIN)]

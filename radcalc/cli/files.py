@@ -4,13 +4,13 @@ import os
 from contextlib import suppress
 
 from radcalc import terminal
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.cli.spelling import pasted
 from radcalc.errors import RadcalcError, Try, call, quote_path
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from radcalc.cli.options import Listener
+    from radcalc.cli.output import Listener
 
 # The kind of file that each command reads as an operand, and each option.
 OPERANDS = {

@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import Any
 
 from radcalc.calculators.pages import SUMMARIES
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.cli.suggestions import MEANT
 from radcalc.completion import table
 from radcalc.errors import RadcalcError, nearest

@@ -3,7 +3,8 @@
 import click
 
 from radcalc import terminal
-from radcalc.cli.help import COMMANDS, EXPLAIN, HELP_NAMES, Helped
+from radcalc.cli.help import Helped
+from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
 from radcalc.errors import MINUS, UsageError, quote
 from radcalc.units.numbers import is_sentence
 
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from radcalc.cli.options import Listener
+    from radcalc.cli.output import Listener
 
 OTHERWISE = {"help": "lookup"}  # the module `help` has what all commands share
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}

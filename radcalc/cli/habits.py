@@ -5,7 +5,7 @@ import select
 import stat
 
 from radcalc.cli.files import say
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.errors import RadcalcError, UsageError, call
 from radcalc.units.amounts import ALSO_UNITS
 from radcalc.units.numbers import SEPARATORS, is_sentence

@@ -1,10 +1,9 @@
 """Answers of commands that are run without writing anything."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from radcalc.answer import Result
-from radcalc.cli.group import commands, protect_negatives
 from radcalc.errors import RadcalcError
 
 
@@ -15,10 +14,9 @@ class Heard(RadcalcError):
 class Listener:
     """A listener that keeps an answer, and ends the command before it writes."""
 
-    settings: Mapping[str, Any] = {}
-
     def __init__(self) -> None:
         self.results: Sequence[Result] = ()
+        self.settings: dict[str, Any] = {}
 
     def hear(self, results: Sequence[Result]) -> None:
         self.results = results
@@ -27,6 +25,8 @@ class Listener:
 
 def hear(words: Sequence[str]) -> Sequence[Result]:
     """Return the answers to a call, or none for one that lists or writes; raise its error."""
+    from radcalc.cli.group import commands, protect_negatives  # with Click
+
     listener = Listener()
     try:
         protected = protect_negatives(list(words))

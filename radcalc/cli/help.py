@@ -1,23 +1,9 @@
-"""The help option, and the list of the commands."""
+"""The help option."""
 
 import click
 
 from radcalc import terminal
-from radcalc.calculators.pages import SUMMARIES
-
-# In the order of the help.
-COMMANDS = {
-    **SUMMARIES,
-    "columns": "Columns of a table: units, extremes, means.",
-    "units": "Units, their definitions and sources.",
-    "quantities": "Names of quantities in three languages.",
-    "typical": "Typical values: sun, sky, rooms, lamps, screens.",
-    "examples": "Tasks with their commands, answers and how to read them.",
-    "help": "Help for a command, or a search for words.",
-    "prompt": "Interactive prompt, with ans and variables.",
-}
-HELP_NAMES = ["-h", "--help"]
-EXPLAIN = "--explain"
+from radcalc.cli.names import HELP_NAMES
 
 
 def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:

@@ -8,7 +8,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import cases
 from radcalc.cli.command import define
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, call
 

@@ -8,8 +8,8 @@ from radcalc.calculators.page import SEARCH, Operand, Page
 from radcalc.cli import tasks
 from radcalc.cli.command import define
 from radcalc.cli.findings import EXACT, Finding, find, near
-from radcalc.cli.help import COMMANDS
-from radcalc.cli.options import Output, refuse_number_options
+from radcalc.cli.names import COMMANDS
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import pasted
 from radcalc.errors import UsageError, call, quote
 from radcalc.render.formats import JSON, Records

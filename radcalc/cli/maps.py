@@ -8,7 +8,7 @@ from radcalc.answer import ShownInput
 from radcalc.calculators.results import pick
 from radcalc.cli.answers import Answered, refuse_bare, show
 from radcalc.cli.cases import cases
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, leave_out, quote_path
 from radcalc.inputs.given import Inputs, refuse_uncertain

@@ -8,7 +8,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, call, mentioned, spell

@@ -8,7 +8,7 @@ from radcalc.answer import Answer, ShownInput
 from radcalc.calculators.results import pick
 from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, result, show
-from radcalc.cli.options import Output, width_of_terminal
+from radcalc.cli.output import Output, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request
 from radcalc.errors import UsageError, add, leave_out, one_of
 from radcalc.inputs.given import Inputs

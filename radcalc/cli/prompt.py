@@ -16,7 +16,8 @@ from radcalc import terminal
 from radcalc._version import __version__
 from radcalc.calculators.page import Page
 from radcalc.cli.command import SectionedCommand
-from radcalc.cli.options import OPTIONS, decide, defaults
+from radcalc.cli.options import OPTIONS, defaults
+from radcalc.cli.output import decide
 from radcalc.cli.session import ASSIGNMENT, Session
 from radcalc.errors import RadcalcError
 

@@ -5,7 +5,7 @@ import click
 from radcalc.answer import texts_of
 from radcalc.calculators.page import SEARCH, Operand, Page
 from radcalc.cli.command import define
-from radcalc.cli.options import Output, refuse_number_options
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language
 from radcalc.quantities.search import search
 from radcalc.render.formats import Records

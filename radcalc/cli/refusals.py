@@ -6,7 +6,7 @@ import click
 
 from radcalc.calculators.missing import on_page
 from radcalc.cli.group import called_in, parameters
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.errors import (
     MINUS,
     Hint,

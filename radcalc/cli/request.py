@@ -13,10 +13,10 @@ class Request(NamedTuple):
     `lines` are the options for lines of standard input; `plot` is the place of the picture.
     """
 
-    wanted: tuple[str, ...]
-    steps: bool
-    check: str | None
-    tolerance: str | None
+    wanted: tuple[str, ...] = ()
+    steps: bool = False
+    check: str | None = None
+    tolerance: str | None = None
     lines: line_options.LineOptions | None = None
     plot: str = ""
 

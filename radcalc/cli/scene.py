@@ -15,7 +15,7 @@ from radcalc.cli.answers import Answered, refuse_bare, result, show
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import ConditionError, UsageError, leave_out, one_of, quote
 from radcalc.errors import command as call_of

@@ -9,10 +9,12 @@ import click
 from radcalc import terminal
 from radcalc.cli.cases import is_stream
 from radcalc.cli.files import say
-from radcalc.cli.group import context, parameters
+from radcalc.cli.group import parameters
 from radcalc.cli.heard import hear
-from radcalc.cli.help import COMMANDS, EXPLAIN, HELP_NAMES
-from radcalc.cli.options import NAMES, OPTIONS, STEPS, decide, defaults
+from radcalc.cli.lane import is_other
+from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
+from radcalc.cli.options import NAMES, OPTIONS, STEPS, defaults
+from radcalc.cli.output import decide
 from radcalc.cli.spelling import typed
 from radcalc.errors import (
     ExpressionError,
@@ -26,7 +28,7 @@ from radcalc.sentences.reader import read, refuse_unknown
 from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
-    from radcalc.cli.options import Listener
+    from radcalc.cli.output import Listener
 
 Words = list[str]
 SHORT = 3  # words of a call that is rather a command with a mistake
@@ -111,8 +113,7 @@ def meant(
         is_free = asked[0] not in COMMANDS and understood
         is_better = is_free and not _is_clear(error, words, has_answers)
         raise (problem if is_better else error) from None
-    is_same = plain(call) == plain(asked) and not isinstance(error, TooManyWords)
-    if is_same or asked[0] == call[0]:
+    if not is_other(call, asked, error):
         raise error
     return call, options
 
@@ -122,8 +123,7 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
     values = values_of(options, gate.listener)
     if "-g" in call and _has_unit(values):
         results = hear(call)
-        with context(gate.listener):
-            output = decide(**{name: values[name] for name in NAMES})
+        output = decide(**{name: values[name] for name in NAMES}, listener=gate.listener)
         output.show([result._replace(named=False) for result in results])
         status = terminal.ANSWERED
     else:
@@ -160,10 +160,3 @@ def _has_unit(values: Mapping[str, Any]) -> bool:
     """Return whether a result keeps its unit with these values of options."""
     default = {**defaults(), STEPS.name: False}
     return {name for name, value in values.items() if value != default[name]} <= PLAIN_OPTIONS
-
-
-def plain(words: Sequence[str]) -> str:
-    """Return the words of a call without what may be left out."""
-    text = " ".join(words).removeprefix("convert ")
-    parts = text.replace("->", " ").replace("=", " ").replace(",", " ").split()
-    return "".join([part for part in parts if part not in ("to", "in", "as", "→")])

@@ -13,12 +13,13 @@ from typing import Any
 
 import click
 
-from radcalc import cli, terminal
+from radcalc import terminal
 from radcalc.answer import Result, Row
-from radcalc.cli import group
+from radcalc.cli import boundary, group
 from radcalc.cli.cases import is_stream
-from radcalc.cli.help import COMMANDS, EXPLAIN
-from radcalc.cli.options import decide, defaults
+from radcalc.cli.names import COMMANDS, EXPLAIN
+from radcalc.cli.options import defaults
+from radcalc.cli.output import decide
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
 from radcalc.quantities.light import LUMINOUS, name_of
 from radcalc.quantities.symbols import (
@@ -104,7 +105,7 @@ class Session:
         if line.strip() in LEAVING:
             raise EOFError
         words: list[str] = []
-        return cli.guarded(words, lambda: self._answer(line, words), place)
+        return boundary.guarded(words, lambda: self._answer(line, words), place)
 
     def _answer(self, line: str, words: list[str]) -> int:
         if not line.strip() or line.lstrip().startswith("#"):
@@ -130,7 +131,7 @@ class Session:
             answer = partial(self._run, called)
         else:
             raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
-        status = cli.or_sentence(words, answer, self)
+        status = boundary.or_sentence(words, answer, self)
         if name and status == terminal.ANSWERED:
             self.variables[name] = _text(amount) if amount else self._kept(name)
             self.origins[name] = self.used | {self.count}
@@ -276,7 +277,7 @@ class Session:
         if not self.has_stdin and any(map(is_stream, words)):
             problem = "- cannot be used at the prompt, which reads standard input"
             raise UsageError(problem, "the same at a shell")
-        return cli.answered(words, self) if words else terminal.ANSWERED
+        return boundary.answered(words, self) if words else terminal.ANSWERED
 
     def _list(self) -> None:
         """Write the variables and the last answer as lines that can be typed."""
@@ -292,9 +293,8 @@ class Session:
 
     def _show(self, amount: Amount, words: list[str]) -> int:
         if unit := amount.typed[1]:
-            return cli.answered([*words, "to", unit.text], self)
-        with group.context(self):
-            output = decide(**(defaults() | self.settings))
+            return boundary.answered([*words, "to", unit.text], self)
+        output = decide(**(defaults() | self.settings), listener=self)
         row = Row("", "", amount.number, "1", name="number", uncertainty=amount.uncertainty)
         output.show([Result((row,), named=False)])
         return terminal.ANSWERED

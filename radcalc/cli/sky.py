@@ -9,7 +9,7 @@ from radcalc.cli.calculator import run
 from radcalc.cli.cases import cases
 from radcalc.cli.command import define
 from radcalc.cli.maps import one_case, write_map
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, quote
 from radcalc.inputs.given import shown_inputs

@@ -12,7 +12,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, as_typed
 from radcalc.cli.command import define
-from radcalc.cli.options import Output, refuse_number_options
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, call, correct
 from radcalc.inputs.given import Input

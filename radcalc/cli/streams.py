@@ -10,7 +10,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli.cases import Case
 from radcalc.cli.check import first_of
 from radcalc.cli.line_options import LineOptions
-from radcalc.cli.options import Output
+from radcalc.cli.output import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer, plan, source_of, target_of

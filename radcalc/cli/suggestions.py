@@ -1,6 +1,6 @@
 """Suggestions for a word that is not a command."""
 
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.errors import Hint, Try, call, correct, corrections, nearest
 
 # Words for the subjects of commands, if unlike the command's name.

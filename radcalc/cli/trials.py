@@ -15,7 +15,7 @@ from radcalc.cli.cases import is_stream
 from radcalc.cli.command import with_plot
 from radcalc.cli.group import called_in, commands, context, parameters, protect_negatives
 from radcalc.cli.heard import hear
-from radcalc.cli.help import EXPLAIN, HELP_NAMES
+from radcalc.cli.names import EXPLAIN, HELP_NAMES
 from radcalc.cli.spelling import Shell, pasted, spelled, typed
 from radcalc.errors import (
     MINUS,

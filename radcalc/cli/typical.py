@@ -3,7 +3,7 @@
 from radcalc.answer import Result, texts_of
 from radcalc.calculators.page import Operand, Page
 from radcalc.cli.command import define
-from radcalc.cli.options import Output, refuse_number_options
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.quantities.language import translate
 from radcalc.quantities.symbols import CHOICE
 from radcalc.quantities.typical import how_far, search

@@ -3,7 +3,7 @@
 from radcalc.answer import texts_of
 from radcalc.calculators.page import SEARCH, Operand, Page
 from radcalc.cli.command import define
-from radcalc.cli.options import Output, refuse_number_options
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.quantities.entries import search
 from radcalc.quantities.language import translate
 from radcalc.render.formats import Records

@@ -407,8 +407,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
         return []
     if amount.dimension == NUMBER and given:  # a number whose unit is missing
         return []
-    small = page_of("point-source")
-    if "distance" in given and {*facts} <= taken_by(small) and _results(small, goal, facts):
+    if "distance" in given and _is_of_small_source(facts, goal):
         return []
     number, _, unit = facts[value].text.partition(" ")
     is_plain = amount.unit.text == unit
@@ -418,6 +417,12 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     if "incidence" in given and len(given) > 1 and _generic(amount) == "irradiance":
         calls.append([word for word in calls[0] if not word.startswith("incidence=")])
     return calls  # an irradiance is that across the light, or that on the surface
+
+
+def _is_of_small_source(facts: Facts, goal: Goal | None) -> bool:
+    """Return whether `point-source` takes all facts, and has the result."""
+    page = page_of("point-source")
+    return {*facts} <= taken_by(page) and bool(_results(page, goal, facts))
 
 
 def _target(goal: Goal, value: Fact) -> str:

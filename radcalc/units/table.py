@@ -4,6 +4,7 @@ Factors are exact ratios of whole numbers, so the factor between any two units i
 """
 
 from radcalc.errors import (
+    Hint,
     RadcalcError,
     Try,
     UnitError,
@@ -253,13 +254,17 @@ def _unknown(spelling: str) -> UnitError:
                     f"unknown unit '{typed}': the prefix {prefix} does not go before {quote(stem)}",
                     _respelt(spelling, PREFIX_SYMBOLS.get(prefix, prefix), stem),
                 )
+    return UnitError(f"unknown unit '{typed}'", lambda: _similar(spelling))
+
+
+def _similar(spelling: str) -> "Hint":
+    """Propose the known spellings that are like an unknown one."""
     near = suggest(spelling)
     if not near and not spelling.isascii():
         from radcalc.units import languages
 
         near = languages.near(spelling)
-    hint = corrections(spelling, *near) or f"{command('units')}, which lists them all"
-    return UnitError(f"unknown unit '{typed}'", hint)
+    return corrections(spelling, *near) or f"{command('units')}, which lists them all"
 
 
 def _respelt(typed: str, prefix: str, rest: str) -> Try:

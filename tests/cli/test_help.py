@@ -10,7 +10,7 @@ import pytest
 from helpers import for_each, terminal_of
 
 from radcalc.cli.group import commands
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 from radcalc.terminal import CALLS, fold
 
 WIDTHS = (60, 80, 120)

@@ -13,8 +13,8 @@ from test_cases import answered
 
 from radcalc.cli import habits, manual
 from radcalc.cli.group import commands
-from radcalc.cli.help import COMMANDS
 from radcalc.cli.manual import mdoc
+from radcalc.cli.names import COMMANDS
 from radcalc.quantities.names import QUANTITIES
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
 

@@ -25,7 +25,7 @@ from fuzz.edges import ending
 from fuzz.processes import Seen, call
 
 from radcalc.cli.group import commands, context
-from radcalc.cli.help import COMMANDS
+from radcalc.cli.names import COMMANDS
 
 SHORT, LONG = 600, 200_000
 ROOT = Path(__file__).parents[2]

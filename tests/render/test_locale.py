@@ -3,7 +3,7 @@
 import pytest
 from conftest import run
 
-from radcalc.cli.options import decide
+from radcalc.cli.output import decide
 
 
 def test_only_tables_follow_the_locale(monkeypatch):

@@ -70,6 +70,17 @@ def test_python_takes_the_same_sentence(sentence, value, unit):
     assert float(getattr(answer, "magnitude", answer)) == pytest.approx(value, rel=1e-8)
 
 
+@pytest.mark.parametrize(
+    "sentence",
+    [*(sentence for sentence, *_ in ANSWERED), "20000 cd at 8 m", "100 lx", "5 lx ¤ fc"],
+)
+def test_a_sentence_has_the_same_bytes_with_click_and_without_it(sentence, monkeypatch):
+    without = run(*sentence.split())
+    monkeypatch.setattr("radcalc.cli.may_be_sentence", lambda words: False)
+    with_click = run(*sentence.split())
+    assert vars(with_click) == vars(without)
+
+
 # The calls that sentences mean, as WORDS of a command.
 MEANT = [
     ("20000 cd at 8 m", "point-source --intensity 20000cd --distance 8m"),

@@ -8,14 +8,14 @@ from textwrap import dedent
 import click
 
 from radcalc.answer import Row, Step
-from radcalc.cli import line_options
-from radcalc.cli import options as output
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
 from radcalc.cli.compile import command_of, examples_of, main_options, results_of
 from radcalc.cli.heard import hear
-from radcalc.cli.help import COMMANDS, HELP
+from radcalc.cli.help import HELP
 from radcalc.cli.help_format import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, argument, filled, literal, plain, sentences, text
+from radcalc.cli.names import COMMANDS
+from radcalc.cli.options import OF_LINES, OPTIONS
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import KINDS, RADIANT
 from radcalc.quantities.symbols import (
@@ -103,9 +103,9 @@ def options(of: str) -> Iterator[str]:
 def sections_of(of: str) -> Sections:
     """Return the options of a block by the titles of the help; a single list has no title."""
     if of == "every command":
-        return {"": [*output.OPTIONS, HELP]}
+        return {"": [*OPTIONS, HELP]}
     if of == "every stream":
-        return {"": line_options.OPTIONS}
+        return {"": OF_LINES}
     if of == "radcalc":
         return {"": main_options()}
     sections = {title: group for title, group in command_of(of).sections.items() if title != LINES}
