@@ -7,7 +7,7 @@ from radcalc.api.refusals import in_python, other_call
 from radcalc.api.result import Result
 from radcalc.errors import Try, UsageError
 from radcalc.sentences.calls import call_of
-from radcalc.sentences.reader import read, refuse_unknown
+from radcalc.sentences.reader import read
 from radcalc.units.reading import read_operands
 
 
@@ -37,7 +37,6 @@ def ask(sentence: str) -> Result | Quantity:
     312.5 lux
     """
     found = read([sentence])
-    refuse_unknown(found)
     command, *words = call_of(found)
     if command == "convert":
         operands = [word for word in words if "=" not in word]

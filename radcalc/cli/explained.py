@@ -18,7 +18,7 @@ from radcalc.errors import RadcalcError, UsageError, call, drop, leave_out
 from radcalc.render.formats import JSON, Records
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.parts import parts_of
-from radcalc.sentences.reader import read, refuse_unknown
+from radcalc.sentences.reader import read
 
 if TYPE_CHECKING:
     from radcalc.cli.output import Listener
@@ -79,7 +79,6 @@ def _sentence(asked: Words, whole: Words | None) -> tuple[Rows, list[str], Words
     """
     try:
         sentence = read(asked)
-        refuse_unknown(sentence)
         found = call_of(sentence)
     except RadcalcError:
         if whole:

@@ -11,7 +11,7 @@ from radcalc.cli.spelling import typed
 from radcalc.errors import ExpressionError, RadcalcError, TooManyWords
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.sentences.calls import call_of
-from radcalc.sentences.reader import read, refuse_unknown
+from radcalc.sentences.reader import read
 from radcalc.units.numbers import is_sentence
 from radcalc.units.ranges import read_lists
 from radcalc.units.reading import read_operands
@@ -35,7 +35,6 @@ def answer(words: Words) -> int | None:
         if not _is_refused(words):
             return None
         sentence = read(words)
-        refuse_unknown(sentence)
         call = call_of(sentence)
         if not is_other(list(typed(call)), words):
             return None
@@ -68,8 +67,9 @@ def _is_refused(words: Words) -> bool:
 
 def is_other(call: "Sequence[str]", asked: "Sequence[str]", error: object = None) -> bool:
     """Return whether the call of a sentence is another one than the words that were typed."""
+    has_more = "unexpected argument" in getattr(error, "message", "")
     is_same = plain(call) == plain(asked) and not isinstance(error, TooManyWords)
-    return not is_same and asked[0] != call[0]
+    return not is_same and (asked[0] != call[0] or has_more)
 
 
 def plain(words: "Sequence[str]") -> str:

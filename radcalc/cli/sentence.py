@@ -24,7 +24,7 @@ from radcalc.errors import (
     TooManyWords,
 )
 from radcalc.sentences.calls import call_of
-from radcalc.sentences.reader import read, refuse_unknown
+from radcalc.sentences.reader import read
 from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
@@ -107,7 +107,6 @@ def meant(
         has_unit |= len([fact for fact in sentence.facts if fact.symbols]) > 1  # ev 9 iso 400
         phrases = [*sentence.facts, *sentence.goals, *sentence.files]
         understood = bool(sentence.files) or (has_unit and (len(phrases) > 1 or len(asked) > SHORT))
-        refuse_unknown(sentence)
         call = list(typed(call_of(sentence)))
     except RadcalcError as problem:
         is_free = asked[0] not in COMMANDS and understood

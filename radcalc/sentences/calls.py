@@ -1,12 +1,14 @@
 """The call of a command that a sentence means: its facts decide."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import reduce
 
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
-from radcalc.errors import Try, UsageError, manual, quote, quote_path
+from radcalc.errors import Try, UsageError, corrections, listed, manual, quote, quote_path
 from radcalc.quantities.light import Reading, result_name
 from radcalc.quantities.light import read as read_light
+from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import (
     FLAG,
     SPECIFIC,
@@ -16,11 +18,13 @@ from radcalc.quantities.symbols import (
     names_of_kinds,
     specific_name,
 )
-from radcalc.sentences.phrases import BESIDE, FILLERS, FILTER, SHAPE
-from radcalc.sentences.reader import Fact, Goal, Sentence
+from radcalc.sentences.phrases import BESIDE, FILLERS, FILTER, MEANINGFUL, SHAPE
+from radcalc.sentences.reader import Fact, Goal, Sentence, near_words
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import ANGLE, AREA, LENGTH, TEMPERATURE, TIME, times
+from radcalc.units.reading import read_amount
+from radcalc.units.table import suggest
 from radcalc.units.unit import NUMBER, Unit
 
 VALUE = "value"  # the amount that is converted
@@ -30,7 +34,7 @@ Facts = dict[str, Fact]
 
 
 class Frame(NamedTuple):
-    """A command, and the facts that call for it: one of `needs` is there.
+    """A command, and what calls for it: one of the facts `needs`, or a goal among `results`.
 
     `operand` is the word after the command, which a shape in the sentence replaces; `renamed` are
     facts with another name in the command.  Only a command with `light` is for amounts of light.
@@ -41,18 +45,22 @@ class Frame(NamedTuple):
     operand: str = ""
     light: bool = True
     renamed: tuple[tuple[str, str], ...] = ()
+    results: frozenset[str] = frozenset()
 
 
-def _frame(command: str, needs: str, operand: str = "", light: bool = True, **names: str) -> Frame:
-    return Frame(command, frozenset(needs.split()), operand, light, tuple(names.items()))
+def _frame(
+    command: str, needs: str, operand: str = "", light: bool = True, results: str = "", **names: str
+) -> Frame:
+    needed, called_for = frozenset(needs.split()), frozenset(results.split())
+    return Frame(command, needed, operand, light, tuple(names.items()), called_for)
 
 
 FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("ev", "stops nd", time="unfiltered-time"),
     _frame("ev", "f-number iso ev ev100 guide-number stops nd"),
-    _frame("room", "luminaires utilance maintenance"),
+    _frame("room", "luminaires utilance maintenance", results="room-index"),
     _frame("screen", "diagonal aspect gain"),
-    _frame("laser", "divergence spot-diameter hazard-distance"),
+    _frame("laser", "divergence spot-diameter hazard-distance receiver-diameter profile"),
     _frame("etendue", "na etendue"),
     _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
     _frame("refraction", "index"),
@@ -84,9 +92,12 @@ USUAL_GOALS = {
 }
 
 
+# With the size of a beam, an intensity is an irradiance.
+SIZES = ("area", "diameter", "radius")
 # Results that an input is for: they come before the others of their unit.
 OF_INPUT = {
     "receiver-area": "received-flux",
+    "receiver-diameter": "received-flux",
     "within": "flux-within",
     "toward": "intensity-toward",
 }
@@ -95,8 +106,11 @@ OF_INPUT = {
 def call_of(sentence: Sentence) -> list[str]:
     """Return the call that a sentence means: a command, its operands and NAME=VALUE.
 
-    Raises UsageError if it has several readings, or none.
+    Raises UsageError if it has several readings, or none, or words that were not understood.
     """
+    if sentence.unknown:
+        raise _not_understood(sentence)
+    sentence = _with_values(sentence)
     for fact in sentence.facts:
         if fact.symbols == ELECTRICAL:
             raise _electrical(sentence, fact, _goal_of(sentence))
@@ -112,6 +126,45 @@ def call_of(sentence: Sentence) -> list[str]:
         raise UsageError(f"no command takes {what}{wanted}", manual("convert"))
     tries = [Try(words=tuple(call)) for call in calls[:MOST]]
     raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", tries)
+
+
+def _with_values(sentence: Sentence) -> Sentence:
+    """Return a sentence without places that have their value elsewhere: `white`, and its 0.7."""
+    valued = {name for fact in sentence.facts if fact.text for name in fact.symbols}
+    facts = [fact for fact in sentence.facts if fact.text or valued.isdisjoint(fact.symbols)]
+    return sentence._replace(facts=tuple(facts))
+
+
+def _not_understood(sentence: Sentence) -> UsageError:
+    """Return the error for words that were not understood; propose the call without them."""
+    unknown = sentence.unknown
+    for word in unknown:
+        if word[0].isdigit():
+            read_amount(word)  # its error says more
+    understood = [fact.typed for fact in sentence.facts] + [goal.text for goal in sentence.goals]
+    known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
+    tries = next(filter(None, map(_corrected, unknown)), []) or _without(sentence)
+    hint = tries or f"without {quote(unknown[0])}, or with another word for it"
+    return UsageError(f"{known}not understood: {listed(unknown)}", hint)
+
+
+def _corrected(word: str) -> list[Try]:
+    """Propose the known words that are like an unknown one."""
+    near = [n for n in (*suggest(word), *near_words(word)) if comparable(n) not in {*FILLERS, word}]
+    return corrections(word, *near[:2])
+
+
+def _without(sentence: Sentence) -> list[Try]:
+    """Propose the calls of a sentence without its unknown words, unless one changes an amount."""
+    unknown = sentence.unknown
+    if any(comparable(word) in MEANINGFUL or not word.isalpha() for word in unknown):
+        return []
+    try:
+        tries = [Try(words=tuple(call_of(sentence._replace(unknown=()))))]
+    except UsageError as error:
+        tries = [one for one in error.tries if one.words and "help=" not in one.words]
+    remark = "without " + " and ".join([f"'{word}'" for word in unknown])
+    return [Try(words=one.words, remark=one.remark or remark) for one in tries]
 
 
 def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
@@ -130,10 +183,14 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
 
 
 def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
-    """Return a sentence without `led` as a spectrum, if all of its light is of one kind."""
+    """Return a sentence without `led` as a spectrum, if its light needs none.
+
+    It is of one kind, or its efficacy is given.
+    """
     units = [fact.amount.unit for fact in sentence.facts if fact.amount]
     units += [goal.unit] if goal and goal.unit else []
-    if len({light.kind for unit in units if (light := read_light(unit))}) > 1:
+    has_efficacy = any(unit.dimension in SYMBOLS["efficacy"].dimensions for unit in units)
+    if not has_efficacy and len({light.kind for unit in units if (light := read_light(unit))}) > 1:
         return sentence
     facts = [fact for fact in sentence.facts if fact.text.lower() not in FILLERS]
     return sentence._replace(facts=tuple(facts))
@@ -206,11 +263,15 @@ def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark
 
 def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the calls of the first frame that takes all facts."""
+    if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
+        return [["convert", *facts[FILTER].text.split(), "%"]]
     if FILTER in facts:
         facts = _filtered(facts)
+    results = {*goal.names} if goal else set()
     for frame in FRAMES:
         of_frame = _conversions if frame.command == "convert" else _calculations
-        if frame.needs & {*_generic_names(facts)} and (calls := of_frame(frame, facts, goal)):
+        is_called_for = frame.needs & {*_generic_names(facts)} or frame.results & results
+        if is_called_for and (calls := of_frame(frame, facts, goal)):
             return calls
     return []
 
@@ -315,8 +376,9 @@ def _meant(amount: Amount) -> tuple[str, ...]:
         return (_generic(amount) or VALUE,)
     if amount.is_wavelength:
         return ("wavelength",)
-    if amount.dimension in SYMBOLS["efficacy"].dimensions:
-        return ("efficacy",)
+    for name in ("efficacy", "responsivity"):
+        if amount.dimension in SYMBOLS[name].dimensions:
+            return (name,)
     return OF_DIMENSION.get(amount.dimension, (VALUE,))
 
 
@@ -401,7 +463,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
         return []
     ((value,), given) = values, {name: f for name, f in facts.items() if name != values[0]}
     usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
-    target = _target(goal, facts[value]) if goal else usual if len(given) == 1 else ""
+    target = _target(goal, facts[value], given) if goal else usual if len(given) == 1 else ""
     amount = facts[value].amount
     if amount is None or (given and not target):
         return []
@@ -425,9 +487,11 @@ def _is_of_small_source(facts: Facts, goal: Goal | None) -> bool:
     return {*facts} <= taken_by(page) and bool(_results(page, goal, facts))
 
 
-def _target(goal: Goal, value: Fact) -> str:
+def _target(goal: Goal, value: Fact, given: Facts) -> str:
     """Return the target of a conversion; a name for several kinds of light is that of the value."""
     light = read_light(value.amount.unit) if value.amount else None
+    if light and "irradiance" in goal.names[1:] and not goal.unit and {*given} & {*SIZES}:
+        return specific_name("irradiance", light.kind).replace("-", " ")
     for name in goal.names if light and not goal.unit else ():
         symbol = SYMBOLS[name]
         if light and symbol.geometry and symbol.kind in ("", light.kind):
@@ -440,25 +504,38 @@ def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     amounts = [fact.amount for fact in facts if fact.amount]
     if [fact.symbols for fact in facts[1:]] == [("distance",)] * 2 and _is_light(facts[0]):
         return _farther(amounts, goal)
-    if len(amounts) != 2 or len(facts) != 2 or goal is None:
+    if goal is None or len(amounts) != len(facts):
+        return []
+    dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
+    target = _unit_of(goal, amounts)
+    if len(amounts) == 3:  # 24 W/m of 100 lm/W, 5 m
+        product = reduce(times, [amount.dimension for amount in amounts])
+        text = " * ".join([f"({amount.text})" for amount in amounts])
+        return [["convert", text, target]] if product in dimensions else []
+    if len(amounts) != 2:
         return []
     if all(amount.dimension == NUMBER for amount in amounts):
         return []
     if any(amount.dimension in (LENGTH, ANGLE) for amount in amounts):  # they have places
         return []
+    if goal.text.upper() == "OD":  # a density is positive
+        smaller, larger = sorted(amounts, key=_size)
+        return [["convert", f"({smaller.text}) / ({larger.text})", goal.text]]
     is_mired = goal.unit and goal.unit.is_scale and goal.unit.dimension == TEMPERATURE
     if is_mired and all(amount.dimension == TEMPERATURE for amount in amounts):
         before, after = [amount.text for amount in amounts]  # the shift of a filter
         return [["convert", f"1/({after}) - 1/({before})", "1/MK"]]
-    dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
     first, second = amounts
     ways = {
         f"{first.text} / ({second.text})": times(first.dimension, second.dimension, -1),
         f"{second.text} / ({first.text})": times(second.dimension, first.dimension, -1),
         f"{first.text} * ({second.text})": times(first.dimension, second.dimension),
     }
-    target = _unit_of(goal, amounts)
     return [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+
+
+def _size(amount: Amount) -> float:
+    return read_amount(amount.text).number * amount.unit.factor
 
 
 def _unit_of(goal: Goal, amounts: Sequence[Amount]) -> str:

@@ -21,9 +21,11 @@ from radcalc.units.dimensions import (
 )
 from radcalc.units.unit import NUMBER
 
-# Amounts of a pattern, and their dimensions; a wavelength may also be a length.
+# Amounts of a pattern, and their dimensions; a wavelength may also be a length.  A size may be in
+# a unit of wavelengths.
 AMOUNTS = {
     "length": (LENGTH,),
+    "size": (LENGTH,),
     "angle": (ANGLE,),
     "area": (AREA,),
     "time": (TIME,),
@@ -33,7 +35,8 @@ AMOUNTS = {
     "solid-angle": (SOLID_ANGLE,),
     "wavelength": (LENGTH, FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY),
 }
-SHAPE, FILTER, TARGET = "shape", "filter", "target"  # places that are not symbols
+# Places that are not symbols; an unknown phrase is refused.
+SHAPE, FILTER, TARGET, UNKNOWN = "shape", "filter", "target", "unknown"
 
 
 class Phrase(NamedTuple):
@@ -70,6 +73,7 @@ PHRASES = (
         ("{length} below|under|above|beneath|down|directly-below", "distance or height"),
         ("{length} away below|above", "distance or height"),
         ("throw at? {length}", "distance"),
+        ("at? {length} throw", "distance"),
         ("hung|mounted|mounting at? {length}", "distance or height"),
         ("at|under {angle}", "incidence"),
         ("at|under {angle} incidence", "incidence"),
@@ -92,6 +96,8 @@ PHRASES = (
         ("{angle} full cone|angle", "apex-angle"),
         ("full angle|cone {angle}", "apex-angle"),
         ("{angle} half cone|angle", "half-angle"),
+        ("cone half angle {angle}", "half-angle"),
+        ("cone full|apex angle {angle}", "apex-angle"),
         ("half angle|cone {angle}", "half-angle"),
         ("{angle} beam", "apex-angle or beam-angle"),
         ("beam {angle}", "apex-angle or beam-angle"),
@@ -100,6 +106,7 @@ PHRASES = (
         ("viewing angle {angle}", "apex-angle or beam-angle"),
         ("cone {angle}", "apex-angle or half-angle"),
         ("{angle} cone", "apex-angle or half-angle"),
+        ("{angle} across", "apex-angle"),
         ("na {number}", "na"),
         ("sphere|ball|globe|koule|шар", SHAPE, "sphere"),
         ("disc|disk|kotouč|диск", SHAPE, "disc"),
@@ -111,14 +118,19 @@ PHRASES = (
         ("mean|average over|on|across {area}", "area"),
         ("on|onto a|an? {area}", "area"),
         ("{area} screen|area|surface|panel|room|office|table", "area"),
-        ("{length} wide|width", "width"),
+        ("{size} wide|width", "width"),
         ("{length} diagonal|screen", "diagonal"),
-        ("{length} diameter|dia|aperture|beam|spot|disc|disk|circle", "diameter"),
-        ("{length} beam|spot diameter", "diameter"),
-        ("beam|spot diameter? {length}", "diameter"),
-        ("{length} radius", "radius"),
+        ("{size} diameter|dia|aperture|beam|spot|disc|disk|circle", "diameter"),
+        ("through|into|in a? {size} pinhole|aperture|iris", "receiver-diameter"),
+        ("{size} beam|spot|diameter diameter|spot|beam", "diameter"),
+        ("beam|spot diameter? {size}", "diameter"),
+        ("{size} radius", "radius"),
+        ("w0= {size}", "diameter", "2*{}"),
         ("into a? {length} pupil", "pupil or diameter"),
         ("{length} pupil", "pupil or diameter"),
+        ("minus|less {number} stop|stops of? nd?", FILTER, "-{} stops"),
+        ("plus {number} stop|stops", FILTER, "{} stops"),
+        ("od {number} filter|goggles?", FILTER, "{} OD"),
         ("through? od {number} filter|goggles?", FILTER, "{} OD"),
         ("through? {number} od filter|goggles?", FILTER, "{} OD"),
         ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
@@ -136,6 +148,7 @@ PHRASES = (
         "camera",
         ("f/ {number}", "f-number"),
         ("iso {number}", "iso"),
+        ("nd {number} filter", "nd"),
         ("ev {number}", "ev100 or ev"),
         ("ev100 {number}", "ev100"),
         ("shutter {time}", "time"),
@@ -148,13 +161,16 @@ PHRASES = (
     *_group(
         "light",
         ("at|of|with|λ {wavelength}", "wavelength"),
-        ("{wavelength} light|laser|led|line", "wavelength"),
+        ("{wavelength} light|laser|led|line|photon", "wavelength"),
         ("{temperature} blackbody|planckian", "spectrum", "blackbody:{}"),
         ("{temperature} black body", "spectrum", "blackbody:{}"),
         ("blackbody|planckian|wien|planck at? {temperature}", "spectrum", "blackbody:{}"),
         ("black body at? {temperature}", "spectrum", "blackbody:{}"),
         ("{temperature} daylight", "spectrum", "daylight:{}"),
+        ("{temperature} halogen|tungsten|incandescent|filament", "spectrum", "blackbody:{}"),
         ("{power} led|lamp|bulb|light|luminaire|fixture", "flux or input-power"),
+        ("solar|pv|photovoltaic panel|panels|module|modules|cell|cells", UNKNOWN),
+        ("gaussian beam?", "profile", "gaussian"),
     ),
     *_group(
         "question",
@@ -163,6 +179,7 @@ PHRASES = (
         ("how long", TARGET, "time"),
         ("how wide", TARGET, "width"),
         ("f-stop|fstop|f-number", TARGET, "f-number"),
+        ("incident lux|light|illuminance", TARGET, "illuminance"),
         ("exposure|irradiation time", TARGET, "time"),
         ("color|colour temperature", TARGET, "cct"),
         ("peak wavelength", TARGET, "peak-wavelength"),
@@ -178,7 +195,21 @@ IGNORED = """
     given gives have how how-many how-much i if in into is it me my need needed needs of on
     one onto over please required tell that the there this to under using value what when which
     wien will with you below beneath directly straight down shift measured takes still throw
-    unit front
+    unit front above across aimed aiming brightness-of covers directly-underneath exactly
+    falling falls focused focussed gets hang hangs hit hits hitting illuminates inside just
+    landing lights-up makes number-of only outer outside peaking peaks per-lamp produces puts
+    reach reaches reaching receives seen shine shines shining sits stands underneath wants
+
+    actor aisle area-light array backdrop backlight bandgap band-gap basil bathroom bedroom
+    bench canopy car ceiling classroom collimated corridor crop crops curtain cutoff cut-off
+    dancer dimmer diode driver eye face fill flashlight flood floodlight followspot fresnel
+    garage gallery goggles greenhouse ground hallway headlamp headlight house key-light kitchen
+    laptop leaf lettuce library model moon moving-head museum object objective painting
+    parking-lot par-can performer person phone photodiode plant plants point-light pole poster
+    rack reader road roof sample scene seedlings semiconductor shelf shop silicon singer slide
+    smartphone softbox solar-disc solar-disk speaker stage star street strip studio subject
+    sun-disc sun-disk tablet tape target theatre theater tomato tomatoes torch tray truss tunnel
+    umbrella video warehouse wash window work-plane workplane
 
     air beam bulb bulbs camera desk detector emits film fixture flash floor glowing
     display gel image intense lamp lamps laser led leds lens light lights linewidth
@@ -192,8 +223,16 @@ IGNORED = """
     если и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
     источник точечный экран стол бумага
 """  # questions, articles, prepositions; sources and surfaces; Czech; Russian
-# Colours, which add nothing where a wavelength is given.
-COLOURS = frozenset(["violet", "blue", "green", "yellow", "orange", "red", "infrared"])
+# Words that change an amount, or its meaning: without one, a sentence means something else.
+CHANGES = """
+    direct diffuse global reflected transmitted half double twice two three four five many much
+    per each every not without than less more through squared times minus plus pi electrical
+    melanopic scotopic solar violet blue cyan green yellow orange red infrared ultraviolet uv
+"""
+MEANINGFUL = frozenset(CHANGES.split())
+# Colours and lasers, which add nothing where a wavelength is given.
+OF_LINES = "violet blue green yellow orange red infrared HeNe Nd:YAG"
+COLOURS = frozenset(comparable(word) for word in OF_LINES.split())
 FILLERS = frozenset(comparable(word.replace("-", " ")) for word in IGNORED.split())
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])

@@ -3,7 +3,7 @@
 import os
 from functools import cache
 
-from radcalc.errors import Hint, UsageError, corrections, nearest, quote
+from radcalc.errors import UsageError, nearest
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import DLI, LABELS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import called, comparable, index
@@ -17,18 +17,18 @@ from radcalc.sentences.phrases import (
     MARKS,
     PHRASES,
     TARGET,
+    UNKNOWN,
     Phrase,
 )
 from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, unit_in, words_of
 from radcalc.tuples import NamedTuple
-from radcalc.units.dimensions import LENGTH
-from radcalc.units.reading import read_amount
-from radcalc.units.table import suggest
+from radcalc.units.dimensions import AREA, LENGTH
 from radcalc.units.unit import NUMBER, Unit
 
 LONGEST_NAME = 5  # words
 ENGLISH_ALONE = (ENGLISH,)
 LONGEST = 2000  # characters
+MEAN = ("mean", "average")
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
 
 
@@ -99,10 +99,17 @@ def _found(text: str, reading: "_Reading") -> Sentence:
             ignored += [word.text for word in words[at:end]]
         at = end
     if any("wavelength" in fact.symbols for fact in facts) or any(_is_line(fact) for fact in facts):
-        ignored += [word for word in unknown if word.lower() in COLOURS]
-        unknown = [word for word in unknown if word.lower() not in COLOURS]
+        ignored += [word for word in unknown if comparable(word) in COLOURS]
+        unknown = [word for word in unknown if comparable(word) not in COLOURS]
+    if any("area" in fact.symbols or _is_area(fact) for fact in facts):  # evenly over an area
+        ignored += [word for word in unknown if word in MEAN]
+        unknown = [word for word in unknown if word not in MEAN]
     found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
     return Sentence(*found, text, tuple(ignored))
+
+
+def _is_area(fact: Fact) -> bool:
+    return not fact.symbols and fact.amount is not None and fact.amount.dimension == AREA
 
 
 def _is_line(fact: Fact) -> bool:
@@ -151,6 +158,8 @@ class _Reading:
                 text = phrase.form.format(_joined(amount.text) if amount else "")
                 if phrase.fills == (TARGET,):
                     found.append((end, Goal(text, None, (text,))))
+                elif phrase.fills == (UNKNOWN,):
+                    found.append((end, ""))
                 else:
                     found.append((end, Fact(phrase.fills, text, self.text(at, end), amount)))
         return found
@@ -229,7 +238,7 @@ class _Reading:
             text = self.text(start, end)
             if not text:
                 continue
-            is_filler = start == at and self.words[at].folded in FILLERS
+            is_filler = start == at == end - 1 and self.words[at].folded in FILLERS
             if text[0].isdigit() or (is_filler and not self._is_last_unit(at)):
                 return []
             symbols = self.names.get(self.folded(start, end), ())
@@ -267,7 +276,8 @@ def fits(amount: Amount, name: str) -> bool:
     """Return whether an amount may be in that place of a pattern."""
     if amount.dimension not in AMOUNTS[name]:
         return False
-    return amount.dimension != LENGTH or amount.is_wavelength == (name == "wavelength")
+    is_of_light = amount.dimension == LENGTH and name != "size"
+    return not is_of_light or amount.is_wavelength == (name == "wavelength")
 
 
 def _joined(text: str) -> str:
@@ -334,26 +344,7 @@ def _symbols_of(quantity: Quantity) -> list[str]:
     return [own] if own in SYMBOLS else []
 
 
-def refuse_unknown(sentence: Sentence) -> None:
-    """Refuse a sentence with words that were not understood, and say which were."""
-    if not sentence.unknown:
-        return
-    for word in sentence.unknown:
-        if word[0].isdigit():
-            read_amount(word)  # its error says more
-    understood = [fact.typed for fact in sentence.facts] + [goal.text for goal in sentence.goals]
-    known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
-    hint: Hint = f"without {quote(sentence.unknown[0])}, or with another word for it"
-    for word in sentence.unknown:
-        near = [n for n in (*suggest(word), *_near(word)) if comparable(n) not in {*FILLERS, word}]
-        if near:
-            hint = corrections(word, *near[:2])
-            break
-    listed = ", ".join([quote(one) for one in sentence.unknown])
-    raise UsageError(f"{known}not understood: {listed}", hint)
-
-
-def _near(word: str) -> list[str]:
+def near_words(word: str) -> list[str]:
     """Return the words of phrases and names that are like a word."""
     of_names = {part for key in names() for part in key.split()}
     literal = {part for _, parts in patterns() for text in parts for part in text.split("|")}

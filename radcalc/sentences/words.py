@@ -20,6 +20,7 @@ OPERATORS = ("+", "-", "*", "/", "^", "**", "×", "·", "±", "+-")
 NOT_AFTER_UNITS = {"in", "as", "a", "at", "to", "d"}  # words that are also units
 TIMES = ("x", "×", "by")  # between the sides of an area
 SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
+BARE_SIDES = re.compile(r"(\d[\d.]*)[x×](\d[\d.]*)")  # before their unit: 4x4 ft
 F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a lens of the cinema
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
@@ -27,7 +28,7 @@ SPELLED = {"@": "at", "average": "mean"}
 OF_AMOUNTS = ("mean", "average", "par")  # add nothing to an amount before them
 ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
-SYMBOL = re.compile(r"([a-zλρθ]+=)(\S+)", re.I)
+SYMBOL = re.compile(r"([a-zλρθ][a-z0-9λρθ]*=)(\S+)", re.I)
 PART_OF_UNIT = re.compile(r"[^\W\d]+\^?-\d|per|na")  # m-2, nm^-1, per
 
 
@@ -99,10 +100,12 @@ def _adds_nothing(text: str, words: Sequence[Word]) -> bool:
 
 def _reordered(parts: list[str]) -> list[str]:
     """Return words with a number before its unit: `--lux 200`, `dli 600 16h`, `inverse cm`."""
-    parts = [*parts]
+    parts = _with_sides(parts)
     for at, part in enumerate(parts):
-        following = parts[at + 1 : at + 2]
         name = part.removeprefix("--")
+        if name.lower() in BEFORE_NUMBERS and parts[at + 1 : at + 2] == ["of"]:  # a DLI of 17
+            del parts[at + 1]
+        following = parts[at + 1 : at + 2]
         is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
         is_number = bool(following) and following[0][0].isdigit()
         is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
@@ -113,6 +116,17 @@ def _reordered(parts: list[str]) -> list[str]:
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
             parts[at : at + 2] = ["", f"{following[0]}^-1"]
     return parts
+
+
+def _with_sides(parts: list[str]) -> list[str]:
+    """Return words with the sides of an area apart: 4 x 4 ft for 4x4 ft."""
+    apart: list[str] = []
+    for part, following in zip(parts, [*parts[1:], ""], strict=False):
+        sides = BARE_SIDES.fullmatch(part)
+        unit = unit_of(following) if sides else None
+        is_area = sides and unit and unit.dimension == LENGTH_ALONE
+        apart += [sides[1], "x", sides[2]] if sides and is_area else [part]
+    return apart
 
 
 def amount_at(words: "list[Word]", start: int) -> Amount | None:
