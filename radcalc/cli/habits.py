@@ -24,12 +24,25 @@ def is_piped() -> bool:
     return stat.S_ISFIFO(mode) or stat.S_ISREG(mode)
 
 
+def is_fifo() -> bool:
+    """Return whether standard input is a pipe."""
+    return is_piped() and stat.S_ISFIFO(os.fstat(0).st_mode)
+
+
+def _has_data() -> bool | None:
+    """Return whether a pipe has data; None if it may have some later."""
+    poll = select.poll()
+    poll.register(0, select.POLLIN)
+    events = dict(poll.poll(0)).get(0, 0)
+    return True if events & select.POLLIN else False if events & select.POLLHUP else None
+
+
 def canonical(words: list[str]) -> list[str]:
     """Return the conversion that words of another tool mean, and say so; or the words as they are.
 
     `convert 500 --from lx --to fc` is `convert 500 lx fc`, and `footcandle lx` is
-    `convert 1 footcandle lx`.  With a pipe, `to fc` is `convert - to fc`, and `convert lx fc` is
-    `convert - lx fc`.
+    `convert 1 footcandle lx`.  With a pipe, `to fc` is `convert - to fc`, `convert lx fc` is
+    `convert - lx fc`, and `fc` alone, if the pipe has lines, `convert - fc`.
     """
     first = words[0] if words else ""
     is_convert = first == "convert"
@@ -53,6 +66,8 @@ def canonical(words: list[str]) -> list[str]:
         return _said("convert", "-", *units, *options)
     if source and _unit(source) and _unit(target):
         return _said("convert", "-" if _has_lines(units) else "1", *units, *options)
+    if operands == [target] and is_fifo() and _is_target(target) and _has_data() is True:
+        return _said("convert", "-", target, *options)
     if not source and _is_target(target) and (ends or operands != [target]):
         return ["convert", "to", target, *options]  # refused for its missing value
     return words
@@ -60,15 +75,9 @@ def canonical(words: list[str]) -> list[str]:
 
 def _has_lines(units: list[str]) -> bool:
     """Return whether a pipe has lines; refuse one that may have some later."""
-    if not is_piped() or not stat.S_ISFIFO(os.fstat(0).st_mode):
-        return False
-    poll = select.poll()
-    poll.register(0, select.POLLIN)
-    events = dict(poll.poll(0)).get(0, 0)
-    if events & select.POLLIN:
-        return True
-    if events & select.POLLHUP:  # closed, and empty
-        return False
+    has_data = _has_data() if is_fifo() else False
+    if has_data is not None:
+        return has_data
     problem = "standard input is a pipe, whose lines may be the values"
     raise UsageError(problem, [call("convert", "-", *units), call("convert", "1", *units)])
 

@@ -169,7 +169,7 @@ PHRASES = (
         ("{temperature} daylight", "spectrum", "daylight:{}"),
         ("{temperature} halogen|tungsten|incandescent|filament", "spectrum", "blackbody:{}"),
         ("{power} led|lamp|bulb|light|luminaire|fixture", "flux or input-power"),
-        ("solar|pv|photovoltaic panel|panels|module|modules|cell|cells", UNKNOWN),
+        ("solar|pv|photovoltaic panel|panels|module|modules|cell|cells", UNKNOWN, ""),
         ("gaussian beam?", "profile", "gaussian"),
     ),
     *_group(

@@ -7,10 +7,11 @@ from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.manual.mdoc import filled, plain, text
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.sentences.calls import FRAMES, taken_by
-from radcalc.sentences.phrases import FILTER, IGNORED, PHRASES, SHAPE, TARGET, Phrase
+from radcalc.sentences.phrases import FILTER, IGNORED, PHRASES, SHAPE, TARGET, UNKNOWN, Phrase
 
 LONG = 60  # characters of alternatives, which are then on several lines
 MISSING = "VALUE"  # of a phrase without an amount
+REFUSED = "(refused: their watts are electrical)"
 ASKED = "(the refusal asks for the value)"
 
 
@@ -27,7 +28,7 @@ def phrases(_: str) -> Iterator[str]:
             marks = [" ;"] * (len(listed) - 1) + [""]
             for phrase, mark in zip(listed, marks, strict=True):
                 yield f".{_pattern(phrase.pattern)}{mark}"
-            if not listed[0].form and not _is_flag(listed[0]):
+            if not listed[0].form and place != REFUSED and not _is_flag(listed[0]):
                 yield ASKED
         yield ".El"
 
@@ -59,6 +60,8 @@ def _place(phrase: Phrase) -> str:
         return f"Cm solid-angle {value}"
     if phrase.fills == (FILTER,):
         return f"Li * ({value})"
+    if phrase.fills == (UNKNOWN,):
+        return REFUSED
     if phrase.fills == (TARGET,):
         return f"Fl g Cm {value}"
     options = " No or ".join(map(_option, phrase.fills))
