@@ -168,6 +168,11 @@ class Try:
         self.inputs, self.without, self.instead = inputs, without, instead
         self.words, self.remark = words, remark
 
+    @property
+    def is_call(self) -> bool:
+        """Return whether it is another call, and not the help of a command."""
+        return bool(self.words) and "help=" not in self.words
+
     def __eq__(self, other: object) -> bool:
         """Return whether two propose the same."""
         return isinstance(other, Try) and all(

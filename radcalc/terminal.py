@@ -29,7 +29,7 @@ COLORS = {
     "likely:": MAGENTA,
     "or:": MAGENTA,
 }
-CALLS = "try: radcalc ", "or:  radcalc "  # lines to paste, which are not folded
+CALLS = "try: radcalc ", "or:  radcalc ", "read as: radcalc "  # lines to paste: not folded
 _chosen = AUTO
 
 

@@ -86,8 +86,10 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
         return asked[0] != "convert" and not options and is_word and not has_file
     if asked[0][:1] == "-" and {*asked} & {*COMMANDS}:  # options before a command
         return False
+    if not options:
+        return True
     known = {name for parameter in parameters("convert") for name in parameter.opts}
-    return not options or not known.issuperset(options)
+    return not known.issuperset(options)
 
 
 def meant(
@@ -109,7 +111,8 @@ def meant(
         understood = bool(sentence.files) or (has_unit and (len(phrases) > 1 or len(asked) > SHORT))
         call = list(typed(call_of(sentence)))
     except RadcalcError as problem:
-        is_free = asked[0] not in COMMANDS and understood
+        has_readings = any(one.is_call for one in problem.tries)
+        is_free = asked[0] not in COMMANDS and (understood or has_readings)
         is_better = is_free and not _is_clear(error, words, has_answers)
         raise (problem if is_better else error) from None
     if not is_other(call, asked, error):

@@ -162,7 +162,7 @@ def _without(sentence: Sentence) -> list[Try]:
     try:
         tries = [Try(words=tuple(call_of(sentence._replace(unknown=()))))]
     except UsageError as error:
-        tries = [one for one in error.tries if one.words and "help=" not in one.words]
+        tries = [one for one in error.tries if one.is_call]
     remark = "without " + " and ".join([f"'{word}'" for word in unknown])
     return [Try(words=one.words, remark=one.remark or remark) for one in tries]
 

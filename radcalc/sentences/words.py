@@ -2,8 +2,9 @@
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 
-from radcalc.errors import RadcalcError
+from radcalc.errors import RadcalcError, UsageError, ambiguous, call
 from radcalc.quantities.names import DLI, PPF, PPFD
 from radcalc.quantities.search import comparable
 from radcalc.tuples import NamedTuple
@@ -26,6 +27,7 @@ BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"@": "at", "average": "mean"}
 OF_AMOUNTS = ("mean", "average", "par")  # add nothing to an amount before them
+LARGEST_DLI = 100  # mol/m2; outdoors it is at most 70
 ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ][a-z0-9λρθ]*=)(\S+)", re.I)
@@ -110,12 +112,24 @@ def _reordered(parts: list[str]) -> list[str]:
         is_number = bool(following) and following[0][0].isdigit()
         is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
         if is_number and name.lower() in DLI and at == 0 and (is_bare or parts[2] in MICROMOLES):
+            if is_bare:
+                _refuse_small(parts)
             parts[: 2 + (not is_bare)] = [following[0], "ppfd", name]  # dli 600 16h
         elif is_bare and is_before:
             parts[at : at + 2] = [following[0], name]
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
             parts[at : at + 2] = ["", f"{following[0]}^-1"]
     return parts
+
+
+def _refuse_small(parts: list[str]) -> None:
+    """Refuse a number after DLI that may be the DLI itself: dli 43.2 12h."""
+    _, number, *rest = parts
+    with suppress(ValueError):
+        if float(number) <= LARGEST_DLI and rest:
+            days = [call("convert", f"{number} dli", "ppfd", time=rest[0])]
+            lights = [call("convert", f"{number} ppfd", "dli", time=rest[0])]
+            raise UsageError(ambiguous(f"{parts[0]} {number}"), days + lights)
 
 
 def _with_sides(parts: list[str]) -> list[str]:

@@ -275,8 +275,7 @@ def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> To
         whole, last = " ".join(words), words[-1]
         calculated = [correct(whole, whole), correct(whole, whole.removesuffix(f" {last}"), last)]
         return TooManyWords(problem, "quotes around a value that is calculated", calculated)
-    hint = "quotes around a unit of several words, or 'to' between the units"
-    return TooManyWords(problem, hint, _divided(units) or _of_targets(units, is_stream))
+    return TooManyWords(problem, lambda: _divided(units) or _of_targets(units, is_stream))
 
 
 def _divided(units: list[str]) -> "list[Try]":
