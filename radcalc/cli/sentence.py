@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from radcalc.cli.output import Listener
 
 Words = list[str]
+LONG = 6  # words of a call that is rather a sentence than a command
 SHORT = 3  # words of a call that is rather a command with a mistake
 PLAIN_OPTIONS = {"precision", "quiet", "color", "auto"}  # with a value and its unit
 
@@ -113,7 +114,8 @@ def meant(
     except RadcalcError as problem:
         has_readings = any(one.is_call for one in problem.tries)
         is_free = asked[0] not in COMMANDS and (understood or has_readings)
-        is_better = is_free and not _is_clear(error, words, has_answers)
+        is_long = len(" ".join(asked).split()) > LONG
+        is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
         raise (problem if is_better else error) from None
     if not is_other(call, asked, error):
         raise error

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 # Symbols, and names of options, with other words for them.
 SYNONYMS = {
+    "distance": "dist range separation",
     "f-number": "aperture f-stop fstop stop",
     "limit": "mpe el",
     "time": "shutter shutter-speed exposure-time duration hours photoperiod daylength",

@@ -30,6 +30,7 @@ from radcalc.units.unit import NUMBER, Unit
 VALUE = "value"  # the amount that is converted
 LIGHT = ("flux", "intensity", "exitance", "irradiance", "radiance", "exposure", "energy")
 MOST = 3  # readings to show
+SHORTEST = 4  # letters of a word with a misspelling
 Facts = dict[str, Fact]
 
 
@@ -64,12 +65,14 @@ FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("etendue", "na etendue"),
     _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
     _frame("refraction", "index"),
+    _frame("point-source", "", light=False, results="beam-diameter"),
     _frame("convert", " ".join((VALUE, *LIGHT, "wavelength", "fwhm"))),
     _frame("point-source", "flux intensity irradiance", area="receiver-area"),
-    _frame("lambertian", "radiance exitance", "disc"),
+    _frame("lambertian", f"radiance exitance {SHAPE}", "disc"),
     _frame("lambertian", "radiance exitance reflectance", irradiance="incident-irradiance"),
     _frame("solid-angle", "half-angle apex-angle", "cone", False),
     _frame("solid-angle", "radius diameter", "disc", False, distance="height"),
+    _frame("solid-angle", "width length", "rectangle", False, distance="height"),
     _frame("photon", "wavelength", "", False),
     _frame("spectrum", "spectrum", "", False),
 )
@@ -92,6 +95,8 @@ USUAL_GOALS = {
 }
 
 
+# The full angles of beams, which for a solid angle is that of a cone.
+ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
 # Results that an input is for: they come before the others of their unit.
@@ -143,20 +148,26 @@ def _not_understood(sentence: Sentence) -> UsageError:
             read_amount(word)  # its error says more
     understood = [fact.typed for fact in sentence.facts] + [goal.text for goal in sentence.goals]
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
-    tries = next(filter(None, map(_corrected, unknown)), []) or _without(sentence)
+    corrected = next(filter(None, map(_corrected, unknown)), [])
+    tries = [*corrected[:1], *_without(sentence)] or corrected
     hint = tries or f"without {quote(unknown[0])}, or with another word for it"
     return UsageError(f"{known}not understood: {listed(unknown)}", hint)
 
 
 def _corrected(word: str) -> list[Try]:
-    """Propose the known words that are like an unknown one."""
+    """Propose the known words that are like an unknown one, and units in another case."""
+    if len(word) < SHORTEST:
+        return []
     near = [n for n in (*suggest(word), *near_words(word)) if comparable(n) not in {*FILLERS, word}]
-    return corrections(word, *near[:2])
+    others = [n for n in near if not word.startswith(n)]  # rough for roughly
+    return corrections(word, *others[:2])
 
 
 def _without(sentence: Sentence) -> list[Try]:
     """Propose the calls of a sentence without its unknown words, unless one changes an amount."""
     unknown = sentence.unknown
+    if len(sentence.facts) + len(sentence.goals) < 2:
+        return []
     if any(comparable(word) in MEANINGFUL or not word.isalpha() for word in unknown):
         return []
     try:
@@ -492,6 +503,8 @@ def _target(goal: Goal, value: Fact, given: Facts) -> str:
     light = read_light(value.amount.unit) if value.amount else None
     if light and "irradiance" in goal.names[1:] and not goal.unit and {*given} & {*SIZES}:
         return specific_name("irradiance", light.kind).replace("-", " ")
+    if value.amount and value.amount.dimension == TEMPERATURE and "peak-wavelength" in goal.names:
+        return "wavelength"  # of a black body
     for name in goal.names if light and not goal.unit else ():
         symbol = SYMBOLS[name]
         if light and symbol.geometry and symbol.kind in ("", light.kind):
@@ -502,8 +515,8 @@ def _target(goal: Goal, value: Fact, given: Facts) -> str:
 def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
     amounts = [fact.amount for fact in facts if fact.amount]
-    if [fact.symbols for fact in facts[1:]] == [("distance",)] * 2 and _is_light(facts[0]):
-        return _farther(amounts, goal)
+    if moved := _moved(facts, goal):
+        return moved
     if goal is None or len(amounts) != len(facts):
         return []
     dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
@@ -547,13 +560,23 @@ def _unit_of(goal: Goal, amounts: Sequence[Amount]) -> str:
     return light_unit(symbol.generic, kinds[0]) if symbol.generic and kinds else symbol.unit
 
 
-def _farther(amounts: Sequence[Amount], goal: Goal | None) -> list[list[str]]:
-    """Return the conversion of light on a surface from one distance to another."""
-    light, here, there = amounts
-    if _generic(light) != "irradiance" or {here.dimension, there.dimension} != {LENGTH}:
+def _moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
+    """Return the conversion of light on a surface from one distance to another, or a distance."""
+    amounts = [fact.amount for fact in facts if fact.amount]
+    lights = [amount for amount in amounts if _generic(amount) == "irradiance"]
+    lengths = [a for a in amounts if a.dimension == LENGTH and not a.is_wavelength]
+    has_place = any(fact.symbols == ("distance",) for fact in facts)
+    if len(facts) != 3 or len(lights) + len(lengths) != 3 or not has_place:
         return []
-    moved = f"{light.text} * ({here.text})^2 / ({there.text})^2"
-    return [["convert", moved, goal.text if goal else light.unit.text]]
+    if len(lengths) == 2 and amounts[0] is lights[0]:
+        here, there = lengths
+        moved = f"{lights[0].text} * ({here.text})^2 / ({there.text})^2"
+        return [["convert", moved, goal.text if goal else lights[0].unit.text]]
+    if len(lengths) == 1 and goal and "distance" in goal.names:
+        at_first, wanted = lights
+        moved = f"{lengths[0].text} * sqrt(({at_first.text}) / ({wanted.text}))"
+        return [["convert", moved, lengths[0].unit.text]]
+    return []
 
 
 def _input(name: str, fact: Fact) -> str:
@@ -595,11 +618,14 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     listed = [name for name in dict.fromkeys(options) if name not in given]
     if not any(map(_is_light, given.values())):  # ISO 100 is assumed, not found
         listed = [name for name in listed if "(default" not in page.symbol(name).help]
+    if goal.text in listed:  # stops, ev100
+        return [goal.text]
     if goal.names:
         wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
         dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
         own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
         wanted |= {name for name in own_results if dimensions & {*SYMBOLS[name].dimensions}}
+        wanted |= {ANGLE_OF_CONE} if page.title == "a solid angle" and wanted & {*ANGLES} else set()
         found = [name for name in listed if name in wanted]
     else:
         assert goal.unit is not None

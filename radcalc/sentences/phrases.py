@@ -82,6 +82,11 @@ PHRASES = (
         ("incidence angle {angle}", "incidence"),
         ("angle of incidence {angle}", "incidence"),
         ("{angle} incidence|from-normal", "incidence"),
+        ("{angle} off|from the? normal|axis|vertical", "incidence"),
+        (
+            "tilted|inclined|slanted by? {angle} from|off|away? the|from? normal|vertical?",
+            "incidence",
+        ),
         ("pod úhlem {angle}", "incidence"),
         ("под углом {angle}", "incidence"),
     ),
@@ -107,6 +112,7 @@ PHRASES = (
         ("cone {angle}", "apex-angle or half-angle"),
         ("{angle} cone", "apex-angle or half-angle"),
         ("{angle} across", "apex-angle"),
+        ("angular diameter|size of|is? {angle}", "apex-angle"),
         ("na {number}", "na"),
         ("sphere|ball|globe|koule|шар", SHAPE, "sphere"),
         ("disc|disk|kotouč|диск", SHAPE, "disc"),
@@ -119,6 +125,9 @@ PHRASES = (
         ("on|onto a|an? {area}", "area"),
         ("{area} screen|area|surface|panel|room|office|table", "area"),
         ("{size} wide|width", "width"),
+        ("{size} tall|long|length", "length"),
+        ("{size} wide pool|circle|spot|disc|beam", "diameter"),
+        ("beam|pool|spot {size} wide|across", "diameter"),
         ("{length} diagonal|screen", "diagonal"),
         ("{size} diameter|dia|aperture|beam|spot|disc|disk|circle", "diameter"),
         ("through|into|in a? {size} pinhole|aperture|iris", "receiver-diameter"),
@@ -135,6 +144,7 @@ PHRASES = (
         ("through? {number} od filter|goggles?", FILTER, "{} OD"),
         ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
         ("{number} reflectance|reflective|reflecting", "reflectance"),
+        ("{number} white|grey|gray surface|paper|wall|board|card", "reflectance"),
         ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
         ("white|grey|gray|black surface|paper|wall|board|card", "reflectance", ""),
     ),
@@ -168,9 +178,11 @@ PHRASES = (
         ("black body at? {temperature}", "spectrum", "blackbody:{}"),
         ("{temperature} daylight", "spectrum", "daylight:{}"),
         ("{temperature} halogen|tungsten|incandescent|filament", "spectrum", "blackbody:{}"),
+        ("gaussian beam|profile?", "profile", "gaussian"),
+        ("top hat|top-hat beam|profile?", "profile", "uniform"),
+        ("flat top|flat-top beam|profile|spot?", "profile", "uniform"),
         ("{power} led|lamp|bulb|light|luminaire|fixture", "flux or input-power"),
         ("solar|pv|photovoltaic panel|panels|module|modules|cell|cells", UNKNOWN, ""),
-        ("gaussian beam?", "profile", "gaussian"),
     ),
     *_group(
         "question",
@@ -178,6 +190,8 @@ PHRASES = (
         ("nohd", TARGET, "hazard-distance"),
         ("how long", TARGET, "time"),
         ("how wide", TARGET, "width"),
+        ("how wide|big is? the? pool|beam|spot|circle", TARGET, "beam-diameter"),
+        ("pool|spot diameter|width|size", TARGET, "beam-diameter"),
         ("f-stop|fstop|f-number", TARGET, "f-number"),
         ("incident lux|light|illuminance", TARGET, "illuminance"),
         ("exposure|irradiation time", TARGET, "time"),
@@ -191,34 +205,39 @@ BESIDE = {"height": ("incidence", "0deg"), "ev": ("iso", "100")}
 
 # Words that add nothing to a phrase.
 IGNORED = """
-    a about an and are at be by calculate can convert corresponds do does equals for from get give
-    given gives have how how-many how-much i if in into is it me my need needed needs of on
-    one onto over please required tell that the there this to under using value what when which
-    wien will with you below beneath directly straight down shift measured takes still throw
-    unit front above across aimed aiming brightness-of covers directly-underneath exactly
-    falling falls focused focussed gets hang hangs hit hits hitting illuminates inside just
-    landing lights-up makes number-of only outer outside peaking peaks per-lamp produces puts
-    reach reaches reaching receives seen shine shines shining sits stands underneath wants
+    a about an and are at be by calculate can convert corresponds do does equals for from get
+    give given gives have how how-many how-much i if in into is it its me my need needed needs
+    of on one onto over please pls required tell that that's the there this to under using value
+    what when which will with would you absorbed allows arrive arrives back below beneath
+    collect collects directly directly-underneath down draws emission emit emits equally exactly
+    focused focussed gets gets-through gives-off hang hangs has hit hits hitting illuminates
+    inside just key landing lands leaves left lights-up lit look looks make makes measured move
+    moved number-of only outer outside passes-through peaking peaks produces puts puts-out
+    radiated radiates rate rated reach reaches reaching read reads receive receives see seen
+    sees shift shine shines shining sits stands still straight subtend subtended subtends takes
+    throw turned underneath unit up wants wien above across aimed aiming brightness-of covers
+    falling falls front longest lose per-lamp put showing wide-open then
 
-    actor aisle area-light array backdrop backlight bandgap band-gap basil bathroom bedroom
-    bench canopy car ceiling classroom collimated corridor crop crops curtain cutoff cut-off
-    dancer dimmer diode driver eye face fill flashlight flood floodlight followspot fresnel
-    garage gallery goggles greenhouse ground hallway headlamp headlight house key-light kitchen
-    laptop leaf lettuce library model moon moving-head museum object objective painting
-    parking-lot par-can performer person phone photodiode plant plants point-light pole poster
-    rack reader road roof sample scene seedlings semiconductor shelf shop silicon singer slide
-    smartphone softbox solar-disc solar-disk speaker stage star street strip studio subject
-    sun-disc sun-disk tablet tape target theatre theater tomato tomatoes torch tray truss tunnel
-    umbrella video warehouse wash window work-plane workplane
+    actor air aisle area-light array backdrop backlight bandgap band-gap bar basil bathroom beam
+    bedroom bench bulb bulbs camera canopy car ceiling cell center centre classroom collimated
+    core corridor crop crops curtain cutoff cut-off dancer desk desks detector dimmer diode
+    display dome downlight downlights driver eye face fibre fiber fill film fittings fixture
+    flash flashlight flood floodlight floor followspot fresnel garage gallery gel glowing
+    goggles greenhouse ground hallway headlamp headlight house image intense key-light kitchen
+    lamp lamps laptop laser leaf led leds lens lettuce library light lights line linewidth
+    luminaire luminaires meter metre model monitor monochromator moon moving-head museum object
+    objective office optics page painting panel panels paper par16 par20 par30 par36 par38 par46
+    par56 par64 par-can parcan parking-lot performer person phone photodiode picture plant
+    plants point point-light pointer pole pool poster profile projection projector projectors
+    pulse pulses pyranometer rack radiation radiometer ray reader road roof room same sample
+    scene screen seedlings semiconductor sensor sheet shelf shop silicon singer single sky slide
+    small smartphone softbox solar-disc solar-disk source source-four speaker spectrometer
+    spectroradiometer spot spotlight stage star street strip studio subject sun-disc sun-disk
+    surface table tablet tape target tent theater theatre tomato tomatoes torch tray truss
+    tunnel tv umbrella video wall warehouse wash window work-plane workplane
 
-    air beam bulb bulbs camera desk detector emits film fixture flash floor glowing
-    display gel image intense lamp lamps laser led leds lens light lights linewidth
-    luminaire luminaires meter metre monitor office page panel paper picture point pointer
-    projection projector projectors pulse radiation ray room same screen sensor sheet showing single
-    sky small source spot spotlight surface table tent tv wall
-
-    je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit
-    zdroj žárovka žárovky stůl plátno bodový
+    je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit zdroj
+    žárovka žárovky stůl plátno bodový
 
     если и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
     источник точечный экран стол бумага

@@ -1,6 +1,7 @@
 """Reading of sentences: the phrases found in them, and what each of them fills."""
 
 import os
+import re
 from functools import cache
 
 from radcalc.errors import UsageError, nearest
@@ -28,6 +29,7 @@ from radcalc.units.unit import NUMBER, Unit
 LONGEST_NAME = 5  # words
 ENGLISH_ALONE = (ENGLISH,)
 LONGEST = 2000  # characters
+GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
 MEAN = ("mean", "average")
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
 
@@ -74,9 +76,33 @@ def read(typed: "list[str]") -> Sentence:
     text = " ".join(typed)
     if len(text) > LONGEST:
         raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")
-    words = words_of(typed)
+    words = _apart(words_of(typed))
     found = _found(text, _Reading(words, ENGLISH_ALONE))
     return _found(text, _Reading(words, LANGUAGES)) if found.unknown else found
+
+
+def _apart(words: list[Word]) -> list[Word]:
+    """Return words with a known word apart from a number that is joined to it: iso100, GN58m."""
+    apart: list[Word] = []
+    for word in words:
+        joint = GLUED.fullmatch(word.text)
+        head = comparable(joint[1]) if joint else ""
+        is_known = head in names(ENGLISH_ALONE) or head in literals()
+        if joint and is_known and not _is_whole(word):
+            apart += [Word(joint[1], head), Word(joint[2], joint[2], word.is_last)]
+        else:
+            apart.append(word)
+    return apart
+
+
+def _is_whole(word: Word) -> bool:
+    """Return whether a word with a number is a unit, a spectrum, a filler or a file."""
+    from radcalc.spectra.sources import find_named
+
+    text = word.text
+    known = word.folded in FILLERS or word.folded in names(ENGLISH_ALONE)
+    is_named = known or word.folded in literals() or find_named(text) is not None
+    return is_named or unit_in([text]) is not None or os.path.isfile(text)
 
 
 def _found(text: str, reading: "_Reading") -> Sentence:
@@ -99,6 +125,9 @@ def _found(text: str, reading: "_Reading") -> Sentence:
             ignored += [word.text for word in words[at:end]]
         at = end
     if any("wavelength" in fact.symbols for fact in facts) or any(_is_line(fact) for fact in facts):
+        lamps = [fact for fact in facts if fact.symbols == ("spectrum",) and fact.text.isalpha()]
+        ignored += [fact.typed for fact in lamps]  # a sodium lamp at 589 nm
+        facts = [fact for fact in facts if fact not in lamps]
         ignored += [word for word in unknown if comparable(word) in COLOURS]
         unknown = [word for word in unknown if comparable(word) not in COLOURS]
     if any("area" in fact.symbols or _is_area(fact) for fact in facts):  # evenly over an area
@@ -211,7 +240,7 @@ class _Reading:
         last = min(len(self.words), at + LONGEST_NAME)
         if at < len(self.words) and self.words[at].text[-1] == "=":
             letter = self.words[at].text[:-1]
-            found = tuple(
+            found = self.names.get(comparable(letter), ()) or tuple(
                 [n for n, s in SYMBOLS.items() if s.letter == letter and n not in SPECIFIC]
             )
             return [(at + 1, found)] if found else []
@@ -263,7 +292,7 @@ class _Reading:
 
     def _filler(self, at: int) -> list[Found]:
         text = self.words[at].text
-        is_unit = len(text) == 1 and text.isupper() and unit_in([text])  # A, the ampere
+        is_unit = len(text) == 1 and text.isupper() and at > 0 and unit_in([text])  # the ampere
         ends = [end for end in (at + 1, at + 2) if self.folded(at, end) in FILLERS | MARKS]
         return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]
 
@@ -301,6 +330,13 @@ def _of_amount(symbols: "tuple[str, ...]", amount: Amount) -> tuple[str, ...]:
 def patterns() -> "tuple[tuple[Phrase, tuple[str, ...]], ...]":
     """Return the phrases, each with the parts of its pattern."""
     return tuple([(phrase, tuple(map(_part, phrase.pattern.split()))) for phrase in PHRASES])
+
+
+@cache
+def literals() -> frozenset[str]:
+    """Return the words of all patterns."""
+    parts = [part for _, of_phrase in patterns() for part in of_phrase]
+    return frozenset(word.rstrip("?") for part in parts for word in part.split("|"))
 
 
 def _part(text: str) -> str:
@@ -347,6 +383,5 @@ def _symbols_of(quantity: Quantity) -> list[str]:
 def near_words(word: str) -> list[str]:
     """Return the words of phrases and names that are like a word."""
     of_names = {part for key in names() for part in key.split()}
-    literal = {part for _, parts in patterns() for text in parts for part in text.split("|")}
-    known = of_names | {part for part in literal if part.isalpha()} | {*PPFD, *PPF, *DLI}
+    known = of_names | {part for part in literals() if part.isalpha()} | {*PPFD, *PPF, *DLI}
     return nearest(comparable(word), known, 1, 0.75)

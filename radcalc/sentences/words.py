@@ -25,9 +25,14 @@ BARE_SIDES = re.compile(r"(\d[\d.]*)[x×](\d[\d.]*)")  # before their unit: 4x4 
 F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a lens of the cinema
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
-SPELLED = {"@": "at", "average": "mean"}
+SPELLED = {"average": "mean", "avg": "mean"}
 OF_AMOUNTS = ("mean", "average", "par")  # add nothing to an amount before them
 LARGEST_DLI = 100  # mol/m2; outdoors it is at most 70
+NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
+MARKS_IN_WORDS = {"=>": " to ", "=?": " to ", "@": " at ", "klux": "klx"}
+DAY_OF_LIGHT = re.compile(rf"\b({'|'.join(DLI)})\b")
+MICROMOLE = re.compile(r"(?<=\d) ?[uµμ]mol(?![\w/])")
+OF_PEAK = re.compile(r"\(?1/e\^?[2²]\)?,?")  # of the diameter of a beam
 ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ][a-z0-9λρθ]*=)(\S+)", re.I)
@@ -72,7 +77,7 @@ def words_of(typed: "list[str]") -> list[Word]:
     words: list[Word] = []
     aspects: list[Word] = []
     before = ""
-    for part in _reordered(" ".join(typed).split()):
+    for part in _reordered(_plain_words(" ".join(typed))):
         text = SPELLED.get(part, part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part)
         if _adds_nothing(text, words):
             continue
@@ -93,6 +98,27 @@ def words_of(typed: "list[str]") -> list[Word]:
     return words + aspects
 
 
+def _plain_words(text: str) -> list[str]:
+    """Return the parts of a text in plain words: `per` for `each`, 1 for `one`, `to` for `=>`."""
+    for mark, word in MARKS_IN_WORDS.items():
+        text = text.replace(mark, word)
+    if DAY_OF_LIGHT.search(text.lower()):  # 450umol 18h dli
+        text = MICROMOLE.sub(" ppfd", text)
+    parts = [part for part in text.split() if not OF_PEAK.fullmatch(part)]
+    plain: list[str] = []
+    for part, following in zip(parts, [*parts[1:], ""], strict=False):
+        is_before_unit = bool(following) and unit_of(following.rstrip(f"{ENDS}.")) is not None
+        lower = part.lower()
+        if part[-1] == "." and part[-2:-1].isalpha():  # 6 ft.
+            part = part[:-1]
+        elif lower in NUMBERS and is_before_unit:
+            part = str(NUMBERS.index(lower) + 1)
+        elif lower in ("each", "every") and is_before_unit and plain:
+            part = "per"
+        plain.append(part.removesuffix("'s"))
+    return plain
+
+
 def _adds_nothing(text: str, words: Sequence[Word]) -> bool:
     """Return whether a word adds nothing to an amount: 5 W average; mean luminance is a result."""
     has_number = any(word.text[0].isdigit() for word in words[-2:])
@@ -105,7 +131,7 @@ def _reordered(parts: list[str]) -> list[str]:
     parts = _with_sides(parts)
     for at, part in enumerate(parts):
         name = part.removeprefix("--")
-        if name.lower() in BEFORE_NUMBERS and parts[at + 1 : at + 2] == ["of"]:  # a DLI of 17
+        if name.lower() in BEFORE_NUMBERS and parts[at + 1 : at + 2] in (["of"], ["is"]):
             del parts[at + 1]
         following = parts[at + 1 : at + 2]
         is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
