@@ -107,6 +107,8 @@ def meant(
         sentence = read(asked)
         amounts = [fact.amount for fact in sentence.facts if fact.amount]
         has_unit = any(amount.dimension != NUMBER for amount in amounts)
+        filled = [fact for fact in sentence.facts if fact.symbols not in ((), ("spectrum",))]
+        has_unit |= bool(filled) and any(goal.unit for goal in sentence.goals)
         has_unit |= len([fact for fact in sentence.facts if fact.symbols]) > 1  # ev 9 iso 400
         phrases = [*sentence.facts, *sentence.goals, *sentence.files]
         understood = bool(sentence.files) or (has_unit and (len(phrases) > 1 or len(asked) > SHORT))

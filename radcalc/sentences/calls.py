@@ -168,7 +168,9 @@ def _without(sentence: Sentence) -> list[Try]:
     unknown = sentence.unknown
     if len(sentence.facts) + len(sentence.goals) < 2:
         return []
-    if any(comparable(word) in MEANINGFUL or not word.isalpha() for word in unknown):
+    if any(
+        comparable(word) in MEANINGFUL or not word.replace("-", "").isalpha() for word in unknown
+    ):
         return []
     try:
         tries = [Try(words=tuple(call_of(sentence._replace(unknown=()))))]
@@ -319,18 +321,29 @@ def _goal_of(sentence: Sentence) -> Goal | None:
         problem = f"the sentence asks for several results: {texts}"
         raise UsageError(problem, tries or "one of them")
     if units and named:
-        _check_named(named[0], units[0])
+        _check_named(sentence, named[0], units[0])
         return units[0]._replace(names=named[0].names)
     return goals[0] if goals else None
 
 
-def _check_named(named: Goal, goal: Goal) -> None:
-    """Refuse the name of one quantity with the unit of another."""
+def _check_named(sentence: Sentence, named: Goal, goal: Goal) -> None:
+    """Refuse the name of one quantity with the unit of another; propose each of them alone."""
     assert goal.unit is not None
     dimensions = {one for name in named.names for one in SYMBOLS[name].dimensions}
     if goal.unit.dimension not in dimensions:
         problem = f"{quote(goal.text)} is not a unit of {quote(named.text)}"
-        raise UsageError(problem, f"one of them: {quote(named.text)} or {quote(goal.text)}")
+        alone = [sentence._replace(goals=(one,)) for one in (goal, named)]
+        tries = [Try(words=tuple(call)) for one in alone for call in _answerable(one)[:MOST]]
+        hint = f"one of them: {quote(named.text)} or {quote(goal.text)}"
+        raise UsageError(problem, tries or hint)
+
+
+def _answerable(sentence: Sentence) -> list[tuple[str, ...]]:
+    """Return the calls of all readings of a sentence, none if it is refused."""
+    try:
+        return _calls_of(sentence)
+    except UsageError:
+        return []
 
 
 def _readings(sentence: Sentence) -> list[Facts]:
@@ -570,7 +583,7 @@ def _moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
         return []
     if len(lengths) == 2 and amounts[0] is lights[0]:
         here, there = lengths
-        moved = f"{lights[0].text} * ({here.text})^2 / ({there.text})^2"
+        moved = f"({lights[0].text}) * ({here.text})^2 / ({there.text})^2"
         return [["convert", moved, goal.text if goal else lights[0].unit.text]]
     if len(lengths) == 1 and goal and "distance" in goal.names:
         at_first, wanted = lights
@@ -613,19 +626,21 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     if goal is None:
         return []
     if not page.light and not page.others:  # the results depend on the inputs
-        return list(goal.names[:1])
+        angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
+        return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
     options = (*page.light, *page.others, *listed_by(page))
     listed = [name for name in dict.fromkeys(options) if name not in given]
     if not any(map(_is_light, given.values())):  # ISO 100 is assumed, not found
         listed = [name for name in listed if "(default" not in page.symbol(name).help]
-    if goal.text in listed:  # stops, ev100
+    if "irradiance" in goal.names[1:] and "distance" in given:
+        goal = goal._replace(names=("irradiance",))  # an intensity would not need the distance
+    elif goal.text in listed:  # stops, ev100
         return [goal.text]
     if goal.names:
         wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
         dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
         own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
         wanted |= {name for name in own_results if dimensions & {*SYMBOLS[name].dimensions}}
-        wanted |= {ANGLE_OF_CONE} if page.title == "a solid angle" and wanted & {*ANGLES} else set()
         found = [name for name in listed if name in wanted]
     else:
         assert goal.unit is not None

@@ -69,6 +69,9 @@ PHRASES = (
         ("на расстоянии {length}", "distance"),
         ("{length} away|distance|distant", "distance"),
         ("{length} away from", "distance"),
+        ("{length} up|high", "height"),
+        ("{length} aside|sideways|off-axis|horizontally", "offset"),
+        ("{length} to the side", "offset"),
         ("at|from {length} away|distance", "distance"),
         ("{length} below|under|above|beneath|down|directly-below", "distance or height"),
         ("{length} away below|above", "distance or height"),
@@ -133,6 +136,7 @@ PHRASES = (
         ("through|into|in a? {size} pinhole|aperture|iris", "receiver-diameter"),
         ("{size} beam|spot|diameter diameter|spot|beam", "diameter"),
         ("beam|spot diameter? {size}", "diameter"),
+        ("diameter|dia {size}", "diameter"),
         ("{size} radius", "radius"),
         ("w0= {size}", "diameter", "2*{}"),
         ("into a? {length} pupil", "pupil or diameter"),
@@ -144,6 +148,7 @@ PHRASES = (
         ("through? {number} od filter|goggles?", FILTER, "{} OD"),
         ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
         ("{number} reflectance|reflective|reflecting", "reflectance"),
+        ("{number} gain", "gain"),
         ("{number} white|grey|gray surface|paper|wall|board|card", "reflectance"),
         ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
         ("white|grey|gray|black surface|paper|wall|board|card", "reflectance", ""),
@@ -216,7 +221,8 @@ IGNORED = """
     radiated radiates rate rated reach reaches reaching read reads receive receives see seen
     sees shift shine shines shining sits stands still straight subtend subtended subtends takes
     throw turned underneath unit up wants wien above across aimed aiming brightness-of covers
-    falling falls front longest lose per-lamp put showing wide-open then
+    falling falls front longest lose per-lamp put showing wide-open then bare cover fills
+    held face-on head-on side alone
 
     actor air aisle area-light array backdrop backlight bandgap band-gap bar basil bathroom beam
     bedroom bench bulb bulbs camera canopy car ceiling cell center centre classroom collimated

@@ -3,6 +3,7 @@
 import os
 import re
 from functools import cache
+from itertools import pairwise
 
 from radcalc.errors import UsageError, nearest
 from radcalc.quantities.language import ENGLISH, LANGUAGES
@@ -124,6 +125,10 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         else:
             ignored += [word.text for word in words[at:end]]
         at = end
+    spectra = [fact for fact in facts if fact.symbols == ("spectrum",) and ":" not in fact.text]
+    for first, second in pairwise(spectra):
+        if _is_same_light(first, second):  # AM1.5 sunlight
+            facts.remove(second)
     if any("wavelength" in fact.symbols for fact in facts) or any(_is_line(fact) for fact in facts):
         lamps = [fact for fact in facts if fact.symbols == ("spectrum",) and fact.text.isalpha()]
         ignored += [fact.typed for fact in lamps]  # a sodium lamp at 589 nm
@@ -135,6 +140,13 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         unknown = [word for word in unknown if word not in MEAN]
     found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
     return Sentence(*found, text, tuple(ignored))
+
+
+def _is_same_light(first: Fact, second: Fact) -> bool:
+    from radcalc.spectra.sources import find_named
+
+    tables = find_named(first.text), find_named(second.text)
+    return None not in tables and len({table.label for table in tables if table}) == 1
 
 
 def _is_area(fact: Fact) -> bool:
@@ -321,7 +333,7 @@ def _of_amount(symbols: "tuple[str, ...]", amount: Amount) -> tuple[str, ...]:
             name
             for name in symbols
             if amount.dimension in SYMBOLS[name].dimensions
-            or (amount.dimension == NUMBER and SYMBOLS[name].form == QUANTITY)
+            or (amount.unit.text == "1" and SYMBOLS[name].form == QUANTITY)
         ]
     )
 

@@ -35,7 +35,7 @@ MICROMOLE = re.compile(r"(?<=\d) ?[uµμ]mol(?![\w/])")
 OF_PEAK = re.compile(r"\(?1/e\^?[2²]\)?,?")  # of the diameter of a beam
 ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
-SYMBOL = re.compile(r"([a-zλρθ][a-z0-9λρθ]*=)(\S+)", re.I)
+SYMBOL = re.compile(r"([a-zλρθ][a-z0-9λρθ-]*=)(\S+)", re.I)
 PART_OF_UNIT = re.compile(r"[^\W\d]+\^?-\d|per|na")  # m-2, nm^-1, per
 
 
@@ -137,12 +137,14 @@ def _reordered(parts: list[str]) -> list[str]:
         is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
         is_number = bool(following) and following[0][0].isdigit()
         is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
-        if is_number and name.lower() in DLI and at == 0 and (is_bare or parts[2] in MICROMOLES):
+        asks_rate = not {*map(str.lower, parts[2:])}.isdisjoint(PPFD)
+        is_daily = name.lower() in DLI and at == 0 and not asks_rate
+        if is_number and is_daily and (is_bare or parts[2] in MICROMOLES):
             if is_bare:
                 _refuse_small(parts)
             parts[: 2 + (not is_bare)] = [following[0], "ppfd", name]  # dli 600 16h
         elif is_bare and is_before:
-            parts[at : at + 2] = [following[0], name]
+            parts[at : at + 2] = [following[0].rstrip(ENDS), name]
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
             parts[at : at + 2] = ["", f"{following[0]}^-1"]
     return parts
