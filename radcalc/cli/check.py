@@ -13,6 +13,11 @@ if TYPE_CHECKING:
     from radcalc.cli.options import Output
     from radcalc.homework.question import Question
 
+TOLERANCE = click.Option(
+    ["--tolerance"],
+    metavar="1%",
+    help="Allowed deviation: 1% (default), 0.5lx, or 3sf (3 significant digits).",
+)
 OPTIONS = (
     click.Option(
         ["--check"],
@@ -20,11 +25,7 @@ OPTIONS = (
         help="Compare VALUE, your own answer, with the result.  If it is wrong, radcalc names the "
         "likely mistake and exits with status 1.",
     ),
-    click.Option(
-        ["--tolerance"],
-        metavar="1%",
-        help="Allowed deviation: 1% (default), 0.5lx, or 3sf (3 significant digits).",
-    ),
+    TOLERANCE,
 )
 
 
@@ -69,6 +70,7 @@ def judge(
     inputs: Sequence[ShownInput] = (),
 ) -> int:
     """Write whether an answer is right, or its likely mistake; return the exit status."""
+    output.ask(question)
     from radcalc.calculators.results import measured_in, of_kind
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
