@@ -188,13 +188,10 @@ def _marked(sheet: Sheet, keys: Sequence[Key], parts: Mapping[str, float]) -> It
     known: dict[tuple[int, str], Mark] = {}
     for student in sheet.students:
         for row, found in zip(sheet.rows, keys, strict=True):
-            answer = row.answers[student]
-            place = row.line, answer.text
-            if answer.problem:
-                known[place] = Mark(UNREADABLE, likely=answer.problem)
-            elif place not in known:
-                known[place] = mark(found, answer.text)
-            judged = known[place]
+            _, text, problem = row.answers[student]
+            if not problem and (row.line, text) not in known:
+                known[row.line, text] = mark(found, text)
+            judged = Mark(UNREADABLE, likely=problem) if problem else known[row.line, text]
             part = parts.get(judged.verdict, 0.0)
             yield Marked(row, found.text, student, judged, row.points * part)
 

@@ -118,12 +118,13 @@ def mark(asked: Key, answer: str) -> Mark:
 
 def _judged(asked: Key, answer: str) -> tuple[Verdict, bool]:
     """Return the verdict on an answer to the result asked for, and whether its unit is missing."""
-    text = answer if "=" in answer else f"{asked.right.name}={answer}"
-    unit = asked.right.unit
-    is_number = asked.target.dimensions[0] == NUMBER
-    if read_claim(answer).unit:
+    claim, unit = read_claim(answer), asked.right.unit
+    text = f"{claim.name or asked.right.name}={answer.rpartition('=')[2]}"
+    if claim.unit:
         return check(asked.question, text, asked.tolerance), False
-    if is_number:
+    if claim.number not in answer:  # arithmetic
+        text = f"{claim.name or asked.right.name}={claim.number}"
+    if asked.target.dimensions[0] == NUMBER:
         verdict = check(asked.question, f"{text} 1", asked.tolerance)
         if verdict.right or unit == "1":
             return verdict, False
