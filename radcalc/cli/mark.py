@@ -89,8 +89,8 @@ def command(
     \b
     FILE has a header, then one question in each row:
       question;command;expected;points;Ann;Bob
-      Lamp above a desk;point-source --intensity 100cd --distance 2m -g illuminance;;2;25 lx;50 lx
-      Spotlight at 8 m;20000 cd at 8 m to lx;312.5 lx;1;312 lx;
+      Spotlight;20000 cd at 8 m to lx;;2;312 lx;2500 lx
+      Cone;solid-angle cone --half-angle 30deg;0.842 sr;1;0.84;
       Speed of light;;299792458 m/s;1;3e8 m/s;3e8
 
     \b
