@@ -74,7 +74,8 @@ def asked(words: Sequence[str]) -> Asked:
             problem = "several results" if len(several) > 1 else "an answer in its command"
             raise UsageError(f"a question cannot have {problem}", "one -g, and no --check")
         wanted, tolerance = "".join(several), params.get("tolerance")
-        params.update({key: () for key in ["wanted"] if key in params})
+        if several:
+            params["wanted"] = ()
         params["check"] = f"{wanted.partition(':')[0]}=?"
         with suppress(Heard):
             command.invoke(call)

@@ -29,7 +29,7 @@ from radcalc.homework.marks import (
     refuse_unlike,
 )
 from radcalc.homework.sheet import COMMAND, EXPECTED, Row, Sheet, read_sheet
-from radcalc.render.formats import JSON, Records
+from radcalc.render.formats import JSON, TABLE, Records
 from radcalc.render.plain import number
 
 TOTAL = "total"
@@ -112,10 +112,10 @@ def command(
     marked = [*_marked(sheet, keys, parts)]
     notes = _assumptions(sheet, keys)
     rows = [*_with_totals(sheet, marked)]
-    table = [_cells(row, len(sheet.students) > 1, output.format) for row in rows]
+    table = [_cells(row, len(sheet.students) > 1) for row in rows]
     inputs = texts_of({"file": words[0], "points": points or "", "tolerance": tolerance or ""})
     output.records(Records(rows, notes, table, ("points", "of"), inputs))
-    if output.format not in (JSON, "table"):
+    if output.format not in (JSON, TABLE):
         output.remark([Result((), notes=tuple(notes))])
     is_right = all(one.mark.verdict == RIGHT for one in marked)
     return terminal.ANSWERED if is_right else terminal.WRONG
@@ -212,7 +212,7 @@ def _points(points: float, most: float) -> dict[str, float]:
     return {name: int(size) if size.is_integer() else size for name, size in sizes.items()}
 
 
-def _cells(record: Mapping[str, Any], has_several: bool, form: str) -> dict[str, str]:
+def _cells(record: Mapping[str, Any], has_several: bool) -> dict[str, str]:
     """Return a row of the table, without the right answer."""
     cells = {"student": record["student"]} if has_several else {}
     cells |= {name: record[name] for name in ("question", "answer", "verdict")}
