@@ -80,7 +80,6 @@ TEXTS = ("name", "distribution")
 KNOWN = (*TEXTS, *COLUMNS)
 OF_LIGHT = ("distribution", *(n for g in (*STRENGTH, *SURFACE) for n in (g, *names_of_kinds(g))))
 NO_NAME = re.compile(r"[^\w.+-]+")  # characters that names of results do not have
-MARKED = re.compile(r"[\d.,]*[.,]\d+(?:[eE][-+]?\d+)?")  # a number with a point or a comma
 
 
 class Row(NamedTuple):
@@ -211,7 +210,7 @@ def _header_place(lines: Sequence[str]) -> int:
 def _check_marks(row: Row, line: int, table: Table) -> None:
     for column, cell in row.cells.items():
         if column in COLUMNS:
-            for number in MARKED.findall(cell):
+            for number in columns.MARKED.findall(cell):
                 if problem := table.decimals.conflict(number, line):
                     raise row.error(column, problem, columns.MARKS)
 

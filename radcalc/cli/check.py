@@ -53,6 +53,7 @@ def judge(
     inputs: Sequence[ShownInput] = (),
 ) -> int:
     """Write whether an answer is right, or its likely mistake; return the exit status."""
+    output.ask(question)
     from radcalc.calculators.results import measured_in, of_kind
     from radcalc.homework import check
     from radcalc.render.formats import Judgement

@@ -19,6 +19,7 @@ OPERANDS = {
     "dose": "log",
     "scene": "scene",
     "columns": "table",
+    "mark": "table",
 }
 OPTIONS = {"--distribution": "luminaire", "--spectrum": "spectrum"}
 QUIET = ("-q", "--quiet")

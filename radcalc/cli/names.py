@@ -5,6 +5,7 @@ from radcalc.calculators.pages import SUMMARIES
 # In the order of the help.
 COMMANDS = {
     **SUMMARIES,
+    "mark": "Marks and points for the answers of students to a sheet.",
     "columns": "Columns of a table: units, extremes, means.",
     "units": "Units, their definitions and sources.",
     "quantities": "Names of quantities in three languages.",

@@ -71,6 +71,11 @@ def defaults() -> dict[str, Any]:
     return nothing.make_context("", []).params
 
 
+TOLERANCE = click.Option(
+    ["--tolerance"],
+    metavar="1%",
+    help="Allowed deviation: 1% (default), 0.5lx, or 3sf (3 significant digits).",
+)
 # Homework: a check of an answer.
 OF_CHECKS = (
     click.Option(
@@ -79,11 +84,7 @@ OF_CHECKS = (
         help="Compare VALUE, your own answer, with the result.  If it is wrong, radcalc names the "
         "likely mistake and exits with status 1.",
     ),
-    click.Option(
-        ["--tolerance"],
-        metavar="1%",
-        help="Allowed deviation: 1% (default), 0.5lx, or 3sf (3 significant digits).",
-    ),
+    TOLERANCE,
 )
 
 # Lines of standard input: shown by convert, and hidden in calculators.

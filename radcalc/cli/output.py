@@ -28,6 +28,8 @@ WITHOUT_NUMBERS = str.maketrans("", "", "0123456789.+-e")
 if TYPE_CHECKING:
     from typing import Protocol
 
+    from radcalc.homework.question import Question
+
     class Listener(Protocol):
         """The prompt, which keeps answers and has output options for every line."""
 
@@ -35,6 +37,9 @@ if TYPE_CHECKING:
 
         def hear(self, results: Sequence[Result]) -> None:
             """Take what is being shown."""
+
+        def ask(self, question: "Question") -> None:
+            """Take the question of an answer that is about to be judged."""
 
 
 class Output(NamedTuple):
@@ -62,6 +67,10 @@ class Output(NamedTuple):
     def hear(self, results: Sequence[Result]) -> None:
         if self.listener:
             self.listener.hear(results)
+
+    def ask(self, question: "Question") -> None:
+        if self.listener:
+            self.listener.ask(question)
 
     def show(self, results: Sequence[Result]) -> None:
         self.hear(results)

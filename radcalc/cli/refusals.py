@@ -33,6 +33,7 @@ MEANT_OPERANDS = {
     "dose": "file log csv",
     "scene": "file scene csv",
     "columns": "file table csv",
+    "mark": "file sheet table csv key answers",
 }
 
 

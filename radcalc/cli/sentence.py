@@ -124,6 +124,20 @@ def meant(
     return call, options
 
 
+def as_call(
+    words: Words,
+    error: RadcalcError | click.UsageError,
+    has_answers: Callable[[RadcalcError, Words], bool],
+) -> Words:
+    """Return the call that a refused call means as a sentence; raise its error if it is none."""
+    from radcalc.cli.refusals import of_click
+
+    problem = of_click(error, words) if isinstance(error, click.UsageError) else error
+    if not may_be(words, problem):
+        raise problem from None
+    return meant(words, problem, has_answers)[0]
+
+
 def _answer(call: Words, options: Words, gate: Gate) -> int:
     """Run the call of a sentence; write one result with its unit, and then the call."""
     values = values_of(options, gate.listener)

@@ -5,11 +5,10 @@ names of variables before a line is read, so the commands do not know them.
 """
 
 import re
-import shlex
 from collections.abc import Mapping, Sequence
 from functools import partial
 from string import ascii_letters
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -20,6 +19,7 @@ from radcalc.cli.cases import is_stream
 from radcalc.cli.names import COMMANDS, EXPLAIN
 from radcalc.cli.options import defaults
 from radcalc.cli.output import decide
+from radcalc.cli.spelling import refuse_long, split
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
 from radcalc.quantities.light import LUMINOUS, name_of
 from radcalc.quantities.symbols import (
@@ -45,6 +45,9 @@ from radcalc.units.table import unit_of
 from radcalc.units.uncertain import SIGN
 from radcalc.units.unit import unit_behind
 
+if TYPE_CHECKING:
+    from radcalc.homework.question import Question
+
 ANS = "ans"
 LEAVING = ("exit", "quit")
 ALSO_LEAVING = (*LEAVING, "bye", "q", "logout")  # words that people type to exit
@@ -54,7 +57,6 @@ SEPARATING = {*SEPARATORS, *ALSO_UNITS}
 RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, *FUNCTIONS, "radcalc", "per", "pi", "π"}
 OF_AMOUNTS = {QUANTITY, INTERVAL, POINT, VECTOR, GRID, DIRECTION, NUMBERS}  # forms of symbols
 OPERANDS_ARE_AMOUNTS = {"convert", "photon"}
-LONGEST = 10_000  # characters of a line
 LIMITS = ("", ",", ":")  # characters of a value in a list or a range
 
 ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
@@ -100,6 +102,9 @@ class Session:
         for result in results:  # a conversion has one value, in one or more units
             self.heard += result.rows if result.named else result.rows[:1]
 
+    def ask(self, question: "Question") -> None:
+        """Let a question be answered: the prompt hears the right answer."""
+
     def answer(self, line: str, place: str = "") -> int:
         """Answer a line as at the shell; raise EOFError if it exits the prompt."""
         if line.strip() in LEAVING:
@@ -110,9 +115,7 @@ class Session:
     def _answer(self, line: str, words: list[str]) -> int:
         if not line.strip() or line.lstrip().startswith("#"):
             return terminal.ANSWERED
-        if len(line) > LONGEST:
-            problem = f"a line of {len(line)} characters is too long"
-            raise UsageError(problem, f"at most {LONGEST}")
+        refuse_long(line)
         self.heard: list[Row] = []
         assignment = ASSIGNMENT.fullmatch(line)
         name, text = (assignment[1], assignment[2]) if assignment else ("", line)
@@ -308,16 +311,6 @@ def _help() -> str:
         with formatter.section(title):
             formatter.write_dl(list(rows.items()))
     return formatter.getvalue().lstrip("\n")
-
-
-def split(line: str) -> list[str]:
-    """Split a line into words, with quotes as at a shell."""
-    try:
-        return shlex.split(line)
-    except ValueError as error:
-        mark = "\\" if "escaped" in str(error) else '"' if line.count('"') % 2 else "'"
-        missing = "nothing after it" if mark == "\\" else "no second one"
-        raise UsageError(f"the {mark} has {missing}", f"the line without {mark}") from None
 
 
 def refuse_name(name: str, text: str) -> None:

@@ -1,11 +1,12 @@
 """The shell's spelling of symbols and commands in messages."""
 
-from radcalc.errors import MINUS, spell
+from radcalc.errors import MINUS, UsageError, spell
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+LONGEST = 10_000  # characters of a typed line
 NEED_QUOTES = set(" ()<>;&|")  # at a shell
 SAFE = dict.fromkeys(map(ord, "%+,-./:=@_^µΩ°²³·"))  # at a shell, without quotes
 
@@ -41,6 +42,25 @@ class Shell:
         from radcalc.units.table import resolve
 
         return describe(resolve(unit))
+
+
+def refuse_long(line: str) -> None:
+    """Refuse a line that is too long to be typed."""
+    if len(line) > LONGEST:
+        problem = f"a line of {len(line)} characters is too long"
+        raise UsageError(problem, f"at most {LONGEST}")
+
+
+def split(line: str) -> list[str]:
+    """Split a line into words, with quotes as at a shell."""
+    import shlex  # slow, and rarely needed
+
+    try:
+        return shlex.split(line)
+    except ValueError as error:
+        mark = "\\" if "escaped" in str(error) else '"' if line.count('"') % 2 else "'"
+        missing = "nothing after it" if mark == "\\" else "no second one"
+        raise UsageError(f"the {mark} has {missing}", f"the line without {mark}") from None
 
 
 def pasted(words: "Sequence[str]") -> str:

@@ -8,6 +8,7 @@ MEANT = {
     "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
     "point-source": "point lamp led bulb spot spotlight beam inverse-square cosine candela",
     "scene": "room lights luminaires layout isolux uniformity",
+    "mark": "grade grades marking homework students exam sheet",
     "lambertian": "diffuse diffuser reflector panel wall surface luminaire reflectance",
     "spectrum": "blackbody illuminant cct cri colour color spectra daylight",
     "photon": "wavelength frequency wavenumber laser",

@@ -25,6 +25,7 @@ from radcalc.errors import (
     RadcalcError,
     Try,
     UsageError,
+    drop,
     quote,
     with_correction,
 )
@@ -37,7 +38,9 @@ SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "scene")
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
-UNTRIED = ("--auto", "--check", "--plot", "--save", "--irradiance-map", "--reproject", "--list")
+# Options of calls that write, draw or list.
+WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--reproject", "--list")
+UNTRIED = ("--auto", "--check", *WITH_EFFECTS)
 
 
 class Trial(NamedTuple):
@@ -71,13 +74,8 @@ class Trial(NamedTuple):
             rows = _results(self.words) if _is_short(self.words) else ()
         except (RadcalcError, click.UsageError) as error:
             from radcalc.cli import sentence
-            from radcalc.cli.refusals import of_click
 
-            problem = of_click(error, self.words) if isinstance(error, click.UsageError) else error
-            if not sentence.may_be(self.words, problem):
-                raise problem from None
-            call, _ = sentence.meant(self.words, problem, lambda *_: False)
-            rows = _results(call)
+            rows = _results(sentence.as_call(self.words, error, lambda *_: False))
         return self._replace(rows=rows)
 
     def record(self) -> dict[str, Any]:
@@ -297,6 +295,35 @@ def _is_short(words: Words) -> bool:
     return not any(map(_is_file, words))
 
 
+def refuse_effects(words: Words) -> None:
+    """Refuse a call that does anything but answer: one that writes, lists or reads a pipe.
+
+    Short options in one word are refused too, since one of them may ask for help.
+    """
+    command = called_in(words)
+    if command and command not in SUMMARIES:
+        raise UsageError(
+            f"radcalc {command} has no answer to check", "a calculator or a conversion"
+        )
+    for word in words:
+        name = word.partition("=")[0]
+        is_joined = word[:1] == "-" != word[1:2] and len(word) > 2
+        if name in (*WITH_EFFECTS, *HELP_NAMES, "--version", EXPLAIN) or (
+            is_joined and protect_negatives([word]) == [word]
+        ):
+            problem = f"{quote(word)} cannot be used in a question"
+            raise UsageError(problem, drop(word) if len(words) > 1 else "a command")
+        if is_stream(word) or _is_special(word):
+            raise UsageError(
+                f"{quote(word)} is not a value or a regular file", "a value or a file's name"
+            )
+
+
+def _is_special(word: str) -> bool:
+    """Return whether a word is, or has, a pipe, a terminal or another device."""
+    return any(os.path.exists(t) and not os.path.isfile(t) for t in _paths(word) if "/" in t)
+
+
 def is_long(words: Words) -> bool:
     """Return whether a call has many answers, which take long."""
     return math.prod([size_of(word.rpartition("=")[2]) for word in words]) > ANSWERS
@@ -304,9 +331,14 @@ def is_long(words: Words) -> bool:
 
 def _is_file(word: str) -> bool:
     """Return whether a word is a file, or has one: --spectrum=FILE, FILE:COLUMN."""
+    return any(map(os.path.exists, _paths(word)))
+
+
+def _paths(word: str) -> Words:
+    """Return the parts of a word that may be a path."""
     value = word.partition("=")[2]
     texts = [word, value, word.rpartition(":")[0], value.rpartition(":")[0]]
-    return any(text and os.path.exists(text) for text in texts)
+    return list(filter(None, texts))
 
 
 def _in_python(words: Words) -> str:

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 DELIMITERS = ("\t", ";", "|", ",")
 COMMENTS = ("#", "%", "//", ";;")
 COMMA = re.compile(r"[-+]?\d*,\d+(?:[eE][-+]?\d+)?")
+# A number with a point or a comma; one that begins within another is not searched for.
+MARKED = re.compile(r"(?<![\d.,])[\d.,]*[.,]\d+(?:[eE][-+]?\d+)?")
 THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2},\d{3}")
 POINTED_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}\.\d{3}")
 MARKS = "points or commas in all numbers, and no separators of thousands"

@@ -23,9 +23,10 @@ VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 BARE = {"-n", "--number", "--json", "--format"}
 NO_ANSWERS = {"--help", "-h", "--version", "--plot"}
 # lists of what there is
-LISTS = ("units", "quantities", "typical", "examples", "help", "columns", "spectrum --list")
+LISTS = ("units", "quantities", "typical", "examples", "help", "columns", "mark", "spectrum --list")
 MORE = (
     "columns examples/gallery.csv",
+    "mark examples/homework.csv",
     "units lux",
     "units W/m2",
     "typical sun",

@@ -1,0 +1,223 @@
+"""`radcalc mark FILE`: answers of students to the questions of a sheet."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import click
+
+from radcalc import terminal
+from radcalc.answer import Result, texts_of
+from radcalc.calculators.page import FILE, Operand, Page
+from radcalc.cli import files, sentence, trials
+from radcalc.cli.command import define
+from radcalc.cli.heard import Asked, asked
+from radcalc.cli.options import TOLERANCE
+from radcalc.cli.output import Output, refuse_number_options
+from radcalc.cli.refusals import of_click
+from radcalc.cli.spelling import Shell, refuse_long, spelled, split
+from radcalc.errors import RadcalcError, UsageError, drop, listed, printable, quote, spell
+from radcalc.errors import command as call_of
+from radcalc.homework.marks import (
+    PARTS,
+    RIGHT,
+    UNREADABLE,
+    Key,
+    Mark,
+    key,
+    mark,
+    of_value,
+    read_parts,
+    refuse_unlike,
+)
+from radcalc.homework.sheet import COMMAND, EXPECTED, Row, Sheet, read_sheet
+from radcalc.render.formats import JSON, TABLE, Records
+from radcalc.render.plain import number
+
+TOTAL = "total"
+DIGITS = 6  # of points
+POINTS = click.Option(
+    ["--points"],
+    metavar="mistake=0.5",
+    help="Parts of a question's points, as unit=0.5,digits=0.75,mistake=0.5 (the default): for a "
+    "right number without its unit, a number with too few digits, one named mistake.",
+)
+SECTIONS = {"Marks": (POINTS, TOLERANCE)}
+
+
+class Marked(NamedTuple):
+    """A student's answer to a question, as typed, with its mark and its points."""
+
+    row: Row
+    right: str
+    student: str
+    mark: Mark
+    points: float
+
+    @property
+    def record(self) -> dict[str, Any]:
+        return {
+            "student": printable(self.student),
+            "question": printable(self.row.question),
+            "answer": printable(self.row.answers[self.student].typed),
+            "right": self.right,
+            "verdict": self.mark.verdict,
+            "mistake": self.mark.mistake,
+            "likely": spell(self.mark.likely, InCell).lstrip(": "),
+            **_points(self.points, self.row.points),
+        }
+
+
+class InCell(Shell):
+    """The spelling in a message about a cell, which has no --check."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        return value if name == "check" else Shell.option(name, value)
+
+
+@define("mark", Page(operand=Operand("sheet", "FILE", FILE)), SECTIONS, calculates=False)
+def command(
+    words: tuple[str, ...], points: str | None, tolerance: str | None, output: Output
+) -> int:
+    """Mark the answers of students: right or wrong, the likely mistake, points.
+
+    \b
+    Examples:
+      radcalc mark sheet.csv
+      radcalc mark sheet.csv --format csv > gradebook.csv
+      radcalc mark sheet.csv --points unit=0,mistake=0.25 --tolerance 2%
+
+    \b
+    FILE has a header, then one question in each row:
+      question;command;expected;points;Ann;Bob
+      Spotlight;20000 cd at 8 m to lx;;2;312 lx;2500 lx
+      Cone;solid-angle cone --half-angle 30deg;0.842 sr;1;0.84;
+      Speed of light;;299792458 m/s;1;3e8 m/s;3e8
+
+    \b
+    question   text of the question (default: the command)
+    command    a command or a sentence of radcalc, with or without radcalc; it never writes, and
+               is not run by a shell.  -g names the result if there are several.
+    expected   the right answer: instead of the command, or to check it
+    points     points for a right answer (default 1)
+    Every other column has the answers of a student, whose name is its title.
+    """
+    refuse_number_options(output, "mark")
+    if len(words) != 1:
+        missing = "the file of the sheet is missing"
+        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
+        raise UsageError(problem, call_of("mark", "FILE"))
+    parts = read_parts(points) if points is not None else PARTS
+    sheet = read_sheet(words[0])
+    keys = [_key(sheet, row, tolerance) for row in sheet.rows]
+    marked = [*_marked(sheet, keys, parts)]
+    notes = _assumptions(sheet, keys)
+    rows = [*_with_totals(sheet, marked)]
+    table = [_cells(row, len(sheet.students) > 1) for row in rows]
+    inputs = texts_of({"file": words[0], "points": points or "", "tolerance": tolerance or ""})
+    output.records(Records(rows, notes, table, ("points", "of"), inputs))
+    if output.format not in (JSON, TABLE):
+        output.remark([Result((), notes=tuple(notes))])
+    is_right = all(one.mark.verdict == RIGHT for one in marked)
+    return terminal.ANSWERED if is_right else terminal.WRONG
+
+
+# ---------------------------------------------------------------------------------------------
+# The key
+
+
+def _key(sheet: Sheet, row: Row, tolerance: str | None) -> Key:
+    """Return the key of a question; raise its error with the place in the sheet."""
+    words: list[str] = []
+    column = COMMAND if row.command else EXPECTED
+    try:
+        if not row.command:
+            return key(of_value(row.expected), "", "", tolerance)
+        refuse_long(row.command)
+        words = split(row.command)
+        words = words[1:] if words[:1] == ["radcalc"] else words
+        question, wanted, own = _asked(words)
+        found = key(question, wanted, row.expected, own or tolerance)
+        if row.expected:
+            column, words = EXPECTED, []
+            refuse_unlike(found, row.expected)
+        return found
+    except (RadcalcError, click.UsageError) as error:
+        problem = of_click(error, words) if isinstance(error, click.UsageError) else error
+        shown = trials.trials(problem, words) if words else []
+        message, hint = problem.spelled(InCell)
+        hint = " or ".join([trial.command for trial in shown]) or hint
+        problem_here = message.replace("--check", "a question").lstrip(": ")
+        raise sheet.error(row, column, problem_here, hint) from None
+
+
+def _asked(words: list[str]) -> Asked:
+    """Return the question that a command or a sentence asks."""
+    if not words:
+        raise UsageError("the command is missing", "a command after radcalc")
+    trials.refuse_effects(words)
+    _, options = sentence.options_of(words)
+    if options:
+        problem = f"{quote(options[0])} does not apply to a question"
+        raise UsageError(problem, drop(options[0]))
+    if files.begins_with_file(words):
+        words = files.meant(words)
+    try:
+        return asked(words)
+    except (RadcalcError, click.UsageError) as error:
+        return asked(sentence.as_call(words, error, trials.has_answers))
+
+
+def _assumptions(sheet: Sheet, keys: Sequence[Key]) -> list[str]:
+    """Return the assumptions of the right answers, each with the lines of its questions."""
+    lines: dict[str, list[str]] = {}
+    for row, found in zip(sheet.rows, keys, strict=True):
+        for assumption in found.question.answer.assumptions:
+            lines.setdefault(spelled(assumption), []).append(str(row.line))
+    return [
+        f"line{'s' if len(found) > 1 else ''} {listed(found)}: assumed: {assumption}"
+        for assumption, found in lines.items()
+    ]
+
+
+# ---------------------------------------------------------------------------------------------
+# The marks
+
+
+def _marked(sheet: Sheet, keys: Sequence[Key], parts: Mapping[str, float]) -> Iterator[Marked]:
+    """Yield the answers of each student; equal answers to a question are judged once."""
+    known: dict[tuple[int, str], Mark] = {}
+    for student in sheet.students:
+        for row, found in zip(sheet.rows, keys, strict=True):
+            _, text, problem = row.answers[student]
+            if not problem and (row.line, text) not in known:
+                known[row.line, text] = mark(found, text)
+            judged = Mark(UNREADABLE, likely=problem) if problem else known[row.line, text]
+            part = parts.get(judged.verdict, 0.0)
+            yield Marked(row, found.text, student, judged, row.points * part)
+
+
+def _with_totals(sheet: Sheet, marked: Sequence[Marked]) -> Iterator[dict[str, Any]]:
+    """Yield the records of each student's answers, and then of the total."""
+    most = sum(row.points for row in sheet.rows)
+    for student in sheet.students:
+        own = [one for one in marked if one.student == student]
+        yield from (one.record for one in own)
+        total = dict.fromkeys(own[0].record, "") | {"student": own[0].record["student"]}
+        yield total | {"verdict": TOTAL, **_points(sum(one.points for one in own), most)}
+
+
+def _points(points: float, most: float) -> dict[str, float]:
+    """Return points and the most possible, as whole numbers if they are."""
+    sizes = {"points": round(points, DIGITS), "of": round(most, DIGITS)}
+    return {name: int(size) if size.is_integer() else size for name, size in sizes.items()}
+
+
+def _cells(record: Mapping[str, Any], has_several: bool) -> dict[str, str]:
+    """Return a row of the table, without the right answer."""
+    cells = {"student": record["student"]} if has_several else {}
+    cells |= {name: record[name] for name in ("question", "answer", "verdict")}
+    if record["verdict"] == TOTAL:
+        cells |= {"question": TOTAL, "verdict": ""}
+    numbers = {name: number(record[name], DIGITS) for name in ("points", "of")}
+    return {**cells, "likely mistake": record["likely"], **numbers}
