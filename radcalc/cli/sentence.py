@@ -22,6 +22,7 @@ from radcalc.errors import (
     MissingInput,
     RadcalcError,
     TooManyWords,
+    UsageError,
 )
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read
@@ -116,7 +117,7 @@ def meant(
     except RadcalcError as problem:
         has_readings = any(one.is_call for one in problem.tries)
         is_free = asked[0] not in COMMANDS and (understood or has_readings)
-        is_long = len(" ".join(asked).split()) > LONG
+        is_long = isinstance(error, UsageError) and len(" ".join(asked).split()) > LONG
         is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
         raise (problem if is_better else error) from None
     if not is_other(call, asked, error):

@@ -5,7 +5,17 @@ from functools import reduce
 
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
-from radcalc.errors import Try, UsageError, corrections, listed, manual, quote, quote_path
+from radcalc.errors import (
+    Try,
+    UnitError,
+    UsageError,
+    correct,
+    corrections,
+    listed,
+    manual,
+    quote,
+    quote_path,
+)
 from radcalc.quantities.light import Reading, result_name
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import comparable
@@ -24,7 +34,7 @@ from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import ANGLE, AREA, LENGTH, TEMPERATURE, TIME, times
 from radcalc.units.reading import read_amount
-from radcalc.units.table import suggest
+from radcalc.units.table import resolve, suggest, unit_of
 from radcalc.units.unit import NUMBER, Unit
 
 VALUE = "value"  # the amount that is converted
@@ -97,6 +107,9 @@ USUAL_GOALS = {
 
 # The full angles of beams, which for a solid angle is that of a cone.
 ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
+# Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
+LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
+NEAR = 0.1  # of a temperature
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
 # Results that an input is for: they come before the others of their unit.
@@ -158,15 +171,33 @@ def _corrected(word: str) -> list[Try]:
     """Propose the known words that are like an unknown one, and units in another case."""
     if len(word) < SHORTEST:
         return []
+    if units := _in_other_case(word):
+        return units
     near = [n for n in (*suggest(word), *near_words(word)) if comparable(n) not in {*FILLERS, word}]
     others = [n for n in near if not word.startswith(n)]  # rough for roughly
     return corrections(word, *others[:2])
 
 
+def _is_bare(fact: Fact) -> bool:
+    return not fact.symbols and fact.amount is not None and fact.amount.unit.text == "1"
+
+
+def _in_other_case(word: str) -> list[Try]:
+    """Propose a unit of several parts with the right case: W/m2 for w/m2."""
+    try:
+        resolve(word)
+    except UnitError as error:
+        pairs = [one.instead for one in error.tries if len(one.instead) == 2]
+        units = [word.replace(typed, other) for typed, other in pairs]
+        return [correct(word, unit) for unit in units if "/" in unit and unit_of(unit)]
+    return []
+
+
 def _without(sentence: Sentence) -> list[Try]:
     """Propose the calls of a sentence without its unknown words, unless one changes an amount."""
     unknown = sentence.unknown
-    if len(sentence.facts) + len(sentence.goals) < 2:
+    has_bare_number = any(_is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
+    if has_bare_number or len(sentence.facts) + len(sentence.goals) < 2:
         return []
     if any(
         comparable(word) in MEANINGFUL or not word.replace("-", "").isalpha() for word in unknown
@@ -185,7 +216,7 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if sentence.files:
         return _of_file(sentence)
     goal = _goal_of(sentence)
-    sentence = _without_lamp(sentence, goal)
+    sentence = _without_lamp(_with_led(sentence), goal)
     readings = _readings(sentence)
     found = [call for facts in readings for call in _calls(facts, goal)]
     found = found or _quotients(sentence.facts, goal)
@@ -196,17 +227,41 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
 
 
 def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
-    """Return a sentence without `led` as a spectrum, if its light needs none.
+    """Return a sentence without a spectrum such as `led` or `sun`, if its light needs none.
 
     It is of one kind, or its efficacy is given.
     """
     units = [fact.amount.unit for fact in sentence.facts if fact.amount]
     units += [goal.unit] if goal and goal.unit else []
+    if any(map(_is_bare, sentence.facts)):  # 1 sun has an unknown unit
+        return sentence
     has_efficacy = any(unit.dimension in SYMBOLS["efficacy"].dimensions for unit in units)
     if not has_efficacy and len({light.kind for unit in units if (light := read_light(unit))}) > 1:
         return sentence
-    facts = [fact for fact in sentence.facts if fact.text.lower() not in FILLERS]
+    facts = [fact for fact in sentence.facts if not _is_lamp(fact)]
     return sentence._replace(facts=tuple(facts))
+
+
+def _with_led(sentence: Sentence) -> Sentence:
+    """Return a sentence with the CIE's LED of a colour temperature, as `led` and 3000 K."""
+    facts = sentence.facts
+    leds = [fact for fact in facts if _is_lamp(fact) and fact.text.lower().endswith("led")]
+    colours = [fact for fact in facts if fact.amount and fact.amount.dimension == TEMPERATURE]
+    if len(leds) != 1 or len(colours) != 1 or colours[0].symbols:
+        return sentence
+    assert colours[0].amount is not None
+    temperature = _size(colours[0].amount)
+    name = min(LEDS, key=lambda led: abs(LEDS[led] - temperature))
+    if abs(LEDS[name] - temperature) > NEAR * temperature:
+        return sentence
+    led = leds[0]._replace(text=name)
+    others = [led if fact is leds[0] else fact for fact in facts if fact is not colours[0]]
+    return sentence._replace(facts=tuple(others))
+
+
+def _is_lamp(fact: Fact) -> bool:
+    """Return whether a fact is a spectrum by a word of everyday language: led, sun, daylight."""
+    return fact.symbols == ("spectrum",) and fact.text.replace(" ", "").isalpha()
 
 
 def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
@@ -276,6 +331,10 @@ def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark
 
 def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the calls of the first frame that takes all facts."""
+    if len(facts) == 1 and goal and goal.unit and (same := _same(next(iter(facts.values())), goal)):
+        return [same]
+    if goal and "room-index" in goal.names:
+        facts = _with_sides(facts)
     if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
         return [["convert", *facts[FILTER].text.split(), "%"]]
     if FILTER in facts:
@@ -287,6 +346,27 @@ def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
         if is_called_for and (calls := of_frame(frame, facts, goal)):
             return calls
     return []
+
+
+def _same(fact: Fact, goal: Goal) -> list[str]:
+    """Return the conversion of the only amount, if it has the quantity of the goal."""
+    amount, unit = fact.amount, goal.unit
+    if amount is None or unit is None or amount.dimension != unit.dimension or unit.is_scale:
+        return []
+    number, blank, typed = fact.text.partition(" ")
+    plain = [number, typed] if blank and typed == amount.unit.text else [fact.text]
+    return ["convert", *plain, goal.text]
+
+
+def _with_sides(facts: Facts) -> Facts:
+    """Return facts with the two sides of an area in place of the area."""
+    area = facts.get("area")
+    first, times_sign, second = area.text.partition("*") if area else ("", "", "")
+    if not times_sign or not all(unit_of(side.strip("0123456789. ")) for side in (first, second)):
+        return facts
+    others = {name: fact for name, fact in facts.items() if name != "area"}
+    sides = [Fact((name,), text, text) for name, text in (("length", first), ("width", second))]
+    return {**others, "length": sides[0], "width": sides[1]}
 
 
 def _filtered(facts: Facts) -> Facts:

@@ -130,9 +130,9 @@ PHRASES = (
         ("{size} wide|width", "width"),
         ("{size} tall|long|length", "length"),
         ("{size} wide pool|circle|spot|disc|beam", "diameter"),
-        ("beam|pool|spot {size} wide|across", "diameter"),
+        ("beam|pool|spot|circle|disc|disk|hole {size} wide|across", "diameter"),
         ("{length} diagonal|screen", "diagonal"),
-        ("{size} diameter|dia|aperture|beam|spot|disc|disk|circle", "diameter"),
+        ("{size} diameter|dia|beam|spot|disc|disk|circle", "diameter"),
         ("through|into|in a? {size} pinhole|aperture|iris", "receiver-diameter"),
         ("{size} beam|spot|diameter diameter|spot|beam", "diameter"),
         ("beam|spot diameter? {size}", "diameter"),
@@ -152,6 +152,13 @@ PHRASES = (
         ("{number} white|grey|gray surface|paper|wall|board|card", "reflectance"),
         ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
         ("white|grey|gray|black surface|paper|wall|board|card", "reflectance", ""),
+        (
+            "white|grey|gray|black diffuse|matte|matt|lambertian surface|wall|card",
+            "reflectance",
+            "",
+        ),
+        ("matte|matt|diffuse|lambertian surface|wall|paper|card", "reflectance", ""),
+        ("matte|matt white surface|wall|paper|card", "reflectance", ""),
     ),
     *_group(
         "time",
@@ -163,6 +170,7 @@ PHRASES = (
         "camera",
         ("f/ {number}", "f-number"),
         ("iso {number}", "iso"),
+        ("{number} iso", "iso"),
         ("nd {number} filter", "nd"),
         ("ev {number}", "ev100 or ev"),
         ("ev100 {number}", "ev100"),
@@ -199,6 +207,8 @@ PHRASES = (
         ("pool|spot diameter|width|size", TARGET, "beam-diameter"),
         ("f-stop|fstop|f-number", TARGET, "f-number"),
         ("incident lux|light|illuminance", TARGET, "illuminance"),
+        ("horizontal illuminance|lux", TARGET, "illuminance"),
+        ("wien peak?", TARGET, "peak-wavelength"),
         ("exposure|irradiation time", TARGET, "time"),
         ("color|colour temperature", TARGET, "cct"),
         ("peak wavelength", TARGET, "peak-wavelength"),
@@ -221,8 +231,8 @@ IGNORED = """
     radiated radiates rate rated reach reaches reaching read reads receive receives see seen
     sees shift shine shines shining sits stands still straight subtend subtended subtends takes
     throw turned underneath unit up wants wien above across aimed aiming brightness-of covers
-    falling falls front longest lose per-lamp put showing wide-open then bare cover fills
-    held face-on head-on side alone
+    falling falls front longest lose per-lamp put showing wide-open then reflect reflects
+    reflecting square bare cover fills held face-on head-on side alone
 
     actor air aisle area-light array backdrop backlight bandgap band-gap bar basil bathroom beam
     bedroom bench bulb bulbs camera canopy car ceiling cell center centre classroom collimated

@@ -135,6 +135,10 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         facts = [fact for fact in facts if fact not in lamps]
         ignored += [word for word in unknown if comparable(word) in COLOURS]
         unknown = [word for word in unknown if comparable(word) not in COLOURS]
+    if any(fact.symbols == ("spectrum",) and fact.text.lower() == "led" for fact in facts):
+        unknown = [word for word in unknown if word.lower() != "white"]  # a white 3000 K led
+    if any({*fact.symbols} & {"half-angle", "apex-angle"} for fact in facts):  # of a cone
+        goals = [goal for goal in goals if goal.text != "cone"]
     if any("area" in fact.symbols or _is_area(fact) for fact in facts):  # evenly over an area
         ignored += [word for word in unknown if word in MEAN]
         unknown = [word for word in unknown if word not in MEAN]
@@ -210,7 +214,7 @@ class _Reading:
         for part in parts:
             if part[0] == "{":
                 amount = self.amount(at)
-                if part == "{number}" and amount and amount.unit.text != "1":
+                if part == "{number}" and amount and amount.dimension != NUMBER:
                     amount = self.number(at)  # iso 100 EV
                 if amount is None or not fits(amount, part[1:-1]):
                     return None
@@ -234,14 +238,16 @@ class _Reading:
                 symbols = tuple([n for n in symbols if NUMBER in SYMBOLS[n].dimensions])
             if amount and (fitting := _of_amount(symbols, amount)):
                 text = self.text(at, amount.end)
-                found.append((amount.end, Fact(fitting, amount.text, text, amount)))
+                found.append((amount.end, Fact(_with_plain(fitting), amount.text, text, amount)))
         amount = self.amount(at)
         if amount:
             for end, symbols in self._names(amount.end):
                 fitting = _of_amount(symbols, amount)
                 own = self.amount(end)
+                is_asked = "wavelength" in fitting and amount.dimension != LENGTH  # 3.1 eV lambda
                 if (
                     fitting
+                    and not is_asked
                     and amount.dimension != NUMBER
                     and not (own and _of_amount(symbols, own))
                 ):
@@ -255,6 +261,9 @@ class _Reading:
             found = self.names.get(comparable(letter), ()) or tuple(
                 [n for n, s in SYMBOLS.items() if s.letter == letter and n not in SPECIFIC]
             )
+            amount = self.amount(at + 1)
+            if amount and not _of_amount(found, amount):  # E=3.1eV is not an irradiance
+                return []
             return [(at + 1, found)] if found else []
         ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in self.names]
         return [(end, self.names[self.folded(at, end)]) for end in ends]
@@ -305,6 +314,8 @@ class _Reading:
     def _filler(self, at: int) -> list[Found]:
         text = self.words[at].text
         is_unit = len(text) == 1 and text.isupper() and at > 0 and unit_in([text])  # the ampere
+        if text[-1] == "=" and self.amount(at + 1):
+            return [(at + 1, None)]
         ends = [end for end in (at + 1, at + 2) if self.folded(at, end) in FILLERS | MARKS]
         return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]
 
@@ -325,6 +336,12 @@ def _joined(text: str) -> str:
     """Return an amount as one word, if it reads the same: 2 m becomes 2m."""
     number, blank, unit = text.partition(" ")
     return number + unit if blank and unit.isalpha() and number.isascii() else text
+
+
+def _with_plain(symbols: tuple[str, ...]) -> tuple[str, ...]:
+    """Return symbols of means with those of the quantities: an average luminance as an input."""
+    plain = [name.removeprefix("mean-") for name in symbols]
+    return (*symbols, *[name for name in plain if name in SYMBOLS and name not in symbols])
 
 
 def _of_amount(symbols: "tuple[str, ...]", amount: Amount) -> tuple[str, ...]:
