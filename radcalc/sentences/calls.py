@@ -28,11 +28,12 @@ from radcalc.quantities.symbols import (
     names_of_kinds,
     specific_name,
 )
+from radcalc.quantities.targets import is_name
 from radcalc.sentences.phrases import BESIDE, FILLERS, FILTER, MEANINGFUL, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence, near_words
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
-from radcalc.units.dimensions import ANGLE, AREA, LENGTH, TEMPERATURE, TIME, times
+from radcalc.units.dimensions import ANGLE, AREA, LENGTH, SOLID_ANGLE, TEMPERATURE, TIME, times
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest, unit_of
 from radcalc.units.unit import NUMBER, Unit
@@ -602,6 +603,8 @@ def _target(goal: Goal, value: Fact, given: Facts) -> str:
         symbol = SYMBOLS[name]
         if light and symbol.geometry and symbol.kind in ("", light.kind):
             return specific_name(symbol.generic, light.kind).replace("-", " ")
+    if not goal.unit and goal.names and not is_name(goal.text):  # lambda
+        return SYMBOLS[goal.names[0]].label
     return goal.text
 
 
@@ -610,12 +613,15 @@ def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     amounts = [fact.amount for fact in facts if fact.amount]
     if moved := _moved(facts, goal):
         return moved
-    if goal is None or len(amounts) != len(facts):
+    if goal is None or len(amounts) != len(facts) or any(map(_is_bare, facts)):
         return []
     dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
     target = _unit_of(goal, amounts)
     if len(amounts) == 3:  # 24 W/m of 100 lm/W, 5 m
-        product = reduce(times, [amount.dimension for amount in amounts])
+        of_amounts = {amount.dimension for amount in amounts}
+        if len(of_amounts) < 3 or of_amounts & {ANGLE, SOLID_ANGLE}:
+            return []
+        product = reduce(times, of_amounts)
         text = " * ".join([f"({amount.text})" for amount in amounts])
         return [["convert", text, target]] if product in dimensions else []
     if len(amounts) != 2:

@@ -445,7 +445,12 @@ def check_command(text: str, found: Answer) -> None:
 
 
 def check_python(text: str, found: Answer) -> None:
-    """Check that `radcalc.ask` gives the same number."""
+    """Check that `radcalc.ask` gives the same number.
+
+    Two units, as `THz GHz`, are a conversion of 1 at a shell only, as in GNU units.
+    """
+    if len(text.split()) == 2 and found.command[:2] == ["convert", "1"]:
+        return
     try:
         asked: Any = radcalc.ask(text)
     except RadcalcError as error:
