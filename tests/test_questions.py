@@ -1,0 +1,89 @@
+"""The open list of questions of tests/questions, answered by radcalc in its own words."""
+
+import re
+import shlex
+import subprocess
+
+from conftest import run
+from helpers import for_each
+from questions.compare import FILES, NOTHING, QUESTIONS, Question, pint
+
+UNANSWERED = 14  # rows without a command; a change may only make them fewer
+EXPLAINED = 276  # wrong answers whose mistake is named; a change may only make them more
+LACKS_PINT = ("footcandle", "footlambert")
+WRONG = re.compile(r"(\S+) (.+?) = .+")
+ANSWERED = [row for row in QUESTIONS if row.radcalc != NOTHING and row.has_answer]
+REFUSED = [row for row in QUESTIONS if row.radcalc != NOTHING and not row.has_answer]
+
+
+def wrong_answers(row: Question) -> list[tuple[str, str]]:
+    """Return the numbers and the units of the wrong answers of a row."""
+    found = [WRONG.fullmatch(text) for text in row.wrong.split(" ; ")]
+    assert all(found), row.wrong
+    return [(match[1], match[2]) for match in found if match]
+
+
+def test_the_lists_are_complete():
+    assert len(FILES) == 10
+    assert len({row.id for row in QUESTIONS}) == len(QUESTIONS) == 300
+    for row in QUESTIONS:
+        assert all(row), row.id
+        assert "http" in row.source, row.id
+        assert wrong_answers(row), row.id
+        assert row.has_answer == (row.unit != NOTHING) == (row.tolerance != NOTHING), row.id
+
+
+@for_each([row for row in QUESTIONS if row.has_answer and row.formula != NOTHING])
+def test_values_follow_from_their_formulas(row: Question):
+    number = pint(row.formula, row.target, True)
+    if number is None:
+        assert set(LACKS_PINT) & set(re.findall("[a-z]+", f"{row.formula} {row.target}"))
+    else:
+        assert row.is_right(number), number
+
+
+@for_each(ANSWERED)
+def test_radcalc_answers(row: Question):
+    number = float(run(*shlex.split(row.radcalc), "-q", check=True).stdout.split()[0])
+    assert row.is_right(number), f"{number} for {row.value} {row.unit}"
+
+
+@for_each(REFUSED)
+def test_radcalc_refuses_what_has_no_answer(row: Question):
+    refused = run(*shlex.split(row.radcalc), "-q")
+    assert refused.returncode == 2
+    assert not refused.stdout
+    assert "\ntry: " in refused.stderr
+
+
+def test_rows_without_a_command_become_fewer():
+    missing = [row for row in QUESTIONS if row.radcalc == NOTHING]
+    assert len(missing) <= UNANSWERED
+    assert all(row.note != NOTHING for row in missing)
+
+
+def verdict(row: Question, number: str, unit: str) -> subprocess.CompletedProcess[str]:
+    """Give radcalc an answer to judge, to the tolerance of the row."""
+    words = shlex.split(row.radcalc)
+    claim, asked_unit = number, ""
+    if "-g" in words:
+        at = words.index("-g")
+        name, _, asked_unit = words[at + 1].partition(":")
+        claim = f"{name}={number}"
+        del words[at : at + 2]
+    elif words[0] != "convert":
+        words.insert(0, "convert")
+    claim += asked_unit if unit == row.unit else unit
+    tolerance = f"{100 * min(float(row.tolerance), 0.01):.10f}%"
+    return run(*words, "--check", claim, "--tolerance", tolerance, "-q")
+
+
+def test_wrong_answers_are_called_wrong():
+    explained = 0
+    for row in ANSWERED:
+        for number, unit in wrong_answers(row):
+            done = verdict(row, number, unit)
+            assert done.returncode == 1, (row.id, number, done.stderr)
+            assert done.stdout.startswith("wrong"), (row.id, number, done.stdout)
+            explained += "\nlikely: " in done.stdout
+    assert explained >= EXPLAINED
