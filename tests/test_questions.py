@@ -3,10 +3,11 @@
 import re
 import shlex
 import subprocess
+from collections import Counter
 
-from conftest import run
+from conftest import ROOT, run
 from helpers import for_each
-from questions.compare import FILES, NOTHING, QUESTIONS, Question, pint
+from questions.compare import FILES, NOTHING, QUESTIONS, Question, first_number, pint
 
 UNANSWERED = 14  # rows without a command; a change may only make them fewer
 EXPLAINED = 276  # wrong answers whose mistake is named; a change may only make them more
@@ -87,3 +88,25 @@ def test_wrong_answers_are_called_wrong():
             assert done.stdout.startswith("wrong"), (row.id, number, done.stdout)
             explained += "\nlikely: " in done.stdout
     assert explained >= EXPLAINED
+
+
+def as_asked(row: Question) -> str:
+    """Ask radcalc for the plain conversion of a row; return the verdict on its answer."""
+    return row.verdict(
+        first_number(run("convert", *row.ask.split(" ", 1), row.target, "-q").stdout)
+    )
+
+
+def test_the_page_is_current():
+    page = (ROOT / "docs" / "questions.md").read_text("utf-8")
+    named = re.findall(r"^- `([\w-]+)` \(", page, re.MULTILINE)
+    assert named == [row.id for row in QUESTIONS if row.radcalc == NOTHING]
+    asked = [row for row in QUESTIONS if row.ask != NOTHING]
+    found = Counter((row.has_answer, as_asked(row)) for row in asked)
+    counts = [found[True, "right"], found[True, "none"], found[True, "wrong"]]
+    counts += [found[False, "none"], found[False, "wrong"]]
+    (cells,) = re.findall(r"^\| radcalc \S+ \|(.*)\|$", page, re.MULTILINE)
+    assert [int(cell) for cell in cells.split("|")][:5] == counts
+    answers = f"{len(ANSWERED)} of the {sum(row.has_answer for row in QUESTIONS)} questions"
+    for text in (page, (ROOT / "README.md").read_text("utf-8")):
+        assert answers in text

@@ -114,6 +114,11 @@ def number_in(text: str | None) -> float | None:
     return float(found[0]) if found else None
 
 
+def first_number(text: str | None) -> float | None:
+    """Return the number that radcalc prints, before its unit."""
+    return number_in((text or "").partition("\t")[0])
+
+
 def gnu_units(expression: str, target: str, is_formula: bool) -> float | None:
     """Ask GNU units, where dBm is a function, log10 is log, rad a dose, and an arc has a unit."""
     expression = re.sub(r"^(\S+) dBm$", r"dBm(\1)", expression).replace("log10(", "log(")
@@ -124,10 +129,24 @@ def gnu_units(expression: str, target: str, is_formula: bool) -> float | None:
     return number_in(output("units", "-1", "-t", "-d", "15", "--", expression, target))
 
 
+@cache
+def qalc_prints(text: str) -> tuple[float, str] | None:
+    """Return the number and the unit that qalc prints."""
+    printed = output("qalc", "-t", "+u8", "-s", "precision 15", text) or ""
+    found = NUMBER.match(printed)
+    return (float(found[0]), printed[found.end() :].strip()) if found else None
+
+
 def qalc(expression: str, target: str, is_formula: bool) -> float | None:
-    """Ask qalc for the ratio to the target, which has no unit if it is an answer."""
-    ratio = f"({expression}) / ({target})"
-    return number_in(output("qalc", "-t", "+u8", "-s", "precision 15", ratio))
+    """Ask qalc for the ratio to the target, which has no unit if it is an answer.
+
+    Otherwise ask it to convert; the unit of an answer is the one in which it prints the target.
+    """
+    answer, unit = qalc_prints(f"({expression}) / ({target})"), ""
+    if not answer or answer[1]:
+        answer = qalc_prints(f"{expression} to {target}")
+        unit = (qalc_prints(f"7 {target} to {target}") or (7, "no unit"))[1]
+    return answer[0] if answer and answer[1] == unit else None
 
 
 class Names(dict[str, Any]):
@@ -213,8 +232,7 @@ def program() -> str:
 def radcalc(expression: str, target: str, is_formula: bool) -> float | None:
     """Ask radcalc in the same words as the others."""
     amount = [expression] if is_formula else expression.split(" ", 1)
-    printed = output(program(), "convert", *amount, target, "-q") or ""
-    return number_in(printed.partition("\t")[0])
+    return first_number(output(program(), "convert", *amount, target, "-q"))
 
 
 def tools() -> dict[str, Asked]:
