@@ -2,12 +2,14 @@
 
 import re
 import shlex
-import subprocess
 from collections import Counter
 
 from conftest import ROOT, run
 from helpers import for_each
+from homework.questions import asked
 from questions.compare import FILES, NOTHING, QUESTIONS, Question, first_number, pint
+
+from radcalc.homework import Verdict, check
 
 UNANSWERED = 14  # rows without a command; a change may only make them fewer
 EXPLAINED = 276  # wrong answers whose mistake is named; a change may only make them more
@@ -63,30 +65,34 @@ def test_rows_without_a_command_become_fewer():
     assert all(row.note != NOTHING for row in missing)
 
 
-def verdict(row: Question, number: str, unit: str) -> subprocess.CompletedProcess[str]:
-    """Give radcalc an answer to judge, to the tolerance of the row."""
+def verdicts(row: Question) -> list[Verdict]:
+    """Let `--check` judge the wrong answers of a row, to the tolerance of the row."""
     words = shlex.split(row.radcalc)
-    claim, asked_unit = number, ""
+    name = unit = ""
     if "-g" in words:
         at = words.index("-g")
-        name, _, asked_unit = words[at + 1].partition(":")
-        claim = f"{name}={number}"
+        name, _, unit = words[at + 1].partition(":")
         del words[at : at + 2]
     elif words[0] != "convert":
         words.insert(0, "convert")
-    claim += asked_unit if unit == row.unit else unit
+    question = asked(shlex.join(words), name)
     tolerance = f"{100 * min(float(row.tolerance), 0.01):.10f}%"
-    return run(*words, "--check", claim, "--tolerance", tolerance, "-q")
+    return [
+        check(
+            question,
+            (f"{name}=" if name else "") + number + (unit if its_unit == row.unit else its_unit),
+            tolerance,
+        )
+        for number, its_unit in wrong_answers(row)
+    ]
 
 
 def test_wrong_answers_are_called_wrong():
     explained = 0
     for row in ANSWERED:
-        for number, unit in wrong_answers(row):
-            done = verdict(row, number, unit)
-            assert done.returncode == 1, (row.id, number, done.stderr)
-            assert done.stdout.startswith("wrong"), (row.id, number, done.stdout)
-            explained += "\nlikely: " in done.stdout
+        for found in verdicts(row):
+            assert not found.right, row.id
+            explained += bool(found.diagnoses)
     assert explained >= EXPLAINED
 
 

@@ -275,27 +275,29 @@ def asked(column: str, has_answer: bool) -> int:
     )
 
 
-def print_table(answers: dict[str, tuple[Answers, ...]]) -> None:
+def print_table(answers: dict[str, tuple[Answers, Answers]]) -> None:
     """Print the counts of every tool as a table of Markdown."""
-    groups = {  # title: the column of answers, whether the questions have an answer, the verdicts
-        "as asked": (0, True, ("right", "none", "wrong")),
-        "as asked, without an answer": (0, False, ("none", "wrong")),
-        "by the formula": (1, True, ("right", "none", "wrong")),
+    plain, formulas = 0, 1
+    words = {"right": "right", "none": "none", "wrong": "wrong"}
+    groups = {
+        f"as asked ({asked('ask', True)})": (plain, True, words),
+        f"without an answer ({asked('ask', False)})": (
+            plain,
+            False,
+            {"none": "refused", "wrong": "answered"},
+        ),
+        f"by the formula ({asked('formula', True)})": (formulas, True, words),
     }
-    titles = [
-        f"{title} ({asked(('ask', 'formula')[column], has_answer)}): {verdict}"
-        for title, (column, has_answer, verdicts) in groups.items()
-        for verdict in verdicts
-    ]
+    titles = [f"{title}: " + " | ".join(cells.values()) for title, (*_, cells) in groups.items()]
     print("| tool |", " | ".join(titles), "|")
-    print("|---" * (len(titles) + 1) + "|")
+    print("|---" * (1 + sum(len(cells) for *_, cells in groups.values())) + "|")
     for name, columns in answers.items():
-        cells = [
+        counts = [
             str(counted(columns[column], has_answer)[verdict])
-            for column, has_answer, verdicts in groups.values()
-            for verdict in verdicts
+            for column, has_answer, cells in groups.values()
+            for verdict in cells
         ]
-        print(f"| {name} |", " | ".join(cells), "|")
+        print(f"| {name} |", " | ".join(counts), "|")
     answered = [row for row in QUESTIONS if row.has_answer and row.radcalc != NOTHING]
     print(
         f"\nCommands of radcalc (checked by tests/test_questions.py): {len(answered)} answers, "
@@ -304,7 +306,7 @@ def print_table(answers: dict[str, tuple[Answers, ...]]) -> None:
     )
 
 
-def print_wrong(answers: dict[str, tuple[Answers, ...]]) -> None:
+def print_wrong(answers: dict[str, tuple[Answers, Answers]]) -> None:
     """Print every wrong answer: tool, question, what was typed, the answer, the right one."""
     for name, columns in answers.items():
         for column, rows in zip(("ask", "formula"), columns, strict=True):
