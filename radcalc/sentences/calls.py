@@ -619,7 +619,7 @@ def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     target = _unit_of(goal, amounts)
     if len(amounts) == 3:  # 24 W/m of 100 lm/W, 5 m
         of_amounts = {amount.dimension for amount in amounts}
-        if len(of_amounts) < 3 or of_amounts & {ANGLE, SOLID_ANGLE}:
+        if len(of_amounts) < 3 or of_amounts & {ANGLE, SOLID_ANGLE, NUMBER}:
             return []
         product = reduce(times, of_amounts)
         text = " * ".join([f"({amount.text})" for amount in amounts])

@@ -222,7 +222,7 @@ BESIDE = {"height": ("incidence", "0deg"), "ev": ("iso", "100")}
 IGNORED = """
     a about an and are at be by calculate can convert corresponds do does equals for from get
     give given gives have how how-many how-much i if in into is it its me my need needed needs
-    of on one onto over please pls required tell that that's the there this to under using value
+    of on onto over please pls required tell that that's the there this to under using value
     what when which will with would you absorbed allows arrive arrives back below beneath
     collect collects directly directly-underneath down draws emission emit emits equally exactly
     focused focussed gets gets-through gives-off hang hangs has hit hits hitting illuminates

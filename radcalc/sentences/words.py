@@ -113,7 +113,7 @@ def _plain_words(text: str) -> list[str]:
             part = part[:-1]
         elif lower in NUMBERS and is_before_unit:
             part = str(NUMBERS.index(lower) + 1)
-        elif lower in ("each", "every") and is_before_unit and plain:
+        elif lower in ("each", "every") and is_before_unit and plain and plain[-1][-1].isalpha():
             part = "per"
         plain.append(part.removesuffix("'s"))
     return plain
@@ -217,7 +217,7 @@ def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
     unit = unit_of(text) or find(text) or (None if is_par else horticulture.find(text))
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
         return None
-    if any(part[0].isdigit() for part in parts[1:]):
+    if any(part[0].isdigit() for part in parts):
         return None
     if len(parts) > 1 and len(unit.atoms) != 1 and not all(map(PART_OF_UNIT.fullmatch, parts[1:])):
         last = unit_of(parts[-1])
