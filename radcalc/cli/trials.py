@@ -140,7 +140,8 @@ def has_answers(error: RadcalcError, words: Words) -> bool:
 def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
     """Return a refused call with what it lacks, if it is answered then."""
     has_readings = isinstance(further, UsageError) and len(further.tries) > 1
-    if has_readings and all(one.words for one in further.tries):  # of a sentence
+    is_sentence = called_in(trial.words) in ("", "convert")
+    if is_sentence and has_readings and all(one.words for one in further.tries):
         readings = []
         for one in further.tries[:MOST]:
             with suppress(RadcalcError):

@@ -22,7 +22,7 @@ SYNONYMS = {
     "off-axis-angle": "field-angle off-axis angle",
     "reflectance": "albedo reflectivity",
     "wavelength": "lambda color colour",
-    "spectrum": "illuminant lamp spd",
+    "spectrum": "illuminant lamp spd source",
     "distribution": "ies ldt file luminaire photometry",
     "precision": "digits decimals",
     "format": "output",
@@ -48,6 +48,7 @@ SYNONYMS = {
     "receiver-diameter": "detector-diameter pupil-diameter",
     "pixel-pitch": "pixel pixel-size pitch",
     "height": "mounting-height",
+    "fwhm": "linewidth bandwidth",
     "divergence": "full-divergence spread",
 }
 

@@ -76,7 +76,7 @@ FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("etendue", "na etendue"),
     _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
     _frame("refraction", "index"),
-    _frame("point-source", "", light=False, results="beam-diameter"),
+    _frame("point-source", "", light=False, results="beam-diameter diameter"),
     _frame("convert", " ".join((VALUE, *LIGHT, "wavelength", "fwhm"))),
     _frame("point-source", "flux intensity irradiance", area="receiver-area"),
     _frame("lambertian", f"radiance exitance {SHAPE}", "disc"),
@@ -111,6 +111,7 @@ ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.1  # of a temperature
+WAVES = ("frequency", "wavenumber", "photon-energy")  # given in place of a wavelength
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
 # Results that an input is for: they come before the others of their unit.
@@ -200,9 +201,8 @@ def _without(sentence: Sentence) -> list[Try]:
     has_bare_number = any(_is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
     if has_bare_number or len(sentence.facts) + len(sentence.goals) < 2:
         return []
-    if any(
-        comparable(word) in MEANINGFUL or not word.replace("-", "").isalpha() for word in unknown
-    ):
+    is_number = any(not word[0].isalpha() or "=" in word for word in unknown)
+    if is_number or not MEANINGFUL.isdisjoint(map(comparable, unknown)):
         return []
     try:
         tries = [Try(words=tuple(call_of(sentence._replace(unknown=()))))]
@@ -334,7 +334,7 @@ def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the calls of the first frame that takes all facts."""
     if len(facts) == 1 and goal and goal.unit and (same := _same(next(iter(facts.values())), goal)):
         return [same]
-    if goal and "room-index" in goal.names:
+    if goal and ("room-index" in goal.names or _is_solid_angle(goal)):
         facts = _with_sides(facts)
     if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
         return [["convert", *facts[FILTER].text.split(), "%"]]
@@ -347,6 +347,10 @@ def _calls(facts: Facts, goal: Goal | None) -> list[list[str]]:
         if is_called_for and (calls := of_frame(frame, facts, goal)):
             return calls
     return []
+
+
+def _is_solid_angle(goal: Goal) -> bool:
+    return goal.unit.dimension == SOLID_ANGLE if goal.unit else "solid-angle" in goal.names
 
 
 def _same(fact: Fact, goal: Goal) -> list[str]:
@@ -456,6 +460,11 @@ def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
     assert amount is not None
     if _light_of(amount):
         return _meant(amount)
+    wanted = {name for goal in sentence.goals for name in goal.names}
+    if amount.dimension == ANGLE and wanted & {"hazard-distance", "spot-diameter"}:
+        return ("divergence",)
+    if amount.dimension == ANGLE and wanted & {"beam-diameter", "diameter"}:
+        return OF_DIMENSION[ANGLE]
     alone = [fact.amount for fact in sentence.facts if not fact.symbols]
     others = {name for fact in sentence.facts for name in fact.symbols}
     is_first = alone[0] is amount and others <= taken_by(page_of("convert"))
@@ -563,6 +572,7 @@ def _taken(name: str, fact: Fact, taken: set[str]) -> str:
 def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the only amount that is not a condition."""
     conditions = taken_by(page_of("convert"))
+    facts = {"wavelength" if n in WAVES else n: fact for n, fact in facts.items()}
     values = [name for name in facts if name not in conditions] or [*facts]
     if len(values) != 1 or values[0] not in (VALUE, *LIGHT, *SPECIFIC, "wavelength", "fwhm"):
         return []
@@ -669,7 +679,8 @@ def _moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
         return []
     if len(lengths) == 2 and amounts[0] is lights[0]:
         here, there = lengths
-        moved = f"({lights[0].text}) * ({here.text})^2 / ({there.text})^2"
+        light = lights[0].text.replace("ppfd", "umol/m2/s")  # which is a unit in expressions
+        moved = f"({light}) * ({here.text})^2 / ({there.text})^2"
         return [["convert", moved, goal.text if goal else lights[0].unit.text]]
     if len(lengths) == 1 and goal and "distance" in goal.names:
         at_first, wanted = lights
@@ -722,6 +733,8 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
         goal = goal._replace(names=("irradiance",))  # an intensity would not need the distance
     elif goal.text in listed:  # stops, ev100
         return [goal.text]
+    if "diameter" in goal.names and "beam-diameter" in listed and "diameter" not in listed:
+        return ["beam-diameter"]
     if goal.names:
         wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
         dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}

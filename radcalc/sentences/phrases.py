@@ -119,6 +119,7 @@ PHRASES = (
         ("na {number}", "na"),
         ("sphere|ball|globe|koule|шар", SHAPE, "sphere"),
         ("disc|disk|kotouč|диск", SHAPE, "disc"),
+        ("rectangle|rectangular", SHAPE, "rectangle"),
         ("hemispherical dome", SHAPE, "hemisphere"),
     ),
     *_group(
@@ -212,6 +213,7 @@ PHRASES = (
         ("exposure|irradiation time", TARGET, "time"),
         ("color|colour temperature", TARGET, "cct"),
         ("peak wavelength", TARGET, "peak-wavelength"),
+        ("stefan boltzmann|boltzmann's", TARGET, "radiant-exitance"),
     ),
 )
 

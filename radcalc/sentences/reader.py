@@ -233,7 +233,7 @@ class _Reading:
             while start < len(self.words) and self.words[start].text in BEFORE_AMOUNT:
                 start += 1
             amount = self.amount(start)
-            if amount and not _of_amount(symbols, amount):
+            if start == end and amount and not _of_amount(symbols, amount):
                 amount = self.number(start)  # gain 1.1 nits
                 symbols = tuple([n for n in symbols if NUMBER in SYMBOLS[n].dimensions])
             if amount and (fitting := _of_amount(symbols, amount)):
