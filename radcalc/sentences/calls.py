@@ -29,11 +29,20 @@ from radcalc.quantities.symbols import (
     specific_name,
 )
 from radcalc.quantities.targets import is_name
-from radcalc.sentences.phrases import BESIDE, FILLERS, FILTER, MEANINGFUL, SHAPE
+from radcalc.sentences.phrases import BESIDE, DIRECTED, FILLERS, FILTER, MEANINGFUL, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence, near_words
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
-from radcalc.units.dimensions import ANGLE, AREA, LENGTH, SOLID_ANGLE, TEMPERATURE, TIME, times
+from radcalc.units.dimensions import (
+    ANGLE,
+    AREA,
+    LENGTH,
+    POWER,
+    SOLID_ANGLE,
+    TEMPERATURE,
+    TIME,
+    times,
+)
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest, unit_of
 from radcalc.units.unit import NUMBER, Unit
@@ -111,7 +120,16 @@ ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.1  # of a temperature
+# Words for light that is not that of a lamp.
+DAYS = ("sun", "sunlight", "full sun", "solar", "daylight", "skylight", "moonlight")
 WAVES = ("frequency", "wavenumber", "photon-energy")  # given in place of a wavelength
+# Directions of light, and examples of them.
+OF_BEAMS = {"isotropic", "hemisphere", "solid-angle", "exponent"}
+OF_BEAMS |= {"half-angle", "apex-angle", "beam-angle"}
+EXAMPLES_OF_BEAMS = (
+    ("apex-angle", "30deg", "evenly in a cone of 30 deg, an example"),
+    ("isotropic", "", "the same in all directions"),
+)
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
 # Results that an input is for: they come before the others of their unit.
@@ -132,7 +150,7 @@ def call_of(sentence: Sentence) -> list[str]:
         raise _not_understood(sentence)
     sentence = _with_values(sentence)
     for fact in sentence.facts:
-        if fact.symbols == ELECTRICAL:
+        if fact.symbols == ELECTRICAL or _is_of_lamp(fact, sentence):
             raise _electrical(sentence, fact, _goal_of(sentence))
         if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
             raise _without_value(sentence, fact, _goal_of(sentence))
@@ -146,6 +164,20 @@ def call_of(sentence: Sentence) -> list[str]:
         raise UsageError(f"no command takes {what}{wanted}", manual("convert"))
     tries = [Try(words=tuple(call)) for call in calls[:MOST]]
     raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", tries)
+
+
+def _is_of_lamp(fact: Fact, sentence: Sentence) -> bool:
+    """Return whether a fact is the watts of a lamp, as `400 W HPS`, which may be electrical."""
+    is_watts = fact.amount is not None and fact.amount.dimension == POWER
+    lamps = [one for one in sentence.facts if _is_lamp(one)]
+    is_lit = any(one.text.lower() not in DAYS for one in lamps)
+    has_efficacy = any("efficacy" in one.symbols or _is_efficacy(one) for one in sentence.facts)
+    return is_watts and is_lit and not has_efficacy and fact.symbols in ((), ("flux",))
+
+
+def _is_efficacy(fact: Fact) -> bool:
+    amount = fact.amount
+    return amount is not None and amount.dimension in SYMBOLS["efficacy"].dimensions
 
 
 def _with_values(sentence: Sentence) -> Sentence:
@@ -171,13 +203,20 @@ def _not_understood(sentence: Sentence) -> UsageError:
 
 def _corrected(word: str) -> list[Try]:
     """Propose the known words that are like an unknown one, and units in another case."""
-    if len(word) < SHORTEST:
+    if len(word) < SHORTEST or comparable(word) in MEANINGFUL:
         return []
     if units := _in_other_case(word):
         return units
     near = [n for n in (*suggest(word), *near_words(word)) if comparable(n) not in {*FILLERS, word}]
     others = [n for n in near if not word.startswith(n)]  # rough for roughly
     return corrections(word, *others[:2])
+
+
+def _is_number(fact: Fact) -> bool:
+    """Return whether a fact is a number alone, or one with a name, as `nd 0.6`."""
+    amount = fact.amount
+    is_named = bool(fact.symbols) and amount is not None and amount.dimension == NUMBER
+    return is_named or _is_bare(fact)
 
 
 def _is_bare(fact: Fact) -> bool:
@@ -201,8 +240,11 @@ def _without(sentence: Sentence) -> list[Try]:
     has_bare_number = any(_is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
     if has_bare_number or len(sentence.facts) + len(sentence.goals) < 2:
         return []
-    is_number = any(not word[0].isalpha() or "=" in word for word in unknown)
-    if is_number or not MEANINGFUL.isdisjoint(map(comparable, unknown)):
+    is_number = any(
+        not word[0].isalpha() or "=" in word for text in unknown for word in text.split()
+    )
+    words = {comparable(word) for text in unknown for word in text.split()}
+    if is_number or not MEANINGFUL.isdisjoint(words):
         return []
     try:
         tries = [Try(words=tuple(call_of(sentence._replace(unknown=()))))]
@@ -217,10 +259,14 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if sentence.files:
         return _of_file(sentence)
     goal = _goal_of(sentence)
+    has_beam = any(map(_is_lamp, sentence.facts)) or not DIRECTED.isdisjoint(sentence.ignored)
     sentence = _without_lamp(_with_led(sentence), goal)
     readings = _readings(sentence)
     found = [call for facts in readings for call in _calls(facts, goal)]
     found = found or _quotients(sentence.facts, goal)
+    if not found and not has_beam:
+        found = _moved(sentence.facts, goal)
+    _refuse_wide(sentence, goal, found)
     if not found and not readings:
         texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
         raise UsageError(f"two of these fill one place: {texts}", "a call for each of them")
@@ -241,6 +287,23 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
         return sentence
     facts = [fact for fact in sentence.facts if not _is_lamp(fact)]
     return sentence._replace(facts=tuple(facts))
+
+
+def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence[str]]) -> None:
+    """Refuse the flux of a source with a beam as if it lit all directions alike."""
+    directed = [word for word in sentence.ignored if word.lower() in DIRECTED]
+    names = {word.partition("=")[0] for call in calls[:1] for word in call}
+    asked = {*goal.names} if goal else set()
+    is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})
+    has_unit = goal and goal.unit and goal.unit.dimension in SYMBOLS["flux"].dimensions
+    is_point = bool(calls) and calls[0][0] == "point-source" and names.isdisjoint(OF_BEAMS)
+    if directed and is_point and (is_flux or has_unit):
+        tries = [
+            Try(words=(*calls[0], f"{name}={value}"), remark=remark)
+            for name, value, remark in EXAMPLES_OF_BEAMS
+        ]
+        problem = f"'{quote(directed[0])}' has a beam, and its angle is missing"
+        raise UsageError(problem, tries)
 
 
 def _with_led(sentence: Sentence) -> Sentence:
@@ -444,6 +507,8 @@ def _readings(sentence: Sentence) -> list[Facts]:
 
 def _choices(fact: Fact, sentence: Sentence) -> tuple[str, ...]:
     """Return the symbols that a fact may fill in a sentence."""
+    if fact.symbols == ("incidence",) and "incidence" not in fact.typed and _has_beam(sentence):
+        return ("incidence", "toward")  # of the receiver, or off the axis of the beam
     if len(fact.symbols) < 2:
         return fact.symbols or _places(fact.amount, sentence)
     others = {name: other.text for other in sentence.facts for name in other.symbols}
@@ -453,6 +518,11 @@ def _choices(fact: Fact, sentence: Sentence) -> tuple[str, ...]:
         if name in fact.symbols and others.get(beside, value) == value
     ]
     return tuple([name for name in fact.symbols if name not in left_out])
+
+
+def _has_beam(sentence: Sentence) -> bool:
+    beams = {"beam-angle", "exponent", "half-angle", "apex-angle"}
+    return any(beams & {*fact.symbols} for fact in sentence.facts)
 
 
 def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
@@ -621,9 +691,9 @@ def _target(goal: Goal, value: Fact, given: Facts) -> str:
 def _quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
     amounts = [fact.amount for fact in facts if fact.amount]
-    if moved := _moved(facts, goal):
-        return moved
-    if goal is None or len(amounts) != len(facts) or any(map(_is_bare, facts)):
+    if any(a.dimension == SOLID_ANGLE and "*" in a.text for a in amounts):  # 24 deg x 12 deg
+        return []
+    if goal is None or len(amounts) != len(facts) or any(map(_is_number, facts)):
         return []
     dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
     target = _unit_of(goal, amounts)
@@ -670,23 +740,40 @@ def _unit_of(goal: Goal, amounts: Sequence[Amount]) -> str:
 
 
 def _moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
-    """Return the conversion of light on a surface from one distance to another, or a distance."""
-    amounts = [fact.amount for fact in facts if fact.amount]
-    lights = [amount for amount in amounts if _generic(amount) == "irradiance"]
-    lengths = [a for a in amounts if a.dimension == LENGTH and not a.is_wavelength]
-    has_place = any(fact.symbols == ("distance",) for fact in facts)
-    if len(facts) != 3 or len(lights) + len(lengths) != 3 or not has_place:
+    """Return the conversion of light on a surface from one distance to another, or a distance.
+
+    Both distances have `at`, and the light comes from a small lamp: it is not the sun's, nor a
+    laser's.  The distance that is known stands after its light.
+    """
+    lights = [fact for fact in facts if fact.amount and _generic(fact.amount) == "irradiance"]
+    places = [fact for fact in facts if fact.symbols == ("distance",)]
+    if len(facts) != 3 or len(lights) + len(places) != 3 or facts[0] not in lights:
         return []
-    if len(lengths) == 2 and amounts[0] is lights[0]:
-        here, there = lengths
-        light = lights[0].text.replace("ppfd", "umol/m2/s")  # which is a unit in expressions
-        moved = f"({light}) * ({here.text})^2 / ({there.text})^2"
-        return [["convert", moved, goal.text if goal else lights[0].unit.text]]
-    if len(lengths) == 1 and goal and "distance" in goal.names:
-        at_first, wanted = lights
-        moved = f"{lengths[0].text} * sqrt(({at_first.text}) / ({wanted.text}))"
-        return [["convert", moved, lengths[0].unit.text]]
+    if len({fact.typed.split()[0] for fact in places}) > 1:  # from one to another
+        return []
+    if len(places) == 2 and (goal is None or _is_irradiance(goal)):
+        (light,), (here, there) = lights, places
+        text = light.text.replace("ppfd", "umol/m2/s")  # which is a unit in expressions
+        moved = f"({text}) * ({here.text})^2 / ({there.text})^2"
+        return [["convert", moved, goal.text if goal else _unit_text(light)]]
+    if len(lights) == 2 and places and goal and "distance" in goal.names:
+        known = facts[facts.index(places[0]) - 1]
+        wanted = next(light for light in lights if light is not known)
+        moved = f"{places[0].text} * sqrt(({known.text}) / ({wanted.text}))"
+        return [["convert", moved, _unit_text(places[0])]]
     return []
+
+
+def _unit_text(fact: Fact) -> str:
+    assert fact.amount is not None
+    return fact.amount.unit.text
+
+
+def _is_irradiance(goal: Goal) -> bool:
+    """Return whether a goal is a unit, or the name, of light on a surface."""
+    if goal.unit:
+        return goal.unit.dimension in SYMBOLS["irradiance"].dimensions
+    return any(SPECIFIC.get(name, (name,))[0] == "irradiance" for name in goal.names)
 
 
 def _input(name: str, fact: Fact) -> str:

@@ -38,6 +38,8 @@ AMOUNTS = {
 # Places that are not symbols; an unknown phrase is refused.
 SHAPE, FILTER, TARGET, UNKNOWN = "shape", "filter", "target", "unknown"
 
+FROM_SURFACE = "90deg-{}"  # the incidence is measured from the normal
+
 
 class Phrase(NamedTuple):
     """A phrase: its pattern, and the symbol that it fills, or several for several readings.
@@ -69,15 +71,13 @@ PHRASES = (
         ("на расстоянии {length}", "distance"),
         ("{length} away|distance|distant", "distance"),
         ("{length} away from", "distance"),
-        ("{length} up|high", "height"),
-        ("{length} aside|sideways|off-axis|horizontally", "offset"),
-        ("{length} to the side", "offset"),
         ("at|from {length} away|distance", "distance"),
         ("{length} below|under|above|beneath|down|directly-below", "distance or height"),
         ("{length} away below|above", "distance or height"),
+        ("over|into|onto|across a? {size}", UNKNOWN, ""),
         ("throw at? {length}", "distance"),
         ("at? {length} throw", "distance"),
-        ("hung|mounted|mounting at? {length}", "distance or height"),
+        ("hung|mounted|mounting at? {length} above?", "distance or height"),
         ("at|under {angle}", "incidence"),
         ("at|under {angle} incidence", "incidence"),
         ("at|under an? angle of {angle}", "incidence"),
@@ -85,11 +85,13 @@ PHRASES = (
         ("incidence angle {angle}", "incidence"),
         ("angle of incidence {angle}", "incidence"),
         ("{angle} incidence|from-normal", "incidence"),
-        ("{angle} off|from the? normal|axis|vertical", "incidence"),
+        ("{angle} off|from the? normal", "incidence"),
         (
-            "tilted|inclined|slanted by? {angle} from|off|away? the|from? normal|vertical?",
+            "at? {angle} from|to|off|above the? surface|wall|floor|ground|plane|desk|table",
             "incidence",
+            "90deg-{}",
         ),
+        ("at? {angle} above the? horizon|horizontal", "incidence", FROM_SURFACE),
         ("pod úhlem {angle}", "incidence"),
         ("под углом {angle}", "incidence"),
     ),
@@ -132,7 +134,7 @@ PHRASES = (
         ("{size} tall|long|length", "length"),
         ("{size} wide pool|circle|spot|disc|beam", "diameter"),
         ("beam|pool|spot|circle|disc|disk|hole {size} wide|across", "diameter"),
-        ("{length} diagonal|screen", "diagonal"),
+        ("{length} diagonal|screen|tv|monitor|display|television", "diagonal"),
         ("{size} diameter|dia|beam|spot|disc|disk|circle", "diameter"),
         ("through|into|in a? {size} pinhole|aperture|iris", "receiver-diameter"),
         ("{size} beam|spot|diameter diameter|spot|beam", "diameter"),
@@ -171,7 +173,6 @@ PHRASES = (
         "camera",
         ("f/ {number}", "f-number"),
         ("iso {number}", "iso"),
-        ("{number} iso", "iso"),
         ("nd {number} filter", "nd"),
         ("ev {number}", "ev100 or ev"),
         ("ev100 {number}", "ev100"),
@@ -196,11 +197,17 @@ PHRASES = (
         ("top hat|top-hat beam|profile?", "profile", "uniform"),
         ("flat top|flat-top beam|profile|spot?", "profile", "uniform"),
         ("{power} led|lamp|bulb|light|luminaire|fixture", "flux or input-power"),
+        ("led|lamp|bulb|luminaire|fixture panel|light? {power}", "flux or input-power"),
         ("solar|pv|photovoltaic panel|panels|module|modules|cell|cells", UNKNOWN, ""),
     ),
     *_group(
         "question",
         ("how far away?", TARGET, "distance"),
+        (
+            "how-many? lamps|luminaires|fixtures|panels|lights|downlights|fittings|bulbs",
+            TARGET,
+            "luminaires",
+        ),
         ("nohd", TARGET, "hazard-distance"),
         ("how long", TARGET, "time"),
         ("how wide", TARGET, "width"),
@@ -221,56 +228,76 @@ PHRASES = (
 BESIDE = {"height": ("incidence", "0deg"), "ev": ("iso", "100")}
 
 # Words that add nothing to a phrase.
-IGNORED = """
+# Sources of light; those that light in one direction need the angle of their beam.
+SOURCES = """
+    area-light beam bulb downlight diode film flash flashlight flood floodlight followspot
+    fresnel headlamp headlight image key-light lamp laser led leds lens light luminaire
+    moving-head optics par16 par20 par30 par36 par38 par46 par56 par64 par-can parcan point
+    point-light pointer profile projection projector pulse pulses radiation ray searchlight
+    single small softbox source source-four spot spotlight star torch
+"""
+OF_BEAMS = """
+    beam collimated downlight flashlight flood floodlight focused focussed followspot fresnel
+    headlamp headlight laser moving-head pointer profile projector searchlight sky spot spotlight
+    sun torch лазер лазера
+"""
+DIRECTED = frozenset(OF_BEAMS.split())
+# Things that are lit: a length next to one of these may be its size, not a distance.
+OBJECTS = """
+    square round
+    actor air aisle array backdrop backlight band bandgap band-gap bar basil bathroom bedroom
+    bench book camera canopy car ceiling cell center centre classroom collimated core corridor
+    crop crops curtain dancer desk desks detector display dome eye face fibre fiber fill
+    filament fixture floor garage gallery greenhouse ground hallway house intense kitchen
+    laptop leaf lettuce library line linewidth meter metre model monitor monochromator moon
+    museum object objective office page painting panel paper parking-lot performer person phone
+    photodiode picture plant plants pole pool poster pyranometer rack radiometer reader road
+    roof room same sample scene screen seedlings semiconductor sheet shelf shop silicon singer
+    sky slide smartphone solar-disc solar-disk speaker spectrometer spectroradiometer stage
+    street strip studio subject sun-disc sun-disk surface table tablet tape target tent theater
+    theatre tomato tomatoes tray truss tunnel tv video wall warehouse wash work-plane workplane
+"""
+QUESTIONS = """
     a about an and are at be by calculate can convert corresponds do does equals for from get
-    give given gives have how how-many how-much i if in into is it its me my need needed needs
-    of on onto over please pls required tell that that's the there this to under using value
-    what when which will with would you absorbed allows arrive arrives back below beneath
-    collect collects directly directly-underneath down draws emission emit emits equally exactly
-    focused focussed gets gets-through gives-off hang hangs has hit hits hitting illuminates
-    inside just key landing lands leaves left lights-up lit look looks make makes measured move
-    moved number-of only outer outside passes-through peaking peaks produces puts puts-out
-    radiated radiates rate rated reach reaches reaching read reads receive receives see seen
-    sees shift shine shines shining sits stands still straight subtend subtended subtends takes
-    throw turned underneath unit up wants wien above across aimed aiming brightness-of covers
-    falling falls front longest lose per-lamp put showing wide-open then reflect reflects
-    reflecting square bare cover fills held face-on head-on side alone
-
-    actor air aisle area-light array backdrop backlight bandgap band-gap bar basil bathroom beam
-    bedroom bench bulb bulbs camera canopy car ceiling cell center centre classroom collimated
-    core corridor crop crops curtain cutoff cut-off dancer desk desks detector dimmer diode
-    display dome downlight downlights driver eye face fibre fiber fill film fittings fixture
-    flash flashlight flood floodlight floor followspot fresnel garage gallery gel glowing
-    goggles greenhouse ground hallway headlamp headlight house image intense key-light kitchen
-    lamp lamps laptop laser leaf led leds lens lettuce library light lights line linewidth
-    luminaire luminaires meter metre model monitor monochromator moon moving-head museum object
-    objective office optics page painting panel panels paper par16 par20 par30 par36 par38 par46
-    par56 par64 par-can parcan parking-lot performer person phone photodiode picture plant
-    plants point point-light pointer pole pool poster profile projection projector projectors
-    pulse pulses pyranometer rack radiation radiometer ray reader road roof room same sample
-    scene screen seedlings semiconductor sensor sheet shelf shop silicon singer single sky slide
-    small smartphone softbox solar-disc solar-disk source source-four speaker spectrometer
-    spectroradiometer spot spotlight stage star street strip studio subject sun-disc sun-disk
-    surface table tablet tape target tent theater theatre tomato tomatoes torch tray truss
-    tunnel tv umbrella video wall warehouse wash window work-plane workplane
-
+    give given gives giving have has how how-many how-much i if in into is it its me my need
+    needed needs of on onto over please pls required tell that that's the there this to under
+    using value what when which will with would you arrive arrives bare below beneath
+    brightness-of cover covers directly directly-underneath draws emission emit emits
+    equally exactly face-on falling falls fills focused focussed front gets gives-off glowing
+    hang hangs head-on held hit hits hitting illuminates just key landing lands leaves lights-up
+    lit longest look looks make makes measured number-of open optical peaking peaks plane
+    produces put puts puts-out radiated radiates radiating rated reach reaches reaching read
+    reads receive receives seen see sees shift shine shines shining showing sits stands still
+    straight subtend subtended subtends takes then throw turned underneath unit wants wide-open
+    wien across
+"""
+OTHERS = """
     je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit zdroj
     žárovka žárovky stůl plátno bodový
 
     если и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
     источник точечный экран стол бумага
-"""  # questions, articles, prepositions; sources and surfaces; Czech; Russian
+"""  # Czech; Russian
+IGNORED = f"{QUESTIONS}{SOURCES}{OBJECTS}{OTHERS}"
 # Words that change an amount, or its meaning: without one, a sentence means something else.
 CHANGES = """
-    direct diffuse global reflected transmitted half double twice two three four five many much
-    per each every not without than less more through squared times minus plus pi electrical
-    melanopic scotopic solar violet blue cyan green yellow orange red infrared ultraviolet uv
+    absorbed absorbs absorption after away back behind before both cloudy closer couple diffuse
+    difference dim dimmed direct double down dozen each eight either electrical every except
+    fifth five four further global grazing half halogen lose loses losing lost many melanopic
+    minus moved much nd nine not off originally other outside pair per pi plus quarter reflected
+    reflects scotopic several seven six solar squared cubed sodium fluorescent candle cool warm
+    ten than third three through tilted inclined aimed times transmitted twenty thirty forty
+    fifty twice two under-water up was without instead window gel goggles filter sensor lamps
+    luminaires fixtures panels lights downlights fittings bulbs lasers violet blue cyan green
+    yellow orange red infrared ultraviolet uv white bez dva dvě tři poloviční ne без два две три
+    половина не
 """
-MEANINGFUL = frozenset(CHANGES.split())
+MEANINGFUL = frozenset(comparable(word) for word in CHANGES.split())
 # Colours and lasers, which add nothing where a wavelength is given.
 OF_LINES = "violet blue green yellow orange red infrared HeNe Nd:YAG"
 COLOURS = frozenset(comparable(word) for word in OF_LINES.split())
 FILLERS = frozenset(comparable(word.replace("-", " ")) for word in IGNORED.split())
+NOUNS = frozenset(f"{SOURCES}{OBJECTS}".split())
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])
 # Words before the name of a spectrum of one letter: `with A`.

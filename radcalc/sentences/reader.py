@@ -17,6 +17,7 @@ from radcalc.sentences.phrases import (
     FILLERS,
     LONE,
     MARKS,
+    NOUNS,
     PHRASES,
     TARGET,
     UNKNOWN,
@@ -31,6 +32,7 @@ LONGEST_NAME = 5  # words
 ENGLISH_ALONE = (ENGLISH,)
 LONGEST = 2000  # characters
 GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
+COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
 MEAN = ("mean", "average")
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
 
@@ -121,7 +123,7 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         elif isinstance(filled, Goal):
             goals.append(filled)
         elif isinstance(filled, str):
-            (files if filled else unknown).append(filled or words[at].text)
+            (files if filled else unknown).append(filled or reading.text(at, end) or words[at].text)
         else:
             ignored += [word.text for word in words[at:end]]
         at = end
@@ -214,7 +216,8 @@ class _Reading:
         for part in parts:
             if part[0] == "{":
                 amount = self.amount(at)
-                if part == "{number}" and amount and amount.dimension != NUMBER:
+                has_unit = amount and (amount.dimension != NUMBER or amount.unit.is_scale)
+                if part == "{number}" and has_unit:
                     amount = self.number(at)  # iso 100 EV
                 if amount is None or not fits(amount, part[1:-1]):
                     return None
@@ -235,7 +238,9 @@ class _Reading:
             amount = self.amount(start)
             if start == end and amount and not _of_amount(symbols, amount):
                 amount = self.number(start)  # gain 1.1 nits
-                symbols = tuple([n for n in symbols if NUMBER in SYMBOLS[n].dimensions])
+                symbols = tuple(
+                    [n for n in symbols if NUMBER in SYMBOLS[n].dimensions and n not in COUNTS]
+                )
             if amount and (fitting := _of_amount(symbols, amount)):
                 text = self.text(at, amount.end)
                 found.append((amount.end, Fact(_with_plain(fitting), amount.text, text, amount)))
@@ -301,7 +306,17 @@ class _Reading:
 
     def _alone(self, at: int) -> list[Found]:
         amount = self.amount(at)
-        return [(amount.end, Fact((), amount.text, amount.text, amount))] if amount else []
+        if amount is None:
+            return []
+        if amount.dimension == LENGTH and not amount.is_wavelength and self._is_size(at, amount):
+            return [(amount.end + 1, "")]
+        return [(amount.end, Fact((), amount.text, amount.text, amount))]
+
+    def _is_size(self, at: int, amount: Amount) -> bool:
+        """Return whether a length may be the size of the thing after it: a 30 cm lamp."""
+        end = amount.end
+        is_end = end >= len(self.words) or self.words[end - 1].is_last
+        return not is_end and self.words[end].folded in NOUNS
 
     def _aspect(self, at: int) -> list[Found]:
         text = self.words[at].text
@@ -313,6 +328,8 @@ class _Reading:
 
     def _filler(self, at: int) -> list[Found]:
         text = self.words[at].text
+        if not text[0].isalnum() and text not in MARKS:
+            return []
         is_unit = len(text) == 1 and text.isupper() and at > 0 and unit_in([text])  # the ampere
         if text[-1] == "=" and self.amount(at + 1):
             return [(at + 1, None)]

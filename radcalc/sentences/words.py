@@ -28,7 +28,7 @@ MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"average": "mean", "avg": "mean"}
 OF_AMOUNTS = ("mean", "average", "par")  # add nothing to an amount before them
 LARGEST_DLI = 100  # mol/m2; outdoors it is at most 70
-NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
+TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
 MARKS_IN_WORDS = {"=>": " to ", "=?": " to ", "@": " at ", "klux": "klx"}
 DAY_OF_LIGHT = re.compile(rf"\b({'|'.join(DLI)})\b")
 MICROMOLE = re.compile(r"(?<=\d) ?[uµμ]mol(?![\w/])")
@@ -111,8 +111,8 @@ def _plain_words(text: str) -> list[str]:
         lower = part.lower()
         if part[-1] == "." and part[-2:-1].isalpha():  # 6 ft.
             part = part[:-1]
-        elif lower in NUMBERS and is_before_unit:
-            part = str(NUMBERS.index(lower) + 1)
+        elif lower == "one" and is_before_unit and not (plain and plain[-1].lower() in TENS):
+            part = "1"
         elif lower in ("each", "every") and is_before_unit and plain and plain[-1][-1].isalpha():
             part = "per"
         plain.append(part.removesuffix("'s"))
