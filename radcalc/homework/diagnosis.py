@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from contextlib import suppress
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from radcalc.answer import Value
 from radcalc.homework import edits, misread, outside, siblings
@@ -19,6 +19,10 @@ COMMON = 4  # the last rank that is common enough for a pair with a slip
 GUESS = 30.0  # an unrelated number is assumed to be within this factor of the right value
 SPREAD = math.log(GUESS)
 BY_CHANCE = 0.03  # the share of unrelated numbers that may agree with a mistake
+# Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
+# of the commonest mistakes, half of it for each rank after them; and the share of unrelated numbers
+# that may agree because of it.
+ON_THE_WAY, WIDE_BY_CHANCE = 0.004, 0.015
 
 
 def diagnose(
@@ -32,17 +36,18 @@ def diagnose(
     problem = Problem(question, target)
     single = candidates(problem)
     search = _Search(claim, problem.right, scale)
-    matches = search.of(single, claim.half_unit)
+    matches = search.of(single, claim.half_unit) + search.on_the_way(single)
     if not matches and claim.digits >= LEAST_DIGITS:
-        combined = pairs(single, problem.right)
-        matches = [pair.together() for pair in search.of(combined, claim.half_unit)]
+        matches = search.of(pairs(single, problem.right), claim.half_unit)
     if not matches and claim.widest > claim.half_unit:
         matches = _Search(claim, problem.right, scale).of(single, claim.widest)
+    matches.sort(key=lambda match: (match.cost, match.off))
     # much rarer mistakes only confuse
-    near = [match for match in matches if match.rank <= matches[0].rank + 1]
+    near = [match.wrong for match in matches if match.cost <= matches[0].cost + 1]
     seen: dict[str, Diagnosis] = {}
-    for match in near:
-        seen.setdefault(match.mistake, Diagnosis(match.mistake, match.done, match.right))
+    for wrong in near:
+        one = wrong.together() if isinstance(wrong, Pair) else wrong
+        seen.setdefault(one.mistake, Diagnosis(one.mistake, one.done, one.right))
     return tuple(seen.values())[:MOST]
 
 
@@ -103,7 +108,16 @@ def _rank(candidate: Candidate | Pair) -> float:
     return candidate.rank
 
 
-Wrong = TypeVar("Wrong", Candidate, Pair)
+class Match(NamedTuple):
+    """A wrong value that agrees with an answer.
+
+    The `cost` is the rank of the mistake, and more if the value agrees only by rounding on the way;
+    `off` is the distance in parts of the largest that is allowed.
+    """
+
+    cost: float
+    off: float
+    wrong: Candidate | Pair
 
 
 class _Search:
@@ -115,26 +129,59 @@ class _Search:
 
     def __init__(self, claim: Claim, right: float, scale: float) -> None:
         self.claim, self.right, self.scale = claim, right, scale
+        self.size = abs(claim.value)
         self.seen: set[float] = set()  # values compared so far, within GUESS of the right one
+        self.chance = 0.0  # share of unrelated numbers that agree with them
 
-    def of(self, options: Sequence[Wrong], half_unit: float) -> list[Wrong]:
+    def of(self, options: Sequence[Candidate | Pair], half_unit: float) -> list[Match]:
         """Return the values that agree with the answer to half a unit of its last digit."""
-        value = self.claim.value
-        allowed = min(half_unit, COARSEST * abs(value)) * (1 + 1e-9)
-        most = BY_CHANCE * SPREAD * abs(value) / allowed if allowed else 0.0
-        close = []
-        for candidate in options:
-            if self.right and 1 / GUESS < abs(candidate.value / self.right) < GUESS:
-                if len(self.seen) >= most and candidate.value not in self.seen:
-                    continue
-                self.seen.add(candidate.value)
-            if abs(candidate.value - self.right) <= allowed * self.scale:
-                continue  # to so few digits it equals the right value
-            off = abs(candidate.value / self.scale - value)
-            if off <= allowed:
-                # Rounded: if values are equal, the first in order stays first.
-                close.append(
-                    (candidate.rank, round(off / allowed, 6) if allowed else 0.0, candidate)
-                )
-        close.sort(key=lambda entry: entry[:2])
-        return [candidate for _, _, candidate in close]
+        typed = min(half_unit, COARSEST * self.size) * (1 + 1e-9)
+        return [
+            # Rounded: if values are equal, the first in order stays first.
+            Match(wrong.rank, round(off / typed, 6) if typed else 0.0, wrong)
+            for wrong in options
+            if self._is_compared(wrong.value, typed, BY_CHANCE)
+            and (off := self._off(wrong.value, typed)) <= typed
+        ]
+
+    def on_the_way(self, options: Sequence[Candidate]) -> list[Match]:
+        """Return the values that agree only if the learner rounded on the way, or cut off digits.
+
+        The more digits an answer has, the less a value that agrees with all of them needs this.
+        """
+        search = _Search(self.claim, self.right, self.scale)
+        typed = self.claim.half_unit * (1 + 1e-9)
+        if not self.size or typed > COARSEST * self.size:
+            return []
+        least = 1 + math.log1p(ON_THE_WAY / 4 * self.size / typed)
+        matches = []
+        for wrong in options:
+            width = typed + ON_THE_WAY * 0.5 ** max(wrong.rank - 1, 0.0) * self.size
+            if search._is_compared(wrong.value, width, WIDE_BY_CHANCE):
+                off = self._off(wrong.value, typed)
+                if typed < off <= max(width, self._cut(wrong.value)):
+                    extra = 2 * (off - typed) / (ON_THE_WAY * self.size)
+                    matches.append(Match(wrong.rank + least + extra, off / width, wrong))
+        return matches
+
+    def _is_compared(self, value: float, width: float, most: float) -> bool:
+        """Return whether a value may be compared without too many agreements by chance."""
+        if not self.right or not 1 / GUESS < abs(value / self.right) < GUESS or value in self.seen:
+            return True
+        chance = width / (SPREAD * self.size) if self.size else math.inf
+        if self.chance + chance > most:
+            return False
+        self.seen.add(value)
+        self.chance += chance
+        return True
+
+    def _off(self, value: float, typed: float) -> float:
+        """Return how far a value is from the answer; infinite if it equals the right value."""
+        if abs(value - self.right) <= typed * self.scale:
+            return math.inf  # to so few digits
+        return abs(value / self.scale - self.claim.value)
+
+    def _cut(self, value: float) -> float:
+        """Return the width for an answer whose digits were cut off, not rounded."""
+        is_cut = abs(value / self.scale) > self.size
+        return 2 * self.claim.half_unit if is_cut else 0.0
