@@ -20,9 +20,8 @@ GUESS = 30.0  # an unrelated number is assumed to be within this factor of the r
 SPREAD = math.log(GUESS)
 BY_CHANCE = 0.03  # the share of unrelated numbers that may agree with a mistake
 # Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
-# of the commonest mistakes, half of it for each rank after them; and the share of unrelated numbers
-# that may agree because of it.
-ON_THE_WAY, WIDE_BY_CHANCE = 0.004, 0.015
+# of the commonest mistakes, and its factor for each rank after them.
+ON_THE_WAY, NARROWER = 0.004, 0.7
 
 
 def diagnose(
@@ -130,7 +129,7 @@ class _Search:
     def __init__(self, claim: Claim, right: float, scale: float) -> None:
         self.claim, self.right, self.scale = claim, right, scale
         self.size = abs(claim.value)
-        self.seen: set[float] = set()  # values compared so far, within GUESS of the right one
+        self.seen: dict[float, float] = {}  # values near the right one, compared within a width
         self.chance = 0.0  # share of unrelated numbers that agree with them
 
     def of(self, options: Sequence[Candidate | Pair], half_unit: float) -> list[Match]:
@@ -140,7 +139,7 @@ class _Search:
             # Rounded: if values are equal, the first in order stays first.
             Match(wrong.rank, round(off / typed, 6) if typed else 0.0, wrong)
             for wrong in options
-            if self._is_compared(wrong.value, typed, BY_CHANCE)
+            if self._is_compared(wrong.value, typed)
             and (off := self._off(wrong.value, typed)) <= typed
         ]
 
@@ -149,29 +148,29 @@ class _Search:
 
         The more digits an answer has, the less a value that agrees with all of them needs this.
         """
-        search = _Search(self.claim, self.right, self.scale)
         typed = self.claim.half_unit * (1 + 1e-9)
         if not self.size or typed > COARSEST * self.size:
             return []
         least = 1 + math.log1p(ON_THE_WAY / 4 * self.size / typed)
         matches = []
         for wrong in options:
-            width = typed + ON_THE_WAY * 0.5 ** max(wrong.rank - 1, 0.0) * self.size
-            if search._is_compared(wrong.value, width, WIDE_BY_CHANCE):
+            width = typed + ON_THE_WAY * NARROWER ** (wrong.rank - 1) * self.size
+            if self._is_compared(wrong.value, width):
                 off = self._off(wrong.value, typed)
                 if typed < off <= max(width, self._cut(wrong.value)):
                     extra = 2 * (off - typed) / (ON_THE_WAY * self.size)
                     matches.append(Match(wrong.rank + least + extra, off / width, wrong))
         return matches
 
-    def _is_compared(self, value: float, width: float, most: float) -> bool:
+    def _is_compared(self, value: float, width: float) -> bool:
         """Return whether a value may be compared without too many agreements by chance."""
-        if not self.right or not 1 / GUESS < abs(value / self.right) < GUESS or value in self.seen:
+        if not self.right or not 1 / GUESS < abs(value / self.right) < GUESS:
             return True
-        chance = width / (SPREAD * self.size) if self.size else math.inf
-        if self.chance + chance > most:
+        seen = self.seen.get(value, 0.0)
+        chance = max(0.0, width - seen) / (SPREAD * self.size) if self.size else math.inf
+        if self.chance + chance > BY_CHANCE:
             return False
-        self.seen.add(value)
+        self.seen[value] = max(seen, width)
         self.chance += chance
         return True
 
