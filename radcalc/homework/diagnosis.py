@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from radcalc.answer import Value
-from radcalc.homework import edits, misread, outside, siblings
+from radcalc.homework import edits, formulas, integrals, misread, outside, siblings
 from radcalc.homework.answer import Claim, Diagnosis
 from radcalc.homework.misread import SLIPS
 from radcalc.homework.problem import Candidate, Problem
@@ -22,6 +22,16 @@ BY_CHANCE = 0.03  # the share of unrelated numbers that may agree with a mistake
 # Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
 # of the commonest mistakes, and its factor for each rank after them.
 ON_THE_WAY, NARROWER = 0.004, 0.7
+
+
+FAMILIES = (
+    edits.find,
+    siblings.find,
+    integrals.find,
+    outside.find,
+    misread.find,
+    formulas.find,
+)
 
 
 def diagnose(
@@ -53,7 +63,7 @@ def diagnose(
 def candidates(problem: Problem) -> list[Candidate]:
     """Return the wrong values of all single mistakes, the most common mistakes first."""
     wrong_values: list[Candidate] = []
-    for family in (edits.find, siblings.find, outside.find, misread.find):
+    for family in FAMILIES:
         with suppress(ArithmeticError):  # powers of an extreme input overflow
             wrong_values += family(problem)
     return sorted(

@@ -105,7 +105,8 @@ def text_of(law: AnyLaw) -> str:
     return f"{law.name}: {formula}" if law.name else formula
 
 
-def _label(name: str) -> str:
+def label_of(name: str) -> str:
+    """Return the name of a symbol in a sentence."""
     return LABELS.get(name) or SYMBOLS[name].label
 
 
@@ -136,7 +137,7 @@ def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float
 
     `is_above` is true if the symbol is a factor, false if it is a divisor.
     """
-    label = _label(name)
+    label = label_of(name)
     is_bare = name in RULES or SYMBOLS[name].unit == "1"
     rank = FORGOTTEN.get(name, RARELY if is_bare else SELDOM)
     yield "forgotten", rank, f"the {label} was forgotten", -1.0
@@ -164,7 +165,7 @@ def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
 
 def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candidate]:
     """Yield the wrong values from a law solved wrongly: no square root, or the reciprocal."""
-    size, label = p.chain.values[target], _label(target)
+    size, label = p.chain.values[target], label_of(target)
     if power == 2 and (value := p.chain.after(target, size**2)) is not None:
         done = f"the square root for the {label} was forgotten"
         rank = NOT_SQUARED.get(target, USUALLY)
@@ -187,7 +188,7 @@ def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
             at = {**p.chain.values, name: other}.__getitem__
             value = p.chain.solved(target, lambda _, at=at: law.solve(target, at))  # type: ignore[misc]
             if value is not None:
-                done = f"the {_label(name)} was {done}"
+                done = f"the {label_of(name)} was {done}"
                 yield Candidate(f"{name}-{kind}", rank, value, done, text_of(law))
 
 

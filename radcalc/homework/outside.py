@@ -126,40 +126,6 @@ def _received(p: Problem) -> Found:
     yield Candidate("receiver-area-upside-down", 3, irradiance / area, done, rule)
 
 
-def _zone(p: Problem) -> Found:
-    """Use caps for a zone, or forget its sines."""
-    ends = p.given["polar"].value if "polar" in p.given else None
-    if not isinstance(ends, tuple):
-        return
-    inner, outer = map(cones.cone, ends)
-    width = ends[1] - ends[0]
-    for name, size in (
-        ("zone-of-caps", outer + inner),
-        ("zone-of-caps", outer),
-        ("zone-of-caps", inner),
-        ("zone-of-caps", cones.cone(width)),
-        ("angle-from-surface", 2 * PI * (math.sin(ends[1]) - math.sin(ends[0]))),
-        ("sine-forgotten", 2 * PI * width),
-    ):
-        yield usual(name, p.right * size / (outer - inner))
-    around = p.given["azimuth"].value if "azimuth" in p.given else None
-    if isinstance(around, tuple):
-        yield usual("azimuth-forgotten", p.right * 2 * PI / (around[1] - around[0]))
-
-
-def _integral(p: Problem) -> Found:
-    """Forget sin(theta) in the integral of 1 or cos(theta) over a cone, or the azimuth in any."""
-    if not p.asks("integral"):
-        return
-    half = PI / 2 if "hemisphere" in p.given else p.amount("half-angle")
-    yield usual("azimuth-forgotten", p.right / (2 * PI))
-    if half and math.isclose(p.right, cones.cone(half), rel_tol=1e-6):
-        yield usual("sine-forgotten", 2 * PI * half)
-    if half and math.isclose(p.right, cones.projected_cone(half), rel_tol=1e-6):
-        yield usual("sine-forgotten", 2 * PI * math.sin(half))
-        yield usual("solid-for-projected", cones.cone(half))
-
-
 def _direction(p: Problem) -> Found:
     """Confuse quadrants, x and y, or the directions at a mirror."""
     if not p.lists("direction"):
@@ -360,8 +326,6 @@ FAMILIES = (
     _aside,
     _far,
     _received,
-    _zone,
-    _integral,
     _direction,
     _sky,
     _environment,

@@ -1,0 +1,196 @@
+"""Mistakes in an integral over directions: the element of solid angle, a cosine, the limits.
+
+The result, or a symbol that it depends on, is the integral of f(theta, phi) sin(theta) dtheta dphi.
+It is computed again with each edit.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+from radcalc.homework.problem import Candidate, Problem, usual
+
+Function = Callable[[float], float]  # of the polar angle: the mean of the integrand over azimuths
+PI = math.pi
+SOLID = ("solid-angle", "projected-solid-angle")
+PANELS = 40  # of the quadrature over polar angles
+AZIMUTHS = 256
+NODES = (  # Gauss-Legendre, in a panel from -1 to 1
+    (0.0, 0.5688888888888889),
+    (0.5384693101056831, 0.47862867049936647),
+    (-0.5384693101056831, 0.47862867049936647),
+    (0.906179845938664, 0.23692688505618908),
+    (-0.906179845938664, 0.23692688505618908),
+)
+OFF = 1e-3  # relative error of the quadrature, above which its edits say nothing
+
+
+class Integral(NamedTuple):
+    """An integral: its symbol, the integrand, the polar angles and the range of azimuths [rad].
+
+    `has_cosine` is true if the cosine is a factor of the integrand.  A solid angle with a cosine is
+    the projected one.
+    """
+
+    symbol: str
+    function: Function
+    low: float
+    high: float
+    around: float = 2 * PI
+    has_cosine: bool = False
+
+    @property
+    def with_cosine(self) -> str:
+        return "cosine-added" if self.symbol not in SOLID else "solid-for-projected"
+
+    @property
+    def without_cosine(self) -> str:
+        return "integrand-without-cosine" if self.symbol not in SOLID else "solid-for-projected"
+
+    def over(
+        self, low: float, high: float, weight: Function = math.sin, around: float = 0.0
+    ) -> float:
+        """Return the integral between polar angles, with a weight of the element of solid angle."""
+        half = (high - low) / PANELS / 2
+        total = 0.0
+        for panel in range(PANELS):
+            centre = low + (2 * panel + 1) * half
+            for node, part in NODES:
+                theta = centre + node * half
+                total += part * self.function(theta) * weight(theta)
+        return total * half * (around or self.around)
+
+
+def find(p: Problem) -> Iterator[Candidate]:
+    """Yield the wrong values from an edit of the integral that gives the result."""
+    for integral in filter(None, (_expression(p), _zone(p), _cone(p), _sky(p))):
+        right = p.chain.values.get(integral.symbol, p.right)
+        own = integral.over(integral.low, integral.high)
+        if not right or not own or abs(own / (right / _unit(right, own)) - 1) > OFF:
+            continue
+        for name, size in _edits(integral):
+            value = p.chain.after(integral.symbol, right * size / own)
+            if candidate := usual(name, value):
+                yield candidate
+
+
+def _unit(right: float, own: float) -> float:
+    """Return the power of ten between the unit of an integrand and the SI unit."""
+    return 10.0 ** round(math.log10(abs(right / own)))
+
+
+def _edits(i: Integral) -> Iterator[tuple[str, float]]:
+    """Yield the mistakes and the wrong values of an integral."""
+    low, high = i.low, i.high
+    yield i.with_cosine, i.over(low, high, lambda t: math.sin(t) * math.cos(t))
+    if i.has_cosine:
+        yield i.without_cosine, i.over(low, high, lambda t: math.sin(t) / math.cos(t))
+        yield "sine-forgotten", i.over(low, high, lambda t: 1 / math.cos(t))
+    yield "sine-forgotten", i.over(low, high, lambda _: 1.0)
+    yield "sine-twice", i.over(low, high, lambda t: math.sin(t) ** 2)
+    yield "angle-from-surface", i.over(low, high, math.cos)
+    whole = i.over(low, high)
+    yield "azimuth-forgotten", whole / i.around
+    yield "half-azimuth", whole / 2
+    if i.around < 2 * PI:
+        yield "azimuth-forgotten", whole / i.around * 2 * PI
+    if high == PI and not low:
+        yield "whole-for-half", i.over(0, PI / 2)
+        return
+    yield from _limits(i)
+
+
+def _limits(i: Integral) -> Iterator[tuple[str, float]]:
+    low, high = i.low, i.high
+    if high == PI / 2:
+        yield "whole-for-half", 2 * i.over(low, high)
+        yield "whole-for-half", i.over(low, PI)
+    else:
+        yield "wrong-limits", i.over(low, PI / 2)
+        yield "full-for-half", i.over(low / 2, high / 2)
+        yield "full-for-half", i.over(2 * low, min(2 * high, PI))
+    if low:
+        inner, outer = i.over(0, low), i.over(0, high)
+        for size in (outer + inner, outer, inner, i.over(0, high - low)):
+            yield "zone-of-caps", size
+        if i.symbol == "solid-angle":
+            yield "cosines-added", i.around * (math.cos(low) + math.cos(high))
+
+
+# ---------------------------------------------------------------------------------------------
+# The integrals of a problem
+
+
+def _expression(p: Problem) -> Integral | None:
+    """Return the integral of an expression typed by the user."""
+    text = p.question.expression
+    if not text:
+        return None
+    from radcalc.calculators.integrate import directions
+    from radcalc.geometry.numerics.expression import Expression
+
+    (low, high), (start, end) = directions(p.given)
+    has_cosine = any(cosine in text for cosine in ("cos(theta)", "z"))
+    function = _mean(Expression(text), start, end)
+    return Integral("integral", function, low, high, end - start, has_cosine)
+
+
+def _mean(function: Any, start: float, end: float) -> Function:
+    """Return the mean of a function of direction over azimuths, as a function of polar angle."""
+    import numpy as np
+
+    count = 1 if function.is_axial else AZIMUTHS
+    phi = start + (np.arange(count) + 0.5) * (end - start) / count
+
+    def at(theta: float) -> float:
+        sine = math.sin(theta)
+        directions = {
+            "theta": np.full(count, theta),
+            "phi": phi,
+            "x": sine * np.cos(phi),
+            "y": sine * np.sin(phi),
+            "z": np.full(count, math.cos(theta)),
+        }
+        return float(np.mean(function(directions)))
+
+    return at
+
+
+def _zone(p: Problem) -> Integral | None:
+    """Return the integral of 1, or of the cosine, over a zone."""
+    ends = p.given["polar"].value if "polar" in p.given else None
+    if p.question.expression or not isinstance(ends, tuple):
+        return None
+    around = p.given["azimuth"].value if "azimuth" in p.given else (0.0, 2 * PI)
+    if not isinstance(around, tuple):
+        return None
+    return _of_sphere(p.target.name, *ends, around[1] - around[0])
+
+
+def _cone(p: Problem) -> Integral | None:
+    """Return the integral of 1, or of the cosine, over a cone."""
+    half = p.chain.values.get("half-angle")
+    names = [name for name in SOLID if name in p.chain.symbols]
+    return _of_sphere(names[0], 0.0, half, 2 * PI) if half and names else None
+
+
+def _of_sphere(symbol: str, low: float, high: float, around: float) -> Integral | None:
+    if symbol == "projected-solid-angle":
+        return Integral(symbol, lambda t: max(math.cos(t), 0.0), low, high, around, True)
+    return Integral("solid-angle", lambda _: 1.0, low, high, around)
+
+
+def _sky(p: Problem) -> Integral | None:
+    """Return the integral of the sky's radiance that the ground receives."""
+    if not p.lists("sky") or "horizontal-sky" not in p.chain.symbols:
+        return None
+    from radcalc.geometry.sky import relative_luminance, sky_type
+
+    sky = sky_type(p.question.shape or "overcast")
+    if sky.follows_sun:
+        return None
+
+    def received(theta: float) -> float:
+        return float(relative_luminance(sky, theta, 0.0)) * math.cos(theta)
+
+    return Integral("horizontal-sky", received, 0.0, PI / 2, has_cosine=True)
