@@ -6,7 +6,7 @@ ends with a product of the factors between them.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from itertools import combinations
 from typing import Any
@@ -17,7 +17,7 @@ from radcalc.errors import RadcalcError
 from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import CONE
 from radcalc.laws.law import AnyLaw, Law, Several, law
-from radcalc.laws.solver import Derivation
+from radcalc.laws.solver import Derivation, Known, solve
 from radcalc.quantities.light import GRID, LUMINOUS, PHOTON
 from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 
@@ -99,6 +99,16 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
         multiply([(goal, 1.0), *powers], right, values, steps)
         goal = VALUE
     return Chain(values, steps, goal, right)
+
+
+def of_laws(laws: Sequence[AnyLaw], goal: str, values: dict[str, float], right: float) -> Chain:
+    """Return the chain of a result that follows from values by laws."""
+    try:
+        solution = solve(laws, {name: Known(value) for name, value in values.items()})
+    except RadcalcError:
+        return Chain({}, [], goal, right)
+    found = {name: float(amount.value) for name, amount in solution.values.items()}
+    return Chain(found, list(solution.used), goal, right)
 
 
 def _add_ratio(goal: str, given: Inputs, values: dict[str, float], steps: Steps) -> None:

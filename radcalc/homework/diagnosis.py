@@ -35,15 +35,19 @@ FAMILIES = (
 
 
 def diagnose(
-    question: Question, target: Value, claim: Claim, scale: float
+    question: Question,
+    target: Value,
+    claim: Claim,
+    scale: float,
+    misread: Sequence[Candidate] = (),
 ) -> tuple[Diagnosis, ...]:
     """Return the mistakes that reproduce an answer to the digits typed, the likeliest first.
 
-    `scale` is the unit of the answer [SI].  Pairs of mistakes are tried only if no single mistake
+    `scale` is the unit of the answer [SI]; `misread` are wrong values of a reading.  Pairs of mistakes are tried only if no single mistake
     fits: among so many pairs, one fits almost any number of few digits.
     """
     problem = Problem(question, target)
-    single = candidates(problem)
+    single = sorted([*candidates(problem), *misread], key=_rank)
     search = _Search(claim, problem.right, scale)
     matches = search.of(single, claim.half_unit) + search.on_the_way(single)
     if not matches and claim.digits >= LEAST_DIGITS:

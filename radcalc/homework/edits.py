@@ -6,8 +6,10 @@ from typing import Any
 
 from radcalc.derivation import fill, letter_of
 from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
+from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units.table import resolve
 
 # Symbols that are never forgotten or inverted: the light, products of several factors, and
 # numbers that are not factors.
@@ -74,6 +76,12 @@ WHY = {
     "relative-intensity": "the intensity decreases off the axis",
 }
 IN_ITS_UNIT = ("bandwidth", "efficacy")  # often used in the unit typed, not in SI units
+IN_ELECTRONVOLTS = {"photon-energy": -1, "photon-efficacy": 1}  # and the power of the unit
+EV = resolve("eV").factor
+RATIOS = ("responsivity", "quantum-efficiency", "luminous-efficacy", "photon-efficacy", "sp-ratio")
+ROOTS = {2: "square", 3: "cube"}
+WIEN_X = 4.965114231744276  # h c / (k b): the solution of x = 5 (1 - exp(-x))
+PER_FREQUENCY = 1.759780  # c / (b' b^-1), for the peak per frequency at 2.821439 k T / h
 CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count cycles
 
 
@@ -147,6 +155,9 @@ def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float
     if power == 2:
         rank = NOT_SQUARED.get(name, USUALLY)
         yield "not-squared", rank, f"the {label} was not squared", -0.5
+    for other in (power - 1, power - 2, power + 1) if power > 2 else ():
+        done = f"the power {other:g} of the {label} was used, not {power:g}"
+        yield "wrong-power", USUALLY + abs(other - power) / 2, done, other / power - 1
     if name.startswith("cosine"):
         for more in (1.0, 2.0):
             yield "squared", HARDLY, f"the {label} was squared or cubed", more
@@ -157,9 +168,12 @@ def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
     size = p.chain.values[name]
     if size > 0:
         yield size, 0.0
+        if name in IN_ELECTRONVOLTS:
+            yield size * EV ** IN_ELECTRONVOLTS[name], 0.0
         input_name = "efficacy" if "efficacy" in NAMES.get(name, name) else name
         typed = p.given[input_name].number if input_name in p.given else None
-        if isinstance(typed, float) and (kind == "not-squared" or input_name in IN_ITS_UNIT):
+        is_usual = kind == "not-squared" or input_name in IN_ITS_UNIT
+        if isinstance(typed, float) and (is_usual or (kind, name) == ("forgotten", "time")):
             yield typed, 0.5
 
 
@@ -170,7 +184,11 @@ def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candida
         done = f"the square root for the {label} was forgotten"
         rank = NOT_SQUARED.get(target, USUALLY)
         yield Candidate(f"{target}-not-squared", rank, value, done, text_of(law))
-    if target == p.chain.goal and (value := p.chain.after(target, 1 / size)) is not None:
+    for root in (2, 3) if power == 4 else ():
+        if (value := p.chain.after(target, size ** (power / root))) is not None:
+            done = f"the {ROOTS[root]} root was used for the {label}, not the fourth root"
+            yield Candidate(f"{target}-wrong-power", USUALLY, value, done, text_of(law))
+    if (target == p.chain.goal or target in RATIOS) and (value := p.chain.after(target, 1 / size)) is not None:
         done = f"the fraction was inverted: the result is the reciprocal of the {label}"
         yield Candidate(f"{target}-upside-down", RARELY, value, done, text_of(law))
 
@@ -263,8 +281,12 @@ def _constants(
         yield edit("constant-forgotten", (number * math.pi) ** -power)
     if power and number == 1:
         yield edit("pi-upside-down", math.pi ** (-2 * power))
+        yield edit("pi-twice", math.pi**power)
     elif number != 1:
         yield edit("constant-forgotten", number ** -(power if number < 1 and power else 1))
     if law.name in CYCLES:
         for ratio in (2 * math.pi, 0.5 / math.pi):
             yield edit("angular-for-cycles", ratio)
+    if law.name == PEAK.name:
+        yield edit("wien-without-4.965", WIEN_X)
+        yield edit("wien-per-frequency", PER_FREQUENCY)

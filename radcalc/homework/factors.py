@@ -8,7 +8,16 @@ import math
 from radcalc.conversion import spectral
 from radcalc.conversion.conditions import Factor
 from radcalc.conversion.linear import Plan
-from radcalc.homework.chain import VALUE, Chain, Powers, Steps, between_kinds, multiply
+from radcalc.conversion.natural import LawPlan
+from radcalc.homework.chain import (
+    VALUE,
+    Chain,
+    Powers,
+    Steps,
+    between_kinds,
+    multiply,
+    of_laws,
+)
 from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import Law, law
@@ -18,9 +27,13 @@ from radcalc.laws.surface import disc_on_axis
 from radcalc.quantities.light import read
 
 
-def of_conversion(conversion: Plan, right: float, given: Inputs) -> Chain:
+def of_conversion(conversion: Plan, number: float, right: float, given: Inputs) -> Chain:
     """Return the chain of a conversion: its source times the factors of the conditions."""
     values = {name: item.value for name, item in given.items() if isinstance(item.value, float)}
+    if isinstance(conversion, LawPlan):
+        start, end = conversion.names
+        values |= {"emissivity": 1.0, start: number * conversion.source.factor}
+        return of_laws(conversion.laws, end, values, right)
     steps: Steps = []
     powers: Powers = []
     for factor, sign in conversion.links:
@@ -57,6 +70,7 @@ ALL_ROUND = {  # by condition and letter of the factor
 }
 SYMBOL_OF = {
     "t": "time",
+    "s": "responsivity",
     "B": "bandwidth",
     "A": "area",
     "Omega": "solid-angle",

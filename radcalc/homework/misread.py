@@ -2,7 +2,9 @@
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 
+from radcalc.errors import RadcalcError
 from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
@@ -18,8 +20,16 @@ from radcalc.units.dimensions import (
     TIME,
 )
 from radcalc.units.table import resolve
-from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH
+from radcalc.units.scales import ScaleUnit
+from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH, NUMBER
 
+LN10, LN2, LB10 = math.log(10), math.log(2), math.log2(10)
+READINGS = (  # mistakes of a reading on a scale, and the factors of the reading
+    ("log-base", (LN10, 1 / LN10, LN2, 1 / LN2, LB10, 1 / LB10)),
+    ("twice-the-level", (2.0, 0.5)),
+    ("level-sign", (-1.0,)),
+    ("level-factor", (10.0, 0.1)),
+)
 Found = Iterator[Candidate | None]
 SLIPS = ("power-of-ten", "length-unit", "area-unit")  # these also come with another mistake
 CONES = (
@@ -41,6 +51,7 @@ LUMINANCES = ("fL", "lambert", "asb", "nit", "stilb")  # units that are mixed up
 PER_PI = ("lambert", "apostilb", "skot", "blondel")  # units with a factor 1/pi
 CARRIES_PI = "lambert, foot-lambert, apostilb and skot contain 1/pi, nit and stilb do not"
 CELSIUS = 273.15
+SHIFTS = (CELSIUS, -CELSIUS, 273.0, -273.0)
 
 
 def find(p: Problem) -> Iterator[Candidate]:
@@ -120,10 +131,14 @@ def _in_other_units(p: Problem) -> Found:
         if quantity.name not in ("wavelength", "bandwidth"):
             yield from _in_neighbouring_units(p, quantity)
         if quantity.dimension == TEMPERATURE:
-            for shift in (CELSIUS, -CELSIUS):
+            for shift in SHIFTS:
                 yield usual("kelvin-for-celsius", p.misread(quantity.name, quantity.value + shift))
-    body = p.given["spectrum"].value if "spectrum" in p.given else None
-    if isinstance(body, BlackBody) and body.temperature > CELSIUS:
+    temperature = p.chain.values.get("temperature")
+    if temperature and "temperature" not in p.given:
+        for shift in SHIFTS:
+            value = p.chain.after("temperature", temperature + shift) if temperature + shift > 0 else None
+            yield usual("kelvin-for-celsius", value)
+    elif (body := p.hot_body()) and body.temperature > CELSIUS:
         for shift in (CELSIUS, -CELSIUS):
             changed = {"spectrum": BlackBody(body.temperature + shift)}
             yield usual("kelvin-for-celsius", p.anew(changed))
@@ -170,7 +185,8 @@ def _photons(p: Problem) -> Found:
                 "joules-for-electronvolts", p.anew({"wavelength": wavelength.value * factor})
             )
     if PHOTON_ENERGY in p.target.dimensions:
-        yield from _multiples("joules-for-electronvolts", p.right, EV, EV**2)
+        # 3.7e-19 J is also written as 3.7 eV
+        yield from _multiples("joules-for-electronvolts", p.right, EV, EV**2, EV * 1e19)
     if wavelength is not None and (
         not p.light or not p.chain.symbols.isdisjoint(("photon-energy", "J"))
     ):
@@ -184,6 +200,11 @@ def _fields(p: Problem) -> Found:
     if "electric-field" in p.given:
         factor = math.sqrt(2) if FIELD_STRENGTH in p.target.dimensions else 2.0
         yield from _multiples("peak-for-rms", p.right, factor)
+    plan = p.question.plan
+    if plan and FIELD_STRENGTH in p.target.dimensions and p.right:
+        irradiance = p.question.number * plan.source.factor
+        for factor in (1.0, 2.0):
+            yield usual("impedance-upside-down", factor * irradiance / p.right)
 
 
 def _units(p: Problem) -> Found:
@@ -199,14 +220,29 @@ def _units(p: Problem) -> Found:
             for value in (p.right * size, p.right / size):
                 yield usual(name, value, right=CARRIES_PI)
         yield from _multiples("two-pi-for-pi", p.right, 2.0)
-    if plan.is_linear and not plan.links and math.log10(plan.factor) % 1:
+    if plan.is_linear and not plan.links:
         yield usual("unit-upside-down", p.right / plan.factor**2)
+    if not plan.is_linear:
+        yield from _readings(p)
     for unit, sign in units:
         for text in LUMINANCES:
             other = resolve(text)
             if other.dimension == unit.dimension and other.factor != unit.factor:
                 value = p.right * (other.factor / unit.factor) ** sign
                 yield usual("neighbour-unit", value, f"{unit.text} was used as {text}")
+
+
+def _readings(p: Problem) -> Found:
+    """Misread a number on a scale: its sign, the base of its logarithm, 10 or 20 for the decibel."""
+    plan, number = p.question.plan, p.question.number
+    if plan is None or not isinstance(getattr(plan, "ends", (None,))[0], ScaleUnit):
+        return
+    for name, factors in READINGS:
+        for factor in factors:
+            with suppress(RadcalcError, ArithmeticError):
+                yield usual(name, float(plan.quantity(number * factor)) * plan.target.factor)
+    if p.target.dimensions[0] == NUMBER and 0 < p.right < 1:
+        yield usual("absorbed-for-reflected", 1 - p.right)
 
 
 def _slips(p: Problem) -> Found:

@@ -5,12 +5,20 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Value
 from radcalc.calculators.pages import page_of
-from radcalc.homework.chain import FAILURES, of_answer
+from radcalc.homework.chain import FAILURES, of_answer, of_laws
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
+from radcalc.laws.black_body import EXITANCE, PEAK
+from radcalc.laws.surface import LAMBERTIAN
 from radcalc.quantities.light import GRID, Reading
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.spectra.spectrum import BlackBody
 
+HOT_BODY = {  # the laws of the results of a black body's spectrum
+    "exitance": [EXITANCE],
+    "radiance": [EXITANCE, LAMBERTIAN],
+    "peak-wavelength": [PEAK],
+}
 PI_FORGOTTEN = "pi was forgotten"
 
 
@@ -55,9 +63,16 @@ class Problem:
         if question.plan:
             from radcalc.homework.factors import of_conversion  # with the laws of conditions
 
-            self.chain = of_conversion(question.plan, self.right, self.given)
+            self.chain = of_conversion(question.plan, question.number, self.right, self.given)
+        elif (body := self.hot_body()) and target.name in HOT_BODY:
+            values = {"temperature": body.temperature, "emissivity": 1.0}
+            self.chain = of_laws(HOT_BODY[target.name], target.name, values, self.right)
         else:
             self.chain = of_answer(question.answer, target, self.given)
+
+    def hot_body(self) -> BlackBody | None:
+        body = self.given["spectrum"].value if "spectrum" in self.given else None
+        return body if isinstance(body, BlackBody) else None
 
     def lists(self, mistake: str) -> bool:
         return mistake in page_of(self.question.command).mistakes

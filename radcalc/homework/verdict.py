@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from itertools import repeat
-from typing import NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.result_names import meant
@@ -26,6 +26,9 @@ from radcalc.quantities.light import describe
 from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
 from radcalc.units.scales import ScaleUnit
 from radcalc.units.unit import NUMBER, Unit
+
+if TYPE_CHECKING:
+    from radcalc.homework.problem import Candidate
 
 ROUNDED = "rounded"  # not a mistake
 RELATIVE = "another-result"
@@ -233,12 +236,33 @@ def _explained(
     if not math.isfinite(meant.value):
         return verdict
     scale = float(target.amount) / right if right else scale
-    diagnoses = diagnose(question, target, meant, scale)
+    misread = [] if reading.scale is None else _misread(reading, float(target.amount))
+    diagnoses = diagnose(question, target, meant, scale, misread)
     if not diagnoses and not asked_tolerance and (zeros := _zeros(claim, reading)):
         return verdict._replace(diagnoses=(zeros,))
     if question.steps and diagnoses and verdict.ratio is not None:
         verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, diagnoses[0])))
     return verdict._replace(diagnoses=diagnoses)
+
+
+def _misread(reading: Reading, amount: float) -> "list[Candidate]":
+    """Return the wrong values of a result that is read on a scale [SI]."""
+    from radcalc.homework.misread import READINGS
+    from radcalc.homework.problem import usual
+
+    scale, right = cast("Scale", reading.scale), reading.right
+    if not scale.steps:
+        factors = {"unit-upside-down": [1 / right**2 * power for power in (1.0, 1e6)]}
+    else:
+        factors = dict(READINGS)
+    size = 1.0 if reading.is_logarithm else amount
+    candidates = [
+        usual(name, right * factor if reading.is_logarithm else size * times)
+        for name, several in factors.items()
+        for factor in several
+        if math.isfinite(times := reading.times(right * factor, right))
+    ]
+    return [candidate for candidate in candidates if candidate]
 
 
 def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
@@ -371,6 +395,8 @@ def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> 
 def _fits(value: Value, unit: Unit) -> bool:
     dimensions = (*value.dimensions, *value.reach)
     if isinstance(unit, ScaleUnit):
+        if unit.text in value.units:
+            return True
         unit = unit.measures(dimensions)
         return unit.dimension in dimensions and takes_scale(value.name, unit)
     return unit.dimension in dimensions
