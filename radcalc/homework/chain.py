@@ -6,7 +6,7 @@ ends with a product of the factors between them.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from itertools import combinations
 from typing import Any
@@ -49,10 +49,14 @@ class Chain:
 
     def after(self, name: str, value: float) -> float | None:
         """Return the result [SI] with another value of a symbol, or None if there is no result."""
-        values, changed = {**self.values, name: value}, {name}
+        return self.after_all({name: value})
+
+    def after_all(self, wrong: Mapping[str, float]) -> float | None:
+        """Return the result [SI] with other values of several symbols."""
+        values, changed = {**self.values, **wrong}, {*wrong}
         try:
             for step_law, target in self.steps:
-                if target != name and not changed.isdisjoint(step_law.names):
+                if target not in wrong and not changed.isdisjoint(step_law.names):
                     values[target] = _single(step_law.solve(target, values.__getitem__))
                     changed.add(target)
             result = values[self.goal] * self._scale

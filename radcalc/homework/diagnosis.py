@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from contextlib import suppress
+from itertools import combinations, product
 from typing import NamedTuple
 
 from radcalc.answer import Value
@@ -15,12 +16,16 @@ from radcalc.homework.question import Question
 MOST = 5  # diagnoses
 COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake
 LEAST_DIGITS = 3  # of an answer in which two mistakes together are looked for
+WHOLE = ("other-quantity", "other-lamp")  # not with another mistake
+VERY_COMMON, RARER = 3, 3.5  # the last rank for a pair of laws, and what is added to its rank
 COMMON = 4  # the last rank that is common enough for a pair with a slip
 GUESS = 30.0  # an unrelated number is assumed to be within this factor of the right value
 SPREAD = math.log(GUESS)
-BY_CHANCE = 0.03  # the share of unrelated numbers that may agree with a mistake
+# The share of unrelated numbers that may agree with a mistake, and with two.
+BY_CHANCE, TWO_BY_CHANCE = 0.023, 0.007
 # Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
 # of the commonest mistakes, and its factor for each rank after them.
+WITH_CONSTANTS = ("photon-energy", "photon-efficacy", "wavelength", "temperature")
 ON_THE_WAY, NARROWER = 0.004, 0.7
 
 
@@ -49,9 +54,12 @@ def diagnose(
     problem = Problem(question, target)
     single = sorted([*candidates(problem), *misread], key=_rank)
     search = _Search(claim, problem.right, scale)
-    matches = search.of(single, claim.half_unit) + search.on_the_way(single)
+    matches = search.of(single, claim.half_unit) + search.on_the_way(single, _band(problem))
     if not matches and claim.digits >= LEAST_DIGITS:
-        matches = search.of(pairs(single, problem.right), claim.half_unit)
+        of_two = _Search(claim, problem.right, scale, TWO_BY_CHANCE)
+        both = sorted([*pairs(single, problem.right), *misread_and_more(problem)], key=_rank)
+        matches = of_two.of(both, claim.half_unit)
+        matches = matches or of_two.on_the_way(both, _band(problem))
     if not matches and claim.widest > claim.half_unit:
         matches = _Search(claim, problem.right, scale).of(single, claim.widest)
     matches.sort(key=lambda match: (match.cost, match.off))
@@ -80,8 +88,14 @@ def _is_wrong(value: float, right: float) -> bool:
     return math.isfinite(value) and abs(value - right) > 1e-9 * abs(right)
 
 
+def _band(problem: Problem) -> float:
+    """Return the largest relative error by rounding on the way; short constants add theirs."""
+    has_constants = not problem.chain.symbols.isdisjoint(WITH_CONSTANTS)
+    return ON_THE_WAY * (2.0 if has_constants else 1.0)
+
+
 class Pair(NamedTuple):
-    """Two common mistakes together: a mistake in a law, and a slip."""
+    """Two common mistakes together: a mistake in a law, and a slip or another one in a law."""
 
     rank: float
     value: float
@@ -100,7 +114,10 @@ class Pair(NamedTuple):
 
 
 def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
-    """Return the wrong values of pairs of common mistakes, the most common first."""
+    """Return the wrong values of pairs of common mistakes, the most common first.
+
+    The mistakes are independent: each multiplies the result by its own factor.
+    """
     if not right:
         return []
     laws = [
@@ -109,12 +126,35 @@ def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
         if candidate.rank <= COMMON and candidate.mistake not in SLIPS
     ]
     slips = [candidate for candidate in single if candidate.mistake in SLIPS]
+    common = [law for law in laws if law.rank <= VERY_COMMON and law.mistake not in WHOLE]
+    both = [(0.0, *pair) for pair in product(laws, slips)]
+    both += [(RARER, *pair) for pair in combinations(common, 2)]
     combined = [
-        Pair(law.rank + slip.rank, law.value * slip.value / right, law, slip)
-        for law in laws
-        for slip in slips
+        Pair(more + first.rank + second.rank, first.value * second.value / right, first, second)
+        for more, first, second in both
+        if first.mistake != second.mistake
     ]
     return sorted(combined, key=_rank)
+
+
+def misread_and_more(problem: Problem) -> list[Candidate]:
+    """Return the wrong values of a mistake in a law after a size or an angle was misread."""
+    found = []
+    for first, other in misread.halves_of(problem):
+        for family in (edits.find, siblings.find, outside.find, formulas.find):
+            with suppress(ArithmeticError):
+                found += [
+                    Candidate(
+                        f"{first.mistake} and {law.mistake}",
+                        first.rank + law.rank + RARER,
+                        law.value,
+                        f"{first.done}; and {law.done}",
+                        f"{first.right}; {law.right}",
+                    )
+                    for law in family(other)
+                    if law.rank <= VERY_COMMON and law.mistake != first.mistake
+                ]
+    return [one for one in found if _is_wrong(one.value, problem.right)]
 
 
 def _rank(candidate: Candidate | Pair) -> float:
@@ -140,8 +180,11 @@ class _Search:
     so that unrelated numbers seldom agree by chance.
     """
 
-    def __init__(self, claim: Claim, right: float, scale: float) -> None:
+    def __init__(
+        self, claim: Claim, right: float, scale: float, by_chance: float = BY_CHANCE
+    ) -> None:
         self.claim, self.right, self.scale = claim, right, scale
+        self.by_chance = by_chance
         self.size = abs(claim.value)
         self.seen: dict[float, float] = {}  # values near the right one, compared within a width
         self.chance = 0.0  # share of unrelated numbers that agree with them
@@ -157,7 +200,7 @@ class _Search:
             and (off := self._off(wrong.value, typed)) <= typed
         ]
 
-    def on_the_way(self, options: Sequence[Candidate]) -> list[Match]:
+    def on_the_way(self, options: Sequence[Candidate | Pair], band: float) -> list[Match]:
         """Return the values that agree only if the learner rounded on the way, or cut off digits.
 
         The more digits an answer has, the less a value that agrees with all of them needs this.
@@ -165,14 +208,14 @@ class _Search:
         typed = self.claim.half_unit * (1 + 1e-9)
         if not self.size or typed > COARSEST * self.size:
             return []
-        least = 1 + math.log1p(ON_THE_WAY / 4 * self.size / typed)
+        least = 1 + math.log1p(band / 4 * self.size / typed)
         matches = []
         for wrong in options:
-            width = typed + ON_THE_WAY * NARROWER ** (wrong.rank - 1) * self.size
+            width = typed + band * NARROWER ** (wrong.rank - 1) * self.size
             if self._is_compared(wrong.value, width):
                 off = self._off(wrong.value, typed)
                 if typed < off <= max(width, self._cut(wrong.value)):
-                    extra = 2 * (off - typed) / (ON_THE_WAY * self.size)
+                    extra = 2 * (off - typed) / (band * self.size)
                     matches.append(Match(wrong.rank + least + extra, off / width, wrong))
         return matches
 
@@ -182,7 +225,7 @@ class _Search:
             return True
         seen = self.seen.get(value, 0.0)
         chance = max(0.0, width - seen) / (SPREAD * self.size) if self.size else math.inf
-        if self.chance + chance > BY_CHANCE:
+        if self.chance + chance > self.by_chance:
             return False
         self.seen[value] = max(seen, width)
         self.chance += chance

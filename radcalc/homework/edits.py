@@ -9,6 +9,7 @@ from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units.dimensions import FREQUENCY
 from radcalc.units.table import resolve
 
 # Symbols that are never forgotten or inverted: the light, products of several factors, and
@@ -60,6 +61,7 @@ RULES = {  # right rules, by factors of a conversion
     "cosine": "E = E_0 cos(theta)",
     "cosine-of-source": "I = L A cos(theta_s)",
     "time": "Q = Phi t",
+    "responsivity": "I = s Phi",
     "bandwidth": "a band is the density times its width",
     "luminous-efficacy": "lumens are watts times the lumens per watt",
     "photon-energy": "photons are joules divided by the joules per photon",
@@ -284,7 +286,7 @@ def _constants(
         yield edit("pi-twice", math.pi**power)
     elif number != 1:
         yield edit("constant-forgotten", number ** -(power if number < 1 and power else 1))
-    if law.name in CYCLES:
+    if law.name in CYCLES or (law.name == "density" and FREQUENCY in p.target.dimensions):
         for ratio in (2 * math.pi, 0.5 / math.pi):
             yield edit("angular-for-cycles", ratio)
     if law.name == PEAK.name:

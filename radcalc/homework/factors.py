@@ -32,7 +32,7 @@ def of_conversion(conversion: Plan, number: float, right: float, given: Inputs) 
     values = {name: item.value for name, item in given.items() if isinstance(item.value, float)}
     if isinstance(conversion, LawPlan):
         start, end = conversion.names
-        values |= {"emissivity": 1.0, start: number * conversion.source.factor}
+        values = {"emissivity": 1.0, **values, start: number * conversion.source.factor}
         return of_laws(conversion.laws, end, values, right)
     steps: Steps = []
     powers: Powers = []

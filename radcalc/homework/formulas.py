@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from radcalc.homework.chain import FAILURES
-from radcalc.homework.edits import NAMES, label_of, text_of
+from radcalc.homework.edits import NAMES, NO_FACTORS, label_of, text_of
 from radcalc.homework.problem import Candidate, Problem
 from radcalc.laws.law import At, Relation
 from radcalc.quantities.symbols import SYMBOLS
@@ -96,6 +96,7 @@ class Unread(ValueError):
 # ---------------------------------------------------------------------------------------------
 # Mistakes
 
+FUNCTION_NAMES = {"sin": "sine", "cos": "cosine", "tan": "tangent", "sqrt": "square root"}
 KINDS = {  # by kind of an edit: the end of the mistake's name, its rank, and what was done
     "sibling": ("", 2.0, "{0} was used"),
     "no function": ("-forgotten", 3.0, "{0} was forgotten"),
@@ -115,19 +116,29 @@ def find(p: Problem) -> Iterator[Candidate]:
         if not isinstance(law, Relation):
             continue
         for edit in edits(law.template):
+            if edit.kind in ("no factor", "inverted") and edit.what in NO_FACTORS:
+                continue
             try:
                 size = solve(edit, target, p.chain.values.__getitem__)
             except FAILURES:
                 continue
             value = p.chain.after(target, size) if isinstance(size, float) else None
             if value is not None:
-                end, rank, done = KINDS[edit.kind]
-                done = done.format(_words(edit.what))
-                yield Candidate(NAMES.get(edit.what, edit.what) + end, rank, value, done, text_of(law))
+                yield _candidate(edit, value, text_of(law))
+
+
+def _candidate(edit: Edit, value: float, rule: str) -> Candidate:
+    end, rank, done = KINDS[edit.kind]
+    what = NAMES.get(edit.what) or FUNCTION_NAMES.get(edit.what, edit.what)
+    if edit.kind == "no factor" and what[:1].isdigit():
+        what = "constant"
+    return Candidate(what + end, rank, value, done.format(_words(edit.what)), rule)
 
 
 def _words(what: str) -> str:
-    return label_of(what) if what in SYMBOLS else what.replace("-", " ")
+    if what in SYMBOLS:
+        return label_of(what)
+    return FUNCTION_NAMES.get(what) or what.replace("-", " ")
 
 
 # ---------------------------------------------------------------------------------------------
@@ -228,9 +239,26 @@ def edits(template: str) -> tuple[Edit, ...]:
         left, right = read(template)
     except (Unread, IndexError):
         return ()
+    everywhere = [
+        Edit("no function", name, _without(left, name), _without(right, name))
+        for name in ("sin", "tan", "cos")
+        if _count(left, name) + _count(right, name) > 1
+    ]
     of_left = [Edit(name, what, node, right) for name, what, node in _edited(left)]
     of_right = [Edit(name, what, left, node) for name, what, node in _edited(right)]
-    return (*of_right, *of_left)
+    return (*of_right, *of_left, *everywhere)
+
+
+def _count(node: Node, function: str) -> int:
+    own = node.kind == "call" and node.name == function
+    return own + sum(_count(part, function) for _, part in node.parts)
+
+
+def _without(node: Node, function: str) -> Node:
+    """Return a formula with a function left out wherever it is used."""
+    parts = tuple((sign, _without(part, function)) for sign, part in node.parts)
+    is_left_out = node.kind == "call" and node.name == function
+    return parts[0][1] if is_left_out else node._replace(parts=parts)
 
 
 def _edited(node: Node) -> Iterator[tuple[str, str, Node]]:
@@ -254,7 +282,7 @@ def _own(node: Node) -> Iterator[tuple[str, str, Node]]:
             yield "plain sum", "", plain
     elif node.kind == "power":
         (_, base), (_, exponent) = node.parts
-        if exponent.kind == "number" and exponent.number == 2:
+        if _is_square(node):
             yield "not squared", _name(base), base
         elif exponent.kind != "number":
             yield "product for power", _name(exponent), Node("product", parts=node.parts)
@@ -275,6 +303,9 @@ def _terms(node: Node) -> Iterator[tuple[str, str, Node]]:
 
 
 def _factors(node: Node) -> Iterator[tuple[str, str, Node]]:
+    plain = [(sign, part.parts[0][1] if _is_square(part) else part) for sign, part in node.parts]
+    if sum(_is_square(part) for _, part in node.parts) > 1:
+        yield "not squared", _name(node), node._replace(parts=tuple(plain))
     for k, (sign, part) in enumerate(node.parts):
         if part.kind not in ("symbol", "number") or (part.kind == "number" and part.number == 1):
             continue
@@ -283,6 +314,10 @@ def _factors(node: Node) -> Iterator[tuple[str, str, Node]]:
         if part.kind == "symbol":
             turned = (*node.parts[:k], (-sign, part), *node.parts[k + 1 :])
             yield "inverted", _name(part), Node("product", parts=turned)
+
+
+def _is_square(node: Node) -> bool:
+    return node.kind == "power" and node.parts[1][1].number == 2
 
 
 def _without_squares(node: Node) -> Node | None:
@@ -298,7 +333,8 @@ def _name(node: Node) -> str:
         return node.name or f"{node.number:g}"
     if node.kind in ("symbol", "call"):
         return node.name
-    return next((name for _, part in node.parts if (name := _name(part))), "")
+    names = [name for _, part in node.parts if (name := _name(part))]
+    return next((name for name in names if not name[0].isdigit()), "")
 
 
 # ---------------------------------------------------------------------------------------------

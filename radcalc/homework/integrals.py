@@ -87,8 +87,9 @@ def _edits(i: Integral) -> Iterator[tuple[str, float]]:
         yield i.without_cosine, i.over(low, high, lambda t: math.sin(t) / math.cos(t))
         yield "sine-forgotten", i.over(low, high, lambda t: 1 / math.cos(t))
     yield "sine-forgotten", i.over(low, high, lambda _: 1.0)
+    yield "degrees-in-integral", i.over(low, high, math.degrees)
+    yield "degrees-in-integral", i.over(low, high, lambda _: math.degrees(1))
     yield "sine-twice", i.over(low, high, lambda t: math.sin(t) ** 2)
-    yield "angle-from-surface", i.over(low, high, math.cos)
     whole = i.over(low, high)
     yield "azimuth-forgotten", whole / i.around
     yield "half-azimuth", whole / 2
@@ -106,6 +107,7 @@ def _limits(i: Integral) -> Iterator[tuple[str, float]]:
         yield "whole-for-half", 2 * i.over(low, high)
         yield "whole-for-half", i.over(low, PI)
     else:
+        yield "angle-from-surface", i.over(low, high, math.cos)
         yield "wrong-limits", i.over(low, PI / 2)
         yield "full-for-half", i.over(low / 2, high / 2)
         yield "full-for-half", i.over(2 * low, min(2 * high, PI))

@@ -92,6 +92,18 @@ def _halves(p: Problem) -> Found:
         yield from _multiples("diameter-for-radius", p.right, 2.0)
 
 
+def halves_of(p: Problem) -> Iterator[tuple[Candidate, Problem]]:
+    """Yield the mistakes in a size or an angle, each with the problem that it leads to."""
+    for quantity in _numbers(p):
+        name = "full-for-half" if quantity.name in CONES else "diameter-for-radius"
+        if quantity.name not in (*CONES, *SIZES):
+            continue
+        for factor in (2.0, 0.5):
+            other = p.changed({quantity.name: factor * quantity.value})
+            if other and (first := usual(name, other.right)):
+                yield first, other
+
+
 def _angles(p: Problem) -> Found:
     """Measure angles from the surface, not from its normal."""
     for quantity in _numbers(p):
@@ -221,7 +233,8 @@ def _units(p: Problem) -> Found:
                 yield usual(name, value, right=CARRIES_PI)
         yield from _multiples("two-pi-for-pi", p.right, 2.0)
     if plan.is_linear and not plan.links:
-        yield usual("unit-upside-down", p.right / plan.factor**2)
+        is_prefix = not math.log10(plan.factor) % 1
+        yield usual("unit-upside-down", p.right / plan.factor**2, later=2.5 * is_prefix)
     if not plan.is_linear:
         yield from _readings(p)
     for unit, sign in units:

@@ -1,13 +1,15 @@
 """One result of a question with its derivation, in which mistakes can be tried."""
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from radcalc.answer import Value
 from radcalc.calculators.pages import page_of
+from radcalc.conversion.plan import plan
 from radcalc.homework.chain import FAILURES, of_answer, of_laws
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
+from radcalc.inputs.given import Inputs
 from radcalc.laws.black_body import EXITANCE, PEAK
 from radcalc.laws.surface import LAMBERTIAN
 from radcalc.quantities.light import GRID, Reading
@@ -58,6 +60,7 @@ class Problem:
         self.question, self.given, self.target = question, question.given, target
         self.results = {v.name: v for v in question.answer.values if not v.is_absent}
         self.right = float(target.amount)
+        self._changed: dict[Any, tuple[Question, Value] | None] = {}
         facts = GRID.get(target.dimensions[0])
         self.light = Reading(*facts) if facts else None
         if question.plan:
@@ -99,16 +102,34 @@ class Problem:
 
     def anew(self, changed: dict[str, Any]) -> float | None:
         """Return the result [SI] with some inputs changed, or None if these are refused."""
-        given = dict(self.given)
-        for name, value in changed.items():
-            given[name] = given[name]._replace(value=value, is_exact=True)
+        key = tuple(changed.items())
+        if key not in self._changed:
+            given = dict(self.given)
+            for name, value in changed.items():
+                given[name] = given[name]._replace(value=value, is_exact=True)
+            self._changed[key] = self._with(given)
+        found = self._changed[key]
+        return float(found[1].amount) if found else None
+
+    def _with(self, given: Inputs) -> tuple[Question, Value] | None:
         try:
-            for result in self.question.work_out(given).values:
+            answer = self.question.work_out(given)
+            for result in answer.values:
                 if result.name == self.target.name and result.dimensions == self.target.dimensions:
-                    return float(result.amount)
+                    return self.question._replace(answer=answer, given=given), result
         except FAILURES:
             pass  # a wrong input may be out of range
         return None
+
+    def changed(self, changed: dict[str, Any]) -> "Problem | None":
+        """Return the problem with some inputs changed, or None if these are refused."""
+        if self.anew(changed) is None:
+            return None
+        question, target = cast("tuple[Question, Value]", self._changed[tuple(changed.items())])
+        if question.plan:
+            ends = question.plan.source, question.plan.target
+            question = question._replace(plan=plan(*ends, [*question.given.values()]))
+        return Problem(question, target)
 
     def misread(self, name: str, value: float) -> float | None:
         """Return the result [SI] with one input changed; from the laws alone if it is refused."""

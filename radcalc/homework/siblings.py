@@ -51,13 +51,13 @@ def _cone(at: At) -> Wrong:
     yield from _flat(half)
 
 
-def _projected_cone(at: At) -> Wrong:
+def projected_cone(at: At) -> Wrong:
     yield "solid-for-projected", cones.cone(at("half-angle"))
     yield from _flat(at("half-angle"))
 
 
 def _etendue_of_cone(at: At) -> Wrong:
-    return ((name, at("area") * size) for name, size in _projected_cone(at))
+    return ((name, at("area") * size) for name, size in projected_cone(at))
 
 
 def _half_angle(at: At) -> Wrong:
@@ -202,7 +202,7 @@ def _off_axis(at: At) -> Wrong:
 LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("solid angle of a cone", "solid-angle", _cone),
     ("solid angle of a cone", "half-angle", _half_angle),
-    ("projected solid angle of a cone", "projected-solid-angle", _projected_cone),
+    ("projected solid angle of a cone", "projected-solid-angle", projected_cone),
     ("etendue of a cone", "etendue", _etendue_of_cone),
     ("flux of a lobe divided by its peak intensity", "solid-angle", _lobe),
     ("straight line to the source", "distance", _straight_line),
