@@ -178,7 +178,7 @@ def test_an_answer_of_0_has_no_diagnosis():
 
 # --- Unrelated numbers.
 
-UNRELATED, MOST_NAMED = 3000, 0.03
+UNRELATED, MOST_NAMED = 1500, 0.03
 
 
 @cache
