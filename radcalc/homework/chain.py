@@ -17,8 +17,8 @@ from radcalc.errors import RadcalcError
 from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import CONE
 from radcalc.laws.law import AnyLaw, Law, Several, law
-from radcalc.laws.solver import Derivation, Known, solve
-from radcalc.quantities.light import GRID, LUMINOUS, PHOTON
+from radcalc.laws.solver import Derivation, Known, solve, step_of
+from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT
 from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 
 Steps = list[tuple[AnyLaw, str]]
@@ -29,15 +29,57 @@ SAME = {"sphere-fraction": "solid-angle", "apex-angle": "half-angle"}
 FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError)
 
 
+class Worked(float):
+    """A wrong result [SI], with what leads to it: wrong values of symbols, or a law as edited."""
+
+    __slots__ = ("chain", "law", "target", "wrong")
+
+    def __new__(
+        cls,
+        result: float,
+        chain: "Chain",
+        wrong: Mapping[str, float],
+        law: AnyLaw | None = None,
+        target: str = "",
+    ) -> "Worked":
+        worked = super().__new__(cls, result)
+        worked.chain, worked.wrong, worked.law, worked.target = chain, wrong, law, target
+        return worked
+
+    def numbers(self) -> str:
+        """Return the first step that goes wrong, in the learner's numbers; '' if it has none."""
+        try:
+            return self._numbers()
+        except FAILURES:
+            return ""
+
+    def _numbers(self) -> str:
+        values = {**self.chain.values, **self.wrong}
+        law, target = self.law, self.target
+        if law is None:
+            for law, target in self.chain.steps:
+                if target not in self.wrong and not self.wrong.keys().isdisjoint(law.names):
+                    values[target] = _single(law.solve(target, values.__getitem__))
+                    break
+            else:
+                return ""
+        if not law.template.startswith("{") and not law.template.startswith("sin("):
+            return ""
+        known = {name: Known(values[name]) for name in law.names}
+        return step_of(law, target, known, self.chain.kind).numbers
+
+
 class Chain:
     """The derivation of a result: values [SI] by symbol, and laws with the symbols solved for.
 
     `goal` is the symbol of the result, or one that it is proportional to; `symbols` are all that it
-    depends on.
+    depends on; `kind` is that of its light quantities.
     """
 
-    def __init__(self, values: dict[str, float], steps: Steps, goal: str, right: float) -> None:
-        self.values, self.goal = values, goal
+    def __init__(
+        self, values: dict[str, float], steps: Steps, goal: str, right: float, kind: str = ""
+    ) -> None:
+        self.values, self.goal, self.kind = values, goal, kind
         self._scale = right / values.setdefault(goal, right) if right else 1.0
         self.steps: Steps = []
         needed = {goal}
@@ -62,7 +104,8 @@ class Chain:
             result = values[self.goal] * self._scale
         except FAILURES:
             return None
-        return result if self.goal in changed and math.isfinite(result) else None
+        is_result = self.goal in changed and math.isfinite(result)
+        return Worked(result, self, wrong) if is_result else None
 
     def solved(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
         """Return the result [SI] if `solve` gives the value of `target` from the other symbols."""
@@ -71,6 +114,11 @@ class Chain:
         except FAILURES:
             return None
         return self.after(target, value)
+
+    def by(self, law: AnyLaw, target: str, value: float) -> float | None:
+        """Return the result [SI] with the value of a symbol that an edited law gives."""
+        result = self.after(target, value)
+        return None if result is None else Worked(result, self, {target: value}, law, target)
 
 
 def _single(value: Any) -> float:
@@ -102,7 +150,7 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
         powers = between_kinds(kind, facts[0], given, values, steps)
         multiply([(goal, 1.0), *powers], right, values, steps)
         goal = VALUE
-    return Chain(values, steps, goal, right)
+    return Chain(values, steps, goal, right, kind)
 
 
 def of_laws(laws: Sequence[AnyLaw], goal: str, values: dict[str, float], right: float) -> Chain:
@@ -112,7 +160,7 @@ def of_laws(laws: Sequence[AnyLaw], goal: str, values: dict[str, float], right: 
     except RadcalcError:
         return Chain({}, [], goal, right)
     found = {name: float(amount.value) for name, amount in solution.values.items()}
-    return Chain(found, list(solution.used), goal, right)
+    return Chain(found, list(solution.used), goal, right, RADIANT)
 
 
 def _add_ratio(goal: str, given: Inputs, values: dict[str, float], steps: Steps) -> None:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from radcalc.derivation import fill, letter_of
+from radcalc.homework.chain import Worked
 from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
@@ -134,12 +135,40 @@ def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
         exponent = -power / power_of_target  # in the law solved for the target
         for kind, rank, done, by in _edits(name, abs(power), exponent > 0):
             for size, later in _sizes(p, name, kind):
-                value = p.chain.after(target, start * size ** (exponent * by))
+                wrong = start * size ** (exponent * by)
+                value = p.chain.by(_edited(law, name, power, by), target, wrong)
                 if value is not None:
                     mistake = f"{NAMES.get(name, name)}-{kind}"
                     yield Candidate(mistake, rank + later, value, done, rule)
     if target != law.result and start and not SYMBOLS[target].geometry:
         yield from _turned(p, law, target, abs(power_of_target))
+
+
+def _edited(law: Law, name: str, power: float, by: float) -> Law:
+    """Return a law with another power of a symbol in its formula: the power times (1 + by)."""
+    old, new = f"{{{name}}}", abs(power) * (1 + by)
+    if abs(power) != 1:
+        old += f"^{abs(power):g}"
+    text = f"{{{name}}}" + (f"^{abs(new):g}" if abs(new) != 1 else "")
+    before, _, after = law.template.partition(old)
+    if new == 0:
+        template = before + "1" + after
+    elif new > 0:
+        template = before + text + after
+    else:
+        sign = "/ " if power > 0 else ""
+        template = f"{before}1{after} {sign}{text}"
+    return law._replace(template=_tidy(template))
+
+
+def _tidy(template: str) -> str:
+    """Leave factors of 1 out of a formula."""
+    left, _, right = template.partition(" = ")
+    right = f" {right} ".replace(" / 1 ", " ").replace(" (1 ", " (")
+    while " 1 " in right and not right.startswith(" 1 /"):
+        right = right.replace(" 1 ", " ", 1)
+    right = right.replace(" 1)", ")").replace("/ ()", "").replace("  ", " ").strip()
+    return f"{left} = {right or '1'}"
 
 
 def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float, str, float]]:
@@ -244,8 +273,13 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
     return number, pi
 
 
-def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
-    """Return the result [SI] if a law has a constant that is `ratio` times the right one."""
+def scaled(
+    p: Problem, law: AnyLaw, target: str, ratio: float, texts: tuple[str, str] | None = None
+) -> float | None:
+    """Return the result [SI] if a law has a constant that is `ratio` times the right one.
+
+    `texts` are the right and the wrong constant as they are written in the formula.
+    """
     result = law.names[0]
 
     def solve(at: At) -> Any:
@@ -253,7 +287,12 @@ def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
             return at(target) * ratio
         return law.solve(target, lambda name: at(name) / (ratio if name == result else 1.0))
 
-    return p.chain.solved(target, solve)
+    value = p.chain.solved(target, solve)
+    left, _, right = law.template.partition(" = ")
+    if texts is None or not isinstance(value, Worked) or texts[0] not in right:
+        return None if value is None else float(value)
+    template = _tidy(f"{left} = {right.replace(texts[0], texts[1] or '1', 1)}")
+    return p.chain.by(law._replace(template=template), target, value.wrong[target])
 
 
 def _constants(
@@ -261,8 +300,9 @@ def _constants(
 ) -> Iterator[Candidate | None]:
     """Yield the wrong values from a law with another constant of the same family."""
 
-    def edit(name: str, ratio: float, done: str = "") -> Candidate | None:
-        return usual(name, scaled(p, law, target, ratio), done, text_of(law))
+    def edit(name: str, ratio: float, done: str = "", wrong: str = "") -> Candidate | None:
+        texts = (right_constant, wrong) if power else None
+        return usual(name, scaled(p, law, target, ratio, texts), done, text_of(law))
 
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
         return  # the 2 is between half and full: see `misread`
@@ -271,24 +311,27 @@ def _constants(
         for size in (1, 2, 4):
             wrong_constant = f"{size} pi" if size > 1 else "pi"
             if (right_constant, wrong_constant) == ("pi", "2 pi"):
-                yield edit("two-pi-for-pi", 2.0**power)
+                yield edit("two-pi-for-pi", 2.0**power, wrong="2 pi")
             elif size != number:
                 done = f"{wrong_constant} was used for {right_constant}"
-                yield edit("wrong-sphere", (size / number) ** power, done)
+                yield edit("wrong-sphere", (size / number) ** power, done, wrong_constant)
         name = "pi-forgotten" if number == 1 else "wrong-sphere"
-        yield edit(name, math.pi**-power, PI_FORGOTTEN)
+        yield edit(name, math.pi**-power, PI_FORGOTTEN, f"{number:g}")
         yield edit(name, (number * math.pi) ** -power, f"{right_constant} was forgotten")
     elif power:
-        yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN)
+        yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN, "1")
         yield edit("constant-forgotten", (number * math.pi) ** -power)
     if power and number == 1:
-        yield edit("pi-upside-down", math.pi ** (-2 * power))
-        yield edit("pi-twice", math.pi**power)
+        value = scaled(p, law, target, math.pi ** (-2 * power))
+        yield usual("pi-upside-down", value, right=text_of(law))
+        yield edit("pi-twice", math.pi**power, wrong="pi^2")
     elif number != 1:
-        yield edit("constant-forgotten", number ** -(power if number < 1 and power else 1))
+        ratio = number ** -(power if number < 1 and power else 1)
+        yield usual("constant-forgotten", scaled(p, law, target, ratio), right=text_of(law))
     if law.name in CYCLES or (law.name == "density" and FREQUENCY in p.target.dimensions):
         for ratio in (2 * math.pi, 0.5 / math.pi):
-            yield edit("angular-for-cycles", ratio)
+            value = scaled(p, law, target, ratio)
+            yield usual("angular-for-cycles", value, right=text_of(law))
     if law.name == PEAK.name:
-        yield edit("wien-without-4.965", WIEN_X)
-        yield edit("wien-per-frequency", PER_FREQUENCY)
+        for name, ratio in (("wien-without-4.965", WIEN_X), ("wien-per-frequency", PER_FREQUENCY)):
+            yield usual(name, scaled(p, law, target, ratio), right=text_of(law))

@@ -122,7 +122,10 @@ def find(p: Problem) -> Iterator[Candidate]:
                 size = solve(edit, target, p.chain.values.__getitem__)
             except FAILURES:
                 continue
-            value = p.chain.after(target, size) if isinstance(size, float) else None
+            if not isinstance(size, float):
+                continue
+            used = law._replace(template=f"{text(edit.left)} = {text(edit.right)}")
+            value = p.chain.by(used, target, size)
             if value is not None:
                 yield _candidate(edit, value, text_of(law))
 
@@ -325,6 +328,30 @@ def _without_squares(node: Node) -> Node | None:
     if node.kind != "sum" or any(part.kind != "power" for _, part in node.parts):
         return None
     return node._replace(parts=tuple((sign, part.parts[0][1]) for sign, part in node.parts))
+
+
+def text(node: Node, is_part: bool = False) -> str:
+    """Return a tree as a formula, with brackets if it is a part of another one that needs them."""
+    if node.kind == "number":
+        return node.name or f"{node.number:g}"
+    if node.kind == "symbol":
+        return f"{{{node.name}}}"
+    if node.kind == "call":
+        return f"{node.name}({text(node.parts[0][1])})"
+    if node.kind == "power":
+        (_, base), (_, exponent) = node.parts
+        return f"{text(base, True)}^{text(exponent, True)}"
+    written = ""
+    for k, (sign, part) in enumerate(node.parts):
+        link = (" + ", " - ") if node.kind == "sum" else (" ", " / ")
+        inner = text(part, part.kind == "sum" or (sign < 0 and part.kind == "product"))
+        if k or sign < 0:
+            written += link[sign < 0]
+        written += inner
+    written = written.strip() or "1"
+    if node.kind == "product" and written.startswith("/"):
+        written = f"1 {written}"
+    return f"({written})" if is_part else written
 
 
 def _name(node: Node) -> str:
