@@ -125,11 +125,15 @@ def _digits(number: str, value: float) -> tuple[int, float, float]:
 
 
 class Diagnosis(NamedTuple):
-    """A likely mistake: its name, a description, and the right rule."""
+    """A likely mistake: its name, a description, the right rule, and the first wrong step.
+
+    `yours` is that step in the learner's own numbers, or ''.
+    """
 
     mistake: str
     done: str
     right: str
+    yours: str = ""
 
 
 class Tolerance(NamedTuple):

@@ -9,10 +9,18 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from itertools import combinations
-from typing import Any
+from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Value
 from radcalc.calculators.kinds import Ratio
+from radcalc.derivation import (
+    Formula,
+    coherent_unit_of,
+    format_number,
+    format_value,
+    letter_of,
+    with_unit,
+)
 from radcalc.errors import RadcalcError
 from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import CONE
@@ -29,10 +37,26 @@ SAME = {"sphere-fraction": "solid-angle", "apex-angle": "half-angle"}
 FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError)
 
 
-class Worked(float):
-    """A wrong result [SI], with what leads to it: wrong values of symbols, or a law as edited."""
+class Ends(NamedTuple):
+    """The letters of a conversion's two quantities, its number, and the unit of the result."""
 
-    __slots__ = ("chain", "law", "target", "wrong")
+    source: str
+    amount: str
+    target: str
+    unit: str
+    factor: float
+
+    def text(self, result: float) -> str:
+        return with_unit(format_number(result / self.factor), self.unit)
+
+
+class Worked(float):
+    """A wrong result [SI], with what leads to it: wrong values of symbols, or a law as edited.
+
+    A result that is not computed by a law may have its step as a text.
+    """
+
+    __slots__ = ("chain", "law", "target", "text", "wrong")
 
     def __new__(
         cls,
@@ -41,15 +65,17 @@ class Worked(float):
         wrong: Mapping[str, float],
         law: AnyLaw | None = None,
         target: str = "",
+        text: str = "",
     ) -> "Worked":
         worked = super().__new__(cls, result)
+        worked.text = text
         worked.chain, worked.wrong, worked.law, worked.target = chain, wrong, law, target
         return worked
 
     def numbers(self) -> str:
         """Return the first step that goes wrong, in the learner's numbers; '' if it has none."""
         try:
-            return self._numbers()
+            return self.text or self._numbers()
         except FAILURES:
             return ""
 
@@ -62,11 +88,30 @@ class Worked(float):
                     values[target] = _single(law.solve(target, values.__getitem__))
                     break
             else:
-                return ""
-        if not law.template.startswith("{") and not law.template.startswith("sin("):
-            return ""
+                return self._sizes()
+        if not law.template.startswith(("{", "sin(")):
+            return self._converted(law, values)
         known = {name: Known(values[name]) for name in law.names}
         return step_of(law, target, known, self.chain.kind).numbers
+
+    def _converted(self, law: AnyLaw, values: Mapping[str, float]) -> str:
+        """Return the formula of a factor, with the number that is converted: E = I / d^2."""
+        left, _, right = law.template.partition(" = ")
+        ends = self.chain.ends
+        if ends is None or left != ends.target or f" {ends.source} " not in f" {right} ":
+            return ""
+        known = {name: values[name] for name in law.names[1:]}
+        template = f" {right} ".replace(f" {ends.source} ", f" {ends.amount} ").strip()
+        numbers = Formula("", f"{left} = {template}").step(known, ends.text(self), self.chain.kind)
+        return numbers.numbers
+
+    def _sizes(self) -> str:
+        """Return the wrong values themselves."""
+        return ", ".join(
+            f"{letter_of(name)} = {format_value(size, coherent_unit_of(name, self.chain.kind))}"
+            for name, size in self.wrong.items()
+            if name != self.chain.goal
+        )
 
 
 class Chain:
@@ -80,6 +125,7 @@ class Chain:
         self, values: dict[str, float], steps: Steps, goal: str, right: float, kind: str = ""
     ) -> None:
         self.values, self.goal, self.kind = values, goal, kind
+        self.ends: Ends | None = None
         self._scale = right / values.setdefault(goal, right) if right else 1.0
         self.steps: Steps = []
         needed = {goal}

@@ -1,7 +1,7 @@
 """Search for the mistakes that lead to a wrong answer."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from itertools import combinations, product
 from typing import NamedTuple
@@ -9,10 +9,13 @@ from typing import NamedTuple
 from radcalc.answer import Value
 from radcalc.homework import edits, formulas, integrals, misread, outside, siblings
 from radcalc.homework.answer import Claim, Diagnosis
+from radcalc.homework.chain import Worked
 from radcalc.homework.misread import SLIPS
-from radcalc.homework.problem import Candidate, Problem
+from radcalc.homework.problem import BOTH, Candidate, Problem
 from radcalc.homework.question import Question
+from radcalc.homework.words import Said
 
+AND = "{0}; and {1}"
 MOST = 5  # diagnoses
 COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake
 LEAST_DIGITS = 3  # of an answer in which two mistakes together are looked for
@@ -21,8 +24,10 @@ VERY_COMMON, RARER = 3, 3.5  # the last rank for a pair of laws, and what is add
 COMMON = 4  # the last rank that is common enough for a pair with a slip
 GUESS = 30.0  # an unrelated number is assumed to be within this factor of the right value
 SPREAD = math.log(GUESS)
-# The share of unrelated numbers that may agree with a mistake, and with two.
-BY_CHANCE, TWO_BY_CHANCE = 0.023, 0.007
+# The share of unrelated numbers that may agree with a mistake, with two, and with one by rounding
+# on the way.
+WIDE_BY_CHANCE = 0.022
+BY_CHANCE, TWO_BY_CHANCE = 0.03, 0.007
 # Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
 # of the commonest mistakes, and its factor for each rank after them.
 WITH_CONSTANTS = ("photon-energy", "photon-efficacy", "wavelength", "temperature")
@@ -35,7 +40,6 @@ FAMILIES = (
     integrals.find,
     outside.find,
     misread.find,
-    formulas.find,
 )
 
 
@@ -68,20 +72,53 @@ def diagnose(
     seen: dict[str, Diagnosis] = {}
     for wrong in near:
         one = wrong.together() if isinstance(wrong, Pair) else wrong
-        seen.setdefault(one.mistake, Diagnosis(one.mistake, one.done, one.right))
+        step = _step(one)
+        if one.mistake not in seen or (step and not seen[one.mistake].yours):
+            seen[one.mistake] = Diagnosis(one.mistake, one.done, one.right, step)
     return tuple(seen.values())[:MOST]
 
 
 def candidates(problem: Problem) -> list[Candidate]:
     """Return the wrong values of all single mistakes, the most common mistakes first."""
-    wrong_values: list[Candidate] = []
+    named: list[Candidate] = []
     for family in FAMILIES:
         with suppress(ArithmeticError):  # powers of an extreme input overflow
-            wrong_values += family(problem)
+            named += family(problem)
+    wrong_values = _merged(named, formulas.find(problem))
     return sorted(
         (candidate for candidate in wrong_values if _is_wrong(candidate.value, problem.right)),
         key=_rank,
     )
+
+
+def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> list[Candidate]:
+    """Return all candidates; an edited formula is the step of a mistake with the same value.
+
+    The mistake has better words, the formula the learner's numbers.
+    """
+    edited: dict[float, Candidate] = {}
+    for candidate in of_formulas:
+        edited.setdefault(_rounded(candidate.value), candidate)
+    seen = {_rounded(one.value) for one in named if one.mistake not in WHOLE}
+    same = [(one, _rounded(one.value)) for one in named if _rounded(one.value) in edited]
+    with_steps = {(one.mistake, value) for one, value in same if _step(one)}
+    steps = {
+        id(one): edited[value].value
+        for one, value in same
+        if (one.mistake, value) not in with_steps
+    }
+    both = [one._replace(value=steps.get(id(one), one.value)) for one in named]
+    return both + [one for value, one in edited.items() if value not in seen]
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.9e}")
+
+
+def _step(candidate: "Candidate | Pair") -> str:
+    """Return the first wrong step in the learner's numbers, if it is known."""
+    value = candidate.value
+    return value.numbers() if isinstance(value, Worked) else ""
 
 
 def _is_wrong(value: float, right: float) -> bool:
@@ -108,8 +145,8 @@ class Pair(NamedTuple):
             f"{law.mistake} and {slip.mistake}",
             self.rank,
             self.value,
-            f"{law.done}; and {slip.done}",
-            f"{law.right}; {slip.right}",
+            Said(AND, law.done, slip.done),
+            Said(BOTH, law.right, slip.right),
         )
 
 
@@ -148,8 +185,8 @@ def misread_and_more(problem: Problem) -> list[Candidate]:
                         f"{first.mistake} and {law.mistake}",
                         first.rank + law.rank + RARER,
                         law.value,
-                        f"{first.done}; and {law.done}",
-                        f"{first.right}; {law.right}",
+                        Said(AND, first.done, law.done),
+                        Said(BOTH, first.right, law.right),
                     )
                     for law in family(other)
                     if law.rank <= VERY_COMMON and law.mistake != first.mistake
@@ -212,20 +249,20 @@ class _Search:
         matches = []
         for wrong in options:
             width = typed + band * NARROWER ** (wrong.rank - 1) * self.size
-            if self._is_compared(wrong.value, width):
+            if self._is_compared(wrong.value, width, WIDE_BY_CHANCE):
                 off = self._off(wrong.value, typed)
                 if typed < off <= max(width, self._cut(wrong.value)):
                     extra = 2 * (off - typed) / (band * self.size)
                     matches.append(Match(wrong.rank + least + extra, off / width, wrong))
         return matches
 
-    def _is_compared(self, value: float, width: float) -> bool:
+    def _is_compared(self, value: float, width: float, most: float = math.inf) -> bool:
         """Return whether a value may be compared without too many agreements by chance."""
         if not self.right or not 1 / GUESS < abs(value / self.right) < GUESS:
             return True
         seen = self.seen.get(value, 0.0)
         chance = max(0.0, width - seen) / (SPREAD * self.size) if self.size else math.inf
-        if self.chance + chance > self.by_chance:
+        if self.chance + chance > min(most, self.by_chance):
             return False
         self.seen[value] = max(seen, width)
         self.chance += chance

@@ -6,7 +6,8 @@ from typing import Any
 
 from radcalc.derivation import fill, letter_of
 from radcalc.homework.chain import Worked
-from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
+from radcalc.homework.problem import BOTH, PI_FORGOTTEN, Candidate, Problem, usual
+from radcalc.homework.words import Said
 from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
@@ -82,7 +83,12 @@ IN_ITS_UNIT = ("bandwidth", "efficacy")  # often used in the unit typed, not in 
 IN_ELECTRONVOLTS = {"photon-energy": -1, "photon-efficacy": 1}  # and the power of the unit
 EV = resolve("eV").factor
 RATIOS = ("responsivity", "quantum-efficiency", "luminous-efficacy", "photon-efficacy", "sp-ratio")
-ROOTS = {2: "square", 3: "cube"}
+ROOTS = {
+    2: "the square root was used for the {0}, not the fourth root",
+    3: "the cube root was used for the {0}, not the fourth root",
+}
+DIVIDED = "it was divided by the {0}, not multiplied"
+MULTIPLIED = "it was multiplied by the {0}, not divided"
 WIEN_X = 4.965114231744276  # h c / (k b): the solution of x = 5 (1 - exp(-x))
 PER_FREQUENCY = 1.759780  # c / (b' b^-1), for the peak per frequency at 2.821439 k T / h
 CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count cycles
@@ -105,7 +111,7 @@ def find(p: Problem) -> Iterator[Candidate]:
             ("pi-forgotten", "pi", math.pi),
             ("wrong-sphere", "4 pi", 4 * math.pi),
         ):
-            done = f"a factor of {factor} was introduced by mistake"
+            done = Said("a factor of {0} was introduced by mistake", factor)
             for value in (p.right * size, p.right / size):
                 yield Candidate(name, SELDOM, value, done, rule)
 
@@ -113,7 +119,7 @@ def find(p: Problem) -> Iterator[Candidate]:
 def text_of(law: AnyLaw) -> str:
     """Return the formula of a law in letters, with its name."""
     formula = fill(law.template, lambda name, _: letter_of(name) if name in SYMBOLS else name)
-    return f"{law.name}: {formula}" if law.name else formula
+    return Said("{0}: {1}", law.name, formula) if law.name else formula
 
 
 def label_of(name: str) -> str:
@@ -131,7 +137,9 @@ def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
     for name, power in law.powers:
         if name == target or name in WHOLE or (name in SYMBOLS and SYMBOLS[name].geometry):
             continue
-        rule = "; ".join(filter(None, (text_of(law) or RULES[name], WHY.get(name))))
+        rule = text_of(law) or RULES[name]
+        if name in WHY:
+            rule = Said(BOTH, rule, WHY[name])
         exponent = -power / power_of_target  # in the law solved for the target
         for kind, rank, done, by in _edits(name, abs(power), exponent > 0):
             for size, later in _sizes(p, name, kind):
@@ -167,7 +175,13 @@ def _tidy(template: str) -> str:
     right = f" {right} ".replace(" / 1 ", " ").replace(" (1 ", " (")
     while " 1 " in right and not right.startswith(" 1 /"):
         right = right.replace(" 1 ", " ", 1)
-    right = right.replace(" 1)", ")").replace("/ ()", "").replace("  ", " ").strip()
+    right = (
+        right.replace(" 1)", ")")
+        .replace("/ ()", "")
+        .replace("(Omega0)", "Omega0")
+        .replace("  ", " ")
+        .strip()
+    )
     return f"{left} = {right or '1'}"
 
 
@@ -179,19 +193,19 @@ def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float
     label = label_of(name)
     is_bare = name in RULES or SYMBOLS[name].unit == "1"
     rank = FORGOTTEN.get(name, RARELY if is_bare else SELDOM)
-    yield "forgotten", rank, f"the {label} was forgotten", -1.0
-    done, right = ("divided", "multiplied") if is_above else ("multiplied", "divided")
-    by = f"square of the {label}" if power == 2 else label
-    yield "upside-down", RARELY, f"it was {done} by the {by}, not {right}", -2.0
+    yield "forgotten", rank, Said("the {0} was forgotten", label), -1.0
+    template = DIVIDED if is_above else MULTIPLIED
+    by = Said("square of the {0}", label) if power == 2 else label
+    yield "upside-down", RARELY, Said(template, by), -2.0
     if power == 2:
         rank = NOT_SQUARED.get(name, USUALLY)
-        yield "not-squared", rank, f"the {label} was not squared", -0.5
+        yield "not-squared", rank, Said("the {0} was not squared", label), -0.5
     for other in (power - 1, power - 2, power + 1) if power > 2 else ():
-        done = f"the power {other:g} of the {label} was used, not {power:g}"
+        done = Said("the power {0} of the {1} was used, not {2}", f"{other:g}", label, f"{power:g}")
         yield "wrong-power", USUALLY + abs(other - power) / 2, done, other / power - 1
     if name.startswith("cosine"):
         for more in (1.0, 2.0):
-            yield "squared", HARDLY, f"the {label} was squared or cubed", more
+            yield "squared", HARDLY, Said("the {0} was squared or cubed", label), more
 
 
 def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
@@ -212,15 +226,17 @@ def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candida
     """Yield the wrong values from a law solved wrongly: no square root, or the reciprocal."""
     size, label = p.chain.values[target], label_of(target)
     if power == 2 and (value := p.chain.after(target, size**2)) is not None:
-        done = f"the square root for the {label} was forgotten"
+        done = Said("the square root for the {0} was forgotten", label)
         rank = NOT_SQUARED.get(target, USUALLY)
         yield Candidate(f"{target}-not-squared", rank, value, done, text_of(law))
     for root in (2, 3) if power == 4 else ():
         if (value := p.chain.after(target, size ** (power / root))) is not None:
-            done = f"the {ROOTS[root]} root was used for the {label}, not the fourth root"
+            done = Said(ROOTS[root], label)
             yield Candidate(f"{target}-wrong-power", USUALLY, value, done, text_of(law))
-    if (target == p.chain.goal or target in RATIOS) and (value := p.chain.after(target, 1 / size)) is not None:
-        done = f"the fraction was inverted: the result is the reciprocal of the {label}"
+    if (target == p.chain.goal or target in RATIOS) and (
+        value := p.chain.after(target, 1 / size)
+    ) is not None:
+        done = Said("the fraction was inverted: the result is the reciprocal of the {0}", label)
         yield Candidate(f"{target}-upside-down", RARELY, value, done, text_of(law))
 
 
@@ -231,14 +247,14 @@ def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
         if name == target or SYMBOLS[name].unit != "1" or name in NO_FACTORS or size <= 0:
             continue
         for kind, other, rank, done in (
-            ("forgotten", 1.0, FORGOTTEN.get(name, RARELY), "forgotten"),
-            ("upside-down", 1 / size, RARELY, "inverted"),
+            ("forgotten", 1.0, FORGOTTEN.get(name, RARELY), "the {0} was forgotten"),
+            ("upside-down", 1 / size, RARELY, "the {0} was inverted"),
         ):
             at = {**p.chain.values, name: other}.__getitem__
             value = p.chain.solved(target, lambda _, at=at: law.solve(target, at))  # type: ignore[misc]
             if value is not None:
-                done = f"the {label_of(name)} was {done}"
-                yield Candidate(f"{name}-{kind}", rank, value, done, text_of(law))
+                said = Said(done, label_of(name))
+                yield Candidate(f"{name}-{kind}", rank, value, said, text_of(law))
 
 
 # ---------------------------------------------------------------------------------------------
@@ -313,11 +329,11 @@ def _constants(
             if (right_constant, wrong_constant) == ("pi", "2 pi"):
                 yield edit("two-pi-for-pi", 2.0**power, wrong="2 pi")
             elif size != number:
-                done = f"{wrong_constant} was used for {right_constant}"
+                done = Said("{0} was used for {1}", wrong_constant, right_constant)
                 yield edit("wrong-sphere", (size / number) ** power, done, wrong_constant)
         name = "pi-forgotten" if number == 1 else "wrong-sphere"
         yield edit(name, math.pi**-power, PI_FORGOTTEN, f"{number:g}")
-        yield edit(name, (number * math.pi) ** -power, f"{right_constant} was forgotten")
+        yield edit(name, (number * math.pi) ** -power, Said("{0} was forgotten", right_constant))
     elif power:
         yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN, "1")
         yield edit("constant-forgotten", (number * math.pi) ** -power)

@@ -9,9 +9,11 @@ from radcalc.conversion import spectral
 from radcalc.conversion.conditions import Factor
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.natural import LawPlan
+from radcalc.derivation import format_number, with_unit
 from radcalc.homework.chain import (
     VALUE,
     Chain,
+    Ends,
     Powers,
     Steps,
     between_kinds,
@@ -24,7 +26,7 @@ from radcalc.laws.law import Law, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.sizes import CIRCLE, DIAMETER
 from radcalc.laws.surface import disc_on_axis
-from radcalc.quantities.light import read
+from radcalc.quantities.light import read, symbol_of
 
 
 def of_conversion(conversion: Plan, number: float, right: float, given: Inputs) -> Chain:
@@ -44,7 +46,12 @@ def of_conversion(conversion: Plan, number: float, right: float, given: Inputs) 
     if start and end and start.kind != end.kind:
         powers += between_kinds(start.kind, end.kind, given, values, steps)
     multiply(powers, right, values, steps)
-    return Chain(values, steps, VALUE, right)
+    chain = Chain(values, steps, VALUE, right)
+    letters = [symbol_of(unit).partition("_")[0] for unit in (conversion.source, conversion.target)]
+    amount = f"({with_unit(format_number(number), conversion.source.text)})"
+    unit = conversion.target
+    chain.ends = Ends(letters[0], amount, letters[1], unit.text, float(unit.factor))
+    return chain
 
 
 def _of_factor(name: str, formula: str, letter: str, *powers: tuple[str, float]) -> Law:

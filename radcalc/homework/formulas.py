@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 from radcalc.homework.chain import FAILURES
 from radcalc.homework.edits import NAMES, NO_FACTORS, label_of, text_of
 from radcalc.homework.problem import Candidate, Problem
+from radcalc.homework.usual import USUAL
+from radcalc.homework.words import Said
 from radcalc.laws.law import At, Relation
 from radcalc.quantities.symbols import SYMBOLS
 
@@ -135,13 +137,19 @@ def _candidate(edit: Edit, value: float, rule: str) -> Candidate:
     what = NAMES.get(edit.what) or FUNCTION_NAMES.get(edit.what, edit.what)
     if edit.kind == "no factor" and what[:1].isdigit():
         what = "constant"
-    return Candidate(what + end, rank, value, done.format(_words(edit.what)), rule)
+    if edit.kind == "sibling" and what.endswith("-for-log2"):
+        rank, said, _ = USUAL["log10-for-log2"]
+        return Candidate("log10-for-log2", rank, value, said, rule)
+    return Candidate(what + end, rank, value, Said(done, _words(edit.what)), rule)
 
 
 def _words(what: str) -> str:
     if what in SYMBOLS:
         return label_of(what)
-    return FUNCTION_NAMES.get(what) or what.replace("-", " ")
+    sibling, _, name = what.partition("-for-")
+    if name:
+        return Said("{0} for {1}", sibling, name)
+    return FUNCTION_NAMES.get(what, what)
 
 
 # ---------------------------------------------------------------------------------------------
@@ -191,7 +199,9 @@ class _Reader:
     def factor(self) -> Node:
         word = self.next() if self.peek() else ""
         if word == "-":
-            return Node("product", parts=((1.0, Node("number", number=-1.0)), (1.0, self.product())))
+            return Node(
+                "product", parts=((1.0, Node("number", number=-1.0)), (1.0, self.product()))
+            )
         if word == "(":
             inner = self.sum()
             if not self.peek() or self.next() != ")":

@@ -8,6 +8,8 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
+from radcalc.derivation import format_number
+from radcalc.homework.chain import Worked
 from radcalc.homework.problem import Candidate, Problem, usual
 
 Function = Callable[[float], float]  # of the polar angle: the mean of the integrand over azimuths
@@ -39,6 +41,10 @@ class Integral(NamedTuple):
     around: float = 2 * PI
     has_cosine: bool = False
 
+    def text(self, mistake: str) -> str:
+        ends = " to ".join(format_number(math.degrees(end)) for end in (self.low, self.high))
+        return f"int {ELEMENTS[mistake]}, theta from {ends} deg"
+
     @property
     def with_cosine(self) -> str:
         return "cosine-added" if self.symbol not in SOLID else "solid-for-projected"
@@ -61,6 +67,16 @@ class Integral(NamedTuple):
         return total * half * (around or self.around)
 
 
+ELEMENTS = {  # wrong integrands, with the element of solid angle
+    "sine-forgotten": "f dtheta dphi",
+    "sine-twice": "f sin(theta)^2 dtheta dphi",
+    "cosine-added": "f cos(theta) sin(theta) dtheta dphi",
+    "integrand-without-cosine": "f/cos(theta) sin(theta) dtheta dphi",
+    "azimuth-forgotten": "f sin(theta) dtheta",
+    "degrees-in-integral": "f dtheta dphi, theta in degrees",
+}
+
+
 def find(p: Problem) -> Iterator[Candidate]:
     """Yield the wrong values from an edit of the integral that gives the result."""
     for integral in filter(None, (_expression(p), _zone(p), _cone(p), _sky(p))):
@@ -70,6 +86,9 @@ def find(p: Problem) -> Iterator[Candidate]:
             continue
         for name, size in _edits(integral):
             value = p.chain.after(integral.symbol, right * size / own)
+            if value is not None and name in ELEMENTS:
+                text = f"{integral.text(name)} = {format_number(size)}"
+                value = Worked(value, p.chain, {}, text=text)
             if candidate := usual(name, value):
                 yield candidate
 

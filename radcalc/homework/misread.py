@@ -6,6 +6,7 @@ from contextlib import suppress
 
 from radcalc.errors import RadcalcError
 from radcalc.homework.problem import Candidate, Problem, usual
+from radcalc.homework.words import Said
 from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.spectrum import BlackBody
@@ -148,7 +149,11 @@ def _in_other_units(p: Problem) -> Found:
     temperature = p.chain.values.get("temperature")
     if temperature and "temperature" not in p.given:
         for shift in SHIFTS:
-            value = p.chain.after("temperature", temperature + shift) if temperature + shift > 0 else None
+            value = (
+                p.chain.after("temperature", temperature + shift)
+                if temperature + shift > 0
+                else None
+            )
             yield usual("kelvin-for-celsius", value)
     elif (body := p.hot_body()) and body.temperature > CELSIUS:
         for shift in (CELSIUS, -CELSIUS):
@@ -242,7 +247,7 @@ def _units(p: Problem) -> Found:
             other = resolve(text)
             if other.dimension == unit.dimension and other.factor != unit.factor:
                 value = p.right * (other.factor / unit.factor) ** sign
-                yield usual("neighbour-unit", value, f"{unit.text} was used as {text}")
+                yield usual("neighbour-unit", value, Said("{0} was used as {1}", unit.text, text))
 
 
 def _readings(p: Problem) -> Found:

@@ -13,6 +13,7 @@ from radcalc.geometry.numerics import vectors
 from radcalc.homework.edits import scaled
 from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.homework.siblings import projected_cone
+from radcalc.homework.words import Said
 from radcalc.quantities.symbols import EFFICACIES, UNIFORM
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.units.dimensions import SOLID_ANGLE, times
@@ -212,6 +213,12 @@ def _environment(p: Problem) -> Found:
         yield usual("wrong-sphere", 4 * p.right, right=DIFFUSE)
 
 
+WHOLE_TIME = {
+    "first": "the first sample was used for the whole time",
+    "last": "the last sample was used for the whole time",
+}
+
+
 def _samples(p: Problem) -> Found:
     """Add the samples of a log without their times, or with wrong times."""
     samples = p.question.samples
@@ -233,7 +240,7 @@ def _samples(p: Problem) -> Found:
         yield usual("sample-for-all", times_mean * samples["sum"] / count * unit / duration, done)
         yield usual("sample-for-all", times_mean * mean * unit / duration, done)
     for name in ("first", "last"):
-        done = f"the {name} sample was used for the whole time"
+        done = WHOLE_TIME[name]
         yield usual("sample-for-all", times_mean * samples[name], done)
     peak = p.amount("maximum-irradiance") or p.amount("maximum-flux") or 0.0
     yield usual("sample-for-all", times_mean * peak)
@@ -382,7 +389,7 @@ def _lamps(p: Problem) -> Found:
 
     for k, lamp in enumerate(LAMPS):
         value = p.anew({"spectrum": named(lamp)})
-        done = f"the factor of another lamp was used ({lamp})"
+        done = Said("the factor of another lamp was used ({0})", lamp)
         yield usual("other-lamp", value, done, later=0.1 * k)
 
 
@@ -393,10 +400,11 @@ def _others(p: Problem) -> Found:
             continue
         apart = [times(other.dimensions[0], SOLID_ANGLE, k) for k in (0, 1, -1)]
         if p.target.dimensions[0] in apart:
-            done = f"the {other.label} was given"
+            done = Said("the {0} was given", other.label)
             later = 0.0 if p.target.dimensions[0] == apart[0] else 0.5
             later += 0.0 if other.given is None else 1.0
-            yield usual("other-quantity", other.amount, done, f"the {p.target.label} was asked for", later)
+            asked = Said("the {0} was asked for", p.target.label)
+            yield usual("other-quantity", other.amount, done, asked, later)
 
 
 def _day(p: Problem) -> Found:
@@ -407,7 +415,9 @@ def _day(p: Problem) -> Found:
         for hours in HOURS:
             yield usual("hours-of-light", p.chain.after("time", hours * 3600.0))
     elif (plan := p.question.plan) and not plan.links and plan.is_linear:
-        days = sum(power for name, power in (*plan.source.atoms, *plan.target.atoms) if name == "day")
+        days = sum(
+            power for name, power in (*plan.source.atoms, *plan.target.atoms) if name == "day"
+        )
         for hours in HOURS if days else ():
             yield usual("hours-of-light", p.right * (hours / 24) ** -days)
 

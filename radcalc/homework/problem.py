@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, cast
 from radcalc.answer import Value
 from radcalc.calculators.pages import page_of
 from radcalc.conversion.plan import plan
-from radcalc.homework.chain import FAILURES, of_answer, of_laws
+from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
 from radcalc.inputs.given import Inputs
@@ -22,6 +22,7 @@ HOT_BODY = {  # the laws of the results of a black body's spectrum
     "peak-wavelength": [PEAK],
 }
 PI_FORGOTTEN = "pi was forgotten"
+BOTH = "{0}; {1}"
 
 
 class Candidate(NamedTuple):
@@ -109,7 +110,8 @@ class Problem:
                 given[name] = given[name]._replace(value=value, is_exact=True)
             self._changed[key] = self._with(given)
         found = self._changed[key]
-        return float(found[1].amount) if found else None
+        numbers = {name: value for name, value in changed.items() if isinstance(value, float)}
+        return Worked(float(found[1].amount), self.chain, numbers) if found else None
 
     def _with(self, given: Inputs) -> tuple[Question, Value] | None:
         try:

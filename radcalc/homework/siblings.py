@@ -79,9 +79,9 @@ def _straight_line(at: At) -> Wrong:
     yield "sum-for-difference", math.sqrt(at("height") ** 2 - at("lateral") ** 2)
 
 
-def _logarithm(over: str, under: str = "") -> Callable[[At], Wrong]:
+def _logarithm(over: str, under: str) -> Callable[[At], Wrong]:
     def wrong(at: At) -> Wrong:
-        stops = at(over) * 100 / at(under) if under else at(over)
+        stops = at(over) * 100 / at(under)
         yield "log10-for-log2", math.log10(stops)
         yield "log10-for-log2", math.log(stops)
 
@@ -206,7 +206,6 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("etendue of a cone", "etendue", _etendue_of_cone),
     ("flux of a lobe divided by its peak intensity", "solid-angle", _lobe),
     ("straight line to the source", "distance", _straight_line),
-    ("exposure value", "ev", _logarithm("exposure-setting")),
     ("reflected light", "ev100", _logarithm("luminance", "k")),
     ("incident light", "ev100", _logarithm("illuminance", "c")),
     ("exposure value at ISO 100, behind a filter", "ev", _behind_filter),

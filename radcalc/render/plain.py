@@ -4,7 +4,7 @@ from radcalc.units.unit import unit_behind
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
     from typing import Any
 
     from radcalc.answer import Ends, Result, Row, Step
@@ -143,16 +143,27 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
         claimed += f" ± {number(verdict.claimed_uncertainty, digits)}"
     claimed += unit_behind(verdict.claimed_unit)
     lines = [f"wrong ({verdict.tolerance}): {right}, not {claimed}{ratio}"]
-    word = "likely"
-    for diagnosis in verdict.diagnoses:
-        if diagnosis.mistake == "rounded":
-            lines.append(f"rounded {diagnosis.done}: {diagnosis.right}")
-            continue
-        lines += [f"{word}: {diagnosis.done}", f"    {diagnosis.right}"]
-        word = "or"
-    if not verdict.diagnoses:
-        lines.append("no usual mistake gives this number")
+    lines += _mistakes(verdict.diagnoses, style.language)
     return "\n".join(lines) + "\n"
+
+
+def _mistakes(diagnoses: "Sequence[Any]", language: str) -> "Iterator[str]":
+    """Yield the lines of the likely mistakes: what was done, in whose numbers, and the rule."""
+    from radcalc.homework.words import Said, in_language
+
+    word = "likely: {0}"
+    for diagnosis in diagnoses:
+        if diagnosis.mistake == "rounded":
+            said = Said("rounded {0}: {1}", diagnosis.done, diagnosis.right)
+            yield in_language(said, language)
+            continue
+        yield in_language(Said(word, diagnosis.done), language)
+        if diagnosis.yours:
+            yield "    " + in_language(Said("yours: {0}", diagnosis.yours), language)
+        yield "    " + in_language(diagnosis.right, language)
+        word = "or: {0}"
+    if not diagnoses:
+        yield in_language("no usual mistake gives this number", language)
 
 
 def refuse_verdict() -> None:
