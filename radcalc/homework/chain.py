@@ -57,6 +57,11 @@ class Worked(float):
     """
 
     __slots__ = ("chain", "law", "target", "text", "wrong")
+    chain: "Chain"
+    law: AnyLaw | None
+    target: str
+    text: str
+    wrong: Mapping[str, float]
 
     def __new__(
         cls,

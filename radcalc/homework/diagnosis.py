@@ -48,20 +48,22 @@ def diagnose(
     target: Value,
     claim: Claim,
     scale: float,
-    misread: Sequence[Candidate] = (),
+    readings: Sequence[Candidate] = (),
 ) -> tuple[Diagnosis, ...]:
     """Return the mistakes that reproduce an answer to the digits typed, the likeliest first.
 
-    `scale` is the unit of the answer [SI]; `misread` are wrong values of a reading.  Pairs of mistakes are tried only if no single mistake
-    fits: among so many pairs, one fits almost any number of few digits.
+    `scale` is the unit of the answer [SI]; `readings` are wrong values on its scale.  Pairs of
+    mistakes are tried only if no single mistake fits: among so many pairs, one fits almost any
+    number of few digits.
     """
     problem = Problem(question, target)
-    single = sorted([*candidates(problem), *misread], key=_rank)
+    single = sorted([*candidates(problem), *readings], key=_rank)
     search = _Search(claim, problem.right, scale)
     matches = search.of(single, claim.half_unit) + search.on_the_way(single, _band(problem))
     if not matches and claim.digits >= LEAST_DIGITS:
         of_two = _Search(claim, problem.right, scale, TWO_BY_CHANCE)
-        both = sorted([*pairs(single, problem.right), *misread_and_more(problem)], key=_rank)
+        both: list[Candidate | Pair] = [*pairs(single, problem.right), *misread_and_more(problem)]
+        both.sort(key=_rank)
         matches = of_two.of(both, claim.half_unit)
         matches = matches or of_two.on_the_way(both, _band(problem))
     if not matches and claim.widest > claim.half_unit:

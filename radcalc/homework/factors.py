@@ -33,9 +33,9 @@ def of_conversion(conversion: Plan, number: float, right: float, given: Inputs) 
     """Return the chain of a conversion: its source times the factors of the conditions."""
     values = {name: item.value for name, item in given.items() if isinstance(item.value, float)}
     if isinstance(conversion, LawPlan):
-        start, end = conversion.names
-        values = {"emissivity": 1.0, **values, start: number * conversion.source.factor}
-        return of_laws(conversion.laws, end, values, right)
+        source, target = conversion.names
+        values = {"emissivity": 1.0, **values, source: number * conversion.source.factor}
+        return of_laws(conversion.laws, target, values, right)
     steps: Steps = []
     powers: Powers = []
     for factor, sign in conversion.links:

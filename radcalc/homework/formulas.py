@@ -70,9 +70,9 @@ class Node(NamedTuple):
             return float(values(self.name))
         sizes = [(sign, part.at(values)) for sign, part in self.parts]
         if self.kind == "sum":
-            return sum(sign * size for sign, size in sizes)
+            return float(sum(sign * size for sign, size in sizes))
         if self.kind == "product":
-            return math.prod(size**sign for sign, size in sizes)
+            return float(math.prod(size**sign for sign, size in sizes))
         if self.kind == "power":
             return float(sizes[0][1] ** sizes[1][1])
         return FUNCTIONS[self.name](sizes[0][1])
@@ -160,7 +160,7 @@ class _Reader:
     """A reader of one side of a formula, in which a blank multiplies."""
 
     def __init__(self, text: str) -> None:
-        self.pieces = PIECE.findall(text)
+        self.pieces: list[str] = PIECE.findall(text)
         if "".join(self.pieces) != text.replace(" ", ""):
             raise Unread(text)
         self.place = 0

@@ -185,7 +185,7 @@ def _zone(p: Problem) -> Integral | None:
     around = p.given["azimuth"].value if "azimuth" in p.given else (0.0, 2 * PI)
     if not isinstance(around, tuple):
         return None
-    return _of_sphere(p.target.name, *ends, around[1] - around[0])
+    return _of_sphere(p.target.name, ends[0], ends[1], around[1] - around[0])
 
 
 def _cone(p: Problem) -> Integral | None:

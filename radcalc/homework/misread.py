@@ -20,8 +20,8 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     TIME,
 )
-from radcalc.units.table import resolve
 from radcalc.units.scales import ScaleUnit
+from radcalc.units.table import resolve
 from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH, NUMBER
 
 LN10, LN2, LB10 = math.log(10), math.log(2), math.log2(10)
@@ -251,7 +251,7 @@ def _units(p: Problem) -> Found:
 
 
 def _readings(p: Problem) -> Found:
-    """Misread a number on a scale: its sign, the base of its logarithm, 10 or 20 for the decibel."""
+    """Misread a number on a scale: its sign, the base of its logarithm, 10 for 20 in a decibel."""
     plan, number = p.question.plan, p.question.number
     if plan is None or not isinstance(getattr(plan, "ends", (None,))[0], ScaleUnit):
         return

@@ -356,8 +356,8 @@ def _swapped(p: Problem) -> Found:
     if "iso" in symbols:
         yield usual("iso-forgotten", p.chain.after("iso", 100.0))
         yield usual("iso-upside-down", p.chain.after("iso", 1e4 / values["iso"]))
-    cosines = [name for name in ("cosine", "cosine-of-source") if name in symbols]
-    sines = {name: math.sqrt(max(0.0, 1 - values[name] ** 2)) for name in cosines}
+    cosines = symbols.intersection(("cosine", "cosine-of-source"))
+    sines = {name: math.sqrt(max(0.0, 1 - values[name] ** 2)) for name in sorted(cosines)}
     for name, sine in sines.items():
         yield usual("angle-from-surface", p.chain.after(name, sine))
     if len(sines) == 2:
@@ -425,7 +425,7 @@ def _day(p: Problem) -> Found:
 def _rounded_early(p: Problem) -> Found:
     """Round the cosine of a narrow cone before it is subtracted from 1."""
     half = p.amount("half-angle")
-    if not half or "solid-angle" not in p.chain.symbols and not p.asks("solid-angle"):
+    if not half or not ("solid-angle" in p.chain.symbols or p.asks("solid-angle")):
         return
     for digits in (2, 3):
         size = 2 * PI * (1 - round(math.cos(half), digits))

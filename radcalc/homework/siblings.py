@@ -52,6 +52,7 @@ def _cone(at: At) -> Wrong:
 
 
 def projected_cone(at: At) -> Wrong:
+    """Yield wrong values of the projected solid angle of a cone."""
     yield "solid-for-projected", cones.cone(at("half-angle"))
     yield from _flat(at("half-angle"))
 

@@ -174,6 +174,8 @@ def _judged(
         allowed = uncertainty.tolerance(off, unit.text)
     is_number = reading.scale is None or reading.is_logarithm
     ratio = claim.value / right if right and is_number else math.inf
+    is_part = reading.scale is not None and "%" in allowed.text
+    tolerance = Said("{0} of the quantity", allowed.text) if is_part else allowed.text
     verdict = Verdict(
         False,
         name_in(target, unit.dimension),
@@ -182,7 +184,7 @@ def _judged(
         claim.value,
         claim.unit or reading.text,
         ratio if math.isfinite(ratio) else None,
-        allowed.text + " of the quantity" * (reading.scale is not None and "%" in allowed.text),
+        tolerance,
         (),
         question.steps,
         off / reading.slope(right),
@@ -237,8 +239,8 @@ def _explained(
     if not math.isfinite(meant.value):
         return verdict
     scale = float(target.amount) / right if right else scale
-    is_on_scale = reading.scale is not None and not (reading.is_logarithm and question.plan is None)
-    misread = [] if not is_on_scale else _misread(reading, float(target.amount))
+    is_on_scale = reading.scale is not None and not reading.is_logarithm
+    misread = _misread(reading, float(target.amount)) if is_on_scale else []
     diagnoses = diagnose(question, target, meant, scale, misread)
     if not diagnoses and not asked_tolerance and (zeros := _zeros(claim, reading)):
         return verdict._replace(diagnoses=(zeros,))
@@ -253,13 +255,11 @@ def _misread(reading: Reading, amount: float) -> "list[Candidate]":
     from radcalc.homework.problem import usual
 
     scale, right = cast("Scale", reading.scale), reading.right
+    factors: dict[str, Sequence[float]] = dict(READINGS)
     if not scale.steps:
-        factors = {"unit-upside-down": [1 / right**2 * power for power in (1.0, 1e6)]}
-    else:
-        factors = dict(READINGS)
-    size = 1.0 if reading.is_logarithm else amount
+        factors = {"unit-upside-down": [1 / right**2, 1e6 / right**2]}
     candidates = [
-        usual(name, right * factor if reading.is_logarithm else size * times)
+        usual(name, amount * times)
         for name, several in factors.items()
         for factor in several
         if math.isfinite(times := reading.times(right * factor, right))

@@ -15,6 +15,8 @@ class Said(str):
     """
 
     __slots__ = ("fields", "template")
+    template: str
+    fields: tuple[Any, ...]
 
     def __new__(cls, template: str, *fields: Any) -> "Said":
         said = super().__new__(cls, template.format(*fields))
@@ -32,11 +34,8 @@ def in_language(text: str, language: str) -> str:
     if template in SENTENCES:
         template = SENTENCES[template][LANGUAGES.index(language) - 1]
     elif not isinstance(text, Said):
-        return translate(text, language)
+        return text if "=" in text else translate(text, language)  # a formula, or a name
     if not isinstance(text, Said):
         return template
-    return template.format(*(in_language(str_of(field), language) for field in text.fields))
-
-
-def str_of(field: Any) -> str:
-    return field if isinstance(field, str) else str(field)
+    fields = [field if isinstance(field, str) else str(field) for field in text.fields]
+    return template.format(*(in_language(field, language) for field in fields))

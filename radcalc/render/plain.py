@@ -126,29 +126,36 @@ def fields(records: "Records") -> list[list[str]]:
 
 def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str:
     """Return whether an answer is right, and the most likely mistakes."""
+    from radcalc.homework.words import Said, in_language
+
     if style.bare:
         refuse_verdict()
     verdict = judgement.verdict
     digits = style.precision or digits
     size = uncertain(verdict.value, verdict.uncertainty, style.precision, digits)
-    right = f"{verdict.name} is {size}{unit_behind(verdict.unit)}"
+    right = f"{size}{unit_behind(verdict.unit)}"
     if verdict.right:
-        nearer = "".join(f"; {diagnosis.right}" for diagnosis in verdict.diagnoses)
-        chosen = f", as {verdict.name}" if verdict.is_chosen else ""
-        return f"right{chosen} ({verdict.tolerance}): {right}{nearer}\n"
+        word = Said("right, as {0}", verdict.name) if verdict.is_chosen else "right"
+        said = Said("{0} ({1}): {2} is {3}", word, verdict.tolerance, verdict.name, right)
+        for diagnosis in verdict.diagnoses:
+            said = Said("{0}; {1}", said, diagnosis.right)
+        return in_language(said, style.language) + "\n"
     times = "1" if verdict.ratio is None else number(verdict.ratio + 0.0, RATIO_DIGITS)
-    ratio = f" ({times} times the right value)" if times != "1" else ""
     claimed = number(verdict.claimed, digits)  # as typed
     if verdict.claimed_uncertainty:
         claimed += f" ± {number(verdict.claimed_uncertainty, digits)}"
     claimed += unit_behind(verdict.claimed_unit)
-    lines = [f"wrong ({verdict.tolerance}): {right}, not {claimed}{ratio}"]
+    parts = "wrong", verdict.tolerance, verdict.name, right, claimed
+    said = Said("{0} ({1}): {2} is {3}, not {4}", *parts)
+    if times != "1":
+        said = Said("{0} ({1} times the right value)", said, times)
+    lines = [in_language(said, style.language)]
     lines += _mistakes(verdict.diagnoses, style.language)
     return "\n".join(lines) + "\n"
 
 
 def _mistakes(diagnoses: "Sequence[Any]", language: str) -> "Iterator[str]":
-    """Yield the lines of the likely mistakes: what was done, in whose numbers, and the rule."""
+    """Yield the lines of the likely mistakes: what was done, the wrong step, and the rule."""
     from radcalc.homework.words import Said, in_language
 
     word = "likely: {0}"
@@ -159,7 +166,7 @@ def _mistakes(diagnoses: "Sequence[Any]", language: str) -> "Iterator[str]":
             continue
         yield in_language(Said(word, diagnosis.done), language)
         if diagnosis.yours:
-            yield "    " + in_language(Said("yours: {0}", diagnosis.yours), language)
+            yield f"    {in_language('yours', language)}: {diagnosis.yours}"
         yield "    " + in_language(diagnosis.right, language)
         word = "or: {0}"
     if not diagnoses:
