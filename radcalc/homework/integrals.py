@@ -9,14 +9,16 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from radcalc.derivation import format_number
-from radcalc.homework.chain import Worked
+from radcalc.homework.chain import FAILURES, Worked
 from radcalc.homework.problem import Candidate, Problem, usual
+from radcalc.maths import cos, sin
 
-Function = Callable[[float], float]  # of the polar angle: the mean of the integrand over azimuths
+Function = Callable[[Any], Any]  # of the polar angle
+Over = Callable[[float, float, Function], float]  # an integral between polar angles
 PI = math.pi
+DEGREES = 180 / PI
 SOLID = ("solid-angle", "projected-solid-angle")
 PANELS = 40  # of the quadrature over polar angles
-AZIMUTHS = 256
 NODES = (  # Gauss-Legendre, in a panel from -1 to 1
     (0.0, 0.5688888888888889),
     (0.5384693101056831, 0.47862867049936647),
@@ -24,22 +26,25 @@ NODES = (  # Gauss-Legendre, in a panel from -1 to 1
     (0.906179845938664, 0.23692688505618908),
     (-0.906179845938664, 0.23692688505618908),
 )
+ACCURACY = 1e-6
 OFF = 1e-3  # relative error of the quadrature, above which its edits say nothing
 
 
 class Integral(NamedTuple):
     """An integral: its symbol, the integrand, the polar angles and the range of azimuths [rad].
 
+    An integrand that is not axial has a function `by` which it is integrated instead.
     `has_cosine` is true if the cosine is a factor of the integrand.  A solid angle with a cosine is
     the projected one.
     """
 
     symbol: str
-    function: Function
+    function: Function | None
     low: float
     high: float
     around: float = 2 * PI
     has_cosine: bool = False
+    by: Over | None = None
 
     def text(self, mistake: str) -> str:
         ends = " to ".join(format_number(math.degrees(end)) for end in (self.low, self.high))
@@ -53,10 +58,11 @@ class Integral(NamedTuple):
     def without_cosine(self) -> str:
         return "integrand-without-cosine" if self.symbol not in SOLID else "solid-for-projected"
 
-    def over(
-        self, low: float, high: float, weight: Function = math.sin, around: float = 0.0
-    ) -> float:
+    def over(self, low: float, high: float, weight: Function = sin) -> float:
         """Return the integral between polar angles, with a weight of the element of solid angle."""
+        if self.function is None:
+            assert self.by is not None
+            return self.by(low, high, weight)
         half = (high - low) / PANELS / 2
         total = 0.0
         for panel in range(PANELS):
@@ -64,7 +70,7 @@ class Integral(NamedTuple):
             for node, part in NODES:
                 theta = centre + node * half
                 total += part * self.function(theta) * weight(theta)
-        return total * half * (around or self.around)
+        return total * half * self.around
 
 
 ELEMENTS = {  # wrong integrands, with the element of solid angle
@@ -81,10 +87,12 @@ def find(p: Problem) -> Iterator[Candidate]:
     """Yield the wrong values from an edit of the integral that gives the result."""
     for integral in filter(None, (_expression(p), _zone(p), _cone(p), _sky(p))):
         right = p.chain.values.get(integral.symbol, p.right)
-        own = integral.over(integral.low, integral.high)
+        own = _found(integral.over, integral.low, integral.high)
         if not right or not own or abs(own / (right / _unit(right, own)) - 1) > OFF:
             continue
-        for name, size in _edits(integral):
+        for name, size in _edits(integral, own):
+            if size is None:
+                continue
             value = p.chain.after(integral.symbol, right * size / own)
             if value is not None and name in ELEMENTS:
                 text = f"{integral.text(name)} = {format_number(size)}"
@@ -98,42 +106,50 @@ def _unit(right: float, own: float) -> float:
     return 10.0 ** round(math.log10(abs(right / own)))
 
 
-def _edits(i: Integral) -> Iterator[tuple[str, float]]:
-    """Yield the mistakes and the wrong values of an integral."""
+def _found(over: Over, low: float, high: float, weight: Function = sin) -> float | None:
+    """Return an integral, or None if it does not converge."""
+    try:
+        return over(low, high, weight)
+    except FAILURES:
+        return None
+
+
+def _edits(i: Integral, whole: float) -> Iterator[tuple[str, float | None]]:
+    """Yield the mistakes and the wrong values of an integral with the value `whole`."""
     low, high = i.low, i.high
-    yield i.with_cosine, i.over(low, high, lambda t: math.sin(t) * math.cos(t))
+    yield i.with_cosine, _found(i.over, low, high, lambda t: sin(t) * cos(t))
     if i.has_cosine:
-        yield i.without_cosine, i.over(low, high, lambda t: math.sin(t) / math.cos(t))
-        yield "sine-forgotten", i.over(low, high, lambda t: 1 / math.cos(t))
-    yield "sine-forgotten", i.over(low, high, lambda _: 1.0)
-    yield "degrees-in-integral", i.over(low, high, math.degrees)
-    yield "degrees-in-integral", i.over(low, high, lambda _: math.degrees(1))
-    yield "sine-twice", i.over(low, high, lambda t: math.sin(t) ** 2)
-    whole = i.over(low, high)
+        yield i.without_cosine, _found(i.over, low, high, lambda t: sin(t) / cos(t))
+        yield "sine-forgotten", _found(i.over, low, high, lambda t: 1 / cos(t))
+    yield "sine-forgotten", _found(i.over, low, high, lambda _: 1.0)
+    yield "degrees-in-integral", _found(i.over, low, high, lambda t: DEGREES * sin(t))
+    yield "degrees-in-integral", _found(i.over, low, high, lambda _: DEGREES)
+    yield "sine-twice", _found(i.over, low, high, lambda t: sin(t) ** 2)
     yield "azimuth-forgotten", whole / i.around
     yield "half-azimuth", whole / 2
     if i.around < 2 * PI:
         yield "azimuth-forgotten", whole / i.around * 2 * PI
     if high == PI and not low:
-        yield "whole-for-half", i.over(0, PI / 2)
+        yield "whole-for-half", _found(i.over, 0, PI / 2)
         return
-    yield from _limits(i)
+    yield from _limits(i, whole)
 
 
-def _limits(i: Integral) -> Iterator[tuple[str, float]]:
+def _limits(i: Integral, whole: float) -> Iterator[tuple[str, float | None]]:
     low, high = i.low, i.high
     if high == PI / 2:
-        yield "whole-for-half", 2 * i.over(low, high)
-        yield "whole-for-half", i.over(low, PI)
+        yield "whole-for-half", 2 * whole
+        yield "whole-for-half", _found(i.over, low, PI)
     else:
-        yield "angle-from-surface", i.over(low, high, math.cos)
-        yield "wrong-limits", i.over(low, PI / 2)
-        yield "full-for-half", i.over(low / 2, high / 2)
-        yield "full-for-half", i.over(2 * low, min(2 * high, PI))
+        yield "angle-from-surface", _found(i.over, low, high, cos)
+        yield "wrong-limits", _found(i.over, low, PI / 2)
+        yield "full-for-half", _found(i.over, low / 2, high / 2)
+        yield "full-for-half", _found(i.over, 2 * low, min(2 * high, PI))
     if low:
-        inner, outer = i.over(0, low), i.over(0, high)
-        for size in (outer + inner, outer, inner, i.over(0, high - low)):
-            yield "zone-of-caps", size
+        if inner := _found(i.over, 0, low):
+            for size in (whole + 2 * inner, whole + inner, inner):
+                yield "zone-of-caps", size
+        yield "zone-of-caps", _found(i.over, 0, high - low)
         if i.symbol == "solid-angle":
             yield "cosines-added", i.around * (math.cos(low) + math.cos(high))
 
@@ -148,33 +164,27 @@ def _expression(p: Problem) -> Integral | None:
     if not text:
         return None
     from radcalc.calculators.integrate import directions
+    from radcalc.geometry.numerics.cubature import over_directions
     from radcalc.geometry.numerics.expression import Expression
 
-    (low, high), (start, end) = directions(p.given)
+    (low, high), azimuth = directions(p.given)
+    expression = Expression(text)
+    around = azimuth[1] - azimuth[0]
     has_cosine = any(cosine in text for cosine in ("cos(theta)", "z"))
-    function = _mean(Expression(text), start, end)
-    return Integral("integral", function, low, high, end - start, has_cosine)
+    if not expression.uses:
+        size = float(expression({}))
+        return Integral("integral", lambda _: size, low, high, around, has_cosine)
 
+    def over(low: float, high: float, weight: Function) -> float:
+        def weighted(at: Any) -> Any:
+            return expression(at) * weight(at["theta"]) / sin(at["theta"])
 
-def _mean(function: Any, start: float, end: float) -> Function:
-    """Return the mean of a function of direction over azimuths, as a function of polar angle."""
-    import numpy as np
+        cost, is_axial = expression.cost, expression.is_axial
+        return over_directions(
+            weighted, (low, high), azimuth, ACCURACY, cost, is_axial, accepted=OFF
+        ).value
 
-    count = 1 if function.is_axial else AZIMUTHS
-    phi = start + (np.arange(count) + 0.5) * (end - start) / count
-
-    def at(theta: float) -> float:
-        sine = math.sin(theta)
-        directions = {
-            "theta": np.full(count, theta),
-            "phi": phi,
-            "x": sine * np.cos(phi),
-            "y": sine * np.sin(phi),
-            "z": np.full(count, math.cos(theta)),
-        }
-        return float(np.mean(function(directions)))
-
-    return at
+    return Integral("integral", None, low, high, around, has_cosine, over)
 
 
 def _zone(p: Problem) -> Integral | None:
