@@ -11,23 +11,21 @@ from radcalc.homework import edits, formulas, integrals, misread, outside, sibli
 from radcalc.homework.answer import Claim, Diagnosis
 from radcalc.homework.chain import Worked
 from radcalc.homework.misread import SLIPS
-from radcalc.homework.problem import BOTH, Candidate, Problem
+from radcalc.homework.problem import RARER, Candidate, Problem, both
 from radcalc.homework.question import Question
-from radcalc.homework.words import Said
 
-AND = "{0}; and {1}"
 MOST = 5  # diagnoses
 COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake
 LEAST_DIGITS = 3  # of an answer in which two mistakes together are looked for
 WHOLE = ("other-quantity", "other-lamp")  # not with another mistake
-VERY_COMMON, RARER = 3, 3.5  # the last rank for a pair of laws, and what is added to its rank
+VERY_COMMON = 3.5  # the last rank for a pair of mistakes in laws
 COMMON = 4  # the last rank that is common enough for a pair with a slip
 GUESS = 30.0  # an unrelated number is assumed to be within this factor of the right value
 SPREAD = math.log(GUESS)
 # The share of unrelated numbers that may agree with a mistake, with two, and with one by rounding
 # on the way.
 WIDE_BY_CHANCE = 0.022
-BY_CHANCE, TWO_BY_CHANCE = 0.03, 0.007
+BY_CHANCE, TWO_BY_CHANCE = 0.03, 0.01
 # Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
 # of the commonest mistakes, and its factor for each rank after them.
 WITH_CONSTANTS = ("photon-energy", "photon-efficacy", "wavelength", "temperature")
@@ -62,10 +60,10 @@ def diagnose(
     matches = search.of(single, claim.half_unit) + search.on_the_way(single, _band(problem))
     if not matches and claim.digits >= LEAST_DIGITS:
         of_two = _Search(claim, problem.right, scale, TWO_BY_CHANCE)
-        both: list[Candidate | Pair] = [*pairs(single, problem.right), *misread_and_more(problem)]
-        both.sort(key=_rank)
-        matches = of_two.of(both, claim.half_unit)
-        matches = matches or of_two.on_the_way(both, _band(problem))
+        two: list[Candidate | Pair] = [*pairs(single, problem.right), *misread_and_more(problem)]
+        two.sort(key=_rank)
+        matches = of_two.of(two, claim.half_unit)
+        matches = matches or of_two.on_the_way(two, _band(problem))
     if not matches and claim.widest > claim.half_unit:
         matches = _Search(claim, problem.right, scale).of(single, claim.widest)
     matches.sort(key=lambda match: (match.cost, match.off))
@@ -142,14 +140,7 @@ class Pair(NamedTuple):
     slip: Candidate
 
     def together(self) -> Candidate:
-        law, slip = self.law, self.slip
-        return Candidate(
-            f"{law.mistake} and {slip.mistake}",
-            self.rank,
-            self.value,
-            Said(AND, law.done, slip.done),
-            Said(BOTH, law.right, slip.right),
-        )
+        return both(self.law, self.slip, self.value)
 
 
 def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
@@ -166,14 +157,26 @@ def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
     ]
     slips = [candidate for candidate in single if candidate.mistake in SLIPS]
     common = [law for law in laws if law.rank <= VERY_COMMON and law.mistake not in WHOLE]
-    both = [(0.0, *pair) for pair in product(laws, slips)]
-    both += [(RARER, *pair) for pair in combinations(common, 2)]
+    two = [(0.0, *pair) for pair in product(laws, slips)]
+    two += [(RARER, *pair) for pair in combinations(common, 2)]
     combined = [
         Pair(more + first.rank + second.rank, first.value * second.value / right, first, second)
-        for more, first, second in both
-        if first.mistake != second.mistake
+        for more, first, second in two
+        if not _concern_the_same(first.mistake, second.mistake)
     ]
     return sorted(combined, key=_rank)
+
+
+OF_PI = (  # mistakes in one constant, of which nobody makes two
+    *("pi-forgotten", "two-pi-for-pi", "wrong-sphere", "pi-upside-down", "pi-twice"),
+    *("half-azimuth", "whole-for-half", "azimuth-forgotten"),
+)
+
+
+def _concern_the_same(first: str, second: str) -> bool:
+    """Return whether two mistakes concern one symbol, or pi."""
+    is_of_pi = first in OF_PI and second in OF_PI
+    return is_of_pi or first.partition("-")[0] == second.partition("-")[0]
 
 
 def misread_and_more(problem: Problem) -> list[Candidate]:
@@ -183,13 +186,7 @@ def misread_and_more(problem: Problem) -> list[Candidate]:
         for family in (edits.find, siblings.find, outside.find, formulas.find):
             with suppress(ArithmeticError):
                 found += [
-                    Candidate(
-                        f"{first.mistake} and {law.mistake}",
-                        first.rank + law.rank + RARER,
-                        law.value,
-                        Said(AND, first.done, law.done),
-                        Said(BOTH, first.right, law.right),
-                    )
+                    both(first, law, law.value)
                     for law in family(other)
                     if law.rank <= VERY_COMMON and law.mistake != first.mistake
                 ]

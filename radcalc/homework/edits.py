@@ -348,6 +348,9 @@ def _constants(
         for ratio in (2 * math.pi, 0.5 / math.pi):
             value = scaled(p, law, target, ratio)
             yield usual("angular-for-cycles", value, right=text_of(law))
+    if "lg2" in law.template:
+        value = scaled(p, law, target, math.log(10), ("lg2", "ln2"))
+        yield usual("log-base", value, right=text_of(law))
     if law.name == PEAK.name:
         for name, ratio in (("wien-without-4.965", WIEN_X), ("wien-per-frequency", PER_FREQUENCY)):
             yield usual(name, scaled(p, law, target, ratio), right=text_of(law))

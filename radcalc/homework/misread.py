@@ -3,9 +3,10 @@
 import math
 from collections.abc import Iterator
 from contextlib import suppress
+from itertools import product
 
 from radcalc.errors import RadcalcError
-from radcalc.homework.problem import Candidate, Problem, usual
+from radcalc.homework.problem import Candidate, Problem, both, usual
 from radcalc.homework.words import Said
 from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
@@ -30,6 +31,11 @@ READINGS = (  # mistakes of a reading on a scale, and the factors of the reading
     ("twice-the-level", (2.0, 0.5)),
     ("level-sign", (-1.0,)),
     ("level-factor", (10.0, 0.1)),
+)
+TWO_READINGS = (  # two mistakes of a reading together
+    ("twice-the-level", "log-base"),
+    ("log-base", "level-sign"),
+    ("level-factor", "level-sign"),
 )
 Found = Iterator[Candidate | None]
 SLIPS = ("power-of-ten", "length-unit", "area-unit")  # these also come with another mistake
@@ -250,15 +256,32 @@ def _units(p: Problem) -> Found:
                 yield usual("neighbour-unit", value, Said("{0} was used as {1}", unit.text, text))
 
 
+def readings() -> Iterator[tuple[tuple[str, ...], float]]:
+    """Yield the mistakes of a reading on a scale, and two together, with their factors."""
+    factors = dict(READINGS)
+    for name, several in READINGS:
+        yield from (((name,), factor) for factor in several)
+    for first, second in TWO_READINGS:
+        for one, other in product(factors[first], factors[second]):
+            yield (first, second), one * other
+
+
+def misread(names: tuple[str, ...], value: float) -> Candidate | None:
+    """Return the mistake or the two mistakes of a reading."""
+    first, *second = [usual(name, value) for name in names]
+    if first and second and second[0]:
+        return both(first, second[0])
+    return first
+
+
 def _readings(p: Problem) -> Found:
     """Misread a number on a scale: its sign, the base of its logarithm, 10 for 20 in a decibel."""
     plan, number = p.question.plan, p.question.number
     if plan is None or not isinstance(getattr(plan, "ends", (None,))[0], ScaleUnit):
         return
-    for name, factors in READINGS:
-        for factor in factors:
-            with suppress(RadcalcError, ArithmeticError):
-                yield usual(name, float(plan.quantity(number * factor)) * plan.target.factor)
+    for names, factor in readings():
+        with suppress(RadcalcError, ArithmeticError):
+            yield misread(names, float(plan.quantity(number * factor)) * plan.target.factor)
     if p.target.dimensions[0] == NUMBER and 0 < p.right < 1:
         yield usual("absorbed-for-reflected", 1 - p.right)
 

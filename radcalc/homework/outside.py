@@ -407,6 +407,12 @@ def _others(p: Problem) -> Found:
             yield usual("other-quantity", other.amount, done, asked, later)
 
 
+def _amplitude(p: Problem) -> Found:
+    """Give the ratio of amplitudes for that of intensities, which is its square."""
+    if p.asks("reflectance", "reflectance-s", "reflectance-p") and 0 < p.right < 1:
+        yield usual("amplitude-for-intensity", math.sqrt(p.right))
+
+
 def _day(p: Problem) -> Found:
     """Use the whole day for the hours of light, or some hours of light for the day."""
     if "photoperiod" in p.given:
@@ -450,6 +456,7 @@ FAMILIES = (
     _swapped,
     _lamps,
     _others,
+    _amplitude,
     _day,
     _rounded_early,
 )

@@ -9,6 +9,7 @@ from radcalc.conversion.plan import plan
 from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
+from radcalc.homework.words import Said
 from radcalc.inputs.given import Inputs
 from radcalc.laws.black_body import EXITANCE, PEAK
 from radcalc.laws.surface import LAMBERTIAN
@@ -22,7 +23,8 @@ HOT_BODY = {  # the laws of the results of a black body's spectrum
     "peak-wavelength": [PEAK],
 }
 PI_FORGOTTEN = "pi was forgotten"
-BOTH = "{0}; {1}"
+BOTH, AND = "{0}; {1}", "{0}; and {1}"
+RARER = 3.5  # what two mistakes in laws add to their ranks
 
 
 class Candidate(NamedTuple):
@@ -49,6 +51,17 @@ def usual(
         return None
     rank, usual_done, rule = USUAL[name]
     return Candidate(name, rank + later, value, done or usual_done, rule or right)
+
+
+def both(first: Candidate, second: Candidate, value: float | None = None) -> Candidate:
+    """Return two mistakes together, which are rarer than one."""
+    return Candidate(
+        f"{first.mistake} and {second.mistake}",
+        first.rank + second.rank + RARER,
+        second.value if value is None else value,
+        Said(AND, first.done, second.done),
+        Said(BOTH, first.right, second.right),
+    )
 
 
 class Problem:

@@ -441,6 +441,11 @@ _ROWS = (
      "na úhlu svazku je svítivost poloviční: lalok má větší tok než kužel",
      "на угле пучка сила света вдвое меньше: у лепестка поток больше, чем у конуса"),
     # --- kinds
+    ("the ratio of the amplitudes was not squared", "poměr amplitud není na druhou",
+     "отношение амплитуд не возведено в квадрат"),
+    ("a reflectance is the square of the ratio of the amplitudes",
+     "odrazivost je druhá mocnina poměru amplitud",
+     "коэффициент отражения — квадрат отношения амплитуд"),
     ("the factor of another lamp, or of daylight, was used",
      "použil se činitel jiného světla nebo denního světla",
      "взят множитель другой лампы или дневного света"),

@@ -142,6 +142,8 @@ USUAL: dict[str, tuple[float, str, str]] = {
         "at the beam angle the intensity is half the peak: the lobe has more flux than the cone"),
     "other-quantity": (2.9, "", ""),
     # --- kinds
+    "amplitude-for-intensity": (2, "the ratio of the amplitudes was not squared",
+        "a reflectance is the square of the ratio of the amplitudes"),
     "other-lamp": (2, "the factor of another lamp, or of daylight, was used",
         "each spectrum has its own lumens and photons per watt"),
     "hours-of-light": (2, "another number of hours was used for the day or for the hours of light",

@@ -240,8 +240,8 @@ def _explained(
         return verdict
     scale = float(target.amount) / right if right else scale
     is_on_scale = reading.scale is not None and not reading.is_logarithm
-    misread = _misread(reading, float(target.amount)) if is_on_scale else []
-    diagnoses = diagnose(question, target, meant, scale, misread)
+    readings = _misread(reading, float(target.amount)) if is_on_scale else []
+    diagnoses = diagnose(question, target, meant, scale, readings)
     if not diagnoses and not asked_tolerance and (zeros := _zeros(claim, reading)):
         return verdict._replace(diagnoses=(zeros,))
     if question.steps and diagnoses and verdict.ratio is not None:
@@ -251,17 +251,15 @@ def _explained(
 
 def _misread(reading: Reading, amount: float) -> "list[Candidate]":
     """Return the wrong values of a result that is read on a scale [SI]."""
-    from radcalc.homework.misread import READINGS
-    from radcalc.homework.problem import usual
+    from radcalc.homework.misread import misread, readings
 
     scale, right = cast("Scale", reading.scale), reading.right
-    factors: dict[str, Sequence[float]] = dict(READINGS)
+    factors = list(readings())
     if not scale.steps:
-        factors = {"unit-upside-down": [1 / right**2, 1e6 / right**2]}
+        factors = [(("unit-upside-down",), size / right**2) for size in (1.0, 1e6)]
     candidates = [
-        usual(name, amount * times)
-        for name, several in factors.items()
-        for factor in several
+        misread(names, amount * times)
+        for names, factor in factors
         if math.isfinite(times := reading.times(right * factor, right))
     ]
     return [candidate for candidate in candidates if candidate]

@@ -88,6 +88,8 @@ FAMILIES = [
           "wrong-sphere"),
     Wrong("refraction --index 1.5 --incidence 40deg", "refraction-angle", "deg", 40 / 1.5,
           "sine-forgotten"),
+    Wrong("refraction --index 1.6 --incidence 0deg", "reflectance", "", 0.6 / 2.6,
+          "amplitude-for-intensity"),
     Wrong("refraction --index 1.5 --incidence 40deg", "brewster-angle", "deg",
           degrees(asin(1 / 1.5)), "other-quantity"),
     Wrong("laser --flux 1mW --diameter 8mm --receiver-diameter 7mm", "received-flux", "mW",
@@ -102,6 +104,8 @@ FAMILIES = [
     Wrong("convert 26 dB 1", "", "", 10 ** (26 / 20), "twice-the-level"),
     Wrong("convert -7 dBm uW", "", "uW", 1e3 * 10**0.7, "level-sign"),
     Wrong("convert 20 % OD", "", "OD", -10 * log10(0.2), "level-factor"),
+    Wrong("convert 26 dB 1", "", "", exp(26 / 20), "twice-the-level and log-base"),
+    Wrong("ev --stops 4", "nd", "", 4 * log(2), "log-base"),
     Wrong("convert 1.3 OD %", "", "%", 100 * (1 - 10**-1.3), "absorbed-for-reflected"),
     # --- hot bodies
     Wrong("convert 5778 K MW/m2", "", "MW/m2", SIGMA * 5778**3 / 1e6, "temperature-wrong-power"),
