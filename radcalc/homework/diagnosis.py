@@ -108,7 +108,11 @@ def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> lis
         if (one.mistake, value) not in with_steps
     }
     both = [one._replace(value=steps.get(id(one), one.value)) for one in named]
-    return both + [one for value, one in edited.items() if value not in seen]
+    return both + [
+        one
+        for value, one in edited.items()
+        if value not in seen or one.mistake in formulas.NAMED.values()
+    ]
 
 
 def _rounded(value: float) -> float:

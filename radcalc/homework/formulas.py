@@ -98,6 +98,17 @@ class Unread(ValueError):
 # ---------------------------------------------------------------------------------------------
 # Mistakes
 
+NAMED = {  # edits with words of their own: the law, the edit, and the usual mistake
+    ("straight line to the source", "other sign", "lateral"): "sum-for-difference",
+    ("flux of a lobe divided by its peak intensity", "no term", "1"): "lobe-without-one",
+    ("flux of a lobe divided by its peak intensity", "no term", "exponent"): "lobe-without-one",
+    ("working f-number", "no term", "magnification"): "magnification-forgotten",
+    ("spread of a gaussian beam", "plain sum", ""): "sum-for-root",
+    ("spread of a gaussian beam", "no term", "diameter"): "exit-forgotten",
+    ("spread of a uniform beam", "no term", "diameter"): "exit-forgotten",
+    ("guide number", "no function", "sqrt"): "speed-without-root",
+    ("exposure value at ISO 100, behind a filter", "other sign", "stops"): "filter-the-wrong-way",
+}
 FUNCTION_NAMES = {"sin": "sine", "cos": "cosine", "tan": "tangent", "sqrt": "square root"}
 KINDS = {  # by kind of an edit: the end of the mistake's name, its rank, and what was done
     "sibling": ("", 2.0, "{0} was used"),
@@ -129,18 +140,21 @@ def find(p: Problem) -> Iterator[Candidate]:
             used = law._replace(template=f"{text(edit.left)} = {text(edit.right)}")
             value = p.chain.by(used, target, size)
             if value is not None:
-                yield _candidate(edit, value, text_of(law))
+                yield _candidate(law, edit, value)
 
 
-def _candidate(edit: Edit, value: float, rule: str) -> Candidate:
+def _candidate(law: Relation, edit: Edit, value: float) -> Candidate:
+    named = NAMED.get((law.name, edit.kind, edit.what))
+    if edit.kind == "sibling" and edit.what.endswith("-for-log2"):
+        named = "log10-for-log2"
+    if named:
+        rank, done, rule = USUAL[named]
+        return Candidate(named, rank, value, done, rule or text_of(law))
     end, rank, done = KINDS[edit.kind]
     what = NAMES.get(edit.what) or FUNCTION_NAMES.get(edit.what, edit.what)
     if edit.kind == "no factor" and what[:1].isdigit():
         what = "constant"
-    if edit.kind == "sibling" and what.endswith("-for-log2"):
-        rank, said, _ = USUAL["log10-for-log2"]
-        return Candidate("log10-for-log2", rank, value, said, rule)
-    return Candidate(what + end, rank, value, Said(done, _words(edit.what)), rule)
+    return Candidate(what + end, rank, value, Said(done, _words(edit.what)), text_of(law))
 
 
 def _words(what: str) -> str:
