@@ -107,8 +107,8 @@ def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> lis
         for one, value in same
         if (one.mistake, value) not in with_steps
     }
-    both = [one._replace(value=steps.get(id(one), one.value)) for one in named]
-    return both + [
+    with_words = [one._replace(value=steps.get(id(one), one.value)) for one in named]
+    return with_words + [
         one
         for value, one in edited.items()
         if value not in seen or one.mistake in formulas.NAMED.values()
