@@ -97,8 +97,12 @@ def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> lis
     The mistake has better words, the formula the learner's numbers.
     """
     edited: dict[float, Candidate] = {}
+    of_symbols = []
     for candidate in of_formulas:
-        edited.setdefault(_rounded(candidate.value), candidate)
+        if formulas.is_of_symbol(candidate):
+            of_symbols.append(candidate)
+        else:
+            edited.setdefault(_rounded(candidate.value), candidate)
     seen = {_rounded(one.value) for one in named if one.mistake not in WHOLE}
     same = [(one, _rounded(one.value)) for one in named if _rounded(one.value) in edited]
     with_steps = {(one.mistake, value) for one, value in same if _step(one)}
@@ -108,11 +112,8 @@ def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> lis
         if (one.mistake, value) not in with_steps
     }
     with_words = [one._replace(value=steps.get(id(one), one.value)) for one in named]
-    return with_words + [
-        one
-        for value, one in edited.items()
-        if value not in seen or one.mistake in formulas.NAMED.values()
-    ]
+    others = [one for value, one in edited.items() if value not in seen]
+    return [*with_words, *of_symbols, *others]
 
 
 def _rounded(value: float) -> float:

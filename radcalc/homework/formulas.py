@@ -157,6 +157,14 @@ def _candidate(law: Relation, edit: Edit, value: float) -> Candidate:
     return Candidate(what + end, rank, value, Said(done, _words(edit.what)), text_of(law))
 
 
+def is_of_symbol(candidate: Candidate) -> bool:
+    """Return whether a mistake concerns a symbol or has a name: not a function or a number."""
+    stem = candidate.mistake
+    for end, _, _ in KINDS.values():
+        stem = stem.removesuffix(end)
+    return stem in SYMBOLS or candidate.mistake in NAMED.values()
+
+
 def _words(what: str) -> str:
     if what in SYMBOLS:
         return label_of(what)
@@ -336,7 +344,9 @@ def _factors(node: Node) -> Iterator[tuple[str, str, Node]]:
     for k, (sign, part) in enumerate(node.parts):
         if part.kind not in ("symbol", "number") or (part.kind == "number" and part.number == 1):
             continue
-        rest = Node("product", parts=node.parts[:k] + node.parts[k + 1 :])
+        others = node.parts[:k] + node.parts[k + 1 :]
+        is_one = len(others) == 1 and others[0][0] > 0
+        rest = others[0][1] if is_one else Node("product", parts=others)
         yield "no factor", _name(part), rest
         if part.kind == "symbol":
             turned = (*node.parts[:k], (-sign, part), *node.parts[k + 1 :])
