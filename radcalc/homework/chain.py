@@ -107,8 +107,8 @@ class Worked(float):
             return ""
         known = {name: values[name] for name in law.names[1:]}
         template = f" {right} ".replace(f" {ends.source} ", f" {ends.amount} ").strip()
-        numbers = Formula("", f"{left} = {template}").step(known, ends.text(self), self.chain.kind)
-        return numbers.numbers
+        step = Formula("", f"{left} = {template}").step(known, ends.text(self), self.chain.kind)
+        return step.numbers.replace(" (1) ", " ")  # a cosine of 1
 
     def _sizes(self) -> str:
         """Return the wrong values themselves."""

@@ -356,8 +356,8 @@ def _swapped(p: Problem) -> Found:
     if "iso" in symbols:
         yield usual("iso-forgotten", p.chain.after("iso", 100.0))
         yield usual("iso-upside-down", p.chain.after("iso", 1e4 / values["iso"]))
-    cosines = symbols.intersection(("cosine", "cosine-of-source"))
-    sines = {name: math.sqrt(max(0.0, 1 - values[name] ** 2)) for name in sorted(cosines)}
+    cosines = sorted(symbols.intersection(("cosine", "cosine-of-source")))
+    sines = {name: math.sqrt(1 - values[name] ** 2) for name in cosines if 0 < values[name] < 1}
     for name, sine in sines.items():
         yield usual("angle-from-surface", p.chain.after(name, sine))
     if len(sines) == 2:

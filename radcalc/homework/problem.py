@@ -141,10 +141,14 @@ class Problem:
         if self.anew(changed) is None:
             return None
         question, target = cast("tuple[Question, Value]", self._changed[tuple(changed.items())])
-        if question.plan:
-            ends = question.plan.source, question.plan.target
-            question = question._replace(plan=plan(*ends, [*question.given.values()]))
-        return Problem(question, target)
+        if question.plan is None:
+            return Problem(question, target)
+        ends = question.plan.source, question.plan.target
+        try:
+            replanned = plan(*ends, [*question.given.values()])
+        except FAILURES:
+            return None
+        return Problem(question._replace(plan=replanned), target)
 
     def misread(self, name: str, value: float) -> float | None:
         """Return the result [SI] with one input changed; from the laws alone if it is refused."""

@@ -82,7 +82,7 @@ STEPS = [
     (CONE, "solid-angle=0.1489sr", "Omega = 4 pi sr sin^2(12.5 deg/2) = 0.148937 sr"),
     # 130 / 2.3 lx = 56.5217 lx
     (POINT, "illuminance=56.5lx", "E = (130 cd) 1 Omega0 / (2.3 m) = 56.5217 lx"),
-    ("convert 130 cd lx --distance 2.3m", "56.5lx", "E = (130 cd) (1) sr / 2.3 m = 56.5217 lx"),
+    ("convert 130 cd lx --distance 2.3m", "56.5lx", "E = (130 cd) sr / 2.3 m = 56.5217 lx"),
     # 0.8 * 500 cd/m2 = 400 cd/m2
     ("convert 500 lx cd/m2 --reflectance 0.8", "400", "L = (0.8) (500 lx) / sr = 400 cd/m2"),
     # 5.670374e-8 * 300^3 W/m2 = 1.531 W/m2
