@@ -22,9 +22,7 @@ VERY_COMMON = 3.5  # the last rank for a pair of mistakes in laws
 COMMON = 4  # the last rank that is common enough for a pair with a slip
 GUESS = 30.0  # an unrelated number is assumed to be within this factor of the right value
 SPREAD = math.log(GUESS)
-# The share of unrelated numbers that may agree with a mistake, with two, and with one by rounding
-# on the way.
-WIDE_BY_CHANCE = 0.022
+# The share of unrelated numbers that may agree with a mistake, and with two.
 BY_CHANCE, TWO_BY_CHANCE = 0.03, 0.01
 # Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
 # of the commonest mistakes, and its factor for each rank after them.
@@ -253,20 +251,20 @@ class _Search:
         matches = []
         for wrong in options:
             width = typed + band * NARROWER ** (wrong.rank - 1) * self.size
-            if self._is_compared(wrong.value, width, WIDE_BY_CHANCE):
+            if self._is_compared(wrong.value, width):
                 off = self._off(wrong.value, typed)
                 if typed < off <= max(width, self._cut(wrong.value)):
                     extra = 2 * (off - typed) / (band * self.size)
                     matches.append(Match(wrong.rank + least + extra, off / width, wrong))
         return matches
 
-    def _is_compared(self, value: float, width: float, most: float = math.inf) -> bool:
+    def _is_compared(self, value: float, width: float) -> bool:
         """Return whether a value may be compared without too many agreements by chance."""
         if not self.right or not 1 / GUESS < abs(value / self.right) < GUESS:
             return True
         seen = self.seen.get(value, 0.0)
         chance = max(0.0, width - seen) / (SPREAD * self.size) if self.size else math.inf
-        if self.chance + chance > min(most, self.by_chance):
+        if self.chance + chance > self.by_chance:
             return False
         self.seen[value] = max(seen, width)
         self.chance += chance
