@@ -62,8 +62,8 @@ def check(
     -------
     Verdict
         True or false (also `right`), with the right `value` in its `unit`, the `ratio` of the
-        answer to it, and the `diagnoses`: each has a `mistake` that reproduces the number, the
-        step `done`, and the `right` one.
+        answer to it, and the `diagnoses`: each has a `mistake` that reproduces the number, what
+        was `done`, the `right` rule, and in `yours` the first wrong step in your numbers.
 
     Raises
     ------

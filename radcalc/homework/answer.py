@@ -5,6 +5,7 @@ from decimal import ROUND_HALF_DOWN, ROUND_HALF_UP, Context, Decimal
 from typing import NamedTuple
 
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, add, option, quote
+from radcalc.homework.words import Said
 from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
 from radcalc.quantities.symbols import ANY, Symbol
@@ -125,11 +126,15 @@ def _digits(number: str, value: float) -> tuple[int, float, float]:
 
 
 class Diagnosis(NamedTuple):
-    """A likely mistake: its name, a description, and the right rule."""
+    """A likely mistake: its name, a description, the right rule, and the first wrong step.
+
+    `yours` is that step in the learner's own numbers, or ''.
+    """
 
     mistake: str
     done: str
     right: str
+    yours: str = ""
 
 
 class Tolerance(NamedTuple):
@@ -169,7 +174,7 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
             raise ConditionError(f"{typed} is out of range", hint)
         count = int(text[:-2])
-        digits = f"within half a unit of digit {count}"
+        digits = Said("within half a unit of digit {0}", count)
         return Tolerance(digits, "digits", count)
     takes = "a part or a quantity"
     symbol = Symbol("tolerance", "", (NUMBER, unit.dimension), "1%", limits=ANY, takes=takes)
@@ -184,6 +189,6 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         raise ConditionError(f"the unit of {typed} is missing", hint)
     is_part = given.dimension == NUMBER and unit.dimension != NUMBER
     if is_part or given.unit is None or given.unit.text in ("%", "1"):
-        return Tolerance(f"within {given.text}", "relative", given.value)
+        return Tolerance(Said("within {0}", given.text), "relative", given.value)
     size = given.value * divide(unit.bottom, unit.top)
-    return Tolerance(f"within {given.text}", "absolute", size)
+    return Tolerance(Said("within {0}", given.text), "absolute", size)

@@ -6,19 +6,27 @@ ends with a product of the factors between them.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from itertools import combinations
-from typing import Any
+from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Value
 from radcalc.calculators.kinds import Ratio
+from radcalc.derivation import (
+    Formula,
+    coherent_unit_of,
+    format_number,
+    format_value,
+    letter_of,
+    with_unit,
+)
 from radcalc.errors import RadcalcError
 from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import CONE
 from radcalc.laws.law import AnyLaw, Law, Several, law
-from radcalc.laws.solver import Derivation
-from radcalc.quantities.light import GRID, LUMINOUS, PHOTON
+from radcalc.laws.solver import Derivation, Known, solve, step_of
+from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT
 from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 
 Steps = list[tuple[AnyLaw, str]]
@@ -29,15 +37,100 @@ SAME = {"sphere-fraction": "solid-angle", "apex-angle": "half-angle"}
 FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError)
 
 
+class Ends(NamedTuple):
+    """The letters of a conversion's two quantities, its number, and the unit of the result."""
+
+    source: str
+    amount: str
+    target: str
+    unit: str
+    factor: float
+
+    def text(self, result: float) -> str:
+        return with_unit(format_number(result / self.factor), self.unit)
+
+
+class Worked(float):
+    """A wrong result [SI], with what leads to it: wrong values of symbols, or a law as edited.
+
+    A result that is not computed by a law may have its step as a text.
+    """
+
+    __slots__ = ("chain", "law", "target", "text", "wrong")
+    chain: "Chain"
+    law: AnyLaw | None
+    target: str
+    text: str
+    wrong: Mapping[str, float]
+
+    def __new__(
+        cls,
+        result: float,
+        chain: "Chain",
+        wrong: Mapping[str, float],
+        law: AnyLaw | None = None,
+        target: str = "",
+        text: str = "",
+    ) -> "Worked":
+        worked = super().__new__(cls, result)
+        worked.text = text
+        worked.chain, worked.wrong, worked.law, worked.target = chain, wrong, law, target
+        return worked
+
+    def numbers(self) -> str:
+        """Return the first step that goes wrong, in the learner's numbers; '' if it has none."""
+        try:
+            return self.text or self._numbers()
+        except FAILURES:
+            return ""
+
+    def _numbers(self) -> str:
+        values = {**self.chain.values, **self.wrong}
+        law, target = self.law, self.target
+        if law is None:
+            for law, target in self.chain.steps:
+                if target not in self.wrong and not self.wrong.keys().isdisjoint(law.names):
+                    values[target] = _single(law.solve(target, values.__getitem__))
+                    break
+            else:
+                return self._sizes()
+        if not law.template.startswith(("{", "sin(")):
+            return self._converted(law, values)
+        known = {name: Known(values[name]) for name in law.names}
+        return step_of(law, target, known, self.chain.kind).numbers
+
+    def _converted(self, law: AnyLaw, values: Mapping[str, float]) -> str:
+        """Return the formula of a factor, with the number that is converted: E = I / d^2."""
+        left, _, right = law.template.partition(" = ")
+        ends = self.chain.ends
+        if ends is None or left != ends.target or f" {ends.source} " not in f" {right} ":
+            return ""
+        known = {name: values[name] for name in law.names[1:]}
+        template = f" {right} ".replace(f" {ends.source} ", f" {ends.amount} ").strip()
+        step = Formula("", f"{left} = {template}").step(known, ends.text(self), self.chain.kind)
+        return step.numbers.replace(" (1) ", " ")  # a cosine of 1
+
+    def _sizes(self) -> str:
+        """Return the wrong values themselves."""
+        return ", ".join(
+            f"{letter_of(name)} = {format_value(size, coherent_unit_of(name, self.chain.kind))}"
+            for name, size in self.wrong.items()
+            if name != self.chain.goal
+        )
+
+
 class Chain:
     """The derivation of a result: values [SI] by symbol, and laws with the symbols solved for.
 
     `goal` is the symbol of the result, or one that it is proportional to; `symbols` are all that it
-    depends on.
+    depends on; `kind` is that of its light quantities.
     """
 
-    def __init__(self, values: dict[str, float], steps: Steps, goal: str, right: float) -> None:
-        self.values, self.goal = values, goal
+    def __init__(
+        self, values: dict[str, float], steps: Steps, goal: str, right: float, kind: str = ""
+    ) -> None:
+        self.values, self.goal, self.kind = values, goal, kind
+        self.ends: Ends | None = None
         self._scale = right / values.setdefault(goal, right) if right else 1.0
         self.steps: Steps = []
         needed = {goal}
@@ -49,16 +142,21 @@ class Chain:
 
     def after(self, name: str, value: float) -> float | None:
         """Return the result [SI] with another value of a symbol, or None if there is no result."""
-        values, changed = {**self.values, name: value}, {name}
+        return self.after_all({name: value})
+
+    def after_all(self, wrong: Mapping[str, float]) -> float | None:
+        """Return the result [SI] with other values of several symbols."""
+        values, changed = {**self.values, **wrong}, {*wrong}
         try:
             for step_law, target in self.steps:
-                if target != name and not changed.isdisjoint(step_law.names):
+                if target not in wrong and not changed.isdisjoint(step_law.names):
                     values[target] = _single(step_law.solve(target, values.__getitem__))
                     changed.add(target)
             result = values[self.goal] * self._scale
         except FAILURES:
             return None
-        return result if self.goal in changed and math.isfinite(result) else None
+        is_result = self.goal in changed and math.isfinite(result)
+        return Worked(result, self, wrong) if is_result else None
 
     def solved(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
         """Return the result [SI] if `solve` gives the value of `target` from the other symbols."""
@@ -67,6 +165,11 @@ class Chain:
         except FAILURES:
             return None
         return self.after(target, value)
+
+    def by(self, law: AnyLaw, target: str, value: float) -> float | None:
+        """Return the result [SI] with the value of a symbol that an edited law gives."""
+        result = self.after(target, value)
+        return None if result is None else Worked(result, self, {target: value}, law, target)
 
 
 def _single(value: Any) -> float:
@@ -98,7 +201,17 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
         powers = between_kinds(kind, facts[0], given, values, steps)
         multiply([(goal, 1.0), *powers], right, values, steps)
         goal = VALUE
-    return Chain(values, steps, goal, right)
+    return Chain(values, steps, goal, right, kind)
+
+
+def of_laws(laws: Sequence[AnyLaw], goal: str, values: dict[str, float], right: float) -> Chain:
+    """Return the chain of a result that follows from values by laws."""
+    try:
+        solution = solve(laws, {name: Known(value) for name, value in values.items()})
+    except RadcalcError:
+        return Chain({}, [], goal, right)
+    found = {name: float(amount.value) for name, amount in solution.values.items()}
+    return Chain(found, list(solution.used), goal, right, RADIANT)
 
 
 def _add_ratio(goal: str, given: Inputs, values: dict[str, float], steps: Steps) -> None:

@@ -1,69 +1,141 @@
 """Search for the mistakes that lead to a wrong answer."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from typing import NamedTuple, TypeVar
+from itertools import combinations, product
+from typing import NamedTuple
 
 from radcalc.answer import Value
-from radcalc.homework import edits, misread, outside, siblings
+from radcalc.homework import edits, formulas, integrals, misread, outside, siblings
 from radcalc.homework.answer import Claim, Diagnosis
+from radcalc.homework.chain import Worked
 from radcalc.homework.misread import SLIPS
-from radcalc.homework.problem import Candidate, Problem
+from radcalc.homework.problem import RARER, Candidate, Problem, both
 from radcalc.homework.question import Question
 
 MOST = 5  # diagnoses
 COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake
 LEAST_DIGITS = 3  # of an answer in which two mistakes together are looked for
+WHOLE = ("other-quantity", "other-lamp")  # not with another mistake
+VERY_COMMON = 3.5  # the last rank for a pair of mistakes in laws
 COMMON = 4  # the last rank that is common enough for a pair with a slip
 GUESS = 30.0  # an unrelated number is assumed to be within this factor of the right value
 SPREAD = math.log(GUESS)
-BY_CHANCE = 0.03  # the share of unrelated numbers that may agree with a mistake
+# The share of unrelated numbers that may agree with a mistake, and with two.
+BY_CHANCE, TWO_BY_CHANCE = 0.03, 0.01
+# Rounding on the way (pi as 3.14, c as 3e8, a cosine of three digits): the largest relative error
+# of the commonest mistakes, and its factor for each rank after them.
+WITH_CONSTANTS = ("photon-energy", "photon-efficacy", "wavelength", "temperature")
+ON_THE_WAY, NARROWER = 0.004, 0.7
+
+
+FAMILIES = (
+    edits.find,
+    siblings.find,
+    integrals.find,
+    outside.find,
+    misread.find,
+)
 
 
 def diagnose(
-    question: Question, target: Value, claim: Claim, scale: float
+    question: Question,
+    target: Value,
+    claim: Claim,
+    scale: float,
+    readings: Sequence[Candidate] = (),
 ) -> tuple[Diagnosis, ...]:
     """Return the mistakes that reproduce an answer to the digits typed, the likeliest first.
 
-    `scale` is the unit of the answer [SI].  Pairs of mistakes are tried only if no single mistake
-    fits: among so many pairs, one fits almost any number of few digits.
+    `scale` is the unit of the answer [SI]; `readings` are wrong values on its scale.  Pairs of
+    mistakes are tried only if no single mistake fits: among so many pairs, one fits almost any
+    number of few digits.
     """
     problem = Problem(question, target)
-    single = candidates(problem)
+    single = sorted([*candidates(problem), *readings], key=_rank)
     search = _Search(claim, problem.right, scale)
-    matches = search.of(single, claim.half_unit)
+    matches = search.of(single, claim.half_unit) + search.on_the_way(single, _band(problem))
     if not matches and claim.digits >= LEAST_DIGITS:
-        combined = pairs(single, problem.right)
-        matches = [pair.together() for pair in search.of(combined, claim.half_unit)]
+        of_two = _Search(claim, problem.right, scale, TWO_BY_CHANCE)
+        two: list[Candidate | Pair] = [*pairs(single, problem.right), *misread_and_more(problem)]
+        two.sort(key=_rank)
+        matches = of_two.of(two, claim.half_unit)
+        matches = matches or of_two.on_the_way(two, _band(problem))
     if not matches and claim.widest > claim.half_unit:
         matches = _Search(claim, problem.right, scale).of(single, claim.widest)
+    matches.sort(key=lambda match: (match.cost, match.off))
     # much rarer mistakes only confuse
-    near = [match for match in matches if match.rank <= matches[0].rank + 1]
+    near = [match.wrong for match in matches if match.cost <= matches[0].cost + 1]
     seen: dict[str, Diagnosis] = {}
-    for match in near:
-        seen.setdefault(match.mistake, Diagnosis(match.mistake, match.done, match.right))
+    for wrong in near:
+        one = wrong.together() if isinstance(wrong, Pair) else wrong
+        step = _step(one)
+        if one.mistake not in seen or (step and not seen[one.mistake].yours):
+            seen[one.mistake] = Diagnosis(one.mistake, one.done, one.right, step)
     return tuple(seen.values())[:MOST]
 
 
 def candidates(problem: Problem) -> list[Candidate]:
     """Return the wrong values of all single mistakes, the most common mistakes first."""
-    wrong_values: list[Candidate] = []
-    for family in (edits.find, siblings.find, outside.find, misread.find):
+    named: list[Candidate] = []
+    for family in FAMILIES:
         with suppress(ArithmeticError):  # powers of an extreme input overflow
-            wrong_values += family(problem)
+            named += family(problem)
+    wrong_values = _merged(named, formulas.find(problem))
     return sorted(
         (candidate for candidate in wrong_values if _is_wrong(candidate.value, problem.right)),
         key=_rank,
     )
 
 
+def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> list[Candidate]:
+    """Return all candidates; an edited formula is the step of a mistake with the same value.
+
+    The mistake has better words, the formula the learner's numbers.
+    """
+    edited: dict[float, Candidate] = {}
+    of_symbols = []
+    for candidate in of_formulas:
+        if formulas.is_of_symbol(candidate):
+            of_symbols.append(candidate)
+        else:
+            edited.setdefault(_rounded(candidate.value), candidate)
+    seen = {_rounded(one.value) for one in named if one.mistake not in WHOLE}
+    same = [(one, _rounded(one.value)) for one in named if _rounded(one.value) in edited]
+    with_steps = {(one.mistake, value) for one, value in same if _step(one)}
+    steps = {
+        id(one): edited[value].value
+        for one, value in same
+        if (one.mistake, value) not in with_steps
+    }
+    with_words = [one._replace(value=steps.get(id(one), one.value)) for one in named]
+    others = [one for value, one in edited.items() if value not in seen]
+    return [*with_words, *of_symbols, *others]
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.9e}")
+
+
+def _step(candidate: "Candidate | Pair") -> str:
+    """Return the first wrong step in the learner's numbers, if it is known."""
+    value = candidate.value
+    return value.numbers() if isinstance(value, Worked) else ""
+
+
 def _is_wrong(value: float, right: float) -> bool:
     return math.isfinite(value) and abs(value - right) > 1e-9 * abs(right)
 
 
+def _band(problem: Problem) -> float:
+    """Return the largest relative error by rounding on the way; short constants add theirs."""
+    has_constants = not problem.chain.symbols.isdisjoint(WITH_CONSTANTS)
+    return ON_THE_WAY * (2.0 if has_constants else 1.0)
+
+
 class Pair(NamedTuple):
-    """Two common mistakes together: a mistake in a law, and a slip."""
+    """Two common mistakes together: a mistake in a law, and a slip or another one in a law."""
 
     rank: float
     value: float
@@ -71,18 +143,14 @@ class Pair(NamedTuple):
     slip: Candidate
 
     def together(self) -> Candidate:
-        law, slip = self.law, self.slip
-        return Candidate(
-            f"{law.mistake} and {slip.mistake}",
-            self.rank,
-            self.value,
-            f"{law.done}; and {slip.done}",
-            f"{law.right}; {slip.right}",
-        )
+        return both(self.law, self.slip, self.value)
 
 
 def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
-    """Return the wrong values of pairs of common mistakes, the most common first."""
+    """Return the wrong values of pairs of common mistakes, the most common first.
+
+    The mistakes are independent: each multiplies the result by its own factor.
+    """
     if not right:
         return []
     laws = [
@@ -91,19 +159,57 @@ def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
         if candidate.rank <= COMMON and candidate.mistake not in SLIPS
     ]
     slips = [candidate for candidate in single if candidate.mistake in SLIPS]
+    common = [law for law in laws if law.rank <= VERY_COMMON and law.mistake not in WHOLE]
+    two = [(0.0, *pair) for pair in product(laws, slips)]
+    two += [(RARER, *pair) for pair in combinations(common, 2)]
     combined = [
-        Pair(law.rank + slip.rank, law.value * slip.value / right, law, slip)
-        for law in laws
-        for slip in slips
+        Pair(more + first.rank + second.rank, first.value * second.value / right, first, second)
+        for more, first, second in two
+        if not _concern_the_same(first.mistake, second.mistake)
     ]
     return sorted(combined, key=_rank)
+
+
+OF_PI = (  # mistakes in one constant, of which nobody makes two
+    *("pi-forgotten", "two-pi-for-pi", "wrong-sphere", "pi-upside-down", "pi-twice"),
+    *("half-azimuth", "whole-for-half", "azimuth-forgotten"),
+)
+
+
+def _concern_the_same(first: str, second: str) -> bool:
+    """Return whether two mistakes concern one symbol, or pi."""
+    is_of_pi = first in OF_PI and second in OF_PI
+    return is_of_pi or first.partition("-")[0] == second.partition("-")[0]
+
+
+def misread_and_more(problem: Problem) -> list[Candidate]:
+    """Return the wrong values of a mistake in a law after a size or an angle was misread."""
+    found = []
+    for first, other in misread.halves_of(problem):
+        for family in (edits.find, siblings.find, outside.find, formulas.find):
+            with suppress(ArithmeticError):
+                found += [
+                    both(first, law, law.value)
+                    for law in family(other)
+                    if law.rank <= VERY_COMMON and law.mistake != first.mistake
+                ]
+    return [one for one in found if _is_wrong(one.value, problem.right)]
 
 
 def _rank(candidate: Candidate | Pair) -> float:
     return candidate.rank
 
 
-Wrong = TypeVar("Wrong", Candidate, Pair)
+class Match(NamedTuple):
+    """A wrong value that agrees with an answer.
+
+    The `cost` is the rank of the mistake, and more if the value agrees only by rounding on the way;
+    `off` is the distance in parts of the largest that is allowed.
+    """
+
+    cost: float
+    off: float
+    wrong: Candidate | Pair
 
 
 class _Search:
@@ -113,28 +219,64 @@ class _Search:
     so that unrelated numbers seldom agree by chance.
     """
 
-    def __init__(self, claim: Claim, right: float, scale: float) -> None:
+    def __init__(
+        self, claim: Claim, right: float, scale: float, by_chance: float = BY_CHANCE
+    ) -> None:
         self.claim, self.right, self.scale = claim, right, scale
-        self.seen: set[float] = set()  # values compared so far, within GUESS of the right one
+        self.by_chance = by_chance
+        self.size = abs(claim.value)
+        self.seen: dict[float, float] = {}  # values near the right one, compared within a width
+        self.chance = 0.0  # share of unrelated numbers that agree with them
 
-    def of(self, options: Sequence[Wrong], half_unit: float) -> list[Wrong]:
+    def of(self, options: Sequence[Candidate | Pair], half_unit: float) -> list[Match]:
         """Return the values that agree with the answer to half a unit of its last digit."""
-        value = self.claim.value
-        allowed = min(half_unit, COARSEST * abs(value)) * (1 + 1e-9)
-        most = BY_CHANCE * SPREAD * abs(value) / allowed if allowed else 0.0
-        close = []
-        for candidate in options:
-            if self.right and 1 / GUESS < abs(candidate.value / self.right) < GUESS:
-                if len(self.seen) >= most and candidate.value not in self.seen:
-                    continue
-                self.seen.add(candidate.value)
-            if abs(candidate.value - self.right) <= allowed * self.scale:
-                continue  # to so few digits it equals the right value
-            off = abs(candidate.value / self.scale - value)
-            if off <= allowed:
-                # Rounded: if values are equal, the first in order stays first.
-                close.append(
-                    (candidate.rank, round(off / allowed, 6) if allowed else 0.0, candidate)
-                )
-        close.sort(key=lambda entry: entry[:2])
-        return [candidate for _, _, candidate in close]
+        typed = min(half_unit, COARSEST * self.size) * (1 + 1e-9)
+        return [
+            # Rounded: if values are equal, the first in order stays first.
+            Match(wrong.rank, round(off / typed, 6) if typed else 0.0, wrong)
+            for wrong in options
+            if self._is_compared(wrong.value, typed)
+            and (off := self._off(wrong.value, typed)) <= typed
+        ]
+
+    def on_the_way(self, options: Sequence[Candidate | Pair], band: float) -> list[Match]:
+        """Return the values that agree only if the learner rounded on the way, or cut off digits.
+
+        The more digits an answer has, the less a value that agrees with all of them needs this.
+        """
+        typed = self.claim.half_unit * (1 + 1e-9)
+        if not self.size or typed > COARSEST * self.size:
+            return []
+        least = 1 + math.log1p(band / 4 * self.size / typed)
+        matches = []
+        for wrong in options:
+            width = typed + band * NARROWER ** (wrong.rank - 1) * self.size
+            if self._is_compared(wrong.value, width):
+                off = self._off(wrong.value, typed)
+                if typed < off <= max(width, self._cut(wrong.value)):
+                    extra = 2 * (off - typed) / (band * self.size)
+                    matches.append(Match(wrong.rank + least + extra, off / width, wrong))
+        return matches
+
+    def _is_compared(self, value: float, width: float) -> bool:
+        """Return whether a value may be compared without too many agreements by chance."""
+        if not self.right or not 1 / GUESS < abs(value / self.right) < GUESS:
+            return True
+        seen = self.seen.get(value, 0.0)
+        chance = max(0.0, width - seen) / (SPREAD * self.size) if self.size else math.inf
+        if self.chance + chance > self.by_chance:
+            return False
+        self.seen[value] = max(seen, width)
+        self.chance += chance
+        return True
+
+    def _off(self, value: float, typed: float) -> float:
+        """Return how far a value is from the answer; infinite if it equals the right value."""
+        if abs(value - self.right) <= typed * self.scale:
+            return math.inf  # to so few digits
+        return abs(value / self.scale - self.claim.value)
+
+    def _cut(self, value: float) -> float:
+        """Return the width for an answer whose digits were cut off, not rounded."""
+        is_cut = abs(value / self.scale) > self.size
+        return 2 * self.claim.half_unit if is_cut else 0.0

@@ -5,9 +5,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from radcalc.derivation import fill, letter_of
-from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
+from radcalc.homework.chain import Worked
+from radcalc.homework.problem import BOTH, PI_FORGOTTEN, Candidate, Problem, usual
+from radcalc.homework.words import Said
+from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units.dimensions import FREQUENCY
+from radcalc.units.table import resolve
 
 # Symbols that are never forgotten or inverted: the light, products of several factors, and
 # numbers that are not factors.
@@ -58,6 +63,7 @@ RULES = {  # right rules, by factors of a conversion
     "cosine": "E = E_0 cos(theta)",
     "cosine-of-source": "I = L A cos(theta_s)",
     "time": "Q = Phi t",
+    "responsivity": "I = s Phi",
     "bandwidth": "a band is the density times its width",
     "luminous-efficacy": "lumens are watts times the lumens per watt",
     "photon-energy": "photons are joules divided by the joules per photon",
@@ -74,6 +80,17 @@ WHY = {
     "relative-intensity": "the intensity decreases off the axis",
 }
 IN_ITS_UNIT = ("bandwidth", "efficacy")  # often used in the unit typed, not in SI units
+IN_ELECTRONVOLTS = {"photon-energy": -1, "photon-efficacy": 1}  # and the power of the unit
+EV = resolve("eV").factor
+RATIOS = ("responsivity", "quantum-efficiency", "luminous-efficacy", "photon-efficacy", "sp-ratio")
+ROOTS = {
+    2: "the square root was used for the {0}, not the fourth root",
+    3: "the cube root was used for the {0}, not the fourth root",
+}
+DIVIDED = "it was divided by the {0}, not multiplied"
+MULTIPLIED = "it was multiplied by the {0}, not divided"
+WIEN_X = 4.965114231744276  # h c / (k b): the solution of x = 5 (1 - exp(-x))
+PER_FREQUENCY = 1.759780  # c / (b' b^-1), for the peak per frequency at 2.821439 k T / h
 CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count cycles
 
 
@@ -94,7 +111,7 @@ def find(p: Problem) -> Iterator[Candidate]:
             ("pi-forgotten", "pi", math.pi),
             ("wrong-sphere", "4 pi", 4 * math.pi),
         ):
-            done = f"a factor of {factor} was introduced by mistake"
+            done = Said("a factor of {0} was introduced by mistake", factor)
             for value in (p.right * size, p.right / size):
                 yield Candidate(name, SELDOM, value, done, rule)
 
@@ -102,10 +119,11 @@ def find(p: Problem) -> Iterator[Candidate]:
 def text_of(law: AnyLaw) -> str:
     """Return the formula of a law in letters, with its name."""
     formula = fill(law.template, lambda name, _: letter_of(name) if name in SYMBOLS else name)
-    return f"{law.name}: {formula}" if law.name else formula
+    return Said("{0}: {1}", law.name, formula) if law.name else formula
 
 
-def _label(name: str) -> str:
+def label_of(name: str) -> str:
+    """Return the name of a symbol in a sentence."""
     return LABELS.get(name) or SYMBOLS[name].label
 
 
@@ -119,11 +137,14 @@ def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
     for name, power in law.powers:
         if name == target or name in WHOLE or (name in SYMBOLS and SYMBOLS[name].geometry):
             continue
-        rule = "; ".join(filter(None, (text_of(law) or RULES[name], WHY.get(name))))
+        rule = text_of(law) or RULES[name]
+        if name in WHY:
+            rule = Said(BOTH, rule, WHY[name])
         exponent = -power / power_of_target  # in the law solved for the target
         for kind, rank, done, by in _edits(name, abs(power), exponent > 0):
             for size, later in _sizes(p, name, kind):
-                value = p.chain.after(target, start * size ** (exponent * by))
+                wrong = start * size ** (exponent * by)
+                value = p.chain.by(_edited(law, name, power, by), target, wrong)
                 if value is not None:
                     mistake = f"{NAMES.get(name, name)}-{kind}"
                     yield Candidate(mistake, rank + later, value, done, rule)
@@ -131,24 +152,60 @@ def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
         yield from _turned(p, law, target, abs(power_of_target))
 
 
+def _edited(law: Law, name: str, power: float, by: float) -> Law:
+    """Return a law with another power of a symbol in its formula: the power times (1 + by)."""
+    old, new = f"{{{name}}}", abs(power) * (1 + by)
+    if abs(power) != 1:
+        old += f"^{abs(power):g}"
+    text = f"{{{name}}}" + (f"^{abs(new):g}" if abs(new) != 1 else "")
+    before, _, after = law.template.partition(old)
+    if new == 0:
+        template = before + "1" + after
+    elif new > 0:
+        template = before + text + after
+    else:
+        sign = "/ " if power > 0 else ""
+        template = f"{before}1{after} {sign}{text}"
+    return law._replace(template=_tidy(template))
+
+
+def _tidy(template: str) -> str:
+    """Leave factors of 1 out of a formula."""
+    left, _, right = template.partition(" = ")
+    right = f" {right} ".replace(" / 1 ", " ").replace(" (1 ", " (")
+    while " 1 " in right and not right.startswith(" 1 /"):
+        right = right.replace(" 1 ", " ", 1)
+    right = (
+        right.replace(" 1)", ")")
+        .replace("/ ()", "")
+        .replace("(Omega0)", "Omega0")
+        .replace("  ", " ")
+        .strip()
+    )
+    return f"{left} = {right or '1'}"
+
+
 def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float, str, float]]:
     """Yield the edits of a symbol's power: kind, rank, description, change relative to the power.
 
     `is_above` is true if the symbol is a factor, false if it is a divisor.
     """
-    label = _label(name)
+    label = label_of(name)
     is_bare = name in RULES or SYMBOLS[name].unit == "1"
     rank = FORGOTTEN.get(name, RARELY if is_bare else SELDOM)
-    yield "forgotten", rank, f"the {label} was forgotten", -1.0
-    done, right = ("divided", "multiplied") if is_above else ("multiplied", "divided")
-    by = f"square of the {label}" if power == 2 else label
-    yield "upside-down", RARELY, f"it was {done} by the {by}, not {right}", -2.0
+    yield "forgotten", rank, Said("the {0} was forgotten", label), -1.0
+    template = DIVIDED if is_above else MULTIPLIED
+    by = Said("square of the {0}", label) if power == 2 else label
+    yield "upside-down", RARELY, Said(template, by), -2.0
     if power == 2:
         rank = NOT_SQUARED.get(name, USUALLY)
-        yield "not-squared", rank, f"the {label} was not squared", -0.5
+        yield "not-squared", rank, Said("the {0} was not squared", label), -0.5
+    for other in (power - 1, power - 2, power + 1) if power > 2 else ():
+        done = Said("the power {0} of the {1} was used, not {2}", f"{other:g}", label, f"{power:g}")
+        yield "wrong-power", USUALLY + abs(other - power) / 2, done, other / power - 1
     if name.startswith("cosine"):
         for more in (1.0, 2.0):
-            yield "squared", HARDLY, f"the {label} was squared or cubed", more
+            yield "squared", HARDLY, Said("the {0} was squared or cubed", label), more
 
 
 def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
@@ -156,21 +213,30 @@ def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
     size = p.chain.values[name]
     if size > 0:
         yield size, 0.0
+        if name in IN_ELECTRONVOLTS:
+            yield size * EV ** IN_ELECTRONVOLTS[name], 0.0
         input_name = "efficacy" if "efficacy" in NAMES.get(name, name) else name
         typed = p.given[input_name].number if input_name in p.given else None
-        if isinstance(typed, float) and (kind == "not-squared" or input_name in IN_ITS_UNIT):
+        is_usual = kind == "not-squared" or input_name in IN_ITS_UNIT
+        if isinstance(typed, float) and (is_usual or (kind, name) == ("forgotten", "time")):
             yield typed, 0.5
 
 
 def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candidate]:
     """Yield the wrong values from a law solved wrongly: no square root, or the reciprocal."""
-    size, label = p.chain.values[target], _label(target)
+    size, label = p.chain.values[target], label_of(target)
     if power == 2 and (value := p.chain.after(target, size**2)) is not None:
-        done = f"the square root for the {label} was forgotten"
+        done = Said("the square root for the {0} was forgotten", label)
         rank = NOT_SQUARED.get(target, USUALLY)
         yield Candidate(f"{target}-not-squared", rank, value, done, text_of(law))
-    if target == p.chain.goal and (value := p.chain.after(target, 1 / size)) is not None:
-        done = f"the fraction was inverted: the result is the reciprocal of the {label}"
+    for root in (2, 3) if power == 4 else ():
+        if (value := p.chain.after(target, size ** (power / root))) is not None:
+            done = Said(ROOTS[root], label)
+            yield Candidate(f"{target}-wrong-power", USUALLY, value, done, text_of(law))
+    if (target == p.chain.goal or target in RATIOS) and (
+        value := p.chain.after(target, 1 / size)
+    ) is not None:
+        done = Said("the fraction was inverted: the result is the reciprocal of the {0}", label)
         yield Candidate(f"{target}-upside-down", RARELY, value, done, text_of(law))
 
 
@@ -181,14 +247,14 @@ def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
         if name == target or SYMBOLS[name].unit != "1" or name in NO_FACTORS or size <= 0:
             continue
         for kind, other, rank, done in (
-            ("forgotten", 1.0, FORGOTTEN.get(name, RARELY), "forgotten"),
-            ("upside-down", 1 / size, RARELY, "inverted"),
+            ("forgotten", 1.0, FORGOTTEN.get(name, RARELY), "the {0} was forgotten"),
+            ("upside-down", 1 / size, RARELY, "the {0} was inverted"),
         ):
             at = {**p.chain.values, name: other}.__getitem__
             value = p.chain.solved(target, lambda _, at=at: law.solve(target, at))  # type: ignore[misc]
             if value is not None:
-                done = f"the {_label(name)} was {done}"
-                yield Candidate(f"{name}-{kind}", rank, value, done, text_of(law))
+                said = Said(done, label_of(name))
+                yield Candidate(f"{name}-{kind}", rank, value, said, text_of(law))
 
 
 # ---------------------------------------------------------------------------------------------
@@ -223,8 +289,13 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
     return number, pi
 
 
-def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
-    """Return the result [SI] if a law has a constant that is `ratio` times the right one."""
+def scaled(
+    p: Problem, law: AnyLaw, target: str, ratio: float, texts: tuple[str, str] | None = None
+) -> float | None:
+    """Return the result [SI] if a law has a constant that is `ratio` times the right one.
+
+    `texts` are the right and the wrong constant as they are written in the formula.
+    """
     result = law.names[0]
 
     def solve(at: At) -> Any:
@@ -232,7 +303,12 @@ def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
             return at(target) * ratio
         return law.solve(target, lambda name: at(name) / (ratio if name == result else 1.0))
 
-    return p.chain.solved(target, solve)
+    value = p.chain.solved(target, solve)
+    left, _, right = law.template.partition(" = ")
+    if texts is None or not isinstance(value, Worked) or texts[0] not in right:
+        return None if value is None else float(value)
+    template = _tidy(f"{left} = {right.replace(texts[0], texts[1] or '1', 1)}")
+    return p.chain.by(law._replace(template=template), target, value.wrong[target])
 
 
 def _constants(
@@ -240,8 +316,9 @@ def _constants(
 ) -> Iterator[Candidate | None]:
     """Yield the wrong values from a law with another constant of the same family."""
 
-    def edit(name: str, ratio: float, done: str = "") -> Candidate | None:
-        return usual(name, scaled(p, law, target, ratio), done, text_of(law))
+    def edit(name: str, ratio: float, done: str = "", wrong: str = "") -> Candidate | None:
+        texts = (right_constant, wrong) if power else None
+        return usual(name, scaled(p, law, target, ratio, texts), done, text_of(law))
 
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
         return  # the 2 is between half and full: see `misread`
@@ -250,20 +327,30 @@ def _constants(
         for size in (1, 2, 4):
             wrong_constant = f"{size} pi" if size > 1 else "pi"
             if (right_constant, wrong_constant) == ("pi", "2 pi"):
-                yield edit("two-pi-for-pi", 2.0**power)
+                yield edit("two-pi-for-pi", 2.0**power, wrong="2 pi")
             elif size != number:
-                done = f"{wrong_constant} was used for {right_constant}"
-                yield edit("wrong-sphere", (size / number) ** power, done)
+                done = Said("{0} was used for {1}", wrong_constant, right_constant)
+                yield edit("wrong-sphere", (size / number) ** power, done, wrong_constant)
         name = "pi-forgotten" if number == 1 else "wrong-sphere"
-        yield edit(name, math.pi**-power, PI_FORGOTTEN)
-        yield edit(name, (number * math.pi) ** -power, f"{right_constant} was forgotten")
+        yield edit(name, math.pi**-power, PI_FORGOTTEN, f"{number:g}")
+        yield edit(name, (number * math.pi) ** -power, Said("{0} was forgotten", right_constant))
     elif power:
-        yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN)
+        yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN, "1")
         yield edit("constant-forgotten", (number * math.pi) ** -power)
     if power and number == 1:
-        yield edit("pi-upside-down", math.pi ** (-2 * power))
+        value = scaled(p, law, target, math.pi ** (-2 * power))
+        yield usual("pi-upside-down", value, right=text_of(law))
+        yield edit("pi-twice", math.pi**power, wrong="pi^2")
     elif number != 1:
-        yield edit("constant-forgotten", number ** -(power if number < 1 and power else 1))
-    if law.name in CYCLES:
+        ratio = number ** -(power if number < 1 and power else 1)
+        yield usual("constant-forgotten", scaled(p, law, target, ratio), right=text_of(law))
+    if law.name in CYCLES or (law.name == "density" and FREQUENCY in p.target.dimensions):
         for ratio in (2 * math.pi, 0.5 / math.pi):
-            yield edit("angular-for-cycles", ratio)
+            value = scaled(p, law, target, ratio)
+            yield usual("angular-for-cycles", value, right=text_of(law))
+    if "lg2" in law.template:
+        value = scaled(p, law, target, math.log(10), ("lg2", "ln2"))
+        yield usual("log-base", value, right=text_of(law))
+    if law.name == PEAK.name:
+        for name, ratio in (("wien-without-4.965", WIEN_X), ("wien-per-frequency", PER_FREQUENCY)):
+            yield usual(name, scaled(p, law, target, ratio), right=text_of(law))

@@ -8,19 +8,34 @@ import math
 from radcalc.conversion import spectral
 from radcalc.conversion.conditions import Factor
 from radcalc.conversion.linear import Plan
-from radcalc.homework.chain import VALUE, Chain, Powers, Steps, between_kinds, multiply
+from radcalc.conversion.natural import LawPlan
+from radcalc.derivation import format_number, with_unit
+from radcalc.homework.chain import (
+    VALUE,
+    Chain,
+    Ends,
+    Powers,
+    Steps,
+    between_kinds,
+    multiply,
+    of_laws,
+)
 from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import Law, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.sizes import CIRCLE, DIAMETER
 from radcalc.laws.surface import disc_on_axis
-from radcalc.quantities.light import read
+from radcalc.quantities.light import read, symbol_of
 
 
-def of_conversion(conversion: Plan, right: float, given: Inputs) -> Chain:
+def of_conversion(conversion: Plan, number: float, right: float, given: Inputs) -> Chain:
     """Return the chain of a conversion: its source times the factors of the conditions."""
     values = {name: item.value for name, item in given.items() if isinstance(item.value, float)}
+    if isinstance(conversion, LawPlan):
+        source, target = conversion.names
+        values = {"emissivity": 1.0, **values, source: number * conversion.source.factor}
+        return of_laws(conversion.laws, target, values, right)
     steps: Steps = []
     powers: Powers = []
     for factor, sign in conversion.links:
@@ -31,7 +46,12 @@ def of_conversion(conversion: Plan, right: float, given: Inputs) -> Chain:
     if start and end and start.kind != end.kind:
         powers += between_kinds(start.kind, end.kind, given, values, steps)
     multiply(powers, right, values, steps)
-    return Chain(values, steps, VALUE, right)
+    chain = Chain(values, steps, VALUE, right)
+    letters = [symbol_of(unit).partition("_")[0] for unit in (conversion.source, conversion.target)]
+    amount = f"({with_unit(format_number(number), conversion.source.text)})"
+    unit = conversion.target
+    chain.ends = Ends(letters[0], amount, letters[1], unit.text, float(unit.factor))
+    return chain
 
 
 def _of_factor(name: str, formula: str, letter: str, *powers: tuple[str, float]) -> Law:
@@ -57,6 +77,7 @@ ALL_ROUND = {  # by condition and letter of the factor
 }
 SYMBOL_OF = {
     "t": "time",
+    "s": "responsivity",
     "B": "bandwidth",
     "A": "area",
     "Omega": "solid-angle",

@@ -2,8 +2,12 @@
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
+from itertools import product
 
-from radcalc.homework.problem import Candidate, Problem, usual
+from radcalc.errors import RadcalcError
+from radcalc.homework.problem import Candidate, Problem, both, usual
+from radcalc.homework.words import Said
 from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.spectrum import BlackBody
@@ -17,9 +21,22 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     TIME,
 )
+from radcalc.units.scales import ScaleUnit
 from radcalc.units.table import resolve
-from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH
+from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH, NUMBER
 
+LN10, LN2, LB10 = math.log(10), math.log(2), math.log2(10)
+READINGS = (  # mistakes of a reading on a scale, and the factors of the reading
+    ("log-base", (LN10, 1 / LN10, LN2, 1 / LN2, LB10, 1 / LB10)),
+    ("twice-the-level", (2.0, 0.5)),
+    ("level-sign", (-1.0,)),
+    ("level-factor", (10.0, 0.1)),
+)
+TWO_READINGS = (  # two mistakes of a reading together
+    ("twice-the-level", "log-base"),
+    ("log-base", "level-sign"),
+    ("level-factor", "level-sign"),
+)
 Found = Iterator[Candidate | None]
 SLIPS = ("power-of-ten", "length-unit", "area-unit")  # these also come with another mistake
 CONES = (
@@ -41,6 +58,7 @@ LUMINANCES = ("fL", "lambert", "asb", "nit", "stilb")  # units that are mixed up
 PER_PI = ("lambert", "apostilb", "skot", "blondel")  # units with a factor 1/pi
 CARRIES_PI = "lambert, foot-lambert, apostilb and skot contain 1/pi, nit and stilb do not"
 CELSIUS = 273.15
+SHIFTS = (CELSIUS, -CELSIUS, 273.0, -273.0)
 
 
 def find(p: Problem) -> Iterator[Candidate]:
@@ -79,6 +97,18 @@ def _halves(p: Problem) -> Found:
         yield from _multiples("full-for-half", p.right, 2.0)
     if p.asks("radius", "diameter"):
         yield from _multiples("diameter-for-radius", p.right, 2.0)
+
+
+def halves_of(p: Problem) -> Iterator[tuple[Candidate, Problem]]:
+    """Yield the mistakes in a size or an angle, each with the problem that it leads to."""
+    for quantity in _numbers(p):
+        name = "full-for-half" if quantity.name in CONES else "diameter-for-radius"
+        if quantity.name not in (*CONES, *SIZES):
+            continue
+        for factor in (2.0, 0.5):
+            other = p.changed({quantity.name: factor * quantity.value})
+            if other and (first := usual(name, other.right)):
+                yield first, other
 
 
 def _angles(p: Problem) -> Found:
@@ -120,10 +150,18 @@ def _in_other_units(p: Problem) -> Found:
         if quantity.name not in ("wavelength", "bandwidth"):
             yield from _in_neighbouring_units(p, quantity)
         if quantity.dimension == TEMPERATURE:
-            for shift in (CELSIUS, -CELSIUS):
+            for shift in SHIFTS:
                 yield usual("kelvin-for-celsius", p.misread(quantity.name, quantity.value + shift))
-    body = p.given["spectrum"].value if "spectrum" in p.given else None
-    if isinstance(body, BlackBody) and body.temperature > CELSIUS:
+    temperature = p.chain.values.get("temperature")
+    if temperature and "temperature" not in p.given:
+        for shift in SHIFTS:
+            value = (
+                p.chain.after("temperature", temperature + shift)
+                if temperature + shift > 0
+                else None
+            )
+            yield usual("kelvin-for-celsius", value)
+    elif (body := p.hot_body()) and body.temperature > CELSIUS:
         for shift in (CELSIUS, -CELSIUS):
             changed = {"spectrum": BlackBody(body.temperature + shift)}
             yield usual("kelvin-for-celsius", p.anew(changed))
@@ -170,7 +208,8 @@ def _photons(p: Problem) -> Found:
                 "joules-for-electronvolts", p.anew({"wavelength": wavelength.value * factor})
             )
     if PHOTON_ENERGY in p.target.dimensions:
-        yield from _multiples("joules-for-electronvolts", p.right, EV, EV**2)
+        # 3.7e-19 J is also written as 3.7 eV
+        yield from _multiples("joules-for-electronvolts", p.right, EV, EV**2, EV * 1e19)
     if wavelength is not None and (
         not p.light or not p.chain.symbols.isdisjoint(("photon-energy", "J"))
     ):
@@ -184,6 +223,11 @@ def _fields(p: Problem) -> Found:
     if "electric-field" in p.given:
         factor = math.sqrt(2) if FIELD_STRENGTH in p.target.dimensions else 2.0
         yield from _multiples("peak-for-rms", p.right, factor)
+    plan = p.question.plan
+    if plan and FIELD_STRENGTH in p.target.dimensions and p.right:
+        irradiance = p.question.number * plan.source.factor
+        for factor in (1.0, 2.0):
+            yield usual("impedance-upside-down", factor * irradiance / p.right)
 
 
 def _units(p: Problem) -> Found:
@@ -199,14 +243,47 @@ def _units(p: Problem) -> Found:
             for value in (p.right * size, p.right / size):
                 yield usual(name, value, right=CARRIES_PI)
         yield from _multiples("two-pi-for-pi", p.right, 2.0)
-    if plan.is_linear and not plan.links and math.log10(plan.factor) % 1:
-        yield usual("unit-upside-down", p.right / plan.factor**2)
+    if plan.is_linear and not plan.links:
+        is_prefix = not math.log10(plan.factor) % 1
+        yield usual("unit-upside-down", p.right / plan.factor**2, later=2.5 * is_prefix)
+    if not plan.is_linear:
+        yield from _readings(p)
     for unit, sign in units:
         for text in LUMINANCES:
             other = resolve(text)
             if other.dimension == unit.dimension and other.factor != unit.factor:
                 value = p.right * (other.factor / unit.factor) ** sign
-                yield usual("neighbour-unit", value, f"{unit.text} was used as {text}")
+                yield usual("neighbour-unit", value, Said("{0} was used as {1}", unit.text, text))
+
+
+def readings() -> Iterator[tuple[tuple[str, ...], float]]:
+    """Yield the mistakes of a reading on a scale, and two together, with their factors."""
+    factors = dict(READINGS)
+    for name, several in READINGS:
+        yield from (((name,), factor) for factor in several)
+    for first, second in TWO_READINGS:
+        for one, other in product(factors[first], factors[second]):
+            yield (first, second), one * other
+
+
+def misread(names: tuple[str, ...], value: float) -> Candidate | None:
+    """Return the mistake or the two mistakes of a reading."""
+    first, *second = [usual(name, value) for name in names]
+    if first and second and second[0]:
+        return both(first, second[0])
+    return first
+
+
+def _readings(p: Problem) -> Found:
+    """Misread a number on a scale: its sign, the base of its logarithm, 10 for 20 in a decibel."""
+    plan, number = p.question.plan, p.question.number
+    if plan is None or not isinstance(getattr(plan, "ends", (None,))[0], ScaleUnit):
+        return
+    for names, factor in readings():
+        with suppress(RadcalcError, ArithmeticError):
+            yield misread(names, float(plan.quantity(number * factor)) * plan.target.factor)
+    if p.target.dimensions[0] == NUMBER and 0 < p.right < 1:
+        yield usual("absorbed-for-reflected", 1 - p.right)
 
 
 def _slips(p: Problem) -> Found:

@@ -12,13 +12,22 @@ from radcalc.geometry import cones
 from radcalc.geometry.numerics import vectors
 from radcalc.homework.edits import scaled
 from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
-from radcalc.quantities.symbols import UNIFORM
+from radcalc.homework.siblings import projected_cone
+from radcalc.homework.words import Said
+from radcalc.quantities.symbols import EFFICACIES, UNIFORM
+from radcalc.spectra.planck import AVOGADRO
+from radcalc.units.dimensions import SOLID_ANGLE, times
 
 if TYPE_CHECKING:
     from radcalc.spectra.observers import Observer
 
 Found = Iterator[Candidate | None]
 PI = math.pi
+FLAT = "the flat area over d was used: the distance was not squared"
+SOLID = ("solid-angle", "projected-solid-angle")
+DAY = 86400.0  # s
+HOURS = (12, 16, 8, 10, 14, 18)  # of light in a day
+SAME_AS = ("far-field-irradiance", "far-field-etendue")  # approximations of other results
 DIFFUSE = "all directions are 4 pi sr, a hemisphere is 2 pi sr, projected pi sr"
 
 
@@ -35,13 +44,23 @@ def find(p: Problem) -> Iterator[Candidate]:
 def _shape(p: Problem) -> Found:
     """Use a sphere as a disc, a disc as a sphere, or either as a small flat area."""
     shape, radius = p.question.shape, p.radius()
+    if shape == "hemisphere" and (half := p.amount("half-angle") or PI / 2):
+        for name, size in projected_cone({"half-angle": half}.__getitem__):
+            yield usual(name, p.chain.after("projected-solid-angle", size))
     away = p.amount("height") or p.amount("distance")
     if not away or p.amount("offset"):
         return
     if shape == "rectangle" and not p.light:  # for light, `_far` compares with the far field
         flat = (p.amount("width") or 0.0) * (p.amount("length") or 0.0) / away**2
-        for symbol in ("solid-angle", "projected-solid-angle"):
+        for symbol in SOLID:
             yield usual("flat-for-curved", p.chain.after(symbol, flat))
+            yield usual("flat-for-curved", p.chain.after(symbol, flat * away), FLAT, later=1.0)
+    if shape == "rectangle" and (omega := p.amount("solid-angle")):
+        corners = 1 if "corner" in p.given else 4
+        tangent = math.tan(omega / corners)
+        sizes = [tangent, math.tan(tangent), math.asin(tangent) if abs(tangent) < 1 else tangent]
+        for size in sizes:
+            yield usual("tangent-for-angle", p.chain.after("solid-angle", corners * size))
     if shape not in ("sphere", "disc") or not radius or radius >= away:
         return
     right, other = math.asin(radius / away), math.atan(radius / away)
@@ -70,6 +89,8 @@ def _projection(p: Problem) -> Found:
             "pi-forgotten", p.chain.after("projected-solid-angle", projected / PI), right=DIFFUSE
         )
         yield usual("two-pi-for-pi", p.chain.after("projected-solid-angle", 2 * projected))
+        whole = p.chain.after("projected-solid-angle", 4 * projected)
+        yield usual("wrong-sphere", whole, right=DIFFUSE)
         yield usual("wrong-sphere", p.chain.after("solid-angle", 2 * plain), right=DIFFUSE)
 
 
@@ -126,40 +147,6 @@ def _received(p: Problem) -> Found:
     yield Candidate("receiver-area-upside-down", 3, irradiance / area, done, rule)
 
 
-def _zone(p: Problem) -> Found:
-    """Use caps for a zone, or forget its sines."""
-    ends = p.given["polar"].value if "polar" in p.given else None
-    if not isinstance(ends, tuple):
-        return
-    inner, outer = map(cones.cone, ends)
-    width = ends[1] - ends[0]
-    for name, size in (
-        ("zone-of-caps", outer + inner),
-        ("zone-of-caps", outer),
-        ("zone-of-caps", inner),
-        ("zone-of-caps", cones.cone(width)),
-        ("angle-from-surface", 2 * PI * (math.sin(ends[1]) - math.sin(ends[0]))),
-        ("sine-forgotten", 2 * PI * width),
-    ):
-        yield usual(name, p.right * size / (outer - inner))
-    around = p.given["azimuth"].value if "azimuth" in p.given else None
-    if isinstance(around, tuple):
-        yield usual("azimuth-forgotten", p.right * 2 * PI / (around[1] - around[0]))
-
-
-def _integral(p: Problem) -> Found:
-    """Forget sin(theta) in the integral of 1 or cos(theta) over a cone, or the azimuth in any."""
-    if not p.asks("integral"):
-        return
-    half = PI / 2 if "hemisphere" in p.given else p.amount("half-angle")
-    yield usual("azimuth-forgotten", p.right / (2 * PI))
-    if half and math.isclose(p.right, cones.cone(half), rel_tol=1e-6):
-        yield usual("sine-forgotten", 2 * PI * half)
-    if half and math.isclose(p.right, cones.projected_cone(half), rel_tol=1e-6):
-        yield usual("sine-forgotten", 2 * PI * math.sin(half))
-        yield usual("solid-for-projected", cones.cone(half))
-
-
 def _direction(p: Problem) -> Found:
     """Confuse quadrants, x and y, or the directions at a mirror."""
     if not p.lists("direction"):
@@ -200,8 +187,8 @@ def _sky(p: Problem) -> Found:
         )
         part = (1 + rise) / 2
         yield usual("ground-for-plane", p.chain.after("plane-sky", ground * part))
-        for wrong in (ground, ground * rise):
-            yield usual("ground-for-plane", p.chain.after("plane-sky", wrong), later=1.0)
+        for wrong, later in ((ground, 0.0), (ground * rise, 1.0)):
+            yield usual("ground-for-plane", p.chain.after("plane-sky", wrong), later=later)
         symbols.append(("plane-sky", plane, PI * part))
     for symbol, size, even in symbols:
         yield usual("uniform-sky", p.chain.after(symbol, even))
@@ -209,6 +196,9 @@ def _sky(p: Problem) -> Found:
             yield usual("two-pi-for-pi", p.chain.after(symbol, 2 * integral), right=DIFFUSE)
             yield usual("pi-forgotten", p.chain.after(symbol, integral / PI), PI_FORGOTTEN, DIFFUSE)
             yield usual("pi-upside-down", p.chain.after(symbol, 1 / integral), right=DIFFUSE)
+    if "toward" in p.given and "relative-radiance" in p.chain.symbols:
+        cosine = math.cos(p.given["toward"].value[0])
+        yield usual("cosine-of-zenith", p.chain.after("relative-radiance", cosine))
     height = p.amount("sun-height")
     if height:
         cosine = math.sqrt(max(0.0, 1 - height * height))
@@ -221,6 +211,12 @@ def _environment(p: Problem) -> Found:
         yield usual("pi-forgotten", p.right / PI, PI_FORGOTTEN, DIFFUSE)
         yield usual("two-pi-for-pi", 2 * p.right, right=DIFFUSE)
         yield usual("wrong-sphere", 4 * p.right, right=DIFFUSE)
+
+
+WHOLE_TIME = {
+    "first": "the first sample was used for the whole time",
+    "last": "the last sample was used for the whole time",
+}
 
 
 def _samples(p: Problem) -> Found:
@@ -239,8 +235,12 @@ def _samples(p: Problem) -> Found:
             yield usual("step-forgotten", times_mean * samples["sum"] * unit / covered)
     yield usual("whole-steps", times_mean * samples["sum"] * step / covered)
     yield usual("plain-mean", times_mean * samples["sum"] / count)
+    for unit in (1.0, 60.0, 3600.0) if is_sum else ():
+        done = "the mean was used for the sum over the time"
+        yield usual("sample-for-all", times_mean * samples["sum"] / count * unit / duration, done)
+        yield usual("sample-for-all", times_mean * mean * unit / duration, done)
     for name in ("first", "last"):
-        done = f"the {name} sample was used for the whole time"
+        done = WHOLE_TIME[name]
         yield usual("sample-for-all", times_mean * samples[name], done)
     peak = p.amount("maximum-irradiance") or p.amount("maximum-flux") or 0.0
     yield usual("sample-for-all", times_mean * peak)
@@ -313,6 +313,11 @@ def _beam(p: Problem) -> Found:
         beam = 2 * math.acos(0.5 ** (1 / n))
     if beam:
         yield usual("cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2)))
+        return
+    half = p.chain.values.get("half-angle")
+    if half and 0 < half < PI / 2:
+        n = math.log(0.5) / math.log(math.cos(half))
+        yield usual("lobe-for-cone", p.chain.after("solid-angle", 2 * PI / (n + 1)))
 
 
 PEAKS = {  # laws of a spot: the mistake, and its ratio to the right value
@@ -337,6 +342,8 @@ SWAPS = (
     ("k-for-c", "c", "k"),
     ("diagonal-for-width", "width", "diagonal"),
     ("height-for-distance", "distance", "height"),
+    ("efficiency-for-responsivity", "responsivity", "quantum-efficiency"),
+    ("efficiency-for-responsivity", "quantum-efficiency", "responsivity"),
 )
 
 
@@ -349,9 +356,87 @@ def _swapped(p: Problem) -> Found:
     if "iso" in symbols:
         yield usual("iso-forgotten", p.chain.after("iso", 100.0))
         yield usual("iso-upside-down", p.chain.after("iso", 1e4 / values["iso"]))
-    if "cosine" in symbols and 0 < values["cosine"] < 1:
-        sine = math.sqrt(1 - values["cosine"] ** 2)
-        yield usual("angle-from-surface", p.chain.after("cosine", sine))
+    cosines = sorted(symbols.intersection(("cosine", "cosine-of-source")))
+    sines = {name: math.sqrt(1 - values[name] ** 2) for name in cosines if 0 < values[name] < 1}
+    for name, sine in sines.items():
+        yield usual("angle-from-surface", p.chain.after(name, sine))
+    if len(sines) == 2:
+        yield usual("angle-from-surface", p.chain.after_all(sines))
+
+
+LAMPS = ("D65", "AM1.5G", "blackbody:5772K", "A", "LED-B3", "HPS")  # the likeliest first
+# Published factors of daylight and of other lamps [lm/W, lm s/umol, umol/J].
+PUBLISHED = {
+    "luminous-efficacy": (93.0, 110.0, 120.0),
+    "lux-per-ppfd": (54.0, 55.0, 683.0, 683 / 4.57, 82.0, 67.0),
+    "photon-efficacy": (4.57, 4.6, 2.02, 2.1),
+}
+IN_UNITS = {"lux-per-ppfd": 1e6 / AVOGADRO, "photon-efficacy": AVOGADRO / 1e6}  # in SI units
+
+
+def _lamps(p: Problem) -> Found:
+    """Use the factor between two kinds of light of another lamp."""
+    spectrum = p.given.get("spectrum")
+    used = [name for name, *_ in EFFICACIES if name in p.chain.symbols]
+    if not used or "wavelength" in p.given or "efficacy" in p.given:
+        return
+    for name in used:
+        for size in PUBLISHED[name]:
+            yield usual("other-lamp", p.chain.after(name, size * IN_UNITS.get(name, 1.0)))
+    if spectrum is None or p.question.command == "spectrum":
+        return
+    from radcalc.spectra.sources import spectrum as named
+
+    for k, lamp in enumerate(LAMPS):
+        value = p.anew({"spectrum": named(lamp)})
+        done = Said("the factor of another lamp was used ({0})", lamp)
+        yield usual("other-lamp", value, done, later=0.1 * k)
+
+
+def _others(p: Problem) -> Found:
+    """Give another result of the question, with the number in its own unit."""
+    for other in p.results.values():
+        if other is p.target or other.name in SAME_AS or not isinstance(other.amount, float):
+            continue
+        apart = [times(other.dimensions[0], SOLID_ANGLE, k) for k in (0, 1, -1)]
+        if p.target.dimensions[0] in apart:
+            done = Said("the {0} was given", other.label)
+            later = 0.0 if p.target.dimensions[0] == apart[0] else 0.5
+            later += 0.0 if other.given is None else 1.0
+            asked = Said("the {0} was asked for", p.target.label)
+            yield usual("other-quantity", other.amount, done, asked, later)
+
+
+def _amplitude(p: Problem) -> Found:
+    """Give the ratio of amplitudes for that of intensities, which is its square."""
+    if p.asks("reflectance", "reflectance-s", "reflectance-p") and 0 < p.right < 1:
+        yield usual("amplitude-for-intensity", math.sqrt(p.right))
+
+
+def _day(p: Problem) -> Found:
+    """Use the whole day for the hours of light, or some hours of light for the day."""
+    if "photoperiod" in p.given:
+        yield usual("hours-of-light", p.anew({"photoperiod": DAY}))
+    elif "time" in p.chain.symbols and p.chain.values["time"] == DAY and "time" not in p.given:
+        for hours in HOURS:
+            yield usual("hours-of-light", p.chain.after("time", hours * 3600.0))
+    elif (plan := p.question.plan) and not plan.links and plan.is_linear:
+        days = sum(
+            power for name, power in (*plan.source.atoms, *plan.target.atoms) if name == "day"
+        )
+        for hours in HOURS if days else ():
+            yield usual("hours-of-light", p.right * (hours / 24) ** -days)
+
+
+def _rounded_early(p: Problem) -> Found:
+    """Round the cosine of a narrow cone before it is subtracted from 1."""
+    half = p.amount("half-angle")
+    if not half or not ("solid-angle" in p.chain.symbols or p.asks("solid-angle")):
+        return
+    for digits in (2, 3):
+        size = 2 * PI * (1 - round(math.cos(half), digits))
+        if size > 0:
+            yield usual("rounded-early", p.chain.after("solid-angle", size))
 
 
 FAMILIES = (
@@ -360,8 +445,6 @@ FAMILIES = (
     _aside,
     _far,
     _received,
-    _zone,
-    _integral,
     _direction,
     _sky,
     _environment,
@@ -371,4 +454,9 @@ FAMILIES = (
     _beam,
     _peaks,
     _swapped,
+    _lamps,
+    _others,
+    _amplitude,
+    _day,
+    _rounded_early,
 )

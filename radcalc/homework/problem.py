@@ -1,17 +1,30 @@
 """One result of a question with its derivation, in which mistakes can be tried."""
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from radcalc.answer import Value
 from radcalc.calculators.pages import page_of
-from radcalc.homework.chain import FAILURES, of_answer
+from radcalc.conversion.plan import plan
+from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
+from radcalc.homework.words import Said
+from radcalc.inputs.given import Inputs
+from radcalc.laws.black_body import EXITANCE, PEAK
+from radcalc.laws.surface import LAMBERTIAN
 from radcalc.quantities.light import GRID, Reading
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.spectra.spectrum import BlackBody
 
+HOT_BODY = {  # the laws of the results of a black body's spectrum
+    "exitance": [EXITANCE],
+    "radiance": [EXITANCE, LAMBERTIAN],
+    "peak-wavelength": [PEAK],
+}
 PI_FORGOTTEN = "pi was forgotten"
+BOTH, AND = "{0}; {1}", "{0}; and {1}"
+RARER = 3.5  # what two mistakes in laws add to their ranks
 
 
 class Candidate(NamedTuple):
@@ -40,6 +53,17 @@ def usual(
     return Candidate(name, rank + later, value, done or usual_done, rule or right)
 
 
+def both(first: Candidate, second: Candidate, value: float | None = None) -> Candidate:
+    """Return two mistakes together, which are rarer than one."""
+    return Candidate(
+        f"{first.mistake} and {second.mistake}",
+        first.rank + second.rank + RARER,
+        second.value if value is None else value,
+        Said(AND, first.done, second.done),
+        Said(BOTH, first.right, second.right),
+    )
+
+
 class Problem:
     """One result of a question: its inputs, the other results, and the right value [SI].
 
@@ -50,14 +74,22 @@ class Problem:
         self.question, self.given, self.target = question, question.given, target
         self.results = {v.name: v for v in question.answer.values if not v.is_absent}
         self.right = float(target.amount)
+        self._changed: dict[Any, tuple[Question, Value] | None] = {}
         facts = GRID.get(target.dimensions[0])
         self.light = Reading(*facts) if facts else None
         if question.plan:
             from radcalc.homework.factors import of_conversion  # with the laws of conditions
 
-            self.chain = of_conversion(question.plan, self.right, self.given)
+            self.chain = of_conversion(question.plan, question.number, self.right, self.given)
+        elif (body := self.hot_body()) and target.name in HOT_BODY:
+            values = {"temperature": body.temperature, "emissivity": 1.0}
+            self.chain = of_laws(HOT_BODY[target.name], target.name, values, self.right)
         else:
             self.chain = of_answer(question.answer, target, self.given)
+
+    def hot_body(self) -> BlackBody | None:
+        body = self.given["spectrum"].value if "spectrum" in self.given else None
+        return body if isinstance(body, BlackBody) else None
 
     def lists(self, mistake: str) -> bool:
         return mistake in page_of(self.question.command).mistakes
@@ -84,16 +116,39 @@ class Problem:
 
     def anew(self, changed: dict[str, Any]) -> float | None:
         """Return the result [SI] with some inputs changed, or None if these are refused."""
-        given = dict(self.given)
-        for name, value in changed.items():
-            given[name] = given[name]._replace(value=value, is_exact=True)
+        key = tuple(changed.items())
+        if key not in self._changed:
+            given = dict(self.given)
+            for name, value in changed.items():
+                given[name] = given[name]._replace(value=value, is_exact=True)
+            self._changed[key] = self._with(given)
+        found = self._changed[key]
+        numbers = {name: value for name, value in changed.items() if isinstance(value, float)}
+        return Worked(float(found[1].amount), self.chain, numbers) if found else None
+
+    def _with(self, given: Inputs) -> tuple[Question, Value] | None:
         try:
-            for result in self.question.work_out(given).values:
+            answer = self.question.work_out(given)
+            for result in answer.values:
                 if result.name == self.target.name and result.dimensions == self.target.dimensions:
-                    return float(result.amount)
+                    return self.question._replace(answer=answer, given=given), result
         except FAILURES:
             pass  # a wrong input may be out of range
         return None
+
+    def changed(self, changed: dict[str, Any]) -> "Problem | None":
+        """Return the problem with some inputs changed, or None if these are refused."""
+        if self.anew(changed) is None:
+            return None
+        question, target = cast("tuple[Question, Value]", self._changed[tuple(changed.items())])
+        if question.plan is None:
+            return Problem(question, target)
+        ends = question.plan.source, question.plan.target
+        try:
+            replanned = plan(*ends, [*question.given.values()])
+        except FAILURES:
+            return None
+        return Problem(question._replace(plan=replanned), target)
 
     def misread(self, name: str, value: float) -> float | None:
         """Return the result [SI] with one input changed; from the laws alone if it is refused."""

@@ -19,7 +19,8 @@ class Question(NamedTuple):
 
     `shape` is the shape of the source or of the solid angle.  A conversion has a plan and a number
     to convert.  If inputs are uncertain, `uncertain` is the right answer with its uncertainties.
-    The `samples` of a log are the first, the last and the sum of all [SI].
+    The `samples` of a log are the first, the last and the sum of all [SI].  An `expression` is the
+    function of direction that is integrated.
     """
 
     answer: Answer
@@ -32,12 +33,22 @@ class Question(NamedTuple):
     number: float = 0.0
     uncertain: Answer | None = None
     samples: Mapping[str, float] = MappingProxyType({})
+    expression: str = ""
 
 
 def of_task(task: Task, given: Inputs, steps: bool = False) -> Question:
     """Return the question that a calculator answers from inputs."""
     answer = task.nominal(given)
-    question = Question(answer, given, task.nominal, task.command, task.shape, samples=task.samples)
+    texts = {operand.name: operand.text for operand in task.operands}
+    question = Question(
+        answer,
+        given,
+        task.nominal,
+        task.command,
+        task.shape,
+        samples=task.samples,
+        expression=texts.get("expression", ""),
+    )
     return _with_uncertainties(question, given, steps)
 
 

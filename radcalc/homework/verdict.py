@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from itertools import repeat
-from typing import NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.result_names import meant
@@ -21,11 +21,15 @@ from radcalc.homework.answer import (
     read_tolerance,
 )
 from radcalc.homework.question import Question
+from radcalc.homework.words import Said
 from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities.light import describe
 from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
 from radcalc.units.scales import ScaleUnit
 from radcalc.units.unit import NUMBER, Unit
+
+if TYPE_CHECKING:
+    from radcalc.homework.problem import Candidate
 
 ROUNDED = "rounded"  # not a mistake
 RELATIVE = "another-result"
@@ -170,6 +174,8 @@ def _judged(
         allowed = uncertainty.tolerance(off, unit.text)
     is_number = reading.scale is None or reading.is_logarithm
     ratio = claim.value / right if right and is_number else math.inf
+    is_part = reading.scale is not None and "%" in allowed.text
+    tolerance = Said("{0} of the quantity", allowed.text) if is_part else allowed.text
     verdict = Verdict(
         False,
         name_in(target, unit.dimension),
@@ -178,7 +184,7 @@ def _judged(
         claim.value,
         claim.unit or reading.text,
         ratio if math.isfinite(ratio) else None,
-        allowed.text + " of the quantity" * (reading.scale is not None and "%" in allowed.text),
+        tolerance,
         (),
         question.steps,
         off / reading.slope(right),
@@ -233,19 +239,45 @@ def _explained(
     if not math.isfinite(meant.value):
         return verdict
     scale = float(target.amount) / right if right else scale
-    diagnoses = diagnose(question, target, meant, scale)
+    is_on_scale = reading.scale is not None and not reading.is_logarithm
+    readings = _misread(reading, float(target.amount)) if is_on_scale else []
+    diagnoses = diagnose(question, target, meant, scale, readings)
     if not diagnoses and not asked_tolerance and (zeros := _zeros(claim, reading)):
         return verdict._replace(diagnoses=(zeros,))
     if question.steps and diagnoses and verdict.ratio is not None:
-        verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, diagnoses[0])))
+        verdict = verdict._replace(steps=_as_answered(question.steps, verdict, diagnoses[0]))
     return verdict._replace(diagnoses=diagnoses)
 
 
-def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
+def _misread(reading: Reading, amount: float) -> "list[Candidate]":
+    """Return the wrong values of a result that is read on a scale [SI]."""
+    from radcalc.homework.misread import misread, readings
+
+    scale, right = cast("Scale", reading.scale), reading.right
+    factors = list(readings())
+    if not scale.steps:
+        factors = [(("unit-upside-down",), size / right**2) for size in (1.0, 1e6)]
+    candidates = [
+        misread(names, amount * times)
+        for names, factor in factors
+        if math.isfinite(times := reading.times(right * factor, right))
+    ]
+    return [candidate for candidate in candidates if candidate]
+
+
+def _as_answered(steps: Sequence[Step], verdict: Verdict, diagnosis: Diagnosis) -> tuple[Step, ...]:
+    """Return the right steps, with the learner's where the ways part, or else at the end."""
+    name = f"likely mistake: {diagnosis.done}"
+    left, _, _ = diagnosis.yours.partition(" = ")
+    for k, step in enumerate(steps):
+        if left and step.numbers.startswith(f"{left} = "):
+            return (*steps[: k + 1], Step(name, "", diagnosis.yours), *steps[k + 1 :])
+    if diagnosis.yours:
+        return (*steps, Step(name, "", diagnosis.yours))
     sizes = (verdict.value, verdict.ratio, verdict.claimed)
     right, ratio, claimed = map(format_number, sizes)
     numbers = f"{with_unit(right, verdict.unit)} * {ratio} = {with_unit(claimed, verdict.unit)}"
-    return Step(f"likely mistake: {diagnosis.done}", "", numbers)
+    return (*steps, Step(name, "", numbers))
 
 
 def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagnosis, ...]:
@@ -256,9 +288,11 @@ def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagno
         return (Diagnosis(ROUNDED, "as marked on cameras", "whole and third stops are exact"),)
     if not is_rounded(claim, reading.right):
         return ()
-    digits_given = "the digit" if claim.digits == 1 else f"the {claim.digits} digits"
-    nearer = f"{reading.right:.{max(3, claim.digits + 1)}g}"
-    return (Diagnosis(ROUNDED, f"to {digits_given} given", f"{nearer} is nearer"),)
+    done = Said(
+        "to the digit given" if claim.digits == 1 else "to the {0} digits given", claim.digits
+    )
+    nearer = Said("{0} is nearer", f"{reading.right:.{max(3, claim.digits + 1)}g}")
+    return (Diagnosis(ROUNDED, done, nearer),)
 
 
 def _zeros(claim: Claim, reading: Reading) -> Diagnosis | None:
@@ -268,10 +302,10 @@ def _zeros(claim: Claim, reading: Reading) -> Diagnosis | None:
         return None
     for digits in range(len(typed.rstrip("0")), claim.digits):
         if is_rounded(claim._replace(digits=digits), reading.right):
-            few = f"{digits} digit" if digits == 1 else f"{digits} digits"
+            few = "to {0} digit" if digits == 1 else "to {0} digits"
             number, power = f"{claim.value:.{digits - 1}e}".split("e")
-            done = f"to {few}, but typed with {claim.digits}"
-            return Diagnosis(ROUNDED, done, f"write {number}e{int(power)}")
+            done = Said(few + ", but typed with {1}", digits, claim.digits)
+            return Diagnosis(ROUNDED, done, Said("write {0}", f"{number}e{int(power)}"))
     return None
 
 
@@ -309,7 +343,8 @@ def _relative(claim: Claim, other: Reading) -> Diagnosis:
     label, _ = of_kind(other.target, other.unit)
     name = name_in(other.target, other.unit.dimension)
     named = f"{name}={claim.number}{claim.unit.replace(' ', '.')}"
-    return Diagnosis(RELATIVE, f"this is the {label}", f"it counts only with its name: {named}")
+    counts = Said("it counts only with its name: {0}", named)
+    return Diagnosis(RELATIVE, Said("this is the {0}", label), counts)
 
 
 def _in_wrong_unit(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
@@ -336,8 +371,13 @@ def _wrong_unit(claim: Claim, reading: Reading, is_near: bool) -> Diagnosis:
     target = reading.target
     return Diagnosis(
         "wrong-unit",
-        f"{describe(measured_in(claim.unit, target.name))} is not {target.label}; {number}",
-        f"{target.label} is in {reading.text}",
+        Said(
+            "{0} is not {1}; {2}",
+            describe(measured_in(claim.unit, target.name)),
+            target.label,
+            number,
+        ),
+        Said("{0} is in {1}", target.label, reading.text),
     )
 
 
@@ -371,6 +411,8 @@ def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> 
 def _fits(value: Value, unit: Unit) -> bool:
     dimensions = (*value.dimensions, *value.reach)
     if isinstance(unit, ScaleUnit):
+        if unit.text in value.units:
+            return True
         unit = unit.measures(dimensions)
         return unit.dimension in dimensions and takes_scale(value.name, unit)
     return unit.dimension in dimensions

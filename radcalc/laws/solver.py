@@ -602,7 +602,7 @@ class Derivation(Sequence[Step]):
     @cached_property
     def _steps(self) -> list[Step]:
         values, kind = self.solution.values, self.kind
-        laws = (_step(law, target, values, kind) for law, target in self.solution.used)
+        laws = (step_of(law, target, values, kind) for law, target in self.solution.used)
         return [*self._before, *laws, *self._after]
 
     def __len__(self) -> int:
@@ -614,8 +614,32 @@ class Derivation(Sequence[Step]):
         return self._steps[index]
 
 
-def _step(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
-    """Return a law solved for one of its symbols: `(800 lm) = 4 pi Omega0 I, so I = 63.7 cd`."""
+def step_of(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
+    """Return a law solved for one of its symbols: `(800 lm) = 4 pi Omega0 I, so I = 63.7 cd`.
+
+    Parameters
+    ----------
+    law : Law or Relation
+        The law.
+    target : str
+        The symbol that it gives.
+    values : dict of str to Known
+        The values of all its symbols [SI].
+    kind : str
+        The kind of the light quantities: e, v or p.
+
+    Returns
+    -------
+    Step
+        Its formula, in symbols and in numbers.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import DIAMETER
+    >>> values = {"diameter": Known(2.0), "radius": Known(1.0)}
+    >>> step_of(DIAMETER, "radius", values, "").numbers
+    '(2 m) = 2 R, so R = 1 m'
+    """
 
     def write(name: str, is_factor: bool) -> str:
         if name == target:

@@ -4,7 +4,7 @@ from radcalc.units.unit import unit_behind
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
     from typing import Any
 
     from radcalc.answer import Ends, Result, Row, Step
@@ -126,33 +126,51 @@ def fields(records: "Records") -> list[list[str]]:
 
 def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str:
     """Return whether an answer is right, and the most likely mistakes."""
+    from radcalc.homework.words import Said, in_language
+
     if style.bare:
         refuse_verdict()
     verdict = judgement.verdict
     digits = style.precision or digits
     size = uncertain(verdict.value, verdict.uncertainty, style.precision, digits)
-    right = f"{verdict.name} is {size}{unit_behind(verdict.unit)}"
+    right = f"{size}{unit_behind(verdict.unit)}"
     if verdict.right:
-        nearer = "".join(f"; {diagnosis.right}" for diagnosis in verdict.diagnoses)
-        chosen = f", as {verdict.name}" if verdict.is_chosen else ""
-        return f"right{chosen} ({verdict.tolerance}): {right}{nearer}\n"
+        word = Said("right, as {0}", verdict.name) if verdict.is_chosen else "right"
+        said = Said("{0} ({1}): {2} is {3}", word, verdict.tolerance, verdict.name, right)
+        for diagnosis in verdict.diagnoses:
+            said = Said("{0}; {1}", said, diagnosis.right)
+        return in_language(said, style.language) + "\n"
     times = "1" if verdict.ratio is None else number(verdict.ratio + 0.0, RATIO_DIGITS)
-    ratio = f" ({times} times the right value)" if times != "1" else ""
     claimed = number(verdict.claimed, digits)  # as typed
     if verdict.claimed_uncertainty:
         claimed += f" ± {number(verdict.claimed_uncertainty, digits)}"
     claimed += unit_behind(verdict.claimed_unit)
-    lines = [f"wrong ({verdict.tolerance}): {right}, not {claimed}{ratio}"]
-    word = "likely"
-    for diagnosis in verdict.diagnoses:
-        if diagnosis.mistake == "rounded":
-            lines.append(f"rounded {diagnosis.done}: {diagnosis.right}")
-            continue
-        lines += [f"{word}: {diagnosis.done}", f"    {diagnosis.right}"]
-        word = "or"
-    if not verdict.diagnoses:
-        lines.append("no usual mistake gives this number")
+    parts = "wrong", verdict.tolerance, verdict.name, right, claimed
+    said = Said("{0} ({1}): {2} is {3}, not {4}", *parts)
+    if times != "1":
+        said = Said("{0} ({1} times the right value)", said, times)
+    lines = [in_language(said, style.language)]
+    lines += _mistakes(verdict.diagnoses, style.language)
     return "\n".join(lines) + "\n"
+
+
+def _mistakes(diagnoses: "Sequence[Any]", language: str) -> "Iterator[str]":
+    """Yield the lines of the likely mistakes: what was done, the wrong step, and the rule."""
+    from radcalc.homework.words import Said, in_language
+
+    word = "likely: {0}"
+    for diagnosis in diagnoses:
+        if diagnosis.mistake == "rounded":
+            said = Said("rounded {0}: {1}", diagnosis.done, diagnosis.right)
+            yield in_language(said, language)
+            continue
+        yield in_language(Said(word, diagnosis.done), language)
+        if diagnosis.yours:
+            yield f"    {in_language('yours', language)}: {diagnosis.yours}"
+        yield "    " + in_language(diagnosis.right, language)
+        word = "or: {0}"
+    if not diagnoses:
+        yield in_language("no usual mistake gives this number", language)
 
 
 def refuse_verdict() -> None:

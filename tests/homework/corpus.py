@@ -486,7 +486,8 @@ CORPUS = [
           6.1 * 470e-9 / (H * C * NA), "avogadro|power-of-ten"),
     # --- per nm for per um
     Wrong("convert 3.7 W/m2/nm W/m2/um", "", "W/m2/um", 3.7, "power-of-ten"),
-    Wrong("convert 840 W/m2/um W/m2/nm", "", "W/m2/nm", 840.0 * 1000, "power-of-ten"),
+    Wrong("convert 840 W/m2/um W/m2/nm", "", "W/m2/nm", 840.0 * 1000,
+          "power-of-ten|unit-upside-down"),
     # --- the width of a band, or of the steps
     Wrong("convert 3.7 W/m2/nm W/m2 --bandwidth 14nm", "", "W/m2", 3.7, "bandwidth-forgotten"),
     Wrong("convert 260 W/m2 W/m2/nm --bandwidth 35nm", "", "W/m2/nm", 260.0,
@@ -544,7 +545,7 @@ CORPUS = [
           "power-of-ten"),
     Wrong("ev --luminance 730cd/m2", "illuminance", "lx", 730 * 2.0, "power-of-ten"),
     Wrong("ev --f-number 11 --time 1/250s", "luminance", "cd/m2", 12.5 * 121 * 250,
-          "power-of-ten"),
+          "power-of-ten|constant-forgotten"),
     Wrong("photon 610nm", "frequency", "THz", C / 610e-9 / 1e9, "power-of-ten"),
     Wrong("photon 470nm", "wavenumber", "cm-1", 1 / 470e-9, "power-of-ten|nanometres-for-metres"),
     Wrong("calorimeter --mass 30g --specific-heat 385J/kg/K --temperature-rise 2.6K --time 4min",

@@ -560,7 +560,7 @@ THIRD = [
     Wrong("direction --polar 120deg --azimuth 40deg", "z", "", s(120), "angle-from-surface"),
     Wrong("direction 3 4 12", "polar", "deg", degrees(atan(12 / 5)), "angle-from-surface"),
     Wrong("integrate cos(theta) --hemisphere", "integral", "sr",
-          2 * pi, "solid-for-projected|two-pi-for-pi|wrong-sphere"),
+          2 * pi, "solid-for-projected|two-pi-for-pi|wrong-sphere|integrand-without-cosine"),
     Wrong("solid-angle zone --polar 30deg:60deg", "projected-solid-angle", "sr",
           cap(60) - cap(30), "solid-for-projected"),
     Wrong("spectrum blackbody:5800K", "exitance", "W/m2",

@@ -7,6 +7,7 @@ from functools import cache
 
 import pytest
 from homework.corpus import CORPUS, Wrong
+from homework.families import FAMILIES, ROUNDED
 from homework.heldout import BLIND, HELD_OUT, THIRD
 from homework.questions import CONE, LUX, POINT, RIGHT, TILTED, asked, claim_of, mistakes, verdict
 
@@ -32,8 +33,15 @@ def diagnosed(k: int, wrong: Wrong) -> tuple[str, list[str]]:
 
 @pytest.mark.parametrize(
     ("wrongs", "first"),
-    [(CORPUS, 0.98), (HELD_OUT, 0.95), (BLIND, 0.95), (THIRD, 0.9)],
-    ids=["corpus", "held out", "blind", "third"],
+    [
+        (CORPUS, 0.98),
+        (HELD_OUT, 0.95),
+        (BLIND, 0.95),
+        (THIRD, 0.9),
+        (FAMILIES, 0.95),
+        (ROUNDED, 0.95),
+    ],
+    ids=["corpus", "held out", "blind", "third", "families", "rounded on the way"],
 )
 def test_the_intended_mistake_is_named_and_mostly_first(wrongs, first):
     misses, count = [], 0
@@ -96,11 +104,17 @@ def test_a_check_needs_few_full_calculations():
         assert len(done) <= MOST_WORK, (words, len(done))
 
 
-EDITS = ("-forgotten", "-upside-down", "-not-squared", "-squared")  # of any symbol
+# Of any symbol or function; and two mistakes.
+EDITS = (
+    *("-forgotten", "-upside-down", "-not-squared", "-squared", "-wrong-power", "-left-out"),
+    *("-subtracted", "-for-power"),
+)
+ALL = (*CORPUS, *HELD_OUT, *BLIND, *THIRD, *FAMILIES, *ROUNDED)
 
 
 def test_every_mistake_of_the_corpora_has_a_rank_or_is_an_edit_of_a_symbol():
-    named = {name for w in (*CORPUS, *HELD_OUT, *BLIND, *THIRD) for name in w.mistake.split("|")}
+    both = {name for wrong in ALL for name in wrong.mistake.split("|")}
+    named = {name for two in both for name in two.split(" and ")}
     assert {name for name in named if name not in USUAL and not name.endswith(EDITS)} == set()
     assert set(USUAL) <= named
     assert set(SLIPS) <= set(USUAL)
@@ -146,9 +160,9 @@ def test_a_mistake_is_found_for_any_name_of_its_input(words, name, unit, number,
 @pytest.mark.parametrize(
     ("words", "claim"),
     [
-        ("point-source --intensity 1cd --height 1e-10m --offset 1e25m", "irradiance=3lx"),
+        ("point-source --intensity 1cd --height 1e-10m --offset 1e25m", "irradiance=7lx"),
         ("convert 1 W/m2/nm W/m2/Hz --wavelength 1e-90m", "3"),
-        ("lambertian disc --luminance 1cd/m2 --radius 1e-20m --height 1e20m", "irradiance=3lx"),
+        ("lambertian disc --luminance 1cd/m2 --radius 1e-20m --height 1e20m", "irradiance=7lx"),
     ],
 )
 def test_extreme_inputs_have_a_verdict_without_a_diagnosis(words, claim):
@@ -164,7 +178,7 @@ def test_an_answer_of_0_has_no_diagnosis():
 
 # --- Unrelated numbers.
 
-UNRELATED, MOST_NAMED = 600, 0.03
+UNRELATED, MOST_NAMED = 1500, 0.03
 
 
 @cache
@@ -233,7 +247,7 @@ def test_a_wrong_unit_is_the_only_diagnosis(words, claim, part):
 
 # --- Two mistakes at once.
 
-TWO = [  # a mistake in a law and a slip; no single mistake leads to these
+TWO = [  # a mistake in a law and a slip: no single mistake leads to these
     # the cosine forgotten, and a tenth of the illuminance
     (TILTED, "illuminance", 130 / 2.3**2 / 10, "lx", "cosine-forgotten", "power-of-ten"),
     # the full angle, and a factor of 100
@@ -262,12 +276,9 @@ def test_a_single_mistake_hides_every_pair():
         found = diagnosed(k, wrong)[1]
         assert len({" and " in one for one in found}) <= 1, (wrong, found)
         assert len(found) == len(set(found)) <= 5
-        for one in found:
-            law, _, slip = one.partition(" and ")
-            assert not slip or (slip in SLIPS and law not in SLIPS), one
 
 
-def test_every_pair_of_the_catalogue_is_a_law_and_a_slip():
+def test_every_pair_of_the_catalogue_is_a_law_and_a_slip_or_two_laws():
     question = asked(TILTED, "illuminance")
     values = question.answer.values
     target = next(v for v in values if v.also == "illuminance" or v.name == "irradiance")
@@ -276,6 +287,6 @@ def test_every_pair_of_the_catalogue_is_a_law_and_a_slip():
     both = pairs(single, float(target.amount))
     assert both
     for one in both:
-        law, _, slip = one.together().mistake.partition(" and ")
-        assert law in singles
-        assert slip in singles & set(SLIPS)
+        law, _, other = one.together().mistake.partition(" and ")
+        assert law in singles - set(SLIPS)
+        assert other in singles - {law}

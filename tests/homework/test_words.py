@@ -1,0 +1,112 @@
+"""Verdicts in the language of the locale, and the learner's own step."""
+
+import string
+
+import pytest
+from conftest import run
+from homework.corpus import CORPUS
+from homework.families import FAMILIES, ROUNDED
+from homework.heldout import BLIND, HELD_OUT, THIRD
+from homework.questions import CONE, POINT, claim_of, verdict
+
+from radcalc.homework.translations import SENTENCES
+from radcalc.homework.usual import USUAL
+from radcalc.homework.words import Said, in_language
+
+FORMULA = set("=^/")  # characters of a rule that may be a formula without words
+ALL = (*CORPUS, *HELD_OUT, *BLIND, *THIRD, *FAMILIES, *ROUNDED)
+
+
+def fields(template: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(template) if name is not None}
+
+
+def test_every_translation_has_known_fields():
+    for english, others in SENTENCES.items():
+        for other in others:
+            assert other
+            assert fields(other) <= fields(english), english
+
+
+def test_the_sentences_of_the_usual_mistakes_are_translated():
+    for name, (_, done, right) in USUAL.items():
+        assert not done or done in SENTENCES, name
+        words = [word for word in right.split() if word.isalpha() and len(word) > 5]
+        assert not words or right in SENTENCES or FORMULA & set(right), (name, right)
+
+
+def templates(text: str) -> set[str]:
+    """Return the templates in a sentence, with those of its fields."""
+    if not isinstance(text, Said):
+        return set()
+    return {text.template}.union(*(templates(f) for f in text.fields if isinstance(f, str)))
+
+
+def test_every_template_that_is_said_is_translated():
+    said = set()
+    for k, wrong in enumerate(ALL):
+        claim = claim_of(wrong.name, wrong.number, 3 + k % 2, wrong.unit)
+        for one in verdict(wrong.question, claim).diagnoses:
+            said |= templates(one.done) | templates(one.right)
+    assert len(said) > 20
+    assert said <= {*SENTENCES, "{0}; {1}"}
+
+
+@pytest.mark.parametrize(
+    ("language", "words"), [("cs", "chybí druhá mocnina"), ("ru", "не возведено в квадрат")]
+)
+def test_a_mistake_is_said_in_another_language(language, words):
+    done = verdict(POINT, "illuminance=56.5lx").diagnoses[0].done
+    assert done == "the distance was not squared"
+    assert in_language(done, language).startswith(words)
+    assert in_language(done, "en") == done
+
+
+def test_a_formula_is_not_translated():
+    assert in_language("E = (130 cd) (1) sr / 2.3 m = 56.5 lx", "ru").startswith("E = (130 cd)")
+
+
+@pytest.mark.parametrize(
+    ("language", "begins"),
+    [("cs_CZ.UTF-8", "špatně"), ("ru_RU.UTF-8", "неверно"), ("de_DE.UTF-8", "wrong")],
+)
+def test_a_table_is_in_the_language_of_the_locale(monkeypatch, language, begins):
+    monkeypatch.setenv("LC_ALL", language)
+    words = [*POINT.split(), "--check", "illuminance=56.5lx", "-q", "--format"]
+    assert run(*words, "table").stdout.startswith(begins)
+    assert run(*words, "plain").stdout.startswith("wrong (within 1%): illuminance is 24.57")
+
+
+STEPS = [
+    # 2 pi (1 - cos 12.5 deg) sr = 0.148937 sr
+    (CONE, "solid-angle=0.1489sr", "Omega = 4 pi sr sin^2(12.5 deg/2) = 0.148937 sr"),
+    # 130 / 2.3 lx = 56.5217 lx
+    (POINT, "illuminance=56.5lx", "E = (130 cd) 1 Omega0 / (2.3 m) = 56.5217 lx"),
+    ("convert 130 cd lx --distance 2.3m", "56.5lx", "E = (130 cd) sr / 2.3 m = 56.5217 lx"),
+    # 0.8 * 500 cd/m2 = 400 cd/m2
+    ("convert 500 lx cd/m2 --reflectance 0.8", "400", "L = (0.8) (500 lx) / sr = 400 cd/m2"),
+    # 5.670374e-8 * 300^3 W/m2 = 1.531 W/m2
+    ("convert 300 K W/m2", "1.531", "M = 1 sigma (300 K)^3 = 1.531 W/m2"),
+]
+
+
+@pytest.mark.parametrize(("words", "claim", "step"), STEPS)
+def test_the_wrong_step_is_in_the_learners_numbers(words, claim, step):
+    assert verdict(words, claim).diagnoses[0].yours == step
+
+
+def test_the_wrong_step_stands_where_the_ways_part():
+    found = run(*CONE.split(), "--check", "solid-angle=0.1489sr", "--steps", "-q")
+    lines = (found.stdout + found.stderr).splitlines()
+    names = [line.partition(":")[0] for line in lines if not line.startswith(" ")]
+    right = names.index("solid angle of a cone")
+    assert names[right : right + 3] == [
+        "solid angle of a cone",
+        "likely mistake",
+        "projected solid angle of a cone",
+    ]
+
+
+@pytest.mark.parametrize("claim", ["0.7OD", "0.699OD", "0.7"])
+def test_a_reading_on_the_scale_of_the_conversion_is_right(claim):
+    assert verdict("convert 20 % OD", claim).right  # -lg 0.2 = 0.69897
