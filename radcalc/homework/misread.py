@@ -246,6 +246,9 @@ def _units(p: Problem) -> Found:
     if plan.is_linear and not plan.links:
         is_prefix = not math.log10(plan.factor) % 1
         yield usual("unit-upside-down", p.right / plan.factor**2, later=2.5 * is_prefix)
+    number, right = p.question.number, p.right / plan.target.factor
+    if plan.is_linear and plan.links and right:
+        yield usual("factor-upside-down", number**2 / right * plan.target.factor)
     if not plan.is_linear:
         yield from _readings(p)
     for unit, sign in units:

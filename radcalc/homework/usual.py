@@ -226,6 +226,8 @@ USUAL: dict[str, tuple[float, str, str]] = {
         "1 fL is 1/pi cd/ft2, 1 L is 1/pi cd/cm2, 1 asb is 1/pi cd/m2"),
     "unit-upside-down": (3, "the factor between the units was inverted",
         "a larger unit has a smaller number"),
+    "factor-upside-down": (3, "it was divided by the factor of the conversion, not multiplied",
+        "the units show it: lx times h are lx h, lm divided by lm/W are W"),
     "deg2-for-sr": (3, "square degrees and steradians were mixed up",
         "1 sr = (180/pi)^2 deg2 = 3282.81 deg2"),
     "power-of-ten": (6, "the answer is wrong by a power of ten: a prefix was mixed up",

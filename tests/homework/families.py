@@ -32,6 +32,10 @@ def narrow(angle: float) -> float:
 
 
 FAMILIES = [
+    # --- conversions: divided by the factor, not multiplied
+    Wrong("convert 500 lx lx.h --time 8h", "", "lx.h", 500 / 8, "factor-upside-down"),
+    Wrong("convert 37 lm W --efficacy 251lm/W", "", "W", 37 * 251,
+          "factor-upside-down|efficacy-upside-down"),
     # --- integrals
     Wrong(SQUARE, "integral", "sr", 2 * pi * over(lambda t: cos(t) ** 2, 0, 90), "sine-forgotten"),
     Wrong(SQUARE, "integral", "sr", 2 * pi * over(lambda t: cos(t) ** 3 * sin(t), 0, 90),
