@@ -13,7 +13,7 @@ from radcalc.calculators.pages import page_of
 from radcalc.errors import RadcalcError, Try, UsageError, manual, options, quote
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, in_kind, specific_name
-from radcalc.sentences.calls import inputs_of, listed_by
+from radcalc.sentences.frames import inputs_of, listed_by
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.ranges import read_values
 from radcalc.units.reading import read_amount

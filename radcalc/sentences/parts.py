@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from radcalc.sentences.calls import one_word
+from radcalc.sentences.frames import one_word
 from radcalc.sentences.reader import Fact, Sentence
 
 

@@ -25,7 +25,7 @@ from radcalc.cli.names import COMMANDS
 from radcalc.errors import RadcalcError
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.sentences.phrases import FILLERS, MARKS, PHRASES
-from radcalc.sentences.reader import names
+from radcalc.sentences.vocabulary import names
 from radcalc.units.table import unit_of
 
 SHORT, LONG = 300, 100_000

@@ -6,7 +6,7 @@ from itertools import groupby
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.manual.mdoc import filled, plain, text
 from radcalc.quantities.symbols import FLAG, SYMBOLS
-from radcalc.sentences.calls import FRAMES, taken_by
+from radcalc.sentences.frames import FRAMES, taken_by
 from radcalc.sentences.phrases import FILTER, IGNORED, PHRASES, SHAPE, TARGET, UNKNOWN, Phrase
 
 LONG = 60  # characters of alternatives, which are then on several lines

@@ -1,0 +1,330 @@
+"""Commands that take the facts of a sentence, and the calls of them."""
+
+from collections.abc import Iterable, Iterator
+
+from radcalc.calculators.page import Page
+from radcalc.calculators.pages import page_of
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.light import result_name
+from radcalc.quantities.symbols import (
+    FLAG,
+    SPECIFIC,
+    SYMBOLS,
+    in_kind,
+    names_of_kinds,
+    specific_name,
+)
+from radcalc.quantities.targets import is_name
+from radcalc.sentences.facts import LIGHT, VALUE, Facts, generic, is_light, light_of, meant
+from radcalc.sentences.phrases import FILTER, SHAPE
+from radcalc.sentences.reader import Fact, Goal
+from radcalc.sentences.words import Amount
+from radcalc.tuples import NamedTuple
+from radcalc.units.dimensions import (
+    SOLID_ANGLE,
+    TEMPERATURE,
+)
+from radcalc.units.table import unit_of
+from radcalc.units.unit import NUMBER, Unit
+
+
+class Frame(NamedTuple):
+    """A command, and what calls for it: one of the facts `needs`, or a goal among `results`.
+
+    `operand` is the word after the command, which a shape in the sentence replaces; `renamed` are
+    facts with another name in the command.  Only a command with `light` is for amounts of light.
+    """
+
+    command: str
+    needs: frozenset[str]
+    operand: str = ""
+    light: bool = True
+    renamed: tuple[tuple[str, str], ...] = ()
+    results: frozenset[str] = frozenset()
+
+
+def _frame(
+    command: str, needs: str, operand: str = "", light: bool = True, results: str = "", **names: str
+) -> Frame:
+    needed, called_for = frozenset(needs.split()), frozenset(results.split())
+    return Frame(command, needed, operand, light, tuple(names.items()), called_for)
+
+
+FRAMES = (  # the first that takes all facts of a sentence counts
+    _frame("ev", "stops nd", time="unfiltered-time"),
+    _frame("ev", "f-number iso ev ev100 guide-number stops nd"),
+    _frame("room", "luminaires utilance maintenance", results="room-index"),
+    _frame("screen", "diagonal aspect gain"),
+    _frame("laser", "divergence spot-diameter hazard-distance receiver-diameter profile"),
+    _frame("etendue", "na etendue"),
+    _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
+    _frame("refraction", "index"),
+    _frame("point-source", "", light=False, results="beam-diameter diameter"),
+    _frame("convert", " ".join((VALUE, *LIGHT, "wavelength", "fwhm"))),
+    _frame("point-source", "flux intensity irradiance", area="receiver-area"),
+    _frame("lambertian", f"radiance exitance {SHAPE}", "disc"),
+    _frame("lambertian", "radiance exitance reflectance", irradiance="incident-irradiance"),
+    _frame("solid-angle", "half-angle apex-angle", "cone", False),
+    _frame("solid-angle", "radius diameter", "disc", False, distance="height"),
+    _frame("solid-angle", "width length", "rectangle", False, distance="height"),
+    _frame("photon", "wavelength", "", False),
+    _frame("spectrum", "spectrum", "", False),
+)
+OPERANDS = {"photon": "wavelength", "spectrum": "spectrum"}  # facts that are words of a call
+# What is asked for without a target, by the value and its condition.
+USUAL_GOALS = {
+    **dict.fromkeys((("flux", "area"), ("flux", "diameter"), ("flux", "radius")), "irradiance"),
+    ("irradiance", "area"): "flux",
+    ("irradiance", "time"): "exposure",
+    ("irradiance", "incidence"): "irradiance",
+    ("flux", "time"): "energy",
+}
+# The full angles of beams, which for a solid angle is that of a cone.
+ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
+WAVES = ("frequency", "wavenumber", "photon-energy")  # given in place of a wavelength
+# With the size of a beam, an intensity is an irradiance.
+SIZES = ("area", "diameter", "radius")
+# Results that an input is for: they come before the others of their unit.
+OF_INPUT = {
+    "receiver-area": "received-flux",
+    "receiver-diameter": "received-flux",
+    "within": "flux-within",
+    "toward": "intensity-toward",
+}
+
+
+def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the calls of the first frame that takes all facts."""
+    if len(facts) == 1 and goal and goal.unit and (same := _same(next(iter(facts.values())), goal)):
+        return [same]
+    if goal and ("room-index" in goal.names or _is_solid_angle(goal)):
+        facts = _with_sides(facts)
+    if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
+        return [["convert", *facts[FILTER].text.split(), "%"]]
+    if FILTER in facts:
+        facts = _filtered(facts)
+    results = {*goal.names} if goal else set()
+    for frame in FRAMES:
+        of_frame = _conversions if frame.command == "convert" else _calculations
+        is_called_for = frame.needs & {*_generic_names(facts)} or frame.results & results
+        if is_called_for and (calls := of_frame(frame, facts, goal)):
+            return calls
+    return []
+
+
+def _is_solid_angle(goal: Goal) -> bool:
+    return goal.unit.dimension == SOLID_ANGLE if goal.unit else "solid-angle" in goal.names
+
+
+def _same(fact: Fact, goal: Goal) -> list[str]:
+    """Return the conversion of the only amount, if it has the quantity of the goal."""
+    amount, unit = fact.amount, goal.unit
+    if amount is None or unit is None or amount.dimension != unit.dimension or unit.is_scale:
+        return []
+    number, blank, typed = fact.text.partition(" ")
+    plain = [number, typed] if blank and typed == amount.unit.text else [fact.text]
+    return ["convert", *plain, goal.text]
+
+
+def _with_sides(facts: Facts) -> Facts:
+    """Return facts with the two sides of an area in place of the area."""
+    area = facts.get("area")
+    first, times_sign, second = area.text.partition("*") if area else ("", "", "")
+    if not times_sign or not all(unit_of(side.strip("0123456789. ")) for side in (first, second)):
+        return facts
+    others = {name: fact for name, fact in facts.items() if name != "area"}
+    sides = [Fact((name,), text, text) for name, text in (("length", first), ("width", second))]
+    return {**others, "length": sides[0], "width": sides[1]}
+
+
+def _filtered(facts: Facts) -> Facts:
+    """Return facts with the light after a filter in place of the filter."""
+    values = [name for name in facts if name in LIGHT]
+    loss = facts[FILTER].text
+    rest = {name: fact for name, fact in facts.items() if name != FILTER}
+    if len(values) != 1:
+        return {**rest, FILTER: facts[FILTER]}
+    value = facts[values[0]]
+    return {**rest, values[0]: value._replace(text=f"{value.text} * ({loss})")}
+
+
+def _generic_names(facts: Facts) -> Iterator[str]:
+    for name in facts:
+        yield name
+        if name in SPECIFIC:
+            yield SPECIFIC[name][0]
+
+
+def inputs_of(command: str, unit: Unit, given: Iterable[str] = ()) -> list[str]:
+    """Return the inputs of a command that an amount without a name may be, by its unit.
+
+    They are several if the command has other inputs of the same light, or lengths in um, or if its
+    frames rename the input beside those that are given.
+    """
+    page, amount = page_of(command), Amount("", unit, 0)
+    taken = taken_by(page)
+    names, light = [*meant(amount)], light_of(amount)
+    if light and names != [VALUE]:
+        alike = [n for n in listed_by(page) if SYMBOLS[n].geometry == SYMBOLS[names[0]].geometry]
+        names += [name for name in alike if not name.startswith("peak-")]
+    elif amount.is_wavelength:
+        alike = [n for n in listed_by(page) if SYMBOLS[n].unit in ("nm", "um")]
+        names = [name for name in alike if amount.dimension in SYMBOLS[name].dimensions]
+    found = [in_kind(name, light.kind) if light else name for name in names]
+    for frame in FRAMES:
+        if frame.command == command:
+            names = [n for n in found if n not in taken or frame.needs & {*given}]
+            found += [new for name, new in frame.renamed if name in names]
+    return [name for name in dict.fromkeys(found) if name in taken]
+
+
+def _calculations(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the calls of a calculator: one for each result that the goal may mean."""
+    if not frame.light and any(is_light(fact) for fact in facts.values()):
+        return []
+    page = page_of(frame.command)
+    taken = taken_by(page)
+    given = {_taken(dict(frame.renamed).get(n, n), fact, taken): fact for n, fact in facts.items()}
+    words = [frame.command]
+    if operand := OPERANDS.get(frame.command):
+        words.append(one_word(given.pop(operand)))
+    elif SHAPE in given and frame.operand:
+        words.append(given.pop(SHAPE).text)
+    elif frame.operand:
+        words.append(frame.operand)
+    return on_page(words, page, given, goal)
+
+
+def on_page(words: list[str], page: Page, given: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return calls with facts as options of a page, one for each result that the goal may mean."""
+    if not {*given} <= taken_by(page):
+        return []
+    words = [*words]
+    for name, fact in given.items():
+        words.append(_input(name, fact))
+    if goal is None:
+        return [words]
+    return [[*words, f"get={name}"] for name in _results(page, goal, given)]
+
+
+def _taken(name: str, fact: Fact, taken: set[str]) -> str:
+    """Return the name of a fact, or its name in one kind of light if a page takes only that."""
+    light = read_light(fact.amount.unit) if fact.amount else None
+    return name if name in taken or not light else in_kind(name, light.kind)
+
+
+def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the conversion of the only amount that is not a condition."""
+    conditions = taken_by(page_of("convert"))
+    facts = {"wavelength" if n in WAVES else n: fact for n, fact in facts.items()}
+    values = [name for name in facts if name not in conditions] or [*facts]
+    if len(values) != 1 or values[0] not in (VALUE, *LIGHT, *SPECIFIC, "wavelength", "fwhm"):
+        return []
+    ((value,), given) = values, {name: f for name, f in facts.items() if name != values[0]}
+    usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
+    target = _target(goal, facts[value], given) if goal else usual if len(given) == 1 else ""
+    amount = facts[value].amount
+    if amount is None or (given and not target):
+        return []
+    if amount.dimension == NUMBER and given:  # a number whose unit is missing
+        return []
+    if "distance" in given and _is_of_small_source(facts, goal):
+        return []
+    number, _, unit = facts[value].text.partition(" ")
+    is_plain = amount.unit.text == unit
+    words = ["convert", *([number, unit] if is_plain else [facts[value].text])]
+    words += [target] if target else []
+    calls = [words + [_input(name, fact) for name, fact in given.items()]]
+    if "incidence" in given and len(given) > 1 and generic(amount) == "irradiance":
+        calls.append([word for word in calls[0] if not word.startswith("incidence=")])
+    return calls  # an irradiance is that across the light, or that on the surface
+
+
+def _is_of_small_source(facts: Facts, goal: Goal | None) -> bool:
+    """Return whether `point-source` takes all facts, and has the result."""
+    page = page_of("point-source")
+    return {*facts} <= taken_by(page) and bool(_results(page, goal, facts))
+
+
+def _target(goal: Goal, value: Fact, given: Facts) -> str:
+    """Return the target of a conversion; a name for several kinds of light is that of the value."""
+    light = read_light(value.amount.unit) if value.amount else None
+    if light and "irradiance" in goal.names[1:] and not goal.unit and {*given} & {*SIZES}:
+        return specific_name("irradiance", light.kind).replace("-", " ")
+    if value.amount and value.amount.dimension == TEMPERATURE and "peak-wavelength" in goal.names:
+        return "wavelength"  # of a black body
+    for name in goal.names if light and not goal.unit else ():
+        symbol = SYMBOLS[name]
+        if light and symbol.geometry and symbol.kind in ("", light.kind):
+            return specific_name(symbol.generic, light.kind).replace("-", " ")
+    if not goal.unit and goal.names and not is_name(goal.text):  # lambda
+        return SYMBOLS[goal.names[0]].label
+    return goal.text
+
+
+def _input(name: str, fact: Fact) -> str:
+    """Return an input of a call; a flag has no value."""
+    if SYMBOLS[name].form == FLAG:
+        return f"{name}="
+    light = read_light(fact.amount.unit) if fact.amount else None
+    return f"{in_kind(name, light.kind) if light else name}={one_word(fact)}"
+
+
+def one_word(fact: Fact) -> str:
+    """Return the text of a fact as one word, if it reads the same: 2 m becomes 2m."""
+    number, blank, unit = fact.text.partition(" ")
+    is_shutter = fact.symbols == () and fact.amount and fact.amount.dimension == NUMBER
+    if is_shutter and fact.text[:2] == "1/":
+        return f"{fact.text}s"
+    is_amount = number[:1].isdigit() and unit[:1].isalpha() and " " not in unit
+    return number + unit if blank and is_amount else fact.text
+
+
+def listed_by(page: Page) -> list[str]:
+    """Return the symbols of a page's options, in their order."""
+    return [name for names in page.sections.values() for name in names]
+
+
+def taken_by(page: Page) -> set[str]:
+    """Return the symbols that a page takes, with the names of one kind of light."""
+    names = {*listed_by(page)}
+    return names | {other for name in names for other in names_of_kinds(name)}
+
+
+def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
+    """Return the results of a page that a goal may mean, as `-g` takes them."""
+    if goal is None:
+        return []
+    if not page.light and not page.others:  # the results depend on the inputs
+        angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
+        return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
+    options = (*page.light, *page.others, *listed_by(page))
+    listed = [name for name in dict.fromkeys(options) if name not in given]
+    if not any(map(is_light, given.values())):  # ISO 100 is assumed, not found
+        listed = [name for name in listed if "(default" not in page.symbol(name).help]
+    if "irradiance" in goal.names[1:] and "distance" in given:
+        goal = goal._replace(names=("irradiance",))  # an intensity would not need the distance
+    elif goal.text in listed:  # stops, ev100
+        return [goal.text]
+    if "diameter" in goal.names and "beam-diameter" in listed and "diameter" not in listed:
+        return ["beam-diameter"]
+    if goal.names:
+        wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
+        dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
+        own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
+        wanted |= {name for name in own_results if dimensions & {*SYMBOLS[name].dimensions}}
+        found = [name for name in listed if name in wanted]
+    else:
+        assert goal.unit is not None
+        own = result_name(goal.unit)
+        wanted = {own, SPECIFIC.get(own, (own,))[0]}
+        fitting = [n for n in listed if goal.unit.dimension in SYMBOLS[n].dimensions]
+        own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
+        wanted = own_results & {*fitting} or wanted
+        found = [name for name in fitting if name in wanted] or fitting
+    if not goal.unit:
+        return found
+    names = [
+        own if SPECIFIC.get(own := result_name(goal.unit), ("",))[0] == n else n for n in found
+    ]
+    return [f"{name}:{goal.text}" for name in names]

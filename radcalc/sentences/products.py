@@ -1,0 +1,106 @@
+"""Conversions of several amounts: products, quotients, and light at another distance."""
+
+from collections.abc import Sequence
+from functools import reduce
+
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.symbols import (
+    SPECIFIC,
+    SYMBOLS,
+    light_unit,
+)
+from radcalc.sentences.facts import generic, is_number, size_of
+from radcalc.sentences.reader import Fact, Goal
+from radcalc.sentences.words import Amount
+from radcalc.units.dimensions import (
+    ANGLE,
+    LENGTH,
+    SOLID_ANGLE,
+    TEMPERATURE,
+    times,
+)
+from radcalc.units.unit import NUMBER
+
+
+def quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
+    """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
+    amounts = [fact.amount for fact in facts if fact.amount]
+    if any(a.dimension == SOLID_ANGLE and "*" in a.text for a in amounts):  # 24 deg x 12 deg
+        return []
+    if goal is None or len(amounts) != len(facts) or any(map(is_number, facts)):
+        return []
+    dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
+    target = _unit_of(goal, amounts)
+    if len(amounts) == 3:  # 24 W/m of 100 lm/W, 5 m
+        of_amounts = {amount.dimension for amount in amounts}
+        if len(of_amounts) < 3 or of_amounts & {ANGLE, SOLID_ANGLE, NUMBER}:
+            return []
+        product = reduce(times, of_amounts)
+        text = " * ".join([f"({amount.text})" for amount in amounts])
+        return [["convert", text, target]] if product in dimensions else []
+    if len(amounts) != 2:
+        return []
+    if all(amount.dimension == NUMBER for amount in amounts):
+        return []
+    if any(amount.dimension in (LENGTH, ANGLE) for amount in amounts):  # they have places
+        return []
+    if goal.text.upper() == "OD":  # a density is positive
+        smaller, larger = sorted(amounts, key=size_of)
+        return [["convert", f"({smaller.text}) / ({larger.text})", goal.text]]
+    is_mired = goal.unit and goal.unit.is_scale and goal.unit.dimension == TEMPERATURE
+    if is_mired and all(amount.dimension == TEMPERATURE for amount in amounts):
+        before, after = [amount.text for amount in amounts]  # the shift of a filter
+        return [["convert", f"1/({after}) - 1/({before})", "1/MK"]]
+    first, second = amounts
+    ways = {
+        f"{first.text} / ({second.text})": times(first.dimension, second.dimension, -1),
+        f"{second.text} / ({first.text})": times(second.dimension, first.dimension, -1),
+        f"{first.text} * ({second.text})": times(first.dimension, second.dimension),
+    }
+    return [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+
+
+def _unit_of(goal: Goal, amounts: Sequence[Amount]) -> str:
+    """Return the unit of a goal; a name for several kinds of light is that of the amounts."""
+    if goal.unit or not goal.names:
+        return goal.text
+    symbol = SYMBOLS[goal.names[0]]
+    kinds = [light.kind for amount in amounts if (light := read_light(amount.unit))]
+    return light_unit(symbol.generic, kinds[0]) if symbol.generic and kinds else symbol.unit
+
+
+def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
+    """Return the conversion of light on a surface from one distance to another, or a distance.
+
+    Both distances have `at`, and the light comes from a small lamp: it is not the sun's, nor a
+    laser's.  The distance that is known stands after its light.
+    """
+    lights = [fact for fact in facts if fact.amount and generic(fact.amount) == "irradiance"]
+    places = [fact for fact in facts if fact.symbols == ("distance",)]
+    if len(facts) != 3 or len(lights) + len(places) != 3 or facts[0] not in lights:
+        return []
+    if len({fact.typed.split()[0] for fact in places}) > 1:  # from one to another
+        return []
+    if len(places) == 2 and (goal is None or _is_irradiance(goal)):
+        (light,), (here, there) = lights, places
+        text = light.text.replace("ppfd", "umol/m2/s")  # which is a unit in expressions
+        moved = f"({text}) * ({here.text})^2 / ({there.text})^2"
+        return [["convert", moved, goal.text if goal else _unit_text(light)]]
+    if len(lights) == 2 and places and goal and "distance" in goal.names:
+        known = facts[facts.index(places[0]) - 1]
+        wanted = next(light for light in lights if light is not known)
+        moved = f"{places[0].text} * sqrt(({known.text}) / ({wanted.text}))"
+        return [["convert", moved, _unit_text(places[0])]]
+    return []
+
+
+def _unit_text(fact: Fact) -> str:
+    assert fact.amount is not None
+    return fact.amount.unit.text
+
+
+def _is_irradiance(goal: Goal) -> bool:
+    """Return whether a goal is a unit, or the name, of light on a surface."""
+    if goal.unit:
+        return goal.unit.dimension in SYMBOLS["irradiance"].dimensions
+    return any(SPECIFIC.get(name, (name,))[0] == "irradiance" for name in goal.names)
