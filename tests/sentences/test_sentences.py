@@ -52,6 +52,23 @@ ANSWERED = [
     ),
     ("dli 600 16h", 600 * 16 * 3600 / 1e6, "mol/m2"),
     ("peak wavelength of a 5778 K blackbody", 2.897771955e6 / 5778, "nm"),
+    ("f/2.8 1/60 iso100 lx", 250 * 2.8**2 * 60 / 100, "lx"),  # E = C N^2 / (t S)
+    ("GN 40m iso100 subject 5 m aperture", 40 / 5, "1"),
+    ("8000 lx at 1 m, how far for 500 lx", 4, "m"),
+    ("how far for 50 lux if 100 lux at 2 m", 2 * math.sqrt(2), "m"),
+    ("20000 cd at 3 m at 30 deg to the wall lx", 20000 / 3**2 / 2, "lx"),  # sin 30 deg
+    ("led 2.8 umol/J 320W tent 1.2m x 1.2m average ppfd", 2.8 * 320 / 1.44, "umol/m2/s"),
+    ("24W/m led tape 100lm/W length 5m lumens", 24 * 100 * 5, "lumens"),
+    ("2400 lux minus 3 stops to lux", 2400 / 2**3, "lux"),
+    ("transmission of an OD 1.3 filter", 100 * 10**-1.3, "%"),
+    ("intensity 2.5 m from a 100 W source isotropic", 100 / (4 * math.pi * 2.5**2), "W/m2"),
+    ("field angle 3.5m wide pool at 9 m throw", math.degrees(2 * math.atan(3.5 / 18)), "deg"),
+    ("DLI 40 over 12h, what PPFD", 40e6 / (12 * 3600), "umol/m2/s"),
+    ("15x20 ft 500 lux lm", 500 * 15 * 20 * 0.3048**2, "lm"),
+    ("how many 4000 lm panels for 500 lux in 120 m2, CU 0.7 LLF 0.8", 15 / 0.56, "1"),
+    ("E=3.1eV lambda", EV_NM / 3.1, "nm"),
+    ("5778K peak wavelength", 2.897771955e6 / 5778, "nm"),
+    ("what OD 5 W/cm2 2.5 mW/cm2", math.log10(2000), "OD"),
 ]
 
 
@@ -95,6 +112,9 @@ MEANT = [
     ("800 lm led at 2 m", "point-source --flux 800lm --distance 2m"),
     ("75 lm led bulb to umol/s", "convert 75 lm umol/s --spectrum led"),
     ("d=2m I=100cd", "point-source --distance 2m --intensity 100cd"),
+    ("400 umol/m2/s 3000K white led lux", "convert 400 umol/m2/s lux --spectrum LED-B2"),
+    ("450umol 18h dli", "convert '450 ppfd' dli --time 18h"),
+    ("HPS 5 mW 589 nm lm", "convert 5 mW lm --wavelength 589nm"),
 ]
 
 
@@ -141,6 +161,30 @@ REFUSED = [
     ("2.94 lx on 3 m2 333 cd luminous flux in klm", "2 readings", "received-flux"),
     ("800 lm 24 deg lobe to cd mean", "not understood: mean", ""),
     (f"{'30 deg ' * 40} 100 lm cd", "fill one place", ""),
+    # what a sentence must not take for something else
+    ("500 lx at 3 m moved back 1 m", "not understood: moved", ""),
+    ("136 fc at 16 m how much 4 m away", "fill one place", ""),
+    ("136 fc at 20 m from 16 m", "fill one place", ""),
+    ("136 lx sun at 16 m how much at 20 m", "fill one place", ""),
+    ("500 lx at 3 m with 30 cm lamp", "", ""),
+    ("4 ft square 500 lx to lm", "", ""),
+    ("5 mW over 2 mm W/m2", "not understood: over 2 mm", ""),
+    ("intensity of a 5 mW laser at 2 m", "has a beam", "--apex-angle 30deg"),
+    ("800 lm spotlight at 2 m lx", "has a beam", "--isotropic"),
+    ("24 deg lobe 800 lm at 3 m at 12 deg lux", "2 readings", "--toward 12deg"),
+    ("beam 2.4m wide throw 10m angle", "2 readings", "apex-angle"),
+    ("60 W tungsten lm", "electrical or of its light", "--spectrum tungsten"),
+    ("led 5 W to lm", "electrical or of its light", ""),
+    ("400 W solar panel in lumens", "not understood: solar panel", ""),
+    ("four 800 lm lamps over 20 m2 lx", "not understood: four", ""),
+    ("800 lm not into 1 sr cd", "not understood: not", ""),
+    ("500 lx nd 0.6 filter to lx", "no command takes", ""),
+    ("sodium 500 lx ppfd", "not understood: sodium", ""),
+    ("137 cd 61 to lm into 1 sr", "", ""),
+    ("64 deg full angle 46 1 lm to kcd", "", ""),
+    ("24 deg x 12 deg 800 lm cd", "no command takes", ""),
+    ("1 sun in mW per cm2", "unknown unit 'sun'", ""),
+    ("dli 43.2 12h", "is ambiguous", "'43.2 dli'"),
     ("1 lx fc nit", "asks for several results: fc and nit", "radcalc convert 1 lx fc"),
 ]
 
