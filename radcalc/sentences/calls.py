@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 
-from radcalc.calculators.pages import page_of
+from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import (
     Try,
     UnitError,
     UsageError,
+    call,
     correct,
     corrections,
     listed,
@@ -34,7 +35,16 @@ from radcalc.sentences.facts import (
     size_of,
 )
 from radcalc.sentences.frames import calls_of, on_page, taken_by
-from radcalc.sentences.phrases import BESIDE, DIRECTED, FILLERS, MEANINGFUL
+from radcalc.sentences.phrases import (
+    BESIDE,
+    DIRECTED,
+    FILLERS,
+    FILTER,
+    LAMPS,
+    MEANINGFUL,
+    METERS,
+    OF_LIGHT,
+)
 from radcalc.sentences.products import moved, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.vocabulary import near_words
@@ -49,6 +59,7 @@ from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest, unit_of
 from radcalc.units.unit import NUMBER
 
+SUNNY = frozenset(["sun", "sunlight", "sky", "roof", "dni"])
 MOST = 3  # readings to show
 SHORTEST = 4  # letters of a word with a misspelling
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
@@ -72,6 +83,7 @@ def call_of(sentence: Sentence) -> list[str]:
     if sentence.unknown:
         raise _not_understood(sentence)
     sentence = _with_values(sentence)
+    _refuse_height_of_sun(sentence)
     for fact in sentence.facts:
         if fact.symbols == ELECTRICAL or _is_of_lamp(fact, sentence):
             raise _electrical(sentence, fact, _goal_of(sentence))
@@ -89,13 +101,31 @@ def call_of(sentence: Sentence) -> list[str]:
     raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", tries)
 
 
+def _refuse_height_of_sun(sentence: Sentence) -> None:
+    """Refuse `at 30 deg` of the sun, which is its height or the angle from the normal."""
+    named = {word.strip(".,;:?!").lower() for word in sentence.text.split()}
+    for fact in sentence.facts:
+        is_plain = fact.symbols == ("incidence",) and "incidence" not in fact.typed
+        if is_plain and "normal" not in fact.typed and fact.text[:6] != "90deg-" and named & SUNNY:
+            height = fact._replace(text=f"90deg-{fact.text}")
+            goal = _goal_of(sentence)
+            tries = [
+                *_with(sentence, fact, fact._replace(typed="incidence"), goal, "from the normal"),
+                *_with(sentence, fact, height, goal, "above the horizon, on flat ground"),
+            ]
+            problem = f"'{quote(fact.typed)}' is the angle from the normal, or the sun's height"
+            raise UsageError(problem, tries)
+
+
 def _is_of_lamp(fact: Fact, sentence: Sentence) -> bool:
     """Return whether a fact is the watts of a lamp, as `400 W HPS`, which may be electrical."""
     is_watts = fact.amount is not None and fact.amount.dimension == POWER
-    lamps = [one for one in sentence.facts if is_lamp(one)]
-    is_lit = any(one.text.lower() not in DAYS for one in lamps)
+    named = {word.strip(".,;:?!").lower() for word in sentence.text.split()}
+    lamps = [one.text.lower() for one in sentence.facts if is_lamp(one)]
+    is_lit = bool(named & LAMPS) or any(lamp not in DAYS for lamp in lamps)
     has_efficacy = any("efficacy" in one.symbols or is_efficacy(one) for one in sentence.facts)
-    return is_watts and is_lit and not has_efficacy and fact.symbols in ((), ("flux",))
+    is_told = has_efficacy or not named.isdisjoint(OF_LIGHT)
+    return is_watts and is_lit and not is_told and fact.symbols in ((), ("flux",))
 
 
 def _with_values(sentence: Sentence) -> Sentence:
@@ -166,6 +196,9 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if sentence.files:
         return _of_file(sentence)
     goal = _goal_of(sentence)
+    has_filter = any(fact.symbols == (FILTER,) for fact in sentence.facts)
+    if has_filter and not METERS.isdisjoint(word.lower() for word in sentence.ignored):
+        raise UsageError("a meter may be before the filter, or behind it", "the light without it")
     has_beam = any(map(is_lamp, sentence.facts)) or not DIRECTED.isdisjoint(sentence.ignored)
     sentence = _without_lamp(_with_led(sentence), goal)
     readings = _readings(sentence)
@@ -247,6 +280,10 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
         return _calls_of(sentence._replace(files=(), facts=with_file))
     facts = tuple(map(_toward, sentence.facts)) if kind == LUMINAIRE else sentence.facts
     command, *operands = call_of_file(kind, path)
+    if command not in SUMMARIES:  # a table, which has no results
+        if sentence.facts or sentence.goals:
+            raise UsageError(f"{quote_path(path)} is a table", call(command, *operands))
+        return [(command, *operands)]
     words = [command, *operands]
     if kind == MAP and is_relative(path):
         words.append("unit=1")

@@ -83,6 +83,7 @@ USUAL_GOALS = {
 ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
 WAVES = ("frequency", "wavenumber", "photon-energy")  # given in place of a wavelength
 # With the size of a beam, an intensity is an irradiance.
+TIMES_OF_FILTERS = {"time", "unfiltered-time", "stops", "nd"}
 SIZES = ("area", "diameter", "radius")
 # Results that an input is for: they come before the others of their unit.
 OF_INPUT = {
@@ -101,7 +102,11 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
         facts = _with_sides(facts)
     if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
         return [["convert", *facts[FILTER].text.split(), "%"]]
+    if not {"stops", "nd"}.isdisjoint(facts) and goal and not TIMES_OF_FILTERS & {*goal.names}:
+        return []  # the time may be with the filter, or without
     if FILTER in facts:
+        if not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}:
+            return []  # the light may be before the filter, or after it
         facts = _filtered(facts)
     results = {*goal.names} if goal else set()
     for frame in FRAMES:

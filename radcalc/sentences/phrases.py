@@ -120,6 +120,12 @@ PHRASES = (
         ("{angle} across", "apex-angle"),
         ("angular diameter|size of|is? {angle}", "apex-angle"),
         ("na {number}", "na"),
+        ("{ratio} na", "na"),
+        (
+            "at|under|with a? {angle} beam|cone|lobe|spot|flood|across|field|full|half|viewing",
+            UNKNOWN,
+            "",
+        ),
         ("sphere|ball|globe|koule|шар", SHAPE, "sphere"),
         ("disc|disk|kotouč|диск", SHAPE, "disc"),
         ("rectangle|rectangular", SHAPE, "rectangle"),
@@ -179,6 +185,7 @@ PHRASES = (
         ("ev100 {number}", "ev100"),
         ("shutter {time}", "time"),
         ("{number} stop|stops nd|filter?", "stops"),
+        ("{number} stop|stops under|over|below|above|brighter|darker|up|down", UNKNOWN, ""),
         ("gn {number}", "guide-number"),
         ("gn {length}", "guide-number"),
         ("k= {number}", "k"),
@@ -231,11 +238,11 @@ BESIDE = {"height": ("incidence", "0deg"), "ev": ("iso", "100")}
 # Words that add nothing to a phrase.
 # Sources of light; those that light in one direction need the angle of their beam.
 SOURCES = """
-    area-light beam bulb downlight diode film flash flashlight flood floodlight followspot
-    fresnel headlamp headlight image key-light lamp laser led leds lens light luminaire
-    moving-head optics par16 par20 par30 par36 par38 par46 par56 par64 par-can parcan point
-    point-light pointer profile projection projector pulse pulses radiation ray searchlight
-    single small softbox source source-four spot spotlight star torch
+    area-light beam bulb downlight diode flash flashlight flood floodlight followspot fresnel
+    headlamp headlight image key-light lamp laser led light luminaire moving-head par16 par20
+    par30 par36 par38 par46 par56 par64 par-can parcan point point-light pointer profile
+    projection projector pulse pulses radiation ray searchlight single small source source-four
+    spot spotlight star torch
 """
 OF_BEAMS = """
     beam collimated downlight flashlight flood floodlight focused focussed followspot fresnel
@@ -245,32 +252,31 @@ OF_BEAMS = """
 DIRECTED = frozenset(OF_BEAMS.split())
 # Things that are lit: a length next to one of these may be its size, not a distance.
 OBJECTS = """
-    square round
-    actor air aisle array backdrop backlight band bandgap band-gap bar basil bathroom bedroom
-    bench book camera canopy car ceiling cell center centre classroom collimated core corridor
-    crop crops curtain dancer desk desks detector display dome eye face fibre fiber fill
-    filament fixture floor garage gallery greenhouse ground hallway house intense kitchen
-    laptop leaf lettuce library line linewidth meter metre model monitor monochromator moon
-    museum object objective office page painting panel paper parking-lot performer person phone
-    photodiode picture plant plants pole pool poster pyranometer rack radiometer reader road
-    roof room same sample scene screen seedlings semiconductor sheet shelf shop silicon singer
-    sky slide smartphone solar-disc solar-disk speaker spectrometer spectroradiometer stage
-    street strip studio subject sun-disc sun-disk surface table tablet tape target tent theater
-    theatre tomato tomatoes tray truss tunnel tv video wall warehouse wash work-plane workplane
+    lens optics globe softbox air aisle array backdrop backlight band bandgap band-gap bar basil
+    bathroom bedroom bench book camera car ceiling cell classroom collimated core corridor desk
+    desks display dome eye face fibre fiber fill filament fixture floor garage gallery
+    greenhouse ground hallway house intense kitchen laptop lettuce library line linewidth meter
+    metre monitor monochromator moon museum objective office page painting panel paper
+    parking-lot phone photodiode picture pole pool poster pyranometer rack radiometer road roof
+    room same sample scene screen seedlings semiconductor sheet shelf shop silicon sky slide
+    smartphone solar-disc solar-disk spectrometer spectroradiometer stage street strip studio
+    sun-disc sun-disk surface table tablet tape tent theater theatre tomato tomatoes tray truss
+    tunnel tv video wall warehouse wash work-plane workplane
 """
 QUESTIONS = """
     a about an and are at be by calculate can convert corresponds do does equals for from get
     give given gives giving have has how how-many how-much i if in into is it its me my need
     needed needs of on onto over please pls required tell that that's the there this to under
     using value what when which will with would you arrive arrives bare below beneath
-    brightness-of cover covers directly directly-underneath draws emission emit emits
-    equally exactly face-on falling falls fills focused focussed front gets gives-off glowing
-    hang hangs head-on held hit hits hitting illuminates just key landing lands leaves lights-up
-    lit longest look looks make makes measured number-of open optical peaking peaks plane
-    produces put puts puts-out radiated radiates radiating rated reach reaches reaching read
-    reads receive receives seen see sees shift shine shines shining showing sits stands still
-    straight subtend subtended subtends takes then throw turned underneath unit wants wide-open
-    wien across
+    brightness-of directly directly-underneath draws emission emit emits equally exactly face-on
+    falling falls fills focused focussed front gets gives-off glowing hang hangs head-on held
+    hit hits hitting illuminates just key landing lands leaves lights-up lit longest look looks
+    make makes measured number-of open optical peaking peaks plane produces put puts puts-out
+    radiated radiates radiating rated reach reaches reaching read reads receive receives seen
+    see sees shift shine shines shining showing sits stands still straight subtend subtended
+    subtends takes then throw turned underneath unit wants wide-open wien across subject target
+    detector actor performer person speaker singer dancer plant plants canopy leaf crop crops
+    reader model object
 """
 OTHERS = """
     je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit zdroj
@@ -280,24 +286,31 @@ OTHERS = """
     источник точечный экран стол бумага
 """  # Czech; Russian
 IGNORED = f"{QUESTIONS}{SOURCES}{OBJECTS}{OTHERS}"
+# The watts of these are electrical or of their light, unless these words are there.
+LAMP_WORDS = "led lamp bulb fixture luminaire halogen tungsten žárovka lampa лампа"
+LAMPS = frozenset(LAMP_WORDS.split())
+OF_LIGHT = frozenset(["laser", "light", "optical", "radiant", "radiated", "emits", "efficacy"])
+# Words for a meter, whose reading may be behind a filter.
+METERS = frozenset(["meter", "metre", "measured", "reads", "read", "reading"])
 # Words that change an amount, or its meaning: without one, a sentence means something else.
 CHANGES = """
-    absorbed absorbs absorption after away back behind before both cloudy closer couple diffuse
-    difference dim dimmed direct double down dozen each eight either electrical every except
-    fifth five four further global grazing half halogen lose loses losing lost many melanopic
-    minus moved much nd nine not off originally other outside pair per pi plus quarter reflected
-    reflects scotopic several seven six solar squared cubed sodium fluorescent candle cool warm
-    ten than third three through tilted inclined aimed times transmitted twenty thirty forty
-    fifty twice two under-water up was without instead window gel goggles filter sensor lamps
-    luminaires fixtures panels lights downlights fittings bulbs lasers violet blue cyan green
-    yellow orange red infrared ultraviolet uv white bez dva dvě tři poloviční ne без два две три
-    половина не
+    absorbed absorbs centre center square round absorption after away back behind before both
+    cloudy closer couple diffuse difference dim dimmed direct double down dozen each eight
+    either electrical every except fifth five four further global grazing half halogen lose
+    loses losing lost many melanopic minus moved much nd nine not off originally other outside
+    pair per pi plus quarter reflected reflects scotopic several seven six solar squared cubed
+    sodium fluorescent candle cool warm ten than third three through tilted inclined aimed times
+    transmitted twenty thirty forty fifty twice two under-water up was without instead window
+    gel goggles filter sensor lamps luminaires fixtures panels lights downlights fittings bulbs
+    lasers violet blue cyan green yellow orange red infrared ultraviolet uv white bez dva dvě
+    tři poloviční ne без два две три половина не
 """
 MEANINGFUL = frozenset(comparable(word) for word in CHANGES.split())
 # Colours and lasers, which add nothing where a wavelength is given.
 OF_LINES = "violet blue green yellow orange red infrared HeNe Nd:YAG"
 COLOURS = frozenset(comparable(word) for word in OF_LINES.split())
 FILLERS = frozenset(comparable(word.replace("-", " ")) for word in IGNORED.split())
+THINGS = frozenset(OBJECTS.split())
 NOUNS = frozenset(f"{SOURCES}{OBJECTS}".split())
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])

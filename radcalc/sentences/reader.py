@@ -16,6 +16,7 @@ from radcalc.sentences.phrases import (
     MARKS,
     NOUNS,
     TARGET,
+    THINGS,
     UNKNOWN,
 )
 from radcalc.sentences.vocabulary import ENGLISH_ALONE, literals, names, patterns, symbols_of
@@ -304,14 +305,16 @@ class _Reading:
         if amount is None:
             return []
         if amount.dimension == LENGTH and not amount.is_wavelength and self._is_size(at, amount):
-            return [(amount.end + 1, "")]
+            return [(min(amount.end + 1, len(self.words)), "")]
         return [(amount.end, Fact((), amount.text, amount.text, amount))]
 
     def _is_size(self, at: int, amount: Amount) -> bool:
-        """Return whether a length may be the size of the thing after it: a 30 cm lamp."""
+        """Return whether a length may be the size of a thing next to it: a 30 cm lamp."""
         end = amount.end
         is_end = end >= len(self.words) or self.words[end - 1].is_last
-        return not is_end and self.words[end].folded in NOUNS
+        is_start = at == 0 or self.words[at - 1].is_last
+        is_after = not is_start and self.words[at - 1].folded in THINGS
+        return is_after or (not is_end and self.words[end].folded in NOUNS)
 
     def _aspect(self, at: int) -> list[Found]:
         text = self.words[at].text
@@ -326,7 +329,8 @@ class _Reading:
         if not text[0].isalnum() and text not in MARKS:
             return []
         is_unit = len(text) == 1 and text.isupper() and at > 0 and unit_in([text])  # the ampere
-        if text[-1] == "=" and self.amount(at + 1):
+        amount = self.amount(at + 1) if text[-1] == "=" else None
+        if amount and (amount.is_wavelength or amount.dimension in AMOUNTS["wavelength"][1:]):
             return [(at + 1, None)]
         ends = [end for end in (at + 1, at + 2) if self.folded(at, end) in FILLERS | MARKS]
         return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]
