@@ -1,4 +1,4 @@
-"""The README and docs/: length, links, blocks that tests run, and pictures of commands."""
+"""The README and the pages of docs/: length, links, blocks that tests run, pictures of commands."""
 
 import os
 import re
