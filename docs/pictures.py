@@ -1,4 +1,4 @@
-"""Make the pictures of the README: python docs/pictures.py [FOLDER].
+"""Make the pictures of the README and docs/: python docs/pictures.py [FOLDER].
 
 The pictures show real runs of the `radcalc` on the PATH, in a terminal, in the project's folder.
 """

@@ -24,6 +24,7 @@ settings.load_profile("untimed")
 
 
 ROOT = Path(__file__).parent.parent
+DOCS = (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
 # The standard streams of a process under C.UTF-8: name, mode and error handler.
 STREAMS = (
     ("stdin", "r", "surrogateescape"),

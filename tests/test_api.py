@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pint
 import pytest
-from conftest import ROOT, python
+from conftest import DOCS, python
 from helpers import for_each
 
 import radcalc
@@ -260,10 +260,13 @@ def test_the_examples_in_the_docstrings_run(documented):
         assert not doctest.DocTestRunner().run(one).failed
 
 
-def test_the_python_example_of_the_readme_runs():
+@pytest.mark.parametrize(
+    "page", [path for path in DOCS if ">>> " in path.read_text("utf-8")], ids=lambda page: page.name
+)
+def test_the_python_examples_of_the_documentation_run(page):
     """Use a new interpreter: colour-science, loaded by other tests, changes how NumPy prints."""
     code = "import doctest, sys; print(doctest.testfile(sys.argv[1], module_relative=False))"
-    done = python(code, str(ROOT / "README.md"))
+    done = python(code, str(page))
     found = re.search(r"failed=(\d+), attempted=(\d+)", done.stdout)
     assert found, done.stderr
     assert int(found[2]) > 0

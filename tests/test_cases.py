@@ -1,4 +1,4 @@
-"""The transcripts in `cases/`, README.md and `radcalc examples` show what their commands print.
+"""The transcripts in `cases/`, the README, `docs/` and `radcalc examples` show what is printed.
 
 Commands that need no more of a shell than words, pipes and sequences run in this process.
 """
@@ -10,7 +10,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import ROOT, entry_point, run
+from conftest import DOCS, ROOT, entry_point, run
 
 from radcalc.cli import tasks
 
@@ -19,7 +19,11 @@ CALL = re.compile(
     rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE}?)( 2> ?(?:&1|/dev/null))?(?: ?(\|.*))?"
 )
 PARTS = re.compile(rf"radcalc {BARE}(?:(?: &&|;) (?:radcalc|rm) {BARE})+")  # a sequence
-FILES = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md", tasks.FILE]
+FILES = [
+    *sorted((ROOT / "tests" / "cases").glob("*.md")),
+    *(path for path in DOCS if "```console\n" in path.read_text("utf-8")),
+    tasks.FILE,
+]
 
 
 def transcripts(path: Path) -> list[tuple[str, str]]:

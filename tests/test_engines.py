@@ -1,4 +1,4 @@
-"""The README's recipes for query engines, run unchanged."""
+"""The recipes of docs/python.md for query engines, run unchanged."""
 
 import csv
 import os
@@ -12,9 +12,8 @@ import pytest
 from conftest import ROOT, entry_point
 from helpers import require
 
-SECTION = (
-    (ROOT / "README.md").read_text("utf-8").partition("### Tables larger than memory\n")[2]
-).partition("\n## ")[0]
+PAGE = (ROOT / "docs" / "python.md").read_text("utf-8")
+SECTION = PAGE.partition("\n## Tables larger than memory\n")[2].partition("\n## ")[0]
 POLARS, DUCKDB, DASK = re.findall(r"```python\n(.*?)```", SECTION, re.S)
 (SQL,) = re.findall(r"```sh\n(.*?)```", SECTION, re.S)
 LUX = [0, 10, 123.4, 100000]

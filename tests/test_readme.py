@@ -1,4 +1,4 @@
-"""The pictures of the README show the outputs of its commands."""
+"""The README and the pages of docs/: length, links, blocks that tests run, pictures of commands."""
 
 import os
 import re
@@ -7,10 +7,60 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from conftest import ROOT, entry_point
+from conftest import DOCS, ROOT, entry_point
 
 SVG = "{http://www.w3.org/2000/svg}"
 PICTURES = runpy.run_path(str(ROOT / "docs" / "pictures.py"))
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
+LINK = re.compile(r"\]\(([^()\s]+)\)")
+RUN_ELSEWHERE = {
+    "README.md": ["sh", "sh", "sh"],  # the set-up and the tests: .ci/run; the last is for others
+    "prompt.md": ["text"],  # cli/test_session.py
+    "python.md": ["python", "python", "python", "sh"],  # test_engines.py
+}
+
+
+def read(path):
+    return path.read_text(encoding="utf-8")
+
+
+def anchors(path):
+    """Return the anchors that GitHub gives to the headings of a page."""
+    headings = re.findall(r"^#+ (.*)$", BLOCK.sub("", read(path)), re.M)
+    return {re.sub(r"[^\w -]", "", text).lower().replace(" ", "-") for text in headings}
+
+
+def links(path):
+    """Return the files and anchors that a page links to."""
+    found = LINK.findall(BLOCK.sub("", read(path)))
+    inside = [link for link in found if not link.startswith("https://")]
+    return [link.partition("#")[::2] for link in inside]
+
+
+def test_the_readme_is_short():
+    assert len(read(ROOT / "README.md").splitlines()) <= 220
+
+
+@pytest.mark.parametrize("page", sorted({*ROOT.glob("*.md"), *DOCS}), ids=lambda page: page.name)
+def test_the_links_lead_somewhere(page):
+    for name, anchor in links(page):
+        target = page.parent / name if name else page
+        assert target.exists(), name
+        assert not anchor or anchor in anchors(target), f"{name}#{anchor}"
+
+
+def test_the_readme_links_every_page():
+    linked = {(ROOT / name).resolve() for name, _ in links(ROOT / "README.md")}
+    assert linked >= {path.resolve() for path in DOCS[1:]}
+
+
+@pytest.mark.parametrize("page", DOCS, ids=lambda page: page.name)
+def test_every_block_is_run(page):
+    """Transcripts run in test_cases.py, sessions of Python in test_api.py."""
+    others = [
+        kind for kind, text in BLOCK.findall(read(page)) if kind != "console" and ">>> " not in text
+    ]
+    assert others == RUN_ELSEWHERE.get(page.name, [])
 
 
 def shown(path):

@@ -438,10 +438,12 @@ def test_a_single_value_is_one_line_on_a_terminal(monkeypatch, capsys):
     assert len(capsys.readouterr().out.splitlines()) > 5
 
 
-def test_the_session_in_the_readme_is_printed_as_shown(monkeypatch, capsys):
+def test_the_session_in_the_documentation_is_printed_as_shown(monkeypatch, capsys):
     monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: True)
     monkeypatch.setenv("NO_COLOR", "1")
-    found = re.search(r"```text\n(> .*?)```", (ROOT / "README.md").read_text("utf-8"), re.S)
+    found = re.search(
+        r"```text\n(> .*?)```", (ROOT / "docs" / "prompt.md").read_text("utf-8"), re.S
+    )
     assert found
     session = Session()
     for entry in re.split(r"^> ", found[1], flags=re.M)[1:]:

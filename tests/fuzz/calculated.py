@@ -15,13 +15,13 @@ from pathlib import Path
 from typing import NamedTuple
 from unittest.mock import patch
 
-from conftest import ROOT, run
+from conftest import DOCS, ROOT, run
 
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.streams import calculated
 
 SHORT, LONG = 16, 4000
-TRANSCRIPTS = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md"]
+TRANSCRIPTS = [*sorted((ROOT / "tests" / "cases").glob("*.md")), *DOCS]
 PAGES = (
     "calorimeter", "direction", "etendue", "ev", "lambertian", "laser", "mesopic", "photon",
     "point-source", "room", "screen", "sensor", "sky", "solid-angle",
