@@ -11,7 +11,7 @@ from radcalc.sentences.phrases import FILTER, IGNORED, PHRASES, SHAPE, TARGET, U
 
 LONG = 60  # characters of alternatives, which are then on several lines
 MISSING = "VALUE"  # of a phrase without an amount
-REFUSED = "(refused: their watts are electrical)"
+REFUSED = "(refused)"
 ASKED = "(the refusal asks for the value)"
 
 
