@@ -384,7 +384,9 @@ def _readings(sentence: Sentence) -> list[Facts]:
 
 def _choices(fact: Fact, sentence: Sentence) -> tuple[str, ...]:
     """Return the symbols that a fact may fill in a sentence."""
-    if fact.symbols == ("incidence",) and "incidence" not in fact.typed and _has_beam(sentence):
+    is_alone = [one.symbols for one in sentence.facts].count(("incidence",)) == 1
+    is_plain = fact.symbols == ("incidence",) and "incidence" not in fact.typed
+    if is_plain and is_alone and _has_beam(sentence):
         return ("incidence", "toward")  # of the receiver, or off the axis of the beam
     if len(fact.symbols) < 2:
         return fact.symbols or _places(fact.amount, sentence)

@@ -329,7 +329,8 @@ class _Reading:
         if not text[0].isalnum() and text not in MARKS:
             return []
         is_unit = len(text) == 1 and text.isupper() and at > 0 and unit_in([text])  # the ampere
-        amount = self.amount(at + 1) if text[-1] == "=" else None
+        is_letter = text[-1] == "=" and text[0].isalpha()
+        amount = self.amount(at + 1) if is_letter else None
         if amount and (amount.is_wavelength or amount.dimension in AMOUNTS["wavelength"][1:]):
             return [(at + 1, None)]
         ends = [end for end in (at + 1, at + 2) if self.folded(at, end) in FILLERS | MARKS]
