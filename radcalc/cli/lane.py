@@ -89,6 +89,8 @@ def _results(call: "Sequence[str]") -> "Sequence[Result]":
         symbol, equals, text = word.partition("=")
         if equals and symbol == "get":
             wanted.append(text)
+        elif symbol in given:  # refused by the command
+            return ()
         elif equals and SYMBOLS[symbol].form != CHOICE:
             given[symbol] = SYMBOLS[symbol].form == FLAG or text
         elif equals:

@@ -116,7 +116,7 @@ def _plain_words(text: str) -> list[str]:
         elif lower in ("each", "every") and is_before_unit and plain and plain[-1][-1].isalpha():
             part = "per"
         plain.append(part.removesuffix("'s"))
-    return plain
+    return [part for part in plain if part]
 
 
 def _adds_nothing(text: str, words: Sequence[Word]) -> bool:

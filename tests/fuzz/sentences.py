@@ -449,7 +449,7 @@ def check_python(text: str, found: Answer) -> None:
 
     Two units, as `THz GHz`, are a conversion of 1 at a shell only, as in GNU units.
     """
-    if len(text.split()) == 2 and found.command[:2] == ["convert", "1"]:
+    if len(text.split()) < 4 and found.command[:2] == ["convert", "1"]:
         return
     try:
         asked: Any = radcalc.ask(text)
