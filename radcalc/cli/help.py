@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from radcalc.cli.help_format import HelpFormatter
 
+PIPED = 78  # the width of help in a pipe, for which Click imports the slow `shutil`
 NO_PAGERS, NO_TERMINALS = ("", "cat"), ("", "dumb")  # values of PAGER and TERM
 
 
@@ -118,6 +119,9 @@ class Helped(click.Command):
 def _formatter(ctx: click.Context) -> "HelpFormatter":
     from radcalc.cli.help_format import HelpFormatter
 
-    formatter = HelpFormatter(width=ctx.terminal_width, max_width=ctx.max_content_width)
+    width = ctx.terminal_width
+    if not width and not terminal.is_terminal() and "COLUMNS" not in os.environ:
+        width = PIPED
+    formatter = HelpFormatter(width=width, max_width=ctx.max_content_width)
     formatter.is_colored = bool(ctx.color)
     return formatter

@@ -13,7 +13,7 @@ from radcalc.cli.help_format import HelpFormatter, joined, narrowed
 from radcalc.terminal import fold
 
 SCREEN = 23  # lines; the shell's prompt is the last one of 24
-EXAMPLES = 5
+EXAMPLES = 5  # lines
 TERM = 27  # columns of an option with its value
 ALWAYS = ("--get", "--check", "--json")
 INDENT = "  "
@@ -22,22 +22,25 @@ Sections = Mapping[str, Sequence[click.Option]]
 
 
 def write_examples(command: click.Command, sections: Sections, formatter: HelpFormatter) -> None:
-    """Write the first example, those with the options that are used most, then the next ones."""
+    """Write the first example, those with the options that are used most, then the next ones.
+
+    Those of one line come first.
+    """
     room = formatter.width - len(INDENT)
-    lines = {}
-    for line in _examples(command):
-        shown = narrowed(line, room)
-        if len(shown) == 1:
-            lines[line] = shown[0]
-    chosen = [*lines][:1]
+    folded = {line: narrowed(line, room) for line in _examples(command)}
+    lines = sorted(folded, key=lambda line: len(folded[line]) > 1)
+    order = lines[:1]
     for spellings in _used(command, sections).values():
-        if not any(spellings & _options(line) for line in chosen):
-            chosen += [line for line in lines if spellings & _options(line)][:1]
-    chosen = [*dict.fromkeys([*chosen, *lines])][:EXAMPLES]
+        if not any(spellings & _options(line) for line in order):
+            order += [line for line in lines if spellings & _options(line)][:1]
+    chosen: list[str] = []
+    for line in dict.fromkeys([*order, *lines]):
+        if sum(len(folded[other]) for other in [*chosen, line]) <= EXAMPLES:
+            chosen.append(line)
     with formatter.section("Examples"):
-        for line in lines:
+        for line in folded:
             if line in chosen:
-                formatter.write(f"{INDENT}{lines[line].removeprefix(INDENT)}\n")
+                formatter.write("".join(f"{part}\n" for part in folded[line]))
 
 
 def write_options(
@@ -100,8 +103,11 @@ def _used(command: click.Command, sections: Sections) -> dict[click.Option, set[
 
 
 def _term(term: str) -> str:
-    """Return an option with its value, or alone if they are too long."""
-    return term if len(term) <= TERM else f"{term.partition(' ')[0]} ..."
+    """Return an option with its value, with its first choices, or alone."""
+    if len(term) <= TERM:
+        return term
+    choices, _, _ = term[: TERM - len("...]")].rpartition("|")
+    return f"{choices}|...]" if choices else f"{term.partition(' ')[0]} ..."
 
 
 def _cut(text: str, room: int) -> str:
