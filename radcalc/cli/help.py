@@ -29,7 +29,9 @@ def _short(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None
 def _complete(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
         ctx.color = _is_colored()
-        _show(ctx.get_help() + "\n", ctx.color)
+        text = ctx.get_help()
+        ctx.color = ctx.color and None  # then Click asks whether the pager shows colours
+        _show(text)
         ctx.exit()
 
 
@@ -37,16 +39,15 @@ def _is_colored() -> bool:
     return terminal.wants_color(terminal.chosen_color(), terminal.is_terminal())
 
 
-def _show(text: str, is_colored: bool) -> None:
+def _show(text: str) -> None:
     """Write a text; page one that is longer than the terminal."""
-    if not _is_paged(text):
-        terminal.write(text)
-        return
-    try:
-        # without a colour of ours, Click asks whether the pager shows colours
-        click.echo_via_pager(text, color=None if is_colored else False)
-    except (OSError, ValueError):  # the pager does not start, or PAGER lacks a quote
-        terminal.write(text)
+    if _is_paged(text):
+        try:
+            click.echo_via_pager(text)
+            return
+        except (OSError, ValueError):  # the pager does not start, or PAGER lacks a quote
+            pass
+    terminal.write(f"{text}\n")
 
 
 def _is_paged(text: str) -> bool:
@@ -57,7 +58,7 @@ def _is_paged(text: str) -> bool:
         return False
     from shutil import get_terminal_size
 
-    return text.count("\n") >= get_terminal_size().lines
+    return text.count("\n") + 1 >= get_terminal_size().lines
 
 
 # Click's own option looks for a translation at every start.  The names are not that of the command
