@@ -1,4 +1,4 @@
-"""The calculators in the order of the help, each with its summary.
+"""The calculators in the order of proposals, each with its summary.
 
 The page of a calculator is `PAGE` in the module of the same name, imported on demand.
 """

@@ -11,6 +11,7 @@ from radcalc.cli.names import COMPLETE_HELP, SHORT_HELP
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from typing import Any
 
     from radcalc.cli.help_format import HelpFormatter
 
@@ -30,7 +31,9 @@ def _complete(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> N
     if wanted and not ctx.resilient_parsing:
         ctx.color = _is_colored()
         text = ctx.get_help()
-        ctx.color = ctx.color and None  # then Click asks whether the pager shows colours
+        ctx.color = (
+            None if ctx.color else False
+        )  # for None Click asks whether the pager has colours
         _show(text)
         ctx.exit()
 
@@ -63,19 +66,20 @@ def _is_paged(text: str) -> bool:
 
 # Click's own option looks for a translation at every start.  The names are not that of the command
 # `help`, whose settings at the prompt would be taken for the option's.
-HELPS = tuple(
+_FLAG: "dict[str, Any]" = {"is_flag": True, "is_eager": True, "expose_value": False}
+HELPS = (
     click.Option(
-        [spelling, name],
-        is_flag=True,
-        is_eager=True,
-        expose_value=False,
-        callback=callback,
-        help=text,
-    )
-    for spelling, name, callback, text in (
-        (SHORT_HELP, "wants_short_help", _short, "Show the help on one screen and exit."),
-        (COMPLETE_HELP, "wants_help", _complete, "Show the complete help and exit."),
-    )
+        [SHORT_HELP, "wants_short_help"],
+        callback=_short,
+        help="Show the help on one screen and exit.",
+        **_FLAG,
+    ),
+    click.Option(
+        [COMPLETE_HELP, "wants_help"],
+        callback=_complete,
+        help="Show the complete help and exit.",
+        **_FLAG,
+    ),
 )
 
 
@@ -84,11 +88,8 @@ class Helped(click.Command):
 
     sections: "Mapping[str, Sequence[click.Option]]" = MappingProxyType({})  # by their titles
 
-    def get_help_option(self, ctx: click.Context) -> click.Option | None:
-        return None  # Click knows only one
-
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
-        return [*super().get_params(ctx), *HELPS]
+        return [*self.params, *HELPS]
 
     def get_help(self, ctx: click.Context) -> str:
         formatter = _formatter(ctx)

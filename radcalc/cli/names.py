@@ -2,7 +2,7 @@
 
 from radcalc.calculators.pages import SUMMARIES
 
-_LINES = {
+COMMANDS = {
     **SUMMARIES,
     "mark": "Marks and points for the answers of students to a sheet.",
     "columns": "Columns of a table (CSV): units, extremes, means.",
@@ -13,7 +13,7 @@ _LINES = {
     "help": "Help for a command, or a search for words.",
     "prompt": "Interactive prompt, with ans and variables.",
 }
-# The groups of the help, in its order.
+# The groups of the help, in its order.  That of COMMANDS is the order of proposals.
 GROUPS = {
     "Convert": ("convert",),
     "Lamps and files": ("point-source", "scene", "uberlight", "laser", "dose", "columns"),
@@ -38,6 +38,5 @@ GROUPS = {
     "Homework": ("mark",),
     "Tables and help": ("units", "quantities", "typical", "examples", "help", "prompt"),
 }
-COMMANDS = {name: _LINES[name] for names in GROUPS.values() for name in names}
 HELP_NAMES = SHORT_HELP, COMPLETE_HELP = "-h", "--help"
 EXPLAIN = "--explain"

@@ -114,10 +114,10 @@ def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
     commands.format_commands(CONTEXTS[MAIN], ours)
     click.Group.format_commands(commands, CONTEXTS[MAIN], clicks)
     rows, expected = (
-        [line.rstrip() for line in made.getvalue().split("\n") if line[:1] == " "]
+        sorted(line.rstrip() for line in made.getvalue().split("\n") if line[:1] == " ")
         for made in (ours, clicks)
     )
-    assert rows == expected  # only the headings of the groups are ours
+    assert rows == expected  # only the groups are ours
     assert "  convert" in "\n".join(rows)
 
 
