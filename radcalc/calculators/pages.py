@@ -1,4 +1,4 @@
-"""The calculators in the order of the help, each with its summary.
+"""The calculators in the order of proposals, each with its summary.
 
 The page of a calculator is `PAGE` in the module of the same name, imported on demand.
 """
@@ -12,8 +12,8 @@ SUMMARIES = {
     "solid-angle": "Solid angle and projected solid angle of a shape.",
     "direction": "Spherical coordinates and unit vectors.",
     "etendue": "Etendue of a beam, and its flux from a radiance.",
-    "point-source": "Small sources: flux, intensity, illuminance, distance.",
-    "environment": "Light from all around: maps, skies, expressions.",
+    "point-source": "Small sources, luminaires (.ies, .ldt): flux, lux, distance.",
+    "environment": "Light from all around: maps (.hdr, .exr), skies, expressions.",
     "scene": "Light of many sources together, at points or on a grid.",
     "lambertian": "Diffuse sources and reflectors.",
     "sky": "The light of the sky and the sun.",
@@ -21,7 +21,7 @@ SUMMARIES = {
     "ev": "Exposure values and the light meter.",
     "calorimeter": "Radiant flux from the heat that it produces.",
     "screen": "The picture on a projection screen.",
-    "dose": "Exposure or energy from samples of light over time.",
+    "dose": "Exposure or energy from the log of a meter (CSV, also PAR).",
     "sensor": "Sensors: light, photons, electrons and current.",
     "laser": "Laser beams: the spot and the hazard distance.",
     "refraction": "Surfaces between two media: angles and reflectances.",

@@ -9,7 +9,7 @@ import click
 from radcalc.calculators.page import Page, words_of
 from radcalc.calculators.pages import page_of
 from radcalc.cli import options
-from radcalc.cli.help import Helped
+from radcalc.cli.help import HELPS, Helped
 from radcalc.cli.output import Output, decide
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
@@ -226,8 +226,8 @@ class SectionedCommand(Helped):
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         for title, listed in self.sections.items():
             of_output = title == "Output"
-            visible = [*listed, self.get_help_option(ctx)] if of_output else listed
-            records = [option.get_help_record(ctx) for option in visible if option]
+            visible = [*listed, *HELPS] if of_output else listed
+            records = [option.get_help_record(ctx) for option in visible]
             if title == LINES:
                 records = [_of_lines(listed)]
             if any(records):

@@ -16,7 +16,7 @@ from radcalc.calculators.page import ENVIRONMENT, FILE
 from radcalc.cli import options
 from radcalc.cli.command import GET, PLOT, SectionedCommand, SymbolOption
 from radcalc.cli.group import commands, context, protect_negatives
-from radcalc.cli.help import HELP
+from radcalc.cli.help import HELPS
 from radcalc.cli.names import COMMANDS
 from radcalc.completion import sources, table
 from radcalc.conversion.plan import target_of
@@ -125,12 +125,13 @@ class Compiler:
                 symbol.name: (bool(symbol.kind), self.quantities(symbol)) for symbol in symbols
             }
         listed = [option for group in command.sections.values() for option in group]
-        return [self._option(option, results) for option in (*listed, HELP)]
+        return [self._option(option, results) for option in (*listed, *HELPS)]
 
     def _option(self, option: click.Option, results: Results) -> Row:
         form, values = self._takes(option, results)
         names = tuple(sorted(option.opts, key=len))
-        return names, form, values, option.help or "", option.hidden, option.multiple
+        is_hidden = option.hidden or names[-1][:2] != "--"  # -h is offered only if it is typed
+        return names, form, values, option.help or "", is_hidden, option.multiple
 
     def _takes(self, option: click.Option, results: Results) -> tuple[str, Any]:
         example = option.metavar or ""

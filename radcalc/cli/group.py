@@ -4,7 +4,7 @@ import click
 
 from radcalc import terminal
 from radcalc.cli.help import Helped
-from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
+from radcalc.cli.names import COMMANDS, EXPLAIN, GROUPS, HELP_NAMES
 from radcalc.errors import MINUS, UsageError, quote
 from radcalc.units.numbers import is_sentence
 
@@ -52,8 +52,14 @@ class Commands(Helped, click.Group):
         return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        width = max(map(len, COMMANDS))
+        for title, names in GROUPS.items():
+            with formatter.section(title):
+                formatter.write_dl([(f"{name:{width}}", COMMANDS[name]) for name in names])
+
+    def format_most_used(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
-            formatter.write_dl(list(COMMANDS.items()))
+            formatter.write_dl([(title, ", ".join(names)) for title, names in GROUPS.items()])
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -84,13 +90,15 @@ class Commands(Helped, click.Group):
     help="Show how a sentence is read, without answering it.",
 )
 def commands() -> None:
-    """Calculate with light: units, photometry, radiometry, photons and their geometry.
+    """Calculate with light: units, photometry, radiometry, photons, geometry.
 
     \b
     Examples:
-      radcalc 100 lx fc                  (convert may be left out)
-      radcalc 20000 cd at 8 m to lx      (a sentence)
-      radcalc lamp.ies at 3 m            (a file: luminaire, spectrum, log ...)
+      radcalc 100 lx fc                   (convert may be left out)
+      radcalc 20000 cd at 8 m to lx       (a sentence)
+      radcalc lamp.ies at 3 m             (a luminaire: .ies, .ldt)
+      radcalc log.csv                     (any file: a CSV, .hdr, .exr ...)
+      radcalc 700 ppfd lx --spectrum sun  (the reading of a PAR meter)
       radcalc convert 5 mW lm --wavelength 632.8nm
       radcalc convert 800 lm cd --isotropic
       radcalc solid-angle cone --half-angle 30deg

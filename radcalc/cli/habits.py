@@ -56,6 +56,8 @@ def canonical(words: list[str]) -> list[str]:
     if not begins and (not first or first in COMMANDS or first[:1] == "-"):
         return words
     operands, options, ends = _parts(words[is_convert:])
+    if not operands and not ends:  # such as convert -h
+        return words
     if operands and is_sentence(operands[:1]):  # it has a value, or the - of a stream
         between = ["to"] if len(ends) == 1 else []
         return _said("convert", *operands, *between, *ends, *options) if ends else words

@@ -1,43 +1,129 @@
-"""The help option."""
+"""The help options: -h is one screen, --help is complete."""
+
+import os
+from types import MappingProxyType
 
 import click
 
 from radcalc import terminal
-from radcalc.cli.names import HELP_NAMES
+from radcalc.cli.names import COMPLETE_HELP, SHORT_HELP
+
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+    from radcalc.cli.help_format import HelpFormatter
+
+PIPED = 78  # the width of help in a pipe, for which Click imports the slow `shutil`
+NO_PAGERS, NO_TERMINALS = ("", "cat"), ("", "dumb")  # values of PAGER and TERM
 
 
-def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
+def _short(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
-        ctx.color = terminal.wants_color(terminal.chosen_color(), terminal.is_terminal())
-        terminal.write(ctx.get_help() + "\n")
+        ctx.color = _is_colored()
+        assert isinstance(ctx.command, Helped)
+        terminal.write(ctx.command.get_short_help(ctx) + "\n")
         ctx.exit()
 
 
-# Click's own option looks for a translation at every start.  The name is not that of the command
+def _complete(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
+    if wanted and not ctx.resilient_parsing:
+        ctx.color = _is_colored()
+        text = ctx.get_help()
+        ctx.color = (
+            None if ctx.color else False
+        )  # for None Click asks whether the pager has colours
+        _show(text)
+        ctx.exit()
+
+
+def _is_colored() -> bool:
+    return terminal.wants_color(terminal.chosen_color(), terminal.is_terminal())
+
+
+def _show(text: str) -> None:
+    """Write a text; page one that is longer than the terminal."""
+    if _is_paged(text):
+        try:
+            click.echo_via_pager(text)
+            return
+        except (OSError, ValueError):  # the pager does not start, or PAGER lacks a quote
+            pass
+    terminal.write(f"{text}\n")
+
+
+def _is_paged(text: str) -> bool:
+    if not terminal.is_terminal() or not os.isatty(0):
+        return False
+    pager = os.environ.get("PAGER", "less").strip()
+    if pager in NO_PAGERS or os.environ.get("TERM", "") in NO_TERMINALS:
+        return False
+    from shutil import get_terminal_size
+
+    return text.count("\n") + 1 >= get_terminal_size().lines
+
+
+# Click's own option looks for a translation at every start.  The names are not that of the command
 # `help`, whose settings at the prompt would be taken for the option's.
-HELP = click.Option(
-    [*HELP_NAMES, "wants_help"],
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=_help,
-    help="Show this help and exit.",
+_FLAG: "dict[str, Any]" = {"is_flag": True, "is_eager": True, "expose_value": False}
+HELPS = (
+    click.Option(
+        [SHORT_HELP, "wants_short_help"],
+        callback=_short,
+        help="Show the help on one screen and exit.",
+        **_FLAG,
+    ),
+    click.Option(
+        [COMPLETE_HELP, "wants_help"],
+        callback=_complete,
+        help="Show the complete help and exit.",
+        **_FLAG,
+    ),
 )
 
 
 class Helped(click.Command):
     """A command whose help is written like an answer: completely, or with a failing status."""
 
-    def get_help_option(self, ctx: click.Context) -> click.Option | None:
-        return HELP
+    sections: "Mapping[str, Sequence[click.Option]]" = MappingProxyType({})  # by their titles
+
+    def get_params(self, ctx: click.Context) -> list[click.Parameter]:
+        return [*self.params, *HELPS]
 
     def get_help(self, ctx: click.Context) -> str:
-        from radcalc.cli.help_format import HelpFormatter
-
-        formatter = HelpFormatter(width=ctx.terminal_width, max_width=ctx.max_content_width)
-        formatter.is_colored = bool(ctx.color)
+        formatter = _formatter(ctx)
         self.format_help(ctx, formatter)
         return formatter.getvalue().rstrip("\n")
 
+    def get_short_help(self, ctx: click.Context) -> str:
+        """Return the help of one screen."""
+        from radcalc.cli.short_help import write_examples
+
+        formatter = _formatter(ctx)
+        self.format_usage(ctx, formatter)
+        formatter.write(f"{self.get_short_help_str(formatter.width)}\n")
+        write_examples(self, self.sections, formatter)
+        self.format_most_used(ctx, formatter)
+        formatter.write(f"more: {ctx.command_path} {COMPLETE_HELP}")
+        return formatter.getvalue()
+
+    def format_most_used(self, ctx: click.Context, formatter: "HelpFormatter") -> None:
+        """Write what the short help has below the examples."""
+        from radcalc.cli.short_help import write_options
+
+        write_options(self, self.sections, formatter, ctx)
+
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         formatter.write(f"\nManual: man {ctx.command_path.replace(' ', '-')}\n")
+
+
+def _formatter(ctx: click.Context) -> "HelpFormatter":
+    from radcalc.cli.help_format import HelpFormatter
+
+    width = ctx.terminal_width
+    if not width and not terminal.is_terminal() and "COLUMNS" not in os.environ:
+        width = PIPED
+    formatter = HelpFormatter(width=width, max_width=ctx.max_content_width)
+    formatter.is_colored = bool(ctx.color)
+    return formatter

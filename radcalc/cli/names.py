@@ -2,11 +2,10 @@
 
 from radcalc.calculators.pages import SUMMARIES
 
-# In the order of the help.
 COMMANDS = {
     **SUMMARIES,
     "mark": "Marks and points for the answers of students to a sheet.",
-    "columns": "Columns of a table: units, extremes, means.",
+    "columns": "Columns of a table (CSV): units, extremes, means.",
     "units": "Units, their definitions and sources.",
     "quantities": "Names of quantities in three languages.",
     "typical": "Typical values: sun, sky, rooms, lamps, screens.",
@@ -14,5 +13,30 @@ COMMANDS = {
     "help": "Help for a command, or a search for words.",
     "prompt": "Interactive prompt, with ans and variables.",
 }
-HELP_NAMES = ["-h", "--help"]
+# The groups of the help, in its order.  That of COMMANDS is the order of proposals.
+GROUPS = {
+    "Convert": ("convert",),
+    "Lamps and files": ("point-source", "scene", "uberlight", "laser", "dose", "columns"),
+    "Surfaces, sky and rooms": (
+        "lambertian",
+        "environment",
+        "sky",
+        "room",
+        "screen",
+        "refraction",
+    ),
+    "Light itself": (
+        "photon",
+        "spectrum",
+        "mesopic",
+        "solid-angle",
+        "direction",
+        "etendue",
+        "integrate",
+    ),
+    "Cameras and detectors": ("ev", "sensor", "calorimeter"),
+    "Homework": ("mark",),
+    "Tables and help": ("units", "quantities", "typical", "examples", "help", "prompt"),
+}
+HELP_NAMES = SHORT_HELP, COMPLETE_HELP = "-h", "--help"
 EXPLAIN = "--explain"

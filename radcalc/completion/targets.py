@@ -31,6 +31,13 @@ BESIDE = ("m-2", "sr-1", "s-1", "cm-2", "nm-1", "um-1", "Hz-1", "sr", "s", "h")
 AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1")  # in densities
 USUAL = [text.replace(" ", ".") for units, _ in LIGHT_UNITS.values() for text in units]
 USUAL.append("td")
+# Light at work is asked for more often than energy and exposure.
+LIKELY = {
+    text.replace(" ", ".")
+    for (is_over_time, _, _), (units, _) in LIGHT_UNITS.items()
+    if not is_over_time
+    for text in units
+}
 TYPING = "x"  # stands for the word being typed
 
 
@@ -146,12 +153,13 @@ class Reach:
             lack = self.lacks(unit)
             if lack:
                 description = f"{name_of(unit)}, with {lack}"
-                conditional.append((len(lack), Completion(text, description)))
+                rank = text not in LIKELY, len(lack)
+                conditional.append((rank, Completion(text, description)))
             elif lack == "":
                 reached.append(Completion(text, full_name(unit)))
             elif self.given and unit.dimension == self.source.dimension:
                 same_dimension.append(Completion(text, full_name(unit)))
-        conditional.sort(key=lambda row: row[0])  # the fewest conditions first
+        conditional.sort(key=lambda row: row[0])  # the usual units, the fewest conditions first
         reached += [] if head else self._scales(typed)
         return [
             *reached,

@@ -157,7 +157,7 @@ def _figures(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
-    """Return folders, and the files with these endings; every file if none has."""
+    """Return the files with these endings, in their order, and folders; every file if none has."""
     folder, name = os.path.split(incomplete)
     typed = incomplete[: len(incomplete) - len(name)]
     fitting: list[Completion] = []
@@ -177,7 +177,13 @@ def files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
             fitting.append(Completion(typed + entry.name))
         else:
             other_files.append(Completion(typed + entry.name))
+    fitting.sort(key=lambda completion: _place(completion.text.lower(), endings))
     return fitting if any(completion.closes for completion in fitting) else fitting + other_files
+
+
+def _place(text: str, endings: "Sequence[str]") -> int:
+    """Return the place of a file's ending; a folder is last."""
+    return next((k for k, ending in enumerate(endings) if text.endswith(ending)), len(endings))
 
 
 READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {

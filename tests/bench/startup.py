@@ -45,6 +45,8 @@ CASES = [
     ("refusal / import click", "convert 800 lm cd", CLICK, 1.2),
     *((f"{words} / import click", words, CLICK, 1.2) for words in CALCULATORS),
     ("--help / import click", "--help", CLICK, 1.3),
+    ("-h / import click", "-h", CLICK, 1.2),
+    ("convert -h / import click", "convert -h", CLICK, 1.3),
     ("--plot / the same without", "spectrum LED-B3 --plot", (RADCALC, "spectrum", "LED-B3"), 1.3),
     ("--plot FILE / a line of Matplotlib", f"spectrum LED-B3 --plot {FILE}", FIGURE, 1.3),
     ("convert --help / import click", "convert --help", CLICK, 1.4),

@@ -211,6 +211,8 @@ def test_commands_have_their_descriptions():
     assert texts("nosuch ") == []
     assert texts("--v") == texts("--version") == ["--version"]
     assert "--version" in texts("-")
+    assert texts("-h") == texts("convert -h") == ["-h"]
+    assert "-h" not in texts("-") + texts("convert -")
     assert texts("-5")[:1] == []
 
 
@@ -268,6 +270,18 @@ def test_values(line, first):
     assert texts(line)[: len(first)] == first
 
 
+@for_each(
+    [
+        ("100 lm l", "lx", "lm.s"),
+        ("100 lm ", "cd", "lm.s"),
+        ("convert 5 W/m2 u", "umol/m2/s", "umol/m2"),
+    ]
+)
+def test_light_comes_before_energy_and_exposure(line, likely, other):
+    found = texts(line)
+    assert found.index(likely) < found.index(other)
+
+
 def test_the_words_of_typical_values_find_values():
     found = texts("typical ")
     assert {"moon", "illuminance", "jas", "освещённость"} <= set(found)
@@ -287,7 +301,7 @@ def test_only_files_of_the_kind_are_offered_or_all_if_there_are_none(tmp_path, m
         (tmp_path / name).touch()
     (tmp_path / "lamps").mkdir()
     (tmp_path / "lamps" / "a.ldt").touch()
-    assert texts("point-source --distribution lam") == ["lamp.csv", "lamp.ies", "lamps/"]
+    assert texts("point-source --distribution lam") == ["lamp.ies", "lamp.csv", "lamps/"]
     assert texts("point-source --distribution lamps/") == ["lamps/a.ldt"]
     assert texts("scene ") == ["lamp.csv", "lamps/"]
     assert texts("scene .") == [".hidden.csv"]
@@ -302,8 +316,8 @@ def test_after_plot_come_figures_folders_and_operands(tmp_path, monkeypatch):
     for name in ("day.svg", "day.png", "D65.txt", "notes.md"):
         (tmp_path / name).touch()
     (tmp_path / "figures").mkdir()
-    assert texts("spectrum D65 --plot ")[:3] == ["day.png", "day.svg", "figures/"]
-    assert texts("spectrum D65 --plot=da") == ["--plot=day.png", "--plot=day.svg"]
+    assert texts("spectrum D65 --plot ")[:3] == ["day.svg", "day.png", "figures/"]
+    assert texts("spectrum D65 --plot=da") == ["--plot=day.svg", "--plot=day.png"]
     assert texts("photon 555nm --plot no") == []
     assert texts("spectrum --plot D65") == ["D65", "D65.txt"]
     assert texts("spectrum --plot day.svg D65") == ["D65", "D65.txt"]

@@ -113,8 +113,12 @@ def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
     ours, clicks = (click.HelpFormatter(width=width) for _ in range(2))
     commands.format_commands(CONTEXTS[MAIN], ours)
     click.Group.format_commands(commands, CONTEXTS[MAIN], clicks)
-    assert ours.getvalue() == clicks.getvalue()
-    assert "convert" in ours.getvalue()
+    rows, expected = (
+        sorted(line.rstrip() for line in made.getvalue().split("\n") if line[:1] == " ")
+        for made in (ours, clicks)
+    )
+    assert rows == expected  # only the groups are ours
+    assert "  convert" in "\n".join(rows)
 
 
 @for_each(CONTEXTS)

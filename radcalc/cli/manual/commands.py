@@ -11,7 +11,7 @@ from radcalc.answer import Row, Step
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
 from radcalc.cli.compile import command_of, examples_of, main_options, results_of
 from radcalc.cli.heard import hear
-from radcalc.cli.help import HELP
+from radcalc.cli.help import HELPS
 from radcalc.cli.help_format import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, argument, filled, literal, plain, sentences, text
 from radcalc.cli.names import COMMANDS
@@ -103,7 +103,7 @@ def options(of: str) -> Iterator[str]:
 def sections_of(of: str) -> Sections:
     """Return the options of a block by the titles of the help; a single list has no title."""
     if of == "every command":
-        return {"": [*OPTIONS, HELP]}
+        return {"": [*OPTIONS, *HELPS]}
     if of == "every stream":
         return {"": OF_LINES}
     if of == "radcalc":
@@ -111,7 +111,7 @@ def sections_of(of: str) -> Sections:
     sections = {title: group for title, group in command_of(of).sections.items() if title != LINES}
     # a hidden option of the output does not apply to the command
     shown = [option for option in sections["Output"] if not option.hidden]
-    return sections | {"Output": [*shown, HELP]}
+    return sections | {"Output": [*shown, *HELPS]}
 
 
 def results(of: str) -> Iterator[str]:
