@@ -12,7 +12,7 @@ from radcalc.cli.heard import hear
 from radcalc.cli.lane import plain
 from radcalc.cli.names import COMMANDS, EXPLAIN
 from radcalc.cli.output import Output, decide, refuse_number_options
-from radcalc.cli.sentence import Words, options_of, values_of
+from radcalc.cli.sentence import CHECKS, Words, options_of, values_of
 from radcalc.cli.spelling import pasted, quoted, typed
 from radcalc.errors import RadcalcError, UsageError, call, drop, leave_out
 from radcalc.render.formats import JSON, Records
@@ -46,12 +46,13 @@ def explained(words: Words, listener: "Listener | None" = None) -> tuple[Output,
     if asked[0] in COMMANDS:
         raise UsageError(f"{EXPLAIN} does not apply to {asked[0]}", drop(EXPLAIN))
     values = values_of(options, listener)
-    steps = values.pop("steps")
+    others = {name: values.pop(name) for name in ("steps", *CHECKS)}
     output = decide(**values, command="explain", listener=listener)
     refuse_number_options(output, EXPLAIN)
-    if steps:
-        tries = [leave_out("steps"), drop(EXPLAIN)]
-        raise UsageError(f"--steps does not apply to {EXPLAIN}", tries)
+    for name, value in others.items():
+        if value:
+            tries = [leave_out(name), drop(EXPLAIN)]
+            raise UsageError(f"--{name} does not apply to {EXPLAIN}", tries)
     rows, notes, meant = _sentence(asked, _complete(asked))
     text = " ".join(asked)
     rows.append({"phrase": text, "meaning": pasted(meant)})

@@ -13,7 +13,7 @@ from radcalc.cli.group import parameters
 from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other
 from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
-from radcalc.cli.options import NAMES, OPTIONS, STEPS, defaults
+from radcalc.cli.options import NAMES, OF_CHECKS, OPTIONS, STEPS, defaults
 from radcalc.cli.output import decide
 from radcalc.cli.spelling import typed
 from radcalc.errors import (
@@ -34,6 +34,9 @@ if TYPE_CHECKING:
 Words = list[str]
 LONG = 6  # words of a call that is rather a sentence than a command
 SHORT = 3  # words of a call that is rather a command with a mistake
+# Options of a call in words: those of the output and of a check.
+OF_SENTENCES = (*OPTIONS, STEPS, *OF_CHECKS)
+CHECKS = tuple([option.name or "" for option in OF_CHECKS])
 PLAIN_OPTIONS = {"precision", "quiet", "color", "auto"}  # with a value and its unit
 
 
@@ -142,6 +145,8 @@ def as_call(
 def _answer(call: Words, options: Words, gate: Gate) -> int:
     """Run the call of a sentence; write one result with its unit, and then the call."""
     values = values_of(options, gate.listener)
+    if values["check"] is not None and "-g" in call:
+        call, options = _for_check(call, options, values["check"])
     if "-g" in call and _has_unit(values):
         results = hear(call)
         output = decide(**{name: values[name] for name in NAMES}, listener=gate.listener)
@@ -153,9 +158,18 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
     return status
 
 
+def _for_check(call: Words, options: Words, claim: str) -> tuple[Words, Words]:
+    """Return a call with the name of its result in the answer to check, in place of -g."""
+    at = call.index("-g")
+    name = call[at + 1].partition(":")[0]
+    named = claim if "=" in claim else f"{name}={claim}"
+    pairs = {claim: named, f"--check={claim}": f"--check={named}"}
+    return [*call[:at], *call[at + 2 :]], [pairs.get(word, word) for word in options]
+
+
 def options_of(words: Sequence[str]) -> tuple[Words, Words]:
     """Return the words of a call, and its options of the output with their values."""
-    known = {name: option for option in (*OPTIONS, STEPS) for name in option.opts}
+    known = {name: option for option in OF_SENTENCES for name in option.opts}
     asked: Words = []
     options: Words = []
     rest = iter(words)
@@ -172,12 +186,12 @@ def options_of(words: Sequence[str]) -> tuple[Words, Words]:
 
 def values_of(options: Words, listener: "Listener | None") -> dict[str, Any]:
     """Return the values of the options of the output; a listener has those of all lines."""
-    nothing = click.Command(None, params=[*OPTIONS, STEPS], add_help_option=False)
+    nothing = click.Command(None, params=[*OF_SENTENCES], add_help_option=False)
     settings = dict(listener.settings) if listener else {}
     return nothing.make_context("", list(options), default_map=settings).params
 
 
 def _has_unit(values: Mapping[str, Any]) -> bool:
     """Return whether a result keeps its unit with these values of options."""
-    default = {**defaults(), STEPS.name: False}
+    default = {**defaults(), STEPS.name: False, **dict.fromkeys(CHECKS)}
     return {name for name, value in values.items() if value != default[name]} <= PLAIN_OPTIONS

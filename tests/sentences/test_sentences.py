@@ -257,6 +257,21 @@ def test_options_of_the_output_go_with_a_sentence():
     )
 
 
+@for_each(
+    [
+        ("100 cd at 2 m to lx", "25lx", 0),  # E = I / d^2
+        ("100 cd at 2 m to lx", "illuminance=50lx", 1),
+        ("1200 lm isotropic to cd", "95.5cd", 0),  # I = Phi / (4 pi)
+        ("100 cd at 2 m", "illuminance=25lx", 0),
+    ]
+)
+def test_an_answer_to_a_sentence_is_checked(sentence, claim, status):
+    for words in (["--check", claim], [f"--check={claim}"]):
+        done = run(*sentence.split(), *words)
+        assert done.returncode == status, done.stderr
+        assert done.stdout.startswith("wrong" if status else "right")
+
+
 def test_a_number_without_a_unit_is_not_lost():
     for sentence in ("100 lx at 450", "5 100 lx fc", "100 lx 7 fc"):
         assert run(*sentence.split()).returncode == 2, sentence
