@@ -102,7 +102,11 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
         facts = _with_sides(facts)
     if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
         return [["convert", *facts[FILTER].text.split(), "%"]]
-    if not {"stops", "nd"}.isdisjoint(facts) and goal and not TIMES_OF_FILTERS & {*goal.names}:
+    if (
+        not {"stops", "nd"}.isdisjoint(facts)
+        and goal
+        and not TIMES_OF_FILTERS & {*goal.names, goal.text}
+    ):
         return []  # the time may be with the filter, or without
     if FILTER in facts:
         if not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}:

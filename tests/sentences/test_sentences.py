@@ -184,6 +184,7 @@ REFUSED = [
     ("64 deg full angle 46 1 lm to kcd", "", ""),
     ("24 deg x 12 deg 800 lm cd", "no command takes", ""),
     ("ev 12 2 stops to lx", "", ""),
+    ("ND64 in stops", "a density or a factor", "--nd ND64"),
     ("f/2.8 1/125 s iso 100 nd 0.9 filter to lx", "no command takes", ""),
     ("1000 cd at 45 deg beam at 3 m to lx", "not understood: at 45 deg beam", ""),
     ("1000 cd lens 50 mm lx", "", ""),
