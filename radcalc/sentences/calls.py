@@ -101,17 +101,22 @@ def call_of(sentence: Sentence) -> list[str]:
     raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", tries)
 
 
+def _words_of(sentence: Sentence) -> set[str]:
+    """Return the words that were typed, without marks and capitals."""
+    return {word.strip(".,;:?!").lower() for word in sentence.text.split()}
+
+
 def _refuse_height_of_sun(sentence: Sentence) -> None:
     """Refuse `at 30 deg` of the sun, which is its height or the angle from the normal."""
-    named = {word.strip(".,;:?!").lower() for word in sentence.text.split()}
+    named = _words_of(sentence)
     for fact in sentence.facts:
         is_plain = fact.symbols == ("incidence",) and "incidence" not in fact.typed
         if is_plain and "normal" not in fact.typed and fact.text[:6] != "90deg-" and named & SUNNY:
             height = fact._replace(text=f"90deg-{fact.text}")
-            goal = _goal_of(sentence)
             tries = [
-                *_with(sentence, fact, fact._replace(typed="incidence"), goal, "from the normal"),
-                *_with(sentence, fact, height, goal, "above the horizon, on flat ground"),
+                Try(words=call, remark=remark)
+                for other, remark in ((fact, "from the normal"), (height, "the sun's height"))
+                for call in _answerable(_with_fact(sentence, fact, other))[:1]
             ]
             problem = f"'{quote(fact.typed)}' is the angle from the normal, or the sun's height"
             raise UsageError(problem, tries)
@@ -120,7 +125,7 @@ def _refuse_height_of_sun(sentence: Sentence) -> None:
 def _is_of_lamp(fact: Fact, sentence: Sentence) -> bool:
     """Return whether a fact is the watts of a lamp, as `400 W HPS`, which may be electrical."""
     is_watts = fact.amount is not None and fact.amount.dimension == POWER
-    named = {word.strip(".,;:?!").lower() for word in sentence.text.split()}
+    named = _words_of(sentence)
     lamps = [one.text.lower() for one in sentence.facts if is_lamp(one)]
     is_lit = bool(named & LAMPS) or any(lamp not in DAYS for lamp in lamps)
     has_efficacy = any("efficacy" in one.symbols or is_efficacy(one) for one in sentence.facts)
@@ -324,10 +329,15 @@ def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageEr
     return UsageError(f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number")
 
 
+def _with_fact(sentence: Sentence, fact: Fact, other: Fact) -> Sentence:
+    """Return a sentence with another fact in place of one."""
+    facts = [other if one is fact else one for one in sentence.facts]
+    return sentence._replace(facts=tuple(facts))
+
+
 def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark: str) -> list[Try]:
     """Return the first call of a sentence with another fact in place of one."""
-    facts = tuple([other if one is fact else one for one in sentence.facts])
-    readings = _readings(sentence._replace(facts=facts))
+    readings = _readings(_with_fact(sentence, fact, other))
     calls = [call for reading in readings[:1] for call in calls_of(reading, goal)[:1]]
     return [Try(words=tuple(call), remark=remark) for call in calls]
 
