@@ -12,7 +12,7 @@ from radcalc.errors import ConditionError, UsageError, quote, quote_path
 from radcalc.errors import command as call_of
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.units import offered
-from radcalc.render.formats import CSV, JSON, Records
+from radcalc.render.formats import CSV, JSON, TABLE, Records
 from radcalc.render.plain import number
 from radcalc.routes.kinds import NAMES, contents_of
 from radcalc.routes.listing import ColumnSummary, listing
@@ -53,7 +53,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
     notes = (f"{listed.rows} rows", *listed.notes)
     right = ("numbers", "from", "to", "mean")
     output.records(Records(rows, notes, table, right, texts_of({"file": path})))
-    if output.format != JSON:
+    if output.format not in (JSON, TABLE):
         output.remark([Result((), notes=notes)])
 
 
