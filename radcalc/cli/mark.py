@@ -156,7 +156,7 @@ def _asked(words: list[str]) -> Asked:
     if not words:
         raise UsageError("the command is missing", "a command after radcalc")
     trials.refuse_effects(words)
-    _, options = sentence.options_of(words)
+    _, options = sentence.options_of(words, sentence.OF_OUTPUT)
     if options:
         problem = f"{quote(options[0])} does not apply to a question"
         raise UsageError(problem, drop(options[0]))

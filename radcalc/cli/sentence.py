@@ -35,7 +35,8 @@ Words = list[str]
 LONG = 6  # words of a call that is rather a sentence than a command
 SHORT = 3  # words of a call that is rather a command with a mistake
 # Options of a call in words: those of the output and of a check.
-OF_SENTENCES = (*OPTIONS, STEPS, *OF_CHECKS)
+OF_OUTPUT = (*OPTIONS, STEPS)
+OF_SENTENCES = (*OF_OUTPUT, *OF_CHECKS)
 CHECKS = tuple([option.name or "" for option in OF_CHECKS])
 PLAIN_OPTIONS = {"precision", "quiet", "color", "auto"}  # with a value and its unit
 
@@ -133,13 +134,17 @@ def as_call(
     error: RadcalcError | click.UsageError,
     has_answers: Callable[[RadcalcError, Words], bool],
 ) -> Words:
-    """Return the call that a refused call means as a sentence; raise its error if it is none."""
+    """Return the call, with its options, that a refused call means as a sentence.
+
+    Raises the error of the call if it is none.
+    """
     from radcalc.cli.refusals import of_click
 
     problem = of_click(error, words) if isinstance(error, click.UsageError) else error
     if not may_be(words, problem):
         raise problem from None
-    return meant(words, problem, has_answers)[0]
+    call, options = meant(words, problem, has_answers)
+    return [*call, *options]
 
 
 def _answer(call: Words, options: Words, gate: Gate) -> int:
@@ -167,9 +172,11 @@ def _for_check(call: Words, options: Words, claim: str) -> tuple[Words, Words]:
     return [*call[:at], *call[at + 2 :]], [pairs.get(word, word) for word in options]
 
 
-def options_of(words: Sequence[str]) -> tuple[Words, Words]:
-    """Return the words of a call, and its options of the output with their values."""
-    known = {name: option for option in OF_SENTENCES for name in option.opts}
+def options_of(
+    words: Sequence[str], options_known: Sequence[click.Option] = OF_SENTENCES
+) -> tuple[Words, Words]:
+    """Return the words of a call, and its known options with their values."""
+    known = {name: option for option in options_known for name in option.opts}
     asked: Words = []
     options: Words = []
     rest = iter(words)
