@@ -30,11 +30,7 @@ def _short(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None
 def _complete(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
         ctx.color = _is_colored()
-        text = ctx.get_help()
-        ctx.color = (
-            None if ctx.color else False
-        )  # for None Click asks whether the pager has colours
-        _show(text)
+        _show(ctx.get_help())
         ctx.exit()
 
 
@@ -44,13 +40,30 @@ def _is_colored() -> bool:
 
 def _show(text: str) -> None:
     """Write a text; page one that is longer than the terminal."""
-    if _is_paged(text):
-        try:
-            click.echo_via_pager(text)
-            return
-        except (OSError, ValueError):  # the pager does not start, or PAGER lacks a quote
-            pass
-    terminal.write(f"{text}\n")
+    if not (_is_paged(text) and _has_shown(text)):
+        terminal.write(f"{text}\n")
+
+
+def _has_shown(text: str) -> bool:
+    """Show a text in the pager; return whether it starts.
+
+    The pager of older versions of Click takes no arguments, and may wait for keys.
+    """
+    import shlex
+    import subprocess
+
+    environment = dict(os.environ)
+    if click.unstyle(text) != text and not environment.get("LESS"):
+        environment["LESS"] = "-R"  # shows colours
+    try:
+        command = shlex.split(os.environ.get("PAGER", "less"))
+        options = " ".join([environment.get("LESS", ""), *command[1:]])
+        if not (os.path.basename(command[0]) == "less" and "R" in options.upper()):
+            text = click.unstyle(text)
+        subprocess.run(command, input=f"{text}\n".encode(), env=environment, check=False)
+    except (OSError, ValueError):  # no such program, or a quote is missing in PAGER
+        return False
+    return True
 
 
 def _is_paged(text: str) -> bool:
