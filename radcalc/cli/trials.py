@@ -26,6 +26,7 @@ from radcalc.errors import (
     Try,
     UsageError,
     drop,
+    option,
     quote,
     with_correction,
 )
@@ -37,6 +38,7 @@ ANSWERS = 100  # of a call that is made
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 # Commands that read files or long expressions.
 LONG = ("dose", "scene")
+NUMERIC = "0123456789.,:"  # characters of numbers, lists and ranges
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 # Options of calls that write, draw or list.
 WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--reproject", "--list")
@@ -122,7 +124,10 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
             continue
         trial = Trial(call, proposal.remark)
         try:
-            made.append(trial.answered())
+            answered = trial.answered()
+            if answered.rows and not trial.remark:
+                answered = answered._replace(remark=_example_in(proposal, words))
+            made.append(answered)
         except RadcalcError as further:
             if proposal.inputs or not proposal.without or isinstance(error, Exclusive):
                 lacking.append((trial, further, way))
@@ -130,6 +135,16 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
         return made
     completed = [one for refused in lacking for one in _completed(*refused)]
     return sorted(completed, key=lambda trial: len(trial.words))
+
+
+def _example_in(proposal: Try, words: Words) -> str:
+    """Return the remark on a value that a proposal adds, and that the user did not type."""
+    typed_text = " ".join(words)
+    for name, value in proposal.inputs:
+        number = value[: len(value) - len(value.lstrip(NUMERIC))]
+        if name != "get" and number and number not in typed_text:
+            return f"{option(name, value)} is an example"
+    return ""
 
 
 def has_answers(error: RadcalcError, words: Words) -> bool:
