@@ -82,8 +82,8 @@ USUAL_GOALS = {
 # The full angles of beams, which for a solid angle is that of a cone.
 ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
 WAVES = ("frequency", "wavenumber", "photon-energy")  # given in place of a wavelength
-# With the size of a beam, an intensity is an irradiance.
 TIMES_OF_FILTERS = {"time", "unfiltered-time", "stops", "nd"}
+# With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
 # Results that an input is for: they come before the others of their unit.
 OF_INPUT = {
@@ -130,9 +130,14 @@ def _same(fact: Fact, goal: Goal) -> list[str]:
     amount, unit = fact.amount, goal.unit
     if amount is None or unit is None or amount.dimension != unit.dimension or unit.is_scale:
         return []
-    number, blank, typed = fact.text.partition(" ")
-    plain = [number, typed] if blank and typed == amount.unit.text else [fact.text]
-    return ["convert", *plain, goal.text]
+    return ["convert", *_operands(fact), goal.text]
+
+
+def _operands(fact: Fact) -> list[str]:
+    """Return a number and its unit as two words, and any other amount as one."""
+    number, blank, unit = fact.text.partition(" ")
+    is_plain = blank and fact.amount and fact.amount.unit.text == unit
+    return [number, unit] if is_plain else [fact.text]
 
 
 def _with_sides(facts: Facts) -> Facts:
@@ -239,10 +244,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
         return []
     if "distance" in given and _is_of_small_source(facts, goal):
         return []
-    number, _, unit = facts[value].text.partition(" ")
-    is_plain = amount.unit.text == unit
-    words = ["convert", *([number, unit] if is_plain else [facts[value].text])]
-    words += [target] if target else []
+    words = ["convert", *_operands(facts[value]), *([target] if target else [])]
     calls = [words + [_input(name, fact) for name, fact in given.items()]]
     if "incidence" in given and len(given) > 1 and generic(amount) == "irradiance":
         calls.append([word for word in calls[0] if not word.startswith("incidence=")])

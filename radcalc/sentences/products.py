@@ -84,13 +84,13 @@ def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     if len(places) == 2 and (goal is None or _is_irradiance(goal)):
         (light,), (here, there) = lights, places
         text = light.text.replace("ppfd", "umol/m2/s")  # which is a unit in expressions
-        moved = f"({text}) * ({here.text})^2 / ({there.text})^2"
-        return [["convert", moved, goal.text if goal else _unit_text(light)]]
+        value = f"({text}) * ({here.text})^2 / ({there.text})^2"
+        return [["convert", value, goal.text if goal else _unit_text(light)]]
     if len(lights) == 2 and places and goal and "distance" in goal.names:
         known = facts[facts.index(places[0]) - 1]
         wanted = next(light for light in lights if light is not known)
-        moved = f"{places[0].text} * sqrt(({known.text}) / ({wanted.text}))"
-        return [["convert", moved, _unit_text(places[0])]]
+        place = f"{places[0].text} * sqrt(({known.text}) / ({wanted.text}))"
+        return [["convert", place, _unit_text(places[0])]]
     return []
 
 
