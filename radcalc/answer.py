@@ -94,7 +94,7 @@ class Value(NamedTuple):
     from SI; `also` is another name.  With uncertain inputs, numbers are those of the
     `uncertainties` package; `ends` has the ranges of those that jump, by dimension or field.
     A result that does not follow has no units; `lacking` returns the inputs that would give it, or
-    `because` is the reason why none would.
+    `because` is the reason why none would.  A result with neither is calculated on request alone.
     """
 
     name: str
@@ -131,7 +131,11 @@ class Value(NamedTuple):
 
     @property
     def is_absent(self) -> bool:
-        return self.lacking is not None or self.because is not None
+        return not self.units
+
+    @property
+    def is_on_request(self) -> bool:
+        return self.is_absent and self.lacking is None and self.because is None
 
 
 class Answer(NamedTuple):

@@ -51,6 +51,7 @@ class Page(NamedTuple):
     Fields for the worksheet: `takes` are the accepted symbols; `light` the results that are light
     quantities (generic names), and `others` the other results, in the order of the answer; `goal`
     is a result that inputs must lead to if it is not light, and `goals` are further ones.
+    `on_request` are results that are calculated only if they are requested.
 
     Fields for the command and the Python function: `about` is a one-line summary; `sections` map
     titles of the help to the symbols of options, `kinds` are their kinds of light.  `texts` replace
@@ -72,6 +73,7 @@ class Page(NamedTuple):
     others: tuple[str, ...] = ()
     goal: str = ""
     goals: tuple[str, ...] = ()
+    on_request: tuple[str, ...] = ()
     about: str = ""
     operand: Operand | None = None
     sections: Mapping[str, tuple[str, ...]] = NOTHING

@@ -15,6 +15,7 @@ from radcalc.errors import (
     Try,
     UnknownResult,
     UsageError,
+    add,
     ambiguous,
     correct,
     corrections,
@@ -76,6 +77,11 @@ def absent(name: str, problem: str, hint: str, *others: str) -> Value:
     words = [word for other in others for word in ("-g", other)][1:]
     error = UsageError(message, hint, [correct(name, *words)] if others else ())
     return value(name, 0.0)._replace(units=(), because=error)
+
+
+def on_request(name: str) -> Value:
+    """Return a result that is calculated only if it is requested, without its value."""
+    return value(name, 0.0)._replace(units=())
 
 
 def known(given: Input, *more_units: str) -> Value:
@@ -182,6 +188,9 @@ def _refuse_absent(value: Value, case: str = "") -> None:
         raise because.reworded(f"{of_case}{because.message}")
     if value.lacking is not None:
         raise MissingInput(f"{of_case}the inputs do not give the {value.label}", value.lacking())
+    if value.is_absent:
+        problem = f"{of_case}{value.name} is calculated only if it is requested by name"
+        raise UsageError(problem, add("get", value.name))
 
 
 def element(value: Value, k: int) -> Value:
@@ -328,6 +337,7 @@ def right_names(name: str, values: Sequence[Value]) -> Sequence[str]:
     if ways := _results_in(name, values):
         return ways
     word, names = "-".join(name.lower().replace("_", " ").split()), names_of(values)
+    names += [value.name for value in values if value.is_on_request]
     present = [v for v in values if not v.is_absent]
     if word in (*names, *(v.also for v in present if v.also)):
         return [word]

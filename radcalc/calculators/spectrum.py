@@ -1,16 +1,17 @@
 """A spectrum: its shape, efficacies, photons and colour."""
 
 import math
+from collections.abc import Sequence
 
 from radcalc.answer import Answer, Step, Value
+from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nanometres
 from radcalc.calculators.page import Operand, Page
-from radcalc.calculators.results import absent, value
+from radcalc.calculators.results import absent, on_request, value
 from radcalc.derivation import Formula
-from radcalc.errors import ConditionError, command, option
+from radcalc.errors import ConditionError, add, command, leave_out, option
 from radcalc.inputs.given import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
-from radcalc.spectra import colorimetry
 from radcalc.spectra.counts import Counts
 from radcalc.spectra.observers import OBSERVERS, TRAPEZOIDS
 from radcalc.spectra.planck import LIGHT, PLANCK
@@ -19,7 +20,8 @@ from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Spectrum
 PAGE = Page(
     about="Describe a spectrum: peak, width, efficacies, photons, colour; or compare several.",
     operand=Operand("spectrum", "SOURCE ...", SPECTRUM),
-    sections={"Light": ("observer", "range", "photon-range")},
+    sections={"Light": ("observer", "range", "photon-range", "reference")},
+    on_request=ON_REQUEST,
     texts={
         "observer": "Observer (eye response) of the luminous efficacy.",
         "range": ("LOW:HIGH", "Wavelength range that all results describe."),
@@ -32,6 +34,7 @@ PAGE = Page(
         "blackbody:5772K get=luminance:cd/m2",
         "AM1.5G get=irradiance:W/m2",
         "measured.csv range=380nm:780nm",
+        "LED-B3 get=r9 get=rf get=rg get=ssi",
         "D65 LED-B3 HPS get=cct get=cri get=lux-per-ppfd",
         "blackbody:3000K:6000K:1000K get=temperature:K get=luminous-efficacy:lm/W",
         "LED-B3 plot=           a picture, with V(lambda) over it",
@@ -50,9 +53,6 @@ PAGE = Page(
     mistakes=("efficacies of eyes",),
 )
 
-COLOURS = ("x", "y", "cct", "duv", "cri")
-CHROMATICITY = "the chromaticity: x and y"
-UNSEEN = "this spectrum is invisible"
 RELATIVE = "the spectrum is relative"
 # light of an absolute spectrum, and ratios that a relative one has
 INSTEAD = (
@@ -60,13 +60,13 @@ INSTEAD = (
     ("illuminance", "luminous-efficacy"),
     ("photon-irradiance", "photon-efficacy", "lux-per-ppfd"),
 )
-LIT = "a spectrum with light from 360 nm to 830 nm"
 
 
-def spectrum(given: Inputs) -> Answer:
+def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     """Return the results of a spectrum, or of its part in the given range.
 
-    Photons are counted over the given photon range (default: 400 nm to 700 nm; for lines, all).
+    `requested` are those of `ON_REQUEST` to calculate.  Photons are counted over the given photon
+    range (default: 400 nm to 700 nm; for lines, all).
     """
     source: Spectrum = given["spectrum"].value
     chosen = {name: item.value for name, item in given.items()}
@@ -79,12 +79,17 @@ def spectrum(given: Inputs) -> Answer:
         problem = f"there is no power in {whole.over(RADIANT)}{known}"
         raise ConditionError(problem, f"another {option('range')}")
     counts = Counts(light, eye, *ranges)
-    colours, remarks = _colour(light)
+    reference = given["reference"].value if "reference" in given else None
+    if reference and "ssi" not in requested:
+        unused = f"{option('reference')} does not apply without a spectral similarity index"
+        raise ConditionError(unused, [leave_out("reference"), add("get", "ssi")])
+    colour = colours(light, requested, reference)
     values = [
         *_shape(counts, source.total()),
         *_efficacies(counts, Counts(light, night, *ranges)),
         *_photons(counts),
-        *colours,
+        *colour.values,
+        *[on_request(name) for name in ON_REQUEST if name not in requested],
         *_absolute(source, {kind: counts.amount(kind) for kind in (RADIANT, LUMINOUS, PHOTON)}),
     ]
     shares = f"; range-fraction is relative to {whole.known}, all of the data" if known else ""
@@ -95,9 +100,10 @@ def spectrum(given: Inputs) -> Answer:
     assumptions = [
         f"{source.described}; {watts} over {counts.over(PHOTON)}{shares}",
         eye.assumption,
+        *colour.assumptions,
     ]
     clipped = (RADIANT,) if ranges[0] else (RADIANT, PHOTON)  # the photons also by the range
-    notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *remarks]
+    notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *colour.notes]
     peak = light.peak()[0]
     is_last = known and peak in source.known
     if is_last or (ranges[0] and peak in counts.ranges[RADIANT]):
@@ -108,17 +114,16 @@ def spectrum(given: Inputs) -> Answer:
     return Answer(values, assumptions, notes, _steps(counts))
 
 
-def _nanometres(name: str, size: float) -> Value:
-    return value(name, size * 1e-9)._replace(exact=size)
-
-
 def _shape(counts: Counts, total: float) -> list[Value]:
     source, watts, limits = counts.source, counts.amount(RADIANT), counts.ranges[RADIANT]
     peak, width = source.peak()
     centroid = source.photons(limits) * PLANCK * LIGHT / watts * 1e9
-    results = [_nanometres("peak-wavelength", peak), _nanometres("centroid-wavelength", centroid)]
+    results = [
+        in_nanometres("peak-wavelength", peak),
+        in_nanometres("centroid-wavelength", centroid),
+    ]
     if width is not None:
-        results.append(_nanometres("fwhm", width))
+        results.append(in_nanometres("fwhm", width))
     else:
         is_lines = isinstance(source, Lines)
         ends = "range ends" if counts.given[RADIANT] else "data end"
@@ -126,8 +131,8 @@ def _shape(counts: Counts, total: float) -> list[Value]:
         others = "peak-wavelength", "centroid-wavelength"
         results.append(absent("fwhm", why, " and ".join(others), *others))
     if limits != WHOLE:
-        results.append(_nanometres("range-start", limits[0]))
-        results.append(_nanometres("range-end", limits[1]))
+        results.append(in_nanometres("range-start", limits[0]))
+        results.append(in_nanometres("range-end", limits[1]))
     return [*results, value("range-fraction", watts / total)]
 
 
@@ -168,37 +173,6 @@ def _photons(counts: Counts) -> list[Value]:
         *_ratio(counts, PHOTON, RADIANT, "photon-efficacy"),
         *_ratio(counts, LUMINOUS, PHOTON, "lux-per-ppfd"),
     ]
-
-
-def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
-    light = source.moments(*colorimetry.AT)
-    tristimulus = colorimetry.tristimulus(light)
-    total = sum(tristimulus)
-    if not total > 0:
-        return [absent(name, UNSEEN, LIT) for name in COLOURS], []
-    results = [value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)]
-    try:
-        if isinstance(source, BlackBody) and source.known == WHOLE:  # by definition
-            temperature, distance = source.temperature, 0.0
-        else:
-            temperature, distance = colorimetry.temperature_and_distance(light)
-    except colorimetry.Undefined as error:
-        others = (absent(name, str(error), CHROMATICITY, "x", "y") for name in COLOURS[2:])
-        return [*results, *others], []
-    results += [value("cct", temperature), value("duv", distance)]
-    try:
-        like = colorimetry.reference(temperature)
-    except colorimetry.Undefined as error:
-        return [*results, absent("cri", str(error), "cct and duv", "cct", "duv")], []
-    if not colorimetry.is_adapted(light):
-        why = "the adaptation of CIE 13.3 is undefined for its chromaticity"
-        return [*results, absent("cri", why, "cct and duv", "cct", "duv")], []
-    results.append(value("cri", lambda: colorimetry.colour_rendering_index(light, like)))
-    away = colorimetry.difference(light, like)
-    if away <= colorimetry.SIMILAR:
-        return results, []
-    beyond = f"the distance in (u, v) from the reference is {away:.4g}"
-    return results, [f"cri: {beyond}, CIE 13.3 is for up to {colorimetry.SIMILAR:g}"]
 
 
 def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:

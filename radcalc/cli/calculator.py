@@ -47,7 +47,8 @@ def calculate(
         raise UsageError(f"a {page.operand.name} is missing", command(name, *example))
     if page.operand:
         all_cases = at_points(all_cases, page.operand.name, words)
-    return run(all_cases, Task(name, getattr(module, name.replace("-", "_"))), request, output)
+    function = request.narrowed(getattr(module, name.replace("-", "_")), page)
+    return run(all_cases, Task(name, function), request, output)
 
 
 def run(all_cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:

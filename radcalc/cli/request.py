@@ -1,7 +1,11 @@
 """Requests of a command, besides its inputs."""
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
+from radcalc.answer import Answer
+from radcalc.calculators.page import Page
 from radcalc.cli import check, line_options
 from radcalc.errors import UsageError, one_of
 from radcalc.tuples import NamedTuple
@@ -36,10 +40,20 @@ class Request(NamedTuple):
         return request
 
     def wants(self, name: str) -> bool:
+        """Return whether a result is requested, by its name or a spelling of it: R9, R_f,h1."""
         from radcalc.calculators.results import name_of
 
         names = [*self.wanted, (self.check or "").replace("=", ":")]
-        return name in map(name_of, names)
+        return _letters(name) in [_letters(name_of(text)) for text in names]
+
+    def narrowed(self, function: Callable[..., Answer], page: Page) -> Callable[..., Answer]:
+        """Return the function of a page that calculates the requested ones of its `on_request`."""
+        requested = tuple(filter(self.wants, page.on_request))
+        return partial(function, requested=requested) if requested else function
+
+
+def _letters(name: str) -> str:
+    return "".join(filter(str.isalnum, name.lower()))
 
 
 TO_TERMINAL = "-"  # --plot without a file

@@ -80,7 +80,8 @@ def command(
     operands = texts_of({"column": column or "", "unit": unit or ""})
     if len(words) > 1:  # in a comparison each row has its source, in every table
         output = output._replace(is_chosen=output.is_chosen or output.format == TABLE)
-    return run(all_cases, Task("spectrum", describe, operands), request, output)
+    task = Task("spectrum", request.narrowed(describe, PAGE), operands)
+    return run(all_cases, task, request, output)
 
 
 def _source(text: str, column: str, unit: str) -> Input:

@@ -2,22 +2,19 @@
 
 import math
 from collections.abc import Sequence
-from operator import mul
 
 from radcalc.errors import ConditionError, option
 from radcalc.plots.data import LINE, LINES, REFERENCE, Axis, Chart, Hue, Series
 from radcalc.quantities.light import RADIANT
 from radcalc.quantities.symbols import light_unit, specific_name
 from radcalc.spectra import planck
-from radcalc.spectra.colorimetry import START, Y
+from radcalc.spectra.colorimetry import START, Y, srgb
 from radcalc.spectra.data.colours import X, Z
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.spectrum import VISIBLE, WHOLE, BlackBody, Lines, Range, Spectrum, Table
 
 WAVELENGTH = Axis("wavelength \u03bb", "nm")
 RELATIVE = Axis("relative spectral power")
-# linear sRGB from X, Y, Z (IEC 61966-2-1)
-SRGB = (3.2406, -1.5372, -0.4986), (-0.9689, 1.8758, 0.0415), (0.0557, -0.2040, 1.0570)
 APART = 2  # nm between two hues
 POINTS = 400  # of a black body
 WIDEST = 4  # upper limit of a black body's curve, in wavelengths of its peak
@@ -78,15 +75,9 @@ def hues() -> list[Hue]:
     visible = []
     for k in range(0, len(X), APART):
         nm = START + k
-        inside = [max(sum(map(mul, row, (X[k], Y[k], Z[k]))), 0.0) for row in SRGB]
         if VISIBLE[0] <= nm <= VISIBLE[1]:
-            red, green, blue = (_encoded(part / max(inside)) for part in inside)
-            visible.append(Hue(float(nm), red, green, blue))
+            visible.append(Hue(float(nm), *srgb((X[k], Y[k], Z[k]))))
     return visible
-
-
-def _encoded(part: float) -> float:
-    return 12.92 * part if part <= 0.0031308 else 1.055 * part ** (1 / 2.4) - 0.055
 
 
 def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:

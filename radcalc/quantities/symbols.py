@@ -192,6 +192,11 @@ DISTRIBUTIONS = ("isotropic", "cone", "lobe")
 PROFILES = GAUSSIAN, UNIFORM = "gaussian", "uniform"
 OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
 
+HUE_BINS = (  # of TM-30, each in 16 bins
+    ("rf", "R_f", "1", "local colour fidelity"),
+    ("rcs", "R_cs", "%", "local chroma shift"),
+    ("rhs", "R_hs", "1", "local hue shift"),
+)
 _ROWS = (
     # The light, and the links between its kinds.
     _symbol(LENGTH, "wavelength", "λ", "555nm",
@@ -528,6 +533,22 @@ _ROWS = (
     _symbol(TEMPERATURE, "cct", "T_cp", label="correlated colour temperature"),
     _symbol(NUMBER, "duv", "Duv", limits=ANY, label="distance from the Planckian"),
     _symbol(NUMBER, "cri", "R_a", limits=ANY, label="colour rendering index"),
+    *(_symbol(NUMBER, f"r{k}", f"R_{k}", limits=ANY, label=f"colour rendering index R{k}")
+      for k in range(1, 15)),
+    _symbol(NUMBER, "rf", "R_f", limits=ANY, label="colour fidelity index"),
+    _symbol(NUMBER, "rg", "R_g", limits=ANY, label="gamut index"),
+    *(_symbol(NUMBER, f"{name}-h{k}", f"{letter},h{k}", limits=ANY, unit=unit,
+              label=f"{label} in hue bin {k}")
+      for name, letter, unit, label in HUE_BINS for k in range(1, 17)),
+    _symbol(NUMBER, "ssi", "SSI", limits=ANY, label="spectral similarity index"),
+    _text(SPECTRUM, "reference", "a spectrum", "D55",
+        "Spectrum that {ssi} compares with (default: a black body or daylight of its colour "
+        "temperature)."),
+    _symbol(LENGTH, "dominant-wavelength", "λ_d", unit="nm"),
+    _symbol(LENGTH, "complementary-wavelength", "λ_c", unit="nm"),
+    _symbol(NUMBER, "excitation-purity", "p_e", limits=ANY, unit="%"),
+    *(_symbol(NUMBER, f"srgb-{name}", name[0].upper(), limits=ANY, label=f"sRGB {name}")
+      for name in ("red", "green", "blue")),
     _symbol(TEMPERATURE, "temperature", "T"),
     _symbol(LUMINANCE, "mesopic-luminance", "L_mes", "0.1cd/m2",
         "Luminance for the eye response at mesopic adaptation.", takes="a luminance"),

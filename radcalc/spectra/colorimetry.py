@@ -1,4 +1,4 @@
-"""Chromaticity, correlated colour temperature and colour rendering.
+"""Chromaticity, correlated colour temperature, colour rendering, dominant wavelength and sRGB.
 
 All are by the CIE 1931 2 degree observer at 1 nm, 360 nm to 830 nm.  A light is given by its
 moments there: `source.moments(*AT)`.
@@ -7,6 +7,7 @@ moments there: `source.moments(*AT)`.
 import math
 from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 from operator import mul
 from typing import NamedTuple
 
@@ -20,12 +21,23 @@ START, Y = PHOTOPIC  # the colour-matching function y is V(lambda)
 AT = START, len(Y)  # the first nanometre, and the number of them
 FARTHEST = 0.05  # |Duv| above which the CIE defines no correlated colour temperature
 SIMILAR = 5.4e-3  # largest distance in (u, v) of a light from its reference, CIE 13.3
+GENERAL = 8  # samples of the general colour rendering index
 DAYLIGHT_FROM = 5000.0  # K: from here on the reference is daylight, not a black body
 NOISE = 1e-13  # in (u, v): rounding error of the sums
 COLDEST = 250.0  # K: colder bodies have the chromaticity of 830 nm
 ENDLESS = 5e-10  # 1/K: half that of the hottest black body
 # 1/K, dense enough that `_Planckian.slope` changes sign at most once between two of them
 STEPS = (ENDLESS, *(1e-6 * t for t in (50, 100, 150, 200, 300, 400, 600, 900, 1500)), 1 / COLDEST)
+WHITE = 1 / 3  # x and y of the equal-energy white E
+NEUTRAL = 1e-4  # in (x, y): the tables put E this close to WHITE
+LAST = 699  # nm: from here on the chromaticity stays the same, but for rounding
+ENDS_AT = 1e-4  # in (x, y): a ray this close to the end of the locus meets it
+# linear sRGB from X, Y, Z (IEC 61966-2-1)
+SRGB = (3.2406, -1.5372, -0.4986), (-0.9689, 1.8758, 0.0415), (0.0557, -0.2040, 1.0570)
+HUES = {  # nm
+    "violet": (360, 450), "blue": (450, 500), "green": (500, 570), "yellow": (570, 591),
+    "orange": (591, 610), "red": (610, 760),
+}  # fmt: skip
 Colour = tuple[float, float]
 Light = Sequence[float]
 
@@ -167,17 +179,14 @@ def _shrunk(ratio: float) -> float:
     return 1 - ratio if ratio < 1 else 0.5
 
 
-def reference(temperature: float) -> Light:
+def reference(temperature: float, daylight_from: float = DAYLIGHT_FROM) -> Spectrum:
     """Return the reference of CIE 13.3 for a light of a correlated colour temperature [K].
 
-    It is a black body below 5000 K and a CIE daylight from 5000 K.
+    It is a black body below `daylight_from`, and a CIE daylight from there.
     """
     if temperature > HOTTEST:
-        raise Undefined(f"CIE 13.3 compares with CIE daylight, which ends at {HOTTEST:g} K")
-    like: Spectrum = BlackBody(temperature)
-    if temperature >= DAYLIGHT_FROM:
-        like = illuminant(temperature)
-    return like.moments(*AT)
+        raise Undefined(f"the reference is CIE daylight, which ends at {HOTTEST:g} K")
+    return illuminant(temperature) if temperature >= daylight_from else BlackBody(temperature)
 
 
 def difference(light: Light, other: Light) -> float:
@@ -185,8 +194,10 @@ def difference(light: Light, other: Light) -> float:
     return math.dist(_uv(light), _uv(other))
 
 
-def colour_rendering_index(light: Light, like: Light) -> float:
-    """Return the general colour rendering index Ra of a light, relative to its reference.
+def colour_rendering_indices(light: Light, like: Light) -> list[float]:
+    """Return the special colour rendering indices R1 to R14 of a light, relative to its reference.
+
+    The general index Ra is the mean of the first eight.
 
     References
     ----------
@@ -195,7 +206,7 @@ def colour_rendering_index(light: Light, like: Light) -> float:
     here, there = _uv(light), _uv(like)
     c_share, d_share = (ours / theirs for ours, theirs in zip(_cd(there), _cd(here), strict=True))
     whites = _dot(light, Y), _dot(like, Y)
-    total = 0.0
+    indices = []
     for sample in SAMPLES:
         lit, expected = list(map(mul, light, sample)), list(map(mul, like, sample))
         c, d = _cd(_uv(lit))
@@ -206,8 +217,13 @@ def colour_rendering_index(light: Light, like: Light) -> float:
             _uvw(adapted, there, _dot(lit, Y) / whites[0]),
             _uvw(_uv(expected), there, _dot(expected, Y) / whites[1]),
         )
-        total += 100 - 4.6 * shift
-    return total / len(SAMPLES)
+        indices.append(100 - 4.6 * shift)
+    return indices
+
+
+def colour_rendering_index(indices: Sequence[float]) -> float:
+    """Return the general colour rendering index Ra, the mean of the first eight special ones."""
+    return sum(indices[:GENERAL]) / GENERAL
 
 
 def is_adapted(light: Light) -> bool:
@@ -225,3 +241,94 @@ def _uvw(colour: Colour, white: Colour, share: float) -> tuple[float, float, flo
     """Return CIE 1964 U*, V*, W* of a chromaticity and a fraction of the white's luminance."""
     w = 25 * (100 * share) ** (1 / 3) - 17
     return 13 * w * (colour[0] - white[0]), 13 * w * (colour[1] - white[1]), w
+
+
+class Hue(NamedTuple):
+    """The hue of a light: its dominant or complementary wavelength [nm], and excitation purity."""
+
+    wavelength: float
+    is_complementary: bool
+    purity: float
+
+
+def hue(light: Light) -> Hue:
+    """Return the hue of a light, relative to the equal-energy white E.
+
+    Purples have no dominant wavelength; theirs is the complementary one.
+
+    Raises
+    ------
+    Undefined
+        If the light is white, or has the chromaticity of every wavelength from 699 nm.
+
+    References
+    ----------
+    CIE 15: the line from the white through the light meets the spectrum locus, which is straight
+    between whole nanometres, at the dominant wavelength.
+    """
+    tristimulus_values = tristimulus(light)
+    total = sum(tristimulus_values)
+    x, y = tristimulus_values[0] / total - WHITE, tristimulus_values[1] / total - WHITE
+    away = math.hypot(x, y)
+    if away < NEUTRAL:
+        raise Undefined("it is the equal-energy white")
+    locus = _locus()
+    if met := _meet(locus, x, y):
+        return Hue(met[0], False, away / met[1])
+    met = _meet(locus, -x, -y)
+    (xa, ya), (xb, yb) = locus[0], locus[-1]
+    if met is None or abs(xb * y - yb * x) < ENDS_AT * away:
+        raise Undefined(f"all wavelengths from {LAST:g} nm have its chromaticity")
+    share = (xa * y - ya * x) / ((xa - xb) * y - (ya - yb) * x)  # along the line of purples
+    boundary = math.hypot(xa + share * (xb - xa), ya + share * (yb - ya))
+    return Hue(met[0], True, away / boundary)
+
+
+@cache
+def _locus() -> list[Colour]:
+    """Return the spectrum locus in (x, y) at every nanometre, relative to the white E."""
+    return [
+        (x / (x + y + z) - WHITE, y / (x + y + z) - WHITE) for x, y, z in zip(X, Y, Z, strict=True)
+    ][: LAST - START + 1]
+
+
+def _meet(locus: Sequence[Colour], x: float, y: float) -> tuple[float, float] | None:
+    """Return the wavelength [nm] where a ray from the white meets the locus, and its distance."""
+    for k, ((xa, ya), (xb, yb)) in enumerate(pairwise(locus)):
+        before, after = xa * y - ya * x, xb * y - yb * x
+        if before <= 0 <= after and before != after and xa * x + ya * y > 0:
+            share = before / (before - after)
+            distance = math.hypot(xa + share * (xb - xa), ya + share * (yb - ya))
+            return START + k + share, distance
+    return None
+
+
+def hue_name(wavelength: float) -> str:
+    """Return the name of a spectral colour [nm], "" outside of the visible.
+
+    References
+    ----------
+    ISO 21348, table of spectral categories, which calls the first one purple.
+    """
+    for name, (low, high) in HUES.items():
+        if low <= wavelength < high:
+            return name
+    return ""
+
+
+def srgb(tristimulus_values: Sequence[float]) -> tuple[float, float, float]:
+    """Return the colour of tristimulus values on a screen: red, green and blue from 0 to 1.
+
+    The greatest of the three is 1.  Negative ones, of colours that no screen shows, are 0.
+
+    References
+    ----------
+    IEC 61966-2-1.
+    """
+    linear = [max(sum(map(mul, row, tristimulus_values)), 0.0) for row in SRGB]
+    red, green, blue = (_encoded(part / max(linear)) for part in linear)
+    return red, green, blue
+
+
+def _encoded(part: float) -> float:
+    return 12.92 * part if part <= 0.0031308 else min(1.055 * part ** (1 / 2.4) - 0.055, 1.0)

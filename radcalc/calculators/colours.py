@@ -1,0 +1,164 @@
+"""Results of the colour of a spectrum: chromaticity, rendering, rendition, similarity and hue."""
+
+from collections.abc import Callable, Sequence
+from functools import cache
+
+from radcalc.answer import Value
+from radcalc.calculators.results import absent, value
+from radcalc.quantities.symbols import HUE_BINS
+from radcalc.spectra import colorimetry, similarity
+from radcalc.spectra.colorimetry import Undefined
+from radcalc.spectra.spectrum import WHOLE, BlackBody, Spectrum, range_text
+from radcalc.tuples import NamedTuple
+
+CHROMATICITY = "the chromaticity: x and y"
+UNSEEN = "this spectrum is invisible"
+LIT = "a spectrum with light from 360 nm to 830 nm"
+COLOURS = ("x", "y", "cct", "duv", "cri")
+SPECIAL = tuple(f"r{k}" for k in range(1, 15))
+BINS = tuple(f"{name}-h{k}" for name, *_ in HUE_BINS for k in range(1, 17))
+RENDITION = ("rf", "rg", *BINS)
+HUE = ("dominant-wavelength", "complementary-wavelength", "excitation-purity")
+SCREEN = ("srgb-red", "srgb-green", "srgb-blue")
+ON_REQUEST = (*SPECIAL, *RENDITION, "ssi", *HUE, *SCREEN)
+
+
+class Colours(NamedTuple):
+    """Results of the colour of a light, with their remarks."""
+
+    values: list[Value]
+    assumptions: list[str]
+    notes: list[str]
+
+
+def in_nanometres(name: str, size: float) -> Value:
+    """Return a result that is a wavelength or a width [nm]."""
+    return value(name, size * 1e-9)._replace(exact=size)
+
+
+def colours(source: Spectrum, requested: Sequence[str], reference: Spectrum | None) -> Colours:
+    """Return the colour of a light, with the requested ones of `ON_REQUEST`.
+
+    `reference` is that of the similarity; by default the usual one.
+    """
+    light = source.moments(*colorimetry.AT)
+    found = Colours([], [], [])
+    if not sum(colorimetry.tristimulus(light)) > 0:
+        found.values.extend(absent(name, UNSEEN, LIT) for name in (*COLOURS, *requested))
+        return found
+    _add_rendering(found, source, [name for name in SPECIAL if name in requested])
+    if names := [name for name in RENDITION if name in requested]:
+        _add_rendition(found, source, names)
+    if "ssi" in requested:
+        _add_similarity(found, source, reference)
+    if names := [name for name in HUE if name in requested]:
+        _add_hue(found, light, names)
+    if names := [name for name in SCREEN if name in requested]:
+        _add_screen(found, light, names)
+    return found
+
+
+def _absent(names: Sequence[str], why: str, *instead: str) -> list[Value]:
+    """Return results that are undefined; `instead` are others, by default the chromaticity."""
+    hint = " and ".join(instead) if instead else CHROMATICITY
+    return [absent(name, why, hint, *(instead or ("x", "y"))) for name in names]
+
+
+def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> None:
+    """Add chromaticity, temperature and colour rendering indices, by CIE 13.3."""
+    light = source.moments(*colorimetry.AT)
+    tristimulus, names = colorimetry.tristimulus(light), ("cri", *special)
+    total = sum(tristimulus)
+    found.values.extend([value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)])
+    try:
+        if isinstance(source, BlackBody) and source.known == WHOLE:  # by definition
+            temperature, distance = source.temperature, 0.0
+        else:
+            temperature, distance = colorimetry.temperature_and_distance(light)
+    except Undefined as error:
+        found.values.extend(_absent(("cct", "duv", *names), str(error)))
+        return
+    found.values.extend([value("cct", temperature), value("duv", distance)])
+    try:
+        like = colorimetry.reference(temperature).moments(*colorimetry.AT)
+        if not colorimetry.is_adapted(light):
+            raise Undefined("the adaptation of CIE 13.3 is undefined for its chromaticity")
+    except Undefined as error:
+        found.values.extend(_absent(names, str(error), "cct", "duv"))
+        return
+    indices = cache(lambda: colorimetry.colour_rendering_indices(light, like))
+    found.values.append(value("cri", lambda: colorimetry.colour_rendering_index(indices())))
+    found.values.extend(value(name, indices()[SPECIAL.index(name)]) for name in special)
+    away = colorimetry.difference(light, like)
+    if away > colorimetry.SIMILAR:
+        beyond = f"the distance in (u, v) from the reference is {away:.4g}"
+        found.notes.append(f"cri: {beyond}, CIE 13.3 is for up to {colorimetry.SIMILAR:g}")
+
+
+def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> None:
+    """Add the colour rendition by TM-30."""
+    from radcalc.spectra import rendition  # which loads colour-science
+
+    try:
+        rendered = rendition.rendition(source)
+    except Undefined as error:
+        found.values.extend(_absent(names, str(error)))
+        return
+    listed = {"rf": rendered.fidelity, "rg": rendered.gamut}
+    local = (rendered.local_fidelity, rendered.chroma_shifts, rendered.hue_shifts)
+    listed |= dict(zip(BINS, (size for sizes in local for size in sizes), strict=True))
+    found.values.extend(value(name, listed[name]) for name in names)
+    found.assumptions.append(
+        "colour rendition of white light by ANSI/IES TM-30-18 (R_f is that of CIE 224:2017), with "
+        "99 colour samples"
+    )
+    found.notes.extend(_of_gaps("colour rendition", source, *rendition.SAMPLED))
+
+
+def _add_similarity(found: Colours, source: Spectrum, reference: Spectrum | None) -> None:
+    try:
+        reference = reference or similarity.reference_of(source)
+        found.values.append(value("ssi", similarity.similarity(source, reference)))
+    except Undefined as error:
+        found.values.extend(_absent(["ssi"], str(error)))
+        return
+    found.assumptions.append(f"ssi (SMPTE ST 2122): compared with {reference.label}")
+    for compared in (source, reference):
+        found.notes.extend(_of_gaps("ssi", compared, similarity.START, similarity.END))
+
+
+def _of_gaps(what: str, source: Spectrum, low: float, high: float) -> list[str]:
+    """Return a note if the data do not reach both ends of a range."""
+    if source.is_whole or (source.known[0] <= low and source.known[1] >= high):
+        return []
+    ends = range_text(source.known)
+    return [f"{what}: the data of {source.label} cover {ends}; beyond, they are taken as 0"]
+
+
+def _add_hue(found: Colours, light: colorimetry.Light, names: Sequence[str]) -> None:
+    try:
+        hue = colorimetry.hue(light)
+    except Undefined as error:
+        found.values.extend(_absent(names, str(error)))
+        return
+    present, other = HUE[:2] if not hue.is_complementary else HUE[1::-1]
+    sizes: dict[str, Callable[[], Value]] = {
+        present: lambda: in_nanometres(present, hue.wavelength),
+        other: lambda: _absent([other], f"its hue has a {present.replace('-', ' ')}", present)[0],
+        "excitation-purity": lambda: value("excitation-purity", hue.purity),
+    }
+    found.values.extend(sizes[name]() for name in names)
+    found.assumptions.append("hue relative to the equal-energy white, x = y = 1/3")
+    if present == HUE[0] and (name := colorimetry.hue_name(hue.wavelength)):
+        low, high = colorimetry.HUES[name]
+        found.notes.append(f"the hue is {name} (ISO 21348: {low} nm to {high} nm)")
+
+
+def _add_screen(found: Colours, light: colorimetry.Light, names: Sequence[str]) -> None:
+    levels = [round(255 * part) for part in colorimetry.srgb(colorimetry.tristimulus(light))]
+    listed = dict(zip(SCREEN, map(float, levels), strict=True))
+    found.values.extend(value(name, listed[name]) for name in names)
+    found.assumptions.append(
+        "sRGB (IEC 61966-2-1) from 0 to 255: the greatest is 255, and negative ones are cut to 0"
+    )
+    found.notes.append("the colour in sRGB is #" + "".join(f"{level:02x}" for level in levels))

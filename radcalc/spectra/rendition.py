@@ -1,0 +1,122 @@
+"""Colour rendition by TM-30, which colour-science calculates.
+
+Only this module imports colour-science, on demand: that takes most of a second.
+"""
+
+import math
+import warnings
+from collections.abc import Sequence
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any
+
+from radcalc.spectra import colorimetry
+from radcalc.spectra.colorimetry import Undefined
+from radcalc.spectra.daylight import HOTTEST
+from radcalc.spectra.spectrum import Spectrum, Table
+from radcalc.tuples import NamedTuple
+
+SAMPLED = 380, 780  # nm: CIE 224
+COARSEST = 5.0  # nm: widest step of data for CIE 224
+COLDEST = 1000.0  # K: lowest temperature of the reference that colour-science finds
+BINS = 16  # of hue, in TM-30
+Point = tuple[float, float]
+
+
+class Rendition(NamedTuple):
+    """Colour rendition of a light by ANSI/IES TM-30-18.
+
+    `fidelity` (R_f) and `gamut` (R_g) are of all samples.  Each hue bin has its local fidelity,
+    chroma shift (a fraction) and hue shift.  `test` and `reference` are the mean a', b' of each bin
+    in CAM02-UCS, under the light and under its reference.
+    """
+
+    fidelity: float
+    gamut: float
+    local_fidelity: tuple[float, ...]
+    chroma_shifts: tuple[float, ...]
+    hue_shifts: tuple[float, ...]
+    test: tuple[Point, ...]
+    reference: tuple[Point, ...]
+
+
+def load_colour() -> Any:
+    """Return colour-science, without its warnings of missing packages and its print options."""
+    import numpy
+
+    with warnings.catch_warnings(), numpy.printoptions():
+        warnings.simplefilter("ignore")
+        import colour
+    return colour
+
+
+@lru_cache(maxsize=32)
+def rendition(source: Spectrum) -> Rendition:
+    """Return the colour rendition of a spectrum.
+
+    Raises
+    ------
+    Undefined
+        If the light has no colour temperature from 1000 K to 25 000 K, or its data are too coarse.
+
+    References
+    ----------
+    ANSI/IES TM-30-18, whose R_f is that of CIE 224:2017; colour-science.
+    """
+    temperature = _temperature(source)
+    if not COLDEST <= temperature <= HOTTEST:
+        limits = f"{COLDEST:g} K to {HOTTEST:g} K"
+        raise Undefined(f"its colour temperature, {temperature:.6g} K, is not within {limits}")
+    step = _step(source)
+    if step > COARSEST:
+        raise Undefined(f"CIE 224 needs data at every {COARSEST:g} nm, and these have {step:g} nm")
+    colour = load_colour()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = colour.colour_fidelity_index(
+            _distribution(source, *SAMPLED), True, "ANSI/IES TM-30-18"
+        )
+    return Rendition(
+        float(found.R_f),
+        float(found.R_g),
+        tuple(map(float, found.R_fs)),
+        tuple(float(shift) / 100 for shift in found.R_cs),
+        tuple(map(float, found.R_hs)),
+        tuple((float(a), float(b)) for a, b in found.averages_test),
+        tuple((float(a), float(b)) for a, b in found.averages_reference),
+    )
+
+
+def _temperature(source: Spectrum) -> float:
+    return colorimetry.temperature_and_distance(source.moments(*colorimetry.AT))[0]
+
+
+def _step(source: Spectrum) -> float:
+    """Return the widest step [nm] of the data among the sampled wavelengths."""
+    if not isinstance(source, Table):
+        return 0.0
+    grid = [x for x in source.grid if SAMPLED[0] - COARSEST < x < SAMPLED[1] + COARSEST]
+    return max((b - a for a, b in pairwise(grid)), default=math.inf)
+
+
+def _distribution(source: Spectrum, start: int, end: int) -> Any:
+    """Return the spectrum for colour-science, 0 outside of the data.
+
+    A table of every nanometre, or of every fifth, keeps its values: CIE 224 has samples for both.
+    Any other light is summed around each nanometre.
+    """
+    colour = load_colour()
+    if isinstance(source, Table) and (step := _even_step(source.grid)):
+        inside = dict(zip(source.grid, source.values, strict=True))
+        places = range(start, end + 1, step)
+        return colour.SpectralDistribution([inside.get(nm, 0.0) for nm in places], places)
+    light = source.moments(start - 1, end - start + 3)[1:-1]  # without the halved ends
+    return colour.SpectralDistribution(light, range(start, end + 1))
+
+
+def _even_step(grid: Sequence[float]) -> int:
+    """Return 5 or 1 if the wavelengths are all multiples of 5 nm, or all of 1 nm; otherwise 0."""
+    for step in (5, 1):
+        if all(nm % step == 0 for nm in grid) and grid[-1] - grid[0] == step * (len(grid) - 1):
+            return step
+    return 0
