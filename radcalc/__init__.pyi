@@ -699,6 +699,7 @@ def spectrum(
     observer: Observer | None = None,
     range: Text = None,
     photon_range: Text = None,
+    reference: Text = None,
     column: str | int | None = None,
     unit: str = "",
 ) -> Result: ...

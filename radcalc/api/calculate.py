@@ -16,7 +16,7 @@ from radcalc.calculators.task import Task
 from radcalc.inputs.given import Input, Inputs, shown_inputs
 from radcalc.maths import is_column
 
-WorkOut = Callable[[Inputs], Answer]
+WorkOut = Callable[..., Answer]  # of the inputs, and of results on request
 
 
 def calculate(
@@ -28,11 +28,13 @@ def calculate(
     waits: bool = True,
     adapt: Callable[[Inputs], Inputs] | None = None,
     drawn: Any = None,
+    requested: tuple[str, ...] = (),
 ) -> Result:
     """Read the symbols given to a function, and return the result.
 
     `operands` are shown with them; `drawn` is what a picture needs besides the inputs; `adapt`
     changes the inputs that were read; `waits` is true if the function takes Dask arrays.
+    `requested` are results that the function calculates on request alone.
     """
     columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
@@ -51,7 +53,7 @@ def calculate(
         inputs = adapt(inputs)
     arrays = any(map(_has_elements, inputs.values()))
     shape = operands.get("shape") or operands.get("type", "")
-    task = Task(command, work_out, texts_of(operands), shape, drawn=drawn)
+    task = Task(command, _requesting(work_out, requested), texts_of(operands), shape, drawn=drawn)
     answer = broadcast(lambda: task.solve(inputs))
 
     def ask() -> Any:
@@ -59,11 +61,19 @@ def calculate(
 
         return of_task(task, inputs, steps=True)
 
+    def again(name: str) -> Answer:
+        further = task._replace(work_out=_requesting(work_out, (*requested, name)))
+        found: Answer = broadcast(lambda: further.solve(inputs))
+        return found
+
     listed_inputs = (*task.operands, *shown_inputs(inputs))
-    result = of_answer(
-        command, answer, listed_inputs, None if arrays else ask, (inputs, answer, drawn)
-    )
+    solved = (inputs, answer, drawn)
+    result = of_answer(command, answer, listed_inputs, None if arrays else ask, solved, again)
     return result.in_columns(columns)
+
+
+def _requesting(work_out: WorkOut, requested: tuple[str, ...]) -> WorkOut:
+    return partial(work_out, requested=requested) if requested else work_out
 
 
 def _has_elements(given: Input) -> bool:

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import answer
@@ -10,6 +11,7 @@ from radcalc.api.drawing import Drawing
 from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, quantity, unit_of
 from radcalc.api.refusals import in_python
 from radcalc.api.spelling import in_words, keyword, symbol_name
+from radcalc.calculators.page import NOTHING
 from radcalc.calculators.results import in_unit, name_in, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.inputs.given import Inputs
@@ -75,17 +77,22 @@ class Result(Mapping[str, Quantity]):
         names: Sequence[str],
         ask: "Callable[[], Question] | None",
         solved: Drawn | Undrawn,
+        later: Mapping[str, Callable[[], Any]] = NOTHING,
     ) -> None:
+        """`later` are results that are calculated at the first access."""
         self.command = command
         self._show = show
         self._every = dict(every)
         self._names = names
         self._ask = ask
         self._solved = solved
+        self._later = later
 
     def __getitem__(self, name: str) -> Quantity:
         """Return a result by any of its names; hyphens are underscores."""
         called = keyword(str(name))
+        if called in self._later and called not in self._every:
+            self._every[called] = self._later[called]()
         if called not in self._every:
             near = ", ".join(nearest(called, self._every, 3) or self._names)
             raise MissingResult(f"unknown result '{quote(str(name))}'", near)
@@ -121,7 +128,7 @@ class Result(Mapping[str, Quantity]):
 
     def __dir__(self) -> list[str]:
         """List the results, by all of their names, with the other attributes."""
-        return [*super().__dir__(), *self._every]
+        return [*super().__dir__(), *self._every, *self._later]
 
     def _ipython_key_completions_(self) -> list[str]:
         return [*self._every]
@@ -302,8 +309,12 @@ def of_answer(
     inputs: tuple[ShownInput, ...],
     ask: "Callable[[], Question] | None",
     solved: Drawn | Undrawn,
+    again: Callable[[str], Answer] | None = None,
 ) -> Result:
-    """Return the result of a calculator, each quantity in the first unit shown."""
+    """Return the result of a calculator, each quantity in the first unit shown.
+
+    `again` calculates the answer with a result that is calculated only on request.
+    """
     answers = (solution, *solution.more)
     parts = [_quantities(part) for part in answers]
     every, names = parts[0]
@@ -320,7 +331,21 @@ def of_answer(
             inputs,
         ).spelled(in_words)
 
-    return Result(command, show, every, names, ask, solved)
+    waiting = [value.name for value in solution.values if value.is_on_request]
+    later = {keyword(name): partial(_on_request, again, name) for name in waiting if again}
+    return Result(command, show, every, names, ask, solved, later)
+
+
+def _on_request(again: Callable[[str], Answer], name: str) -> Any:
+    value = next(value for value in again(name).values if value.name == name)
+    if value.because:
+        raise MissingResult(value.because.message, value.because.hint)
+    return _quantity(value)
+
+
+def _quantity(value: answer.Value) -> Any:
+    unit = in_which(value.units[0], value.dimensions)
+    return quantity(in_unit(value, unit), unit)
 
 
 def _stacked(quantities: list[Any]) -> Any:
@@ -348,8 +373,7 @@ def _quantities(solution: Answer) -> tuple[dict[str, Any], list[str]]:
         name, also = keyword(value.name), keyword(value.also)
         if value.is_absent:
             continue
-        unit = in_which(value.units[0], value.dimensions)
-        result = quantity(in_unit(value, unit), unit)
+        result = _quantity(value)
         in_kind = keyword(name_in(value, value.dimensions[0]))
         first.setdefault(name, result)
         first.setdefault(in_kind, result)

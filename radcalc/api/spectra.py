@@ -60,7 +60,9 @@ def spectrum(
     texts = {"column": "" if column is None else str(column), "unit": unit}
     operands = {name: chosen for name, chosen in texts.items() if chosen}
     chosen = (text, *texts.values()) if operands else text
-    return calculate("spectrum", {"spectrum": chosen, **given}, of_spectrum, operands)
+    requested = ("ssi",) if given.get("reference") else ()  # which it is for
+    symbols = {"spectrum": chosen, **given}
+    return calculate("spectrum", symbols, of_spectrum, operands, requested=requested)
 
 
 def _named(inputs: Inputs) -> Inputs:
