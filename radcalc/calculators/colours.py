@@ -67,9 +67,8 @@ def _absent(names: Sequence[str], why: str, *instead: str) -> list[Value]:
 def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> None:
     """Add chromaticity, temperature and colour rendering indices, by CIE 13.3."""
     light = source.moments(*colorimetry.AT)
-    tristimulus, names = colorimetry.tristimulus(light), ("cri", *special)
-    total = sum(tristimulus)
-    found.values.extend([value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)])
+    (x, y), names = colorimetry.chromaticity(light), ("cri", *special)
+    found.values.extend([value("x", x), value("y", y)])
     try:
         if isinstance(source, BlackBody) and source.known == WHOLE:  # by definition
             temperature, distance = source.temperature, 0.0

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from radcalc.calculators.results import name_of
 from radcalc.errors import UsageError, mention
 from radcalc.inputs.given import Inputs
 from radcalc.plots.curves import RANGE, Solved, curves, ranged, varied
@@ -34,17 +35,24 @@ def depends(command: str, solved: Solved, name: str) -> bool:
     """Return whether the picture depends on a requested result, NAME[:UNIT]."""
     if varied([solved]) and command not in LISTS:
         return True
+    from radcalc.plots.colours import explains
     from radcalc.plots.directions import is_intensity
 
+    if command == "spectrum":
+        return explains(name_of(name))
     return command == "point-source" and is_intensity(name)
 
 
 def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
+    from radcalc.plots.colours import diagram
     from radcalc.plots.spectra import spectra
 
+    sources = [answer.given["spectrum"].value for answer in solved]
+    if picture := diagram(sources, [*map(name_of, wanted)]):
+        return picture
     given = solved[0].given
     limits = given["range"].value if "range" in given else WHOLE
-    return spectra([answer.given["spectrum"].value for answer in solved], _eye(given), limits)
+    return spectra(sources, _eye(given), limits)
 
 
 def _photon(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:

@@ -14,6 +14,7 @@ from radcalc.plots.data import (
     RIGHT,
     Axis,
     Chart,
+    ColourDiagram,
     Disc,
     Field,
     Mark,
@@ -76,6 +77,7 @@ def draw(picture: Picture, style: Style) -> str:
         Polar: _polar,
         Field: _field,
         Disc: _disc,
+        ColourDiagram: _colour_diagram,
     }
     style = style._replace(width=max(style.width, NARROWEST))
     lines = ways[type(picture)](picture, style)
@@ -203,6 +205,30 @@ def _disc(disc: Disc, style: Style) -> list[str]:
     indent = " " * max((style.width - columns) // 2, 0)
     lines = [*heading(disc.title, style), *(indent + line for line in sheet.lines(style))]
     return [*lines, *caption(value_caption, 0, style.width)]
+
+
+def _colour_diagram(diagram: ColourDiagram, style: Style) -> list[str]:
+    (left, right), (low, high) = diagram.limits
+    x_ticks, y_ticks = ticks(left, right, 5), ticks(low, high, 5)
+    names = texts(y_ticks)
+    margin = max(map(len, names)) + 2
+    columns = min(style.width - margin - 1, 2 * round(_tall(style) * (right - left) / (high - low)))
+    rows = round(columns * (high - low) / (right - left) / 2)
+    sheet = Sheet.between(columns, rows, (left, right), (low, high))
+    entries = []
+    for k, series in enumerate(diagram.series):
+        is_reference = series.style == REFERENCE
+        color, mark = (DIM, BEHIND) if is_reference else (COLORS[k], MARKS[k])
+        draw_along = dotted if is_reference else line
+        draw_along(sheet.layer(color, mark), pairwise([*zip(series.x, series.y, strict=True)]))
+        entries.append((sample(series.style, mark, style), color, series.label))
+    _place_marks(sheet, diagram.marks)
+    return [
+        *heading(diagram.title, style),
+        *beside(diagram.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
+        *below(diagram.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
+        *legend(entries, style),
+    ]
 
 
 def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:

@@ -1,7 +1,7 @@
 """Pictures as plain data."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # styles of a series
 RIGHT = 90.0  # deg
@@ -140,4 +140,23 @@ class Disc(NamedTuple):
     is_image: bool = False
 
 
-Picture = Chart | Polar | Field | Disc
+class ColourDiagram(NamedTuple):
+    """Curves and named points in a plane of colours; both axes have the same scale.
+
+    In a figure, colour-science draws the colours of the chromaticity diagram behind it, or all of
+    the colour vector graphic of a `report`.
+    """
+
+    title: str
+    x: Axis
+    y: Axis
+    series: Sequence[Series]
+    marks: Sequence[Mark] = ()
+    report: Any = None
+
+    @property
+    def limits(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        return self.x.limits or (0.0, 1.0), self.y.limits or (0.0, 1.0)
+
+
+Picture = Chart | Polar | Field | Disc | ColourDiagram

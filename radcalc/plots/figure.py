@@ -20,6 +20,7 @@ from radcalc.plots.data import (
     RIGHT,
     Axis,
     Chart,
+    ColourDiagram,
     Disc,
     Field,
     Mark,
@@ -78,6 +79,7 @@ def figure(picture: Picture) -> Any:
         Polar: _polar,
         Field: _field,
         Disc: _disc,
+        ColourDiagram: _colour_diagram,
     }
     with matplotlib.rc_context({**matplotlib.rcParamsDefault, **SETTINGS}):
         drawing = Figure(figsize=SIZE, layout="constrained")
@@ -302,6 +304,27 @@ def _disc(disc: Disc, drawing: Any) -> None:
         )  # fmt: skip
     _marks(axes, disc.marks)
     axes.figure.suptitle(_safe(disc.title), fontsize=11, wrap=True)
+
+
+def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
+    from radcalc.spectra.rendition import draw_chromaticities, draw_vectors
+
+    drawing.set_size_inches(*SQUARE)
+    axes = drawing.subplots()
+    if diagram.report:
+        draw_vectors(diagram.report, axes)
+    else:
+        draw_chromaticities(axes)
+        for series in diagram.series:
+            dashes: Any = (0, (2, 2)) if series.style == REFERENCE else "-"
+            label = _safe(series.label)
+            axes.plot(series.x, series.y, color=NO_LIGHT, linestyle=dashes, lw=1.2, label=label)
+        _marks(axes, diagram.marks)
+        _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, diagram.x)
+        _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, diagram.y)
+        axes.legend(loc="upper right")
+    axes.set_aspect("equal")
+    axes.set_title(_safe(diagram.title), wrap=True)
 
 
 def _filled(

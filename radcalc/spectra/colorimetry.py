@@ -60,6 +60,25 @@ def tristimulus(light: Light) -> tuple[float, float, float]:
     return _dot(light, X), _dot(light, Y), _dot(light, Z)
 
 
+def chromaticity(light: Light) -> Colour:
+    """Return the CIE 1931 chromaticity coordinates x and y of a light."""
+    tristimulus_values = tristimulus(light)
+    total = sum(tristimulus_values)
+    return tristimulus_values[0] / total, tristimulus_values[1] / total
+
+
+@cache
+def spectrum_locus() -> list[Colour]:
+    """Return x and y of the wavelengths at every nanometre, up to `LAST`."""
+    points = zip(X, Y, Z, strict=True)
+    return [(x / (x + y + z), y / (x + y + z)) for x, y, z in points][: LAST - START + 1]
+
+
+def black_body(temperature: float) -> Light:
+    """Return the light of a black body of a temperature [K]."""
+    return BlackBody(temperature).moments(*AT)
+
+
 def _dot(light: Light, weights: Sequence[float]) -> float:
     total: float = sum(map(mul, light, weights))
     return total
@@ -266,30 +285,20 @@ def hue(light: Light) -> Hue:
     CIE 15: the line from the white through the light meets the spectrum locus, which is straight
     between whole nanometres, at the dominant wavelength.
     """
-    tristimulus_values = tristimulus(light)
-    total = sum(tristimulus_values)
-    x, y = tristimulus_values[0] / total - WHITE, tristimulus_values[1] / total - WHITE
+    x, y = (coordinate - WHITE for coordinate in chromaticity(light))
     away = math.hypot(x, y)
     if away < NEUTRAL:
         raise Undefined("it is the equal-energy white")
-    locus = _locus()
-    if met := _meet(locus, x, y):
+    locus = [(xa - WHITE, ya - WHITE) for xa, ya in spectrum_locus()]
+    met, opposite = _meet(locus, x, y), _meet(locus, -x, -y)
+    if met and met[0] < LAST - 0.5:
         return Hue(met[0], False, away / met[1])
-    met = _meet(locus, -x, -y)
     (xa, ya), (xb, yb) = locus[0], locus[-1]
-    if met is None or abs(xb * y - yb * x) < ENDS_AT * away:
+    if met or opposite is None or abs(xb * y - yb * x) < ENDS_AT * away:
         raise Undefined(f"all wavelengths from {LAST:g} nm have its chromaticity")
     share = (xa * y - ya * x) / ((xa - xb) * y - (ya - yb) * x)  # along the line of purples
     boundary = math.hypot(xa + share * (xb - xa), ya + share * (yb - ya))
-    return Hue(met[0], True, away / boundary)
-
-
-@cache
-def _locus() -> list[Colour]:
-    """Return the spectrum locus in (x, y) at every nanometre, relative to the white E."""
-    return [
-        (x / (x + y + z) - WHITE, y / (x + y + z) - WHITE) for x, y, z in zip(X, Y, Z, strict=True)
-    ][: LAST - START + 1]
+    return Hue(opposite[0], True, away / boundary)
 
 
 def _meet(locus: Sequence[Colour], x: float, y: float) -> tuple[float, float] | None:
@@ -299,7 +308,10 @@ def _meet(locus: Sequence[Colour], x: float, y: float) -> tuple[float, float] | 
         if before <= 0 <= after and before != after and xa * x + ya * y > 0:
             share = before / (before - after)
             distance = math.hypot(xa + share * (xb - xa), ya + share * (yb - ya))
-            return START + k + share, distance
+            # The observer is linear in the wavelength, which weighs the ends by their sums.
+            weight = share * (X[k] + Y[k] + Z[k])
+            other = (1 - share) * (X[k + 1] + Y[k + 1] + Z[k + 1])
+            return START + k + weight / (weight + other), distance
     return None
 
 

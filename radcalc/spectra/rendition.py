@@ -28,7 +28,7 @@ class Rendition(NamedTuple):
 
     `fidelity` (R_f) and `gamut` (R_g) are of all samples.  Each hue bin has its local fidelity,
     chroma shift (a fraction) and hue shift.  `test` and `reference` are the mean a', b' of each bin
-    in CAM02-UCS, under the light and under its reference.
+    in CAM02-UCS, under the light and under its reference; `report` is colour-science's.
     """
 
     fidelity: float
@@ -38,6 +38,7 @@ class Rendition(NamedTuple):
     hue_shifts: tuple[float, ...]
     test: tuple[Point, ...]
     reference: tuple[Point, ...]
+    report: Any
 
 
 def load_colour() -> Any:
@@ -84,7 +85,27 @@ def rendition(source: Spectrum) -> Rendition:
         tuple(map(float, found.R_hs)),
         tuple((float(a), float(b)) for a, b in found.averages_test),
         tuple((float(a), float(b)) for a, b in found.averages_reference),
+        found,
     )
+
+
+def draw_vectors(report: Any, axes: Any) -> None:
+    """Draw the colour vector graphic of a report of TM-30 in the axes of Matplotlib."""
+    _plotting().tm3018.components.plot_colour_vector_graphic(report, axes=axes, show=False)
+
+
+def draw_chromaticities(axes: Any) -> None:
+    """Draw the colours of the CIE 1931 chromaticity diagram in the axes of Matplotlib."""
+    _plotting().diagrams.plot_chromaticity_diagram_colours(
+        diagram_colours="RGB", axes=axes, show=False
+    )
+
+
+def _plotting() -> Any:
+    load_colour()
+    import colour.plotting
+
+    return colour.plotting
 
 
 def _temperature(source: Spectrum) -> float:

@@ -3,10 +3,11 @@
 import math
 import warnings
 
+import numpy
 import pytest
 
 from radcalc.spectra import colorimetry
-from radcalc.spectra.compile import load_colour
+from radcalc.spectra.rendition import load_colour
 from radcalc.spectra.sources import spectrum
 
 
@@ -14,10 +15,15 @@ def light(text: str) -> colorimetry.Light:
     return spectrum(text).moments(*colorimetry.AT)
 
 
-def rendering(text: str) -> float:
+def special(text: str) -> list[float]:
     seen = light(text)
     temperature, _ = colorimetry.temperature_and_distance(seen)
-    return colorimetry.colour_rendering_index(seen, colorimetry.reference(temperature))
+    like = colorimetry.reference(temperature).moments(*colorimetry.AT)
+    return colorimetry.colour_rendering_indices(seen, like)
+
+
+def rendering(text: str) -> float:
+    return colorimetry.colour_rendering_index(special(text))
 
 
 @pytest.mark.parametrize("temperature", [300, 500, 900, 1000, 2856, 4999, 6500, 2e4, 2e5, 1e6, 1e8])
@@ -49,9 +55,11 @@ def test_the_rendering_of_named_lamps_agrees_with_colour_science():
     for name in lamps:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            expected = colour.colour_rendering_index(colour.SDS_ILLUMINANTS[name])
+            expected = colour.colour_rendering_index(colour.SDS_ILLUMINANTS[name], True)
         # colour-science takes the temperature of the reference from Robertson's table
-        assert rendering(name) == pytest.approx(expected, abs=0.03), name
+        assert rendering(name) == pytest.approx(expected.Q_a, abs=0.03), name
+        expected_special = [expected.Q_as[k].Q_a for k in range(1, 15)]
+        assert special(name) == pytest.approx(expected_special, abs=0.12), name
 
 
 @pytest.mark.parametrize(
@@ -85,6 +93,80 @@ def test_a_missing_colour_temperature_has_a_reason(text, reason):
 
 
 def test_there_is_no_reference_above_25000_k():
-    assert math.isfinite(sum(colorimetry.reference(25000.0)))
+    assert math.isfinite(colorimetry.reference(25000.0).total())
     with pytest.raises(colorimetry.Undefined, match="25000 K"):
         colorimetry.reference(25001.0)
+
+
+def mixed(*parts: tuple[float, str]) -> colorimetry.Light:
+    """Return lights added in proportion to their tristimulus sums, the weights of chromaticity."""
+    mixture = [0.0] * colorimetry.AT[1]
+    for weight, text in parts:
+        added = light(text)
+        scale = weight / sum(colorimetry.tristimulus(added))
+        mixture = [total + scale * part for total, part in zip(mixture, added, strict=True)]
+    return mixture
+
+
+# Shares of three lights that add up to X = Y = Z, 0.7 in all.
+LINES = ("line:460nm", "line:540nm", "line:620nm")
+SHARES = numpy.linalg.solve(
+    [*numpy.transpose([colorimetry.chromaticity(light(line)) for line in LINES]), [1, 1, 1]],
+    [0.7 / 3, 0.7 / 3, 0.7],
+)
+WHITE = tuple(zip(SHARES.tolist(), LINES, strict=True))
+
+
+@pytest.mark.parametrize("nm", [400.0, 450.5, 520.0, 555.0, 589.3, 632.8, 690.0])
+def test_the_dominant_wavelength_of_a_mixture_with_white_is_that_of_its_light(nm):
+    alone = colorimetry.hue(light(f"line:{nm}nm"))
+    assert alone == (pytest.approx(nm, abs=2e-4), False, pytest.approx(1.0, abs=1e-6))
+    # by the law of the centre of gravity, a mixture is at its share of the way from white
+    pale = colorimetry.hue(mixed((0.3, f"line:{nm}nm"), *WHITE))
+    assert pale == (pytest.approx(nm, abs=2e-4), False, pytest.approx(0.3, abs=1e-6))
+
+
+def test_a_purple_has_a_complementary_wavelength_and_its_purity_is_of_the_line_of_purples():
+    ends = mixed((0.5, "line:360nm"), (0.5, f"line:{colorimetry.LAST}nm"))
+    full = colorimetry.hue(ends)
+    assert full.is_complementary
+    assert full.purity == pytest.approx(1.0, abs=1e-9)
+    pale = colorimetry.hue(
+        mixed((0.15, "line:360nm"), (0.15, f"line:{colorimetry.LAST}nm"), *WHITE)
+    )
+    assert pale == (pytest.approx(full.wavelength, abs=2e-4), True, pytest.approx(0.3, abs=1e-6))
+    # the complementary light and the purple add up to white on their line
+    green = f"line:{full.wavelength!r}nm"
+    x, y = colorimetry.chromaticity(ends)
+    a, b = colorimetry.chromaticity(light(green))
+    assert (x - 1 / 3) * (b - 1 / 3) == pytest.approx((y - 1 / 3) * (a - 1 / 3), abs=1e-9)
+
+
+def test_white_and_the_far_red_have_no_dominant_wavelength():
+    with pytest.raises(colorimetry.Undefined, match="white"):
+        colorimetry.hue(light("E"))
+    with pytest.raises(colorimetry.Undefined, match="699 nm"):
+        colorimetry.hue(light("line:760nm"))
+
+
+@pytest.mark.parametrize(
+    ("nm", "name"),
+    [  # ISO 21348, by the wavebands of the R package photobiologyWavebands; it has "purple" first
+        (360, "violet"), (449.9, "violet"), (450, "blue"), (500, "green"), (570, "yellow"),
+        (591, "orange"), (610, "red"), (759, "red"), (760, ""), (359, ""),
+    ],
+)  # fmt: skip
+def test_the_names_of_hues_are_those_of_iso_21348(nm, name):
+    assert colorimetry.hue_name(nm) == name
+
+
+def test_the_colours_of_a_screen_are_those_of_srgb():
+    # IEC 61966-2-1: X, Y, Z of its red, green and blue, and of D65
+    primaries = [(0.4124, 0.2126, 0.0193), (0.3576, 0.7152, 0.1192), (0.1805, 0.0722, 0.9505)]
+    for k, primary in enumerate(primaries):
+        expected = [float(j == k) for j in range(3)]
+        assert colorimetry.srgb(primary) == pytest.approx(expected, abs=2e-3)
+    assert colorimetry.srgb((0.9505, 1.0, 1.089)) == pytest.approx([1, 1, 1], abs=1e-3)
+    # a linear half is 188/255 (0.7354)
+    half = [a + b / 2 for a, b in zip(primaries[0], primaries[1], strict=True)]
+    assert colorimetry.srgb(half) == pytest.approx([1, 0.7354, 0], abs=2e-3)

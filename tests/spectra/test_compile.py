@@ -5,8 +5,8 @@ from radcalc.spectra.compile import (
     compile_colours,
     compile_observers,
     compile_sources,
-    load_colour,
 )
+from radcalc.spectra.rendition import load_colour
 
 
 def test_the_committed_tables_agree_with_colour_science():
