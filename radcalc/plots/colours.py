@@ -10,8 +10,8 @@ from radcalc.spectra import colorimetry
 from radcalc.spectra.rendition import rendition
 from radcalc.spectra.spectrum import Spectrum
 
-IN_THE_PLANE = ("x", "y", "cct", "duv", *HUE, *SCREEN)  # results that the diagram explains
-BODIES = (1000, 1500, 2000, 2500, 3000, 4000, 5000, 6500, 10000, 20000, 100000)  # K
+IN_THE_PLANE = ("x", "y", "duv", *HUE, *SCREEN)  # results that the diagram explains
+BODIES = [1e6 / mired for mired in range(1000, 9, -30)]  # K, evenly along the locus
 NAMED = (460, 480, 500, 520, 540, 560, 580, 600, 620)  # nm, of the spectrum locus
 ROUND = 72  # pieces of a circle
 REACH = 1.5  # of the colour vectors, in radii of the reference

@@ -8,7 +8,9 @@ import pytest
 from conftest import run
 from following import call
 
+import radcalc
 from radcalc.calculators.results import absent, pick
+from radcalc.calculators.spectrum import PAGE
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import RadcalcError
 from radcalc.inputs.reading import read
@@ -235,6 +237,71 @@ def test_a_deep_red_line_has_no_colour_rendering_index(nanometres):
     assert done.status == 2
     assert "adaptation of CIE 13.3" in done.error.message
     assert call(["spectrum", f"line:{nanometres}nm", "-q", "-g", "cct"]).status == 0
+
+
+def test_colour_quality_is_calculated_on_request():
+    # R9 23.8, R_f 85.32 and R_g 97.86 of LED-B3: see tests/spectra/test_rendition.py
+    done = run("spectrum", "LED-B3", "-n", "-g", "r9", "-g", "rf", "-g", "rg", "-g", "ssi")
+    r9, fidelity, gamut, _ = map(float, done.stdout.split())
+    assert (r9, fidelity, gamut) == pytest.approx((23.8, 85.32, 97.86), abs=0.04)
+    assert "TM-30" in done.stderr
+    assert "TM-30" not in run("spectrum", "LED-B3").stderr
+
+
+@pytest.mark.parametrize(("spelled", "name"), [("R9", "r9"), ("R_f", "rf"), ("R_f,h1", "rf-h1")])
+def test_letters_of_colour_quality_are_its_names(spelled, name):
+    shown = [run("spectrum", "FL2", "-n", "-g", text).stdout for text in (spelled, name)]
+    assert shown[0] == shown[1] != ""
+
+
+def test_a_sheet_has_no_results_on_request():
+    names = {line.split("\t")[0] for line in run("spectrum", "FL2").stdout.splitlines()}
+    assert not names & {*PAGE.on_request}
+    assert "cri" in names
+
+
+def test_a_misspelt_result_on_request_is_suggested():
+    error = call(["spectrum", "FL2", "-g", "rff"]).error
+    assert "unknown result 'rff'" in error.message
+    assert "rf" in run("spectrum", "FL2", "-g", "rff").stderr.split()
+
+
+def test_a_reference_is_for_the_similarity_alone():
+    assert run("spectrum", "C", "-n", "-g", "ssi", "--reference", "D65").stdout == "94\n"
+    error = call(["spectrum", "C", "--reference", "D65"]).error
+    assert "does not apply without a spectral similarity index" in error.message
+
+
+def test_data_that_do_not_reach_the_ends_are_noted(tmp_path):
+    measured = tmp_path / "flat.csv"
+    rows = [f"{nm},1" for nm in range(400, 705, 5)]
+    measured.write_text("\n".join(["wavelength [nm],W/m2/nm", *rows, ""]), encoding="utf-8")
+    short = run("spectrum", str(measured), "-g", "rf", "-g", "ssi").stderr
+    assert "cover 400-700 nm; beyond, they are taken as 0" in short
+    assert short.count("taken as 0") == 2  # of the rendition, and of the similarity
+    # light behind a filter has no gaps
+    filtered = run("spectrum", "D65", "--range", "420nm:700nm", "-g", "rf", "-g", "ssi").stderr
+    assert "taken as 0" not in filtered
+
+
+def test_colours_of_one_wavelength_are_named():
+    # 589.3 nm is yellow in ISO 21348
+    done = run("spectrum", "line:589.3nm", "-g", "dominant-wavelength", "-g", "srgb-blue")
+    assert done.stdout.split() == ["589.3", "0"]
+    assert "the hue is yellow" in done.stderr
+    assert "in sRGB is #ff" in done.stderr
+    purple = ["spectrum", "LED-RGB1", "--range", "600nm:780nm", "-g", "complementary-wavelength"]
+    assert "has a dominant wavelength" in call(purple).error.message
+
+
+def test_colour_quality_of_python_is_calculated_at_the_first_access():
+    lamp = radcalc.spectrum("LED-B3")
+    assert lamp.r9.magnitude == pytest.approx(23.8, abs=0.04)
+    assert lamp["rf-h1"].magnitude == pytest.approx(83.42, abs=0.01)  # colour-science
+    assert "rf" in dir(lamp)
+    assert "rf" not in [*lamp]
+    assert not hasattr(radcalc.spectrum("line:532nm"), "rf")
+    assert radcalc.spectrum("C", reference="D65").ssi.magnitude == 94
 
 
 def test_absent_results_of_several_spectra_are_noted_with_their_names():
