@@ -35,6 +35,8 @@ PAGE = Page(
         "AM1.5G get=irradiance:W/m2",
         "measured.csv range=380nm:780nm",
         "LED-B3 get=r9 get=rf get=rg get=ssi",
+        "LED-B3 get=rf plot=tm30.svg   the colour vectors of TM-30",
+        "D65 A line:532nm get=x plot=  the chromaticity diagram",
         "D65 LED-B3 HPS get=cct get=cri get=lux-per-ppfd",
         "blackbody:3000K:6000K:1000K get=temperature:K get=luminous-efficacy:lm/W",
         "LED-B3 plot=           a picture, with V(lambda) over it",
@@ -46,6 +48,10 @@ PAGE = Page(
     SOURCE is a name, blackbody:T, daylight:T, line:WAVELENGTH, gaussian:CENTRE,FWHM,
     band:LOW:HIGH, a file, or - for standard input. With several sources, each has its row
     in a table, or its line of numbers in a pipe.
+
+    Colour quality is calculated on request, with -g: r1 to r14 (CIE 13.3), rf, rg, rf-h1 to
+    rf-h16, rcs-h1 and rhs-h1 to h16 (TM-30), ssi, dominant-wavelength, excitation-purity,
+    srgb-red, srgb-green and srgb-blue.
 
     A file has columns of text, or one of the formats of OceanView, SpectraSuite, Jaz, UPRtek,
     Sekonic, LI-COR, CGATS (X-Rite), or IES TM-27 (.spdx).

@@ -542,7 +542,7 @@ _ROWS = (
       for name, letter, unit, label in HUE_BINS for k in range(1, 17)),
     _symbol(NUMBER, "ssi", "SSI", limits=ANY, label="spectral similarity index"),
     _text(SPECTRUM, "reference", "a spectrum", "D55",
-        "Spectrum that {ssi} compares with (default: a black body or daylight of its colour "
+        "Spectrum that ssi compares with (default: a black body or daylight of its colour "
         "temperature)."),
     _symbol(LENGTH, "dominant-wavelength", "λ_d", unit="nm"),
     _symbol(LENGTH, "complementary-wavelength", "λ_c", unit="nm"),
