@@ -9,7 +9,8 @@ from radcalc.units.table import resolve
 OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
 # Commands that are not functions.
 AT_A_SHELL = (
-    *("columns", "dose", "examples", "help", "integrate", "mark", "prompt", "quantities"),
+    *("columns", "dose", "examples", "help", "integrate", "manual", "mark", "prompt"),
+    "quantities",
     "typical",
     "units",
 )

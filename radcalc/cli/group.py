@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from radcalc.cli.output import Listener
 
-OTHERWISE = {"help": "lookup"}  # the module `help` has what all commands share
+# The module `help` has what all commands share, and `manual` makes generated parts of the pages.
+OTHERWISE = {"help": "lookup", "manual": "man"}
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 

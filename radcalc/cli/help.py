@@ -21,7 +21,7 @@ NO_PAGERS, NO_TERMINALS = ("", "cat"), ("", "dumb")  # values of PAGER and TERM
 
 def _short(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
-        ctx.color = _is_colored()
+        ctx.color = is_colored()
         assert isinstance(ctx.command, Helped)
         terminal.write(ctx.command.get_short_help(ctx) + "\n")
         ctx.exit()
@@ -29,16 +29,17 @@ def _short(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None
 
 def _complete(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
-        ctx.color = _is_colored()
-        _show(ctx.get_help())
+        ctx.color = is_colored()
+        show(ctx.get_help())
         ctx.exit()
 
 
-def _is_colored() -> bool:
+def is_colored() -> bool:
+    """Return whether help and pages of the manual are coloured."""
     return terminal.wants_color(terminal.chosen_color(), terminal.is_terminal())
 
 
-def _show(text: str) -> None:
+def show(text: str) -> None:
     """Write a text; page one that is longer than the terminal."""
     if not (_is_paged(text) and _has_shown(text)):
         terminal.write(f"{text}\n")
@@ -128,7 +129,8 @@ class Helped(click.Command):
         write_options(self, self.sections, formatter, ctx)
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        formatter.write(f"\nManual: man {ctx.command_path.replace(' ', '-')}\n")
+        first, *called = ctx.command_path.split()
+        formatter.write(f"\nManual: {' '.join([first, 'manual', *called])}\n")
 
 
 def _formatter(ctx: click.Context) -> "HelpFormatter":

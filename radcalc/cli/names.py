@@ -10,6 +10,7 @@ COMMANDS = {
     "quantities": "Names of quantities in three languages.",
     "typical": "Typical values: sun, sky, rooms, lamps, screens.",
     "examples": "Tasks with their commands, answers and how to read them.",
+    "manual": "Pages of the manual.",
     "help": "Help for a command, or a search for words.",
     "prompt": "Interactive prompt, with ans and variables.",
 }
@@ -36,7 +37,7 @@ GROUPS = {
     ),
     "Cameras and detectors": ("ev", "sensor", "calorimeter"),
     "Homework": ("mark",),
-    "Tables and help": ("units", "quantities", "typical", "examples", "help", "prompt"),
+    "Tables and help": ("units", "quantities", "typical", "examples", "manual", "help", "prompt"),
 }
 HELP_NAMES = SHORT_HELP, COMPLETE_HELP = "-h", "--help"
 EXPLAIN = "--explain"

@@ -20,6 +20,14 @@ class Whole(click.Option):
         return {}
 
 
+COLOR = click.Option(
+    ["--color"],
+    type=click.Choice(terminal.COLORING),
+    default=terminal.AUTO,
+    help="Colour on a terminal (NO_COLOR and FORCE_COLOR are respected).",
+)
+
+
 def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
     all_options = (
         click.Option(["-n", "--number"], is_flag=True, help="Print bare numbers only."),
@@ -36,12 +44,7 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
             help="Significant digits, from 1 to 17 (default: 6 in tables, 12 in plain text, all in "
             "JSON).",
         ),
-        click.Option(
-            ["--color"],
-            type=click.Choice(terminal.COLORING),
-            default=terminal.AUTO,
-            help="Colour on a terminal (NO_COLOR and FORCE_COLOR are respected).",
-        ),
+        COLOR,
         click.Option(
             ["--auto"],
             is_flag=True,

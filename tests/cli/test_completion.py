@@ -208,6 +208,7 @@ def test_commands_have_their_descriptions():
     assert texts("help sp") == ["spectrum"]
     assert texts("help illumina")[0] == "illuminance"
     assert texts("examples muse") == ["museum"]
+    assert texts("manual sentenc") == ["sentences"]
     assert texts("nosuch ") == []
     assert texts("--v") == texts("--version") == ["--version"]
     assert "--version" in texts("-")

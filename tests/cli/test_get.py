@@ -27,7 +27,8 @@ from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
 from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit, specific_name
 from radcalc.units.table import spellings, unit_of
 
-OTHERS = {"convert", "columns", "examples", "help", "mark", "units", "quantities", "typical"}
+OTHERS = {"columns", "convert", "examples", "help", "manual", "mark"}
+OTHERS |= {"quantities", "typical", "units"}
 ENDS = {
     "--auto",
     "--plot",

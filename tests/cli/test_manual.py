@@ -13,16 +13,17 @@ from test_cases import answered
 
 from radcalc.cli import habits, manual
 from radcalc.cli.group import commands
-from radcalc.cli.manual import mdoc
+from radcalc.cli.man import find, pages
 from radcalc.cli.names import COMMANDS
 from radcalc.quantities.names import QUANTITIES
+from radcalc.render.mdoc import displayed
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
 
 MAN = ROOT / "man"
-PAGES = {f"{path.stem}({path.suffix[1:]})": path for path in manual.pages(MAN)}
+PAGES = {f"{path.stem}({path.suffix[1:]})": path for path in pages(MAN)}
 SOURCES = {name: path.read_text(encoding="utf-8") for name, path in PAGES.items()}
 MAIN, STREAMS = "radcalc(1)", "radcalc-streams(7)"
-ELSEWHERE = {"numfmt(1)", "qalc(1)", "units(1)"}
+ELSEWHERE = {"man(1)", "numfmt(1)", "qalc(1)", "units(1)"}
 # Messages in the DIAGNOSTICS of the pages, with calls that produce them.
 PRODUCED = {
     "cannot convert radiant flux": "convert 5 W lm",
@@ -58,6 +59,7 @@ PRODUCED = {
     "stdin, line 2: field 3 is missing": "printf 'a b 1\\na b\\n' | radcalc convert - lx fc "
     "--field 3",
     "stdin, line 2: a quoted": "printf '1,2\\n\"1,2\\n' | radcalc convert - lx fc -d , --field 1",
+    "the manual has no page": "manual photons",
     "cannot write the answer": "convert 1 lx fc > /dev/full",
 }
 
@@ -124,7 +126,8 @@ def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
 @for_each(CONTEXTS)
 def test_a_help_names_its_page(page):
     context = CONTEXTS[page]
-    assert context.command.get_help(context).endswith(f"\n\nManual: man {page[:-3]}")
+    last = context.command.get_help(context).rpartition("\n\nManual: radcalc manual")[2]
+    assert find(last.split())[0] == PAGES[page]
 
 
 def test_every_command_has_a_page():
@@ -298,7 +301,7 @@ def test_every_command_has_examples_that_run(name):
 
 
 DIAGNOSTICS = [
-    mdoc.displayed(message)
+    displayed(message)
     for source in SOURCES.values()
     for message in re.findall(
         r"^\.It Li (.+)$", source.partition(".Sh DIAGNOSTICS")[2].partition(".Sh ")[0], re.M

@@ -45,7 +45,7 @@ QUESTIONS = [*RIGHT, *map(first_result, PLAIN)]
 
 def test_every_command_has_a_right_answer_here():
     # scenes and logs need files: see test_scene.py and test_dose.py in tests/calculators
-    lists = {"units", "quantities", "typical", "examples", "help", "columns", "mark"}
+    lists = {"units", "quantities", "typical", "examples", "help", "manual", "columns", "mark"}
     judging = set(names.COMMANDS) - lists - {"scene", "dose", "prompt"}
     assert {words.split()[0] for words, _, _ in QUESTIONS} == judging
     assert len(RIGHT) >= 30

@@ -92,7 +92,7 @@ def test_the_schema_and_the_transcripts_exist():
     assert len(CALLS) > 250
     assert len(STREAMS) > 10
     assert len(LOGS) > 10
-    assert {"scene", "prompt", "dose", *map(command_of, CALLS)} >= COMMANDS.keys()
+    assert {"scene", "prompt", "manual", "dose", *map(command_of, CALLS)} >= COMMANDS.keys()
 
 
 @for_each(CALLS)

@@ -8,9 +8,9 @@ r"""Generated parts of the manual pages in man/: lists and help, from the comman
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from pathlib import Path
 
-from radcalc.cli.manual import commands, mdoc, phrases, reference, tasks
+from radcalc.cli.manual import commands, phrases, reference, tasks
+from radcalc.render.mdoc import displayed
 
 MARKED = re.compile(
     r'^(\.\\" generated: (\w+)(?: of (.+))?\n)(?:.*\n)*?(\.\\" end of generated\n)', re.MULTILINE
@@ -44,16 +44,11 @@ def rewritten(page: str) -> str:
     return MARKED.sub(write, page)
 
 
-def pages(folder: Path) -> list[Path]:
-    """Return the pages in man1 and man7 of a folder."""
-    return sorted(folder.glob("man?/radcalc*.?"))
-
-
 def transcripts(page: str) -> list[tuple[str, str]]:
     """Yield every command of a page's displays, with the output below it."""
     displays = []
     for block in re.findall(r"^\.Bd -literal[^\n]*\n(.*?)^\.Ed$", page, re.M | re.S):
-        for entry in re.split(r"^\$ ", mdoc.displayed(block), flags=re.M)[1:]:
+        for entry in re.split(r"^\$ ", displayed(block), flags=re.M)[1:]:
             lines = entry.split("\n")
             length = next(i for i, line in enumerate(lines, 1) if not line.endswith(("\\", "|")))
             displays.append(("\n".join(lines[:length]), "\n".join(lines[length:])))

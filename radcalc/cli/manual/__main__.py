@@ -3,7 +3,8 @@
 import sys
 from pathlib import Path
 
-from radcalc.cli.manual import pages, rewritten
+from radcalc.cli.man import pages
+from radcalc.cli.manual import rewritten
 
 page_paths = pages(Path(sys.argv[1]))
 if not page_paths:

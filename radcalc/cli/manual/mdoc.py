@@ -59,14 +59,3 @@ def literal(lines: Iterable[str]) -> Iterator[str]:
         kept = plain(line).replace("-", r"\-").replace("'", r"\(aq").replace("`", r"\(ga")
         yield rf"\&{kept}" if kept.startswith(".") else kept
     yield ".Ed"
-
-
-ESCAPES = {
-    r"\(aq": "'", r"\(ga": "`", r"\(ha": "^", r"\(ti": "~", r"\-": "-", r"\&": "", r"\e": "\\",
-}  # fmt: skip
-ESCAPED = re.compile(r"\\\[u([0-9A-F]{4,5})\]|\\\(..|\\.")
-
-
-def displayed(source: str) -> str:
-    """Return the text that the lines of a display show."""
-    return ESCAPED.sub(lambda m: chr(int(m[1], 16)) if m[1] else ESCAPES[m[0]], source)

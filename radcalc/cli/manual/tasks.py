@@ -5,7 +5,7 @@ from itertools import groupby
 
 from radcalc.cli import tasks as source
 from radcalc.cli.help_format import narrowed
-from radcalc.cli.manual.mdoc import ROOM, literal, sentences, text
+from radcalc.cli.manual.mdoc import ROOM, argument, literal, sentences, text
 from radcalc.cli.tasks import CALL
 from radcalc.terminal import HANGING, fold
 
@@ -15,7 +15,7 @@ def tasks(_: str) -> Iterator[str]:
     for trade, group in groupby(source.tasks(), lambda task: task.trade):
         yield f".Sh {text(trade.upper())}"
         for task in group:
-            yield f".Ss {text(task.title)}"
+            yield f".Ss {argument(task.title)}"
             yield from sentences(task.question)
             yield from literal(_lines(task))
             yield ".Pp"
