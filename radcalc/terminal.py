@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from typing import Any
 
+IS_WINDOWS = os.name == "nt"
 HANGING = 4  # indent of the later parts of a folded line
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 AUTO, ALWAYS, NEVER = COLORING = "auto", "always", "never"
@@ -141,11 +142,27 @@ def _send(file: "Any", data: bytes) -> None:
     raw = _unbuffered(file)
     rest = memoryview(data)
     while rest:
-        taken = raw.write(rest)
+        try:
+            taken = raw.write(rest)
+        except OSError as error:
+            if IS_WINDOWS and _is_closed_pipe(raw, error):
+                raise BrokenPipeError from None
+            raise
         if taken is None:
             _wait(raw, reading=False)
         else:
             rest = rest[taken:]
+
+
+def _is_closed_pipe(raw: "Any", error: OSError) -> bool:
+    """Return whether an error is that of a closed pipe on Windows, where it may be EINVAL.
+
+    See https://github.com/python/cpython/issues/79935.
+    """
+    from errno import EINVAL
+    from stat import S_ISFIFO
+
+    return error.errno == EINVAL and S_ISFIFO(os.fstat(raw.fileno()).st_mode)
 
 
 def _unbuffered(file: "Any") -> "Any":

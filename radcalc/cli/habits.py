@@ -30,7 +30,9 @@ def is_fifo() -> bool:
 
 
 def _has_data() -> bool | None:
-    """Return whether a pipe has data; None if it may have some later."""
+    """Return whether a pipe has data; None if it may have some later, or on Windows."""
+    if not hasattr(select, "poll"):
+        return None
     poll = select.poll()
     poll.register(0, select.POLLIN)
     events = dict(poll.poll(0)).get(0, 0)
