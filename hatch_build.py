@@ -1,6 +1,8 @@
-"""Build hook of the wheel: the table of completion, and the start of `radcalc`.
+"""Build hook of the wheel: the table of completion, the manual, and the start of `radcalc`.
 
 The table is printed from the commands.  Sources make it on demand, so an editable install has none.
+A wheel has the manual twice: in share/man, where `man` looks, and in the package, where
+`radcalc manual` finds it however the wheel was installed.
 
 `radcalc` starts from the entry point or from `bin/radcalc`.  The entry point runs everywhere, but
 the one written by pip before 25.2 imports re, which takes longer than a conversion.  The script
@@ -8,9 +10,10 @@ does not.  But on Windows pip makes no radcalc.exe from a script, and elsewhere 
 script fails if Python's path has a blank or is long.  A wheel must not have both under one name:
 pip then drops the script, and others fail.
 
-So the script replaces the entry point if the building Python can run it.  That is the installing
-Python when pip installs these sources.  Build a wheel for other machines with
-RADCALC_ENTRY_POINT=true: it keeps the entry point.
+So a wheel that is built from a source distribution, as `python -m build` and `uv build` do, has the
+entry point and runs everywhere.  A wheel that is built from the tree, as `pip install .` does, is
+for the machine that builds it: it has the script if the building Python can run it, and then the
+tag of that platform.  No other platform installs it, and PyPI does not accept it from Linux.
 """
 
 import os
@@ -20,6 +23,7 @@ import tempfile
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+from packaging.tags import platform_tags  # hatchling needs packaging itself
 
 LONGEST = 127  # bytes of a first line, for Linux before 5.1
 
@@ -28,15 +32,18 @@ class Additions(BuildHookInterface):
     """The hook of the wheel."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Add the table, and replace the entry point by the script if it runs."""
+        """Add the table and the pages, and replace the entry point by the script."""
         if version != "editable":
+            build_data["force_include"][os.path.join(self.root, "man")] = "radcalc/man"
             self.folder = tempfile.TemporaryDirectory()
             table = os.path.join(self.folder.name, "built.py")
             _print_table(self.root, table)
             build_data["force_include"][table] = "radcalc/completion/built.py"
         script = os.path.join(self.root, "bin", "radcalc")
-        if os.environ.get("RADCALC_ENTRY_POINT") != "true" and _runs(script):
+        is_source_distribution = os.path.exists(os.path.join(self.root, "PKG-INFO"))
+        if not is_source_distribution and _runs(script):
             build_data["shared_scripts"][script] = "radcalc"
+            build_data["tag"] = f"py3-none-{_platform()}"
             self.metadata.core.scripts.clear()
 
 
@@ -49,6 +56,11 @@ def _print_table(root: str, path: str) -> None:
         env={**os.environ, "PYTHONPATH": paths},
         check=True,
     )
+
+
+def _platform() -> str:
+    """Return the platform as in the tags of wheels; on Linux, the one that PyPI refuses."""
+    return next(tag for tag in platform_tags() if "manylinux" not in tag and "musllinux" not in tag)
 
 
 def _runs(script: str) -> bool:

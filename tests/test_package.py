@@ -11,6 +11,7 @@ from pathlib import Path
 
 from conftest import ROOT
 from helpers import for_each
+from packaging.tags import sys_tags
 
 from radcalc.cli.compile import Compiler
 
@@ -40,14 +41,22 @@ def files(*places: str) -> set[str]:
     return found
 
 
-def built(kind: str, folder: Path) -> Path:
-    """Build a distribution of this tree with the project's build backend; return its path."""
+def built(kind: str, folder: Path, root: Path = ROOT) -> Path:
+    """Build a distribution of a tree with the project's build backend; return its path."""
     code = f"from hatchling.build import build_{kind} as build; print(build({str(folder)!r}))"
     done = subprocess.run(
-        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120
+        [sys.executable, "-c", code], cwd=root, capture_output=True, text=True, timeout=120
     )
     assert done.returncode == 0, done.stderr
     return folder / done.stdout.split()[-1]
+
+
+def entry_points(wheel: Path) -> list[str]:
+    """Return the commands of a wheel that are entry points."""
+    with zipfile.ZipFile(wheel) as file:
+        names = [name for name in file.namelist() if name.endswith("/entry_points.txt")]
+        lines = [line for name in names for line in file.read(name).decode().splitlines()]
+    return [line for line in lines if "=" in line]
 
 
 def test_the_wheel_has_only_the_package_its_table_and_the_manual(tmp_path):
@@ -56,7 +65,8 @@ def test_the_wheel_has_only_the_package_its_table_and_the_manual(tmp_path):
         table = wheel.read(TABLE).decode()
     data = {name for name in names if ".data/" in name}
     about = {name for name in names if ".dist-info/" in name}
-    assert names - data - about == files("radcalc") | {TABLE}
+    manual = {f"radcalc/{name}" for name in files("man")}
+    assert names - data - about == files("radcalc") | {TABLE} | manual
     assert table == Compiler().text()
     pages = {os.path.basename(name) for name in data if "/share/man/" in name}
     assert pages == {os.path.basename(name) for name in files("man")}
@@ -64,7 +74,8 @@ def test_the_wheel_has_only_the_package_its_table_and_the_manual(tmp_path):
     assert scripts <= {"scripts/radcalc"}
     assert len(data) == len(pages) + len(scripts)
     ends = {name.partition(".dist-info/")[2] for name in about}
-    assert {"METADATA", "RECORD", "WHEEL", "licenses/LICENSE"} <= ends
+    licences = {f"licenses/{name}" for name in files("LICENSE", "LICENSES", "NOTICE.md")}
+    assert {"METADATA", "RECORD", "WHEEL"} | licences <= ends
 
 
 def test_the_source_distribution_has_everything_the_tests_need(tmp_path):
@@ -72,6 +83,23 @@ def test_the_source_distribution_has_everything_the_tests_need(tmp_path):
         names = {name.partition("/")[2] for name in source.getnames()}
     assert names - {"PKG-INFO", ".gitignore", "pyproject.toml"} == files(*BUILD["sdist"]["include"])
     assert {"SECURITY.md", "CHANGELOG.md", "tests/conftest.py", "tests/cases/streams.md"} <= names
+
+
+def test_a_wheel_runs_everywhere_or_has_the_tag_of_its_platform(tmp_path):
+    """What is published is built from the source distribution."""
+    with tarfile.open(built("sdist", tmp_path)) as source:
+        source.extractall(tmp_path, filter="data")
+    (tree,) = [path for path in tmp_path.iterdir() if path.is_dir()]
+    portable, own = built("wheel", tmp_path, tree), built("wheel", tmp_path)
+    assert portable.name.endswith("-py3-none-any.whl")
+    assert entry_points(portable) == ["radcalc = radcalc.__main__:main"]
+    assert own.name.endswith("-py3-none-any.whl") == bool(entry_points(own))
+    with zipfile.ZipFile(portable) as one, zipfile.ZipFile(own) as other:
+        of_portable, of_own = ({*wheel.namelist()} for wheel in (one, other))
+    assert not any(".data/scripts/" in name for name in of_portable)
+    assert any(".data/scripts/" in name for name in of_own) != bool(entry_points(own))
+    tags = {f"{tag.interpreter}-{tag.abi}-{tag.platform}" for tag in sys_tags()}
+    assert own.stem.split("-", 2)[2] in tags
 
 
 PAGER = PACKAGE / "cli" / "help.py"  # starts the program of PAGER, on a terminal only
