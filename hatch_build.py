@@ -48,12 +48,15 @@ class Additions(BuildHookInterface):
 
 
 def _print_table(root: str, path: str) -> None:
-    """Print the table in a separate process and an empty folder, so that examples find no file."""
-    paths = os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH")]))
+    """Print the table in a separate process and an empty folder, so that examples find no file.
+
+    The path of the tree is not in PYTHONPATH: pip takes it out if the tree is also installed as
+    editable.
+    """
+    code = "import sys; sys.path.insert(0, sys.argv.pop(1)); from radcalc.cli import compile as c"
     subprocess.run(
-        [sys.executable, "-B", "-m", "radcalc.cli.compile", path],
+        [sys.executable, "-B", "-c", f"{code}; c.main()", root, path],
         cwd=os.path.dirname(path),
-        env={**os.environ, "PYTHONPATH": paths},
         check=True,
     )
 
