@@ -1,12 +1,11 @@
 """`radcalc dose FILE|-`."""
 
 from collections.abc import Sequence
-from math import inf
 
 import click
 
 from radcalc import terminal
-from radcalc.answer import Answer, ShownInput, texts_of
+from radcalc.answer import ShownInput, texts_of
 from radcalc.calculators import dose as page
 from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, show
@@ -23,6 +22,7 @@ from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
 from radcalc.streams.clocks import PERIODS, TimeSettings
+from radcalc.streams.dose import EXPECTED, LogDose, longest_step
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import LogSettings
 from radcalc.streams.samples import Log
@@ -144,10 +144,9 @@ def command(
     clock = TimeSettings(time_zone or "", time_unit or "", time_format or "")
     cut = read_delimiter(delimiter) if delimiter is not None else ""
     settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)
-    with reading(path, "a file with a time and a value in each line") as (name, read):
+    with reading(path, EXPECTED) as (name, read):
         log = Log(name, read, settings, complain)
-        summed = _summed(log, gap, by or "", samples == page.MEANS_OF_STEPS)
-    summed.check()
+        summed = LogDose(log, gap, by or "", samples == page.MEANS_OF_STEPS)
     typed_here = {
         "file": path,
         "column": column,
@@ -162,41 +161,27 @@ def command(
     }
     operands = texts_of({name: text or "" for name, text in typed_here.items()})
     if by and request.check is None:
-        _show_periods(summed, log, all_cases[0].given, operands, by, request, output)
+        _show_periods(summed, all_cases[0].given, operands, request, output)
         status = terminal.ANSWERED
     else:
-        if by and len(summed.dose.periods) > 1:
+        if summed.is_of_several:
             raise several()
-        status = run(all_cases, _task(summed, log, operands, bool(by)), request, output)
+        task = Task("dose", summed.answer, operands, samples=summed.samples)
+        status = run(all_cases, task, request, output)
     return status if log.is_good or status else terminal.FAILED
 
 
-def _task(
-    summed: page.SummedLog, log: Log, operands: Sequence[ShownInput], of_period: bool
-) -> Task:
-    def work_out(given: Inputs) -> Answer:
-        light = _light(given)
-        answer = next(summed.of_periods(light))[1] if of_period else summed.of_all(light)
-        return _with_remarks(log, answer)
-
-    return Task("dose", work_out, operands, samples=summed.samples())
-
-
 def _show_periods(
-    summed: page.SummedLog,
-    log: Log,
+    summed: LogDose,
     given: Inputs,
     operands: Sequence[ShownInput],
-    by: str,
     request: Request,
     output: Output,
 ) -> None:
     inputs = (*operands, *shown_inputs(given))
     answers = [
-        Answered(
-            label, (*inputs, ShownInput(by, text=label, tells=True)), _with_remarks(log, answer)
-        )
-        for label, answer in summed.of_periods(_light(given))
+        Answered(label, (*inputs, ShownInput(summed.by, text=label, tells=True)), answer)
+        for label, answer in summed.periods(given)
     ]
     show(answers, request, output, [answered.inputs for answered in answers])
 
@@ -218,35 +203,4 @@ def _gap(all_cases: Sequence[Case]) -> float:
     refuse_uncertain(gaps, "a log")
     if len({gap.value for gap in gaps}) > 1:
         raise UsageError("a log is read with one --max-gap, not a list", "--max-gap once")
-    return gaps[0].value if gaps else inf
-
-
-def _light(given: Inputs) -> Inputs:
-    """Return the inputs for the light of the samples, without those for the times."""
-    return {name: condition for name, condition in given.items() if name != "max-gap"}
-
-
-def _with_remarks(log: Log, answer: Answer) -> Answer:
-    return answer._replace(
-        assumptions=(*log.assumptions, *answer.assumptions), notes=[*answer.notes, *log.notes]
-    )
-
-
-def _summed(log: Log, longest: float, by: str, of_means: bool) -> page.SummedLog:
-    """Integrate a log, bridging no step longer than `longest` seconds."""
-    clock = log.clock
-    page.check_unit(log.layout.unit)
-    top, bottom = clock.tick
-    dose = page.Dose(
-        longest * bottom / top,
-        longest < inf,
-        (lambda time: clock.period(time, by)) if by else None,
-        of_means,
-    )
-    for samples in log.samples():
-        if samples:
-            dose.add(*samples)
-        else:
-            dose.interrupt()
-    dose.finish()
-    return page.SummedLog(dose, log.layout.unit, clock.tick, clock.say)
+    return longest_step(all_cases[0].given)

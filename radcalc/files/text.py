@@ -23,9 +23,9 @@ def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
     return ConditionError(f"{where(name, number)}: {problem}", hint)
 
 
-def where(name: str, number: int) -> str:
+def where(name: str, number: int, row: str = "line") -> str:
     """Return a place in a file, without a line if it is 0."""
-    return f"{name}, line {number}" if number else name
+    return f"{name}, {row} {number}" if number else name
 
 
 def _lines(text: str) -> Lines:
@@ -75,22 +75,29 @@ class Text:
     """The text of a file: UTF-8, UTF-16 with a byte order mark, or otherwise Latin-1.
 
     `read` returns up to so many bytes, and b"" at the end; `row` is the expected content of a row,
-    for messages; `largest` is the greatest size of the file [bytes].
+    for messages; `largest` is the greatest size of the file [bytes], `first` the number of its
+    first line.
     """
 
     def __init__(
-        self, name: str, read: Callable[[int], bytes], row: str, largest: float = MOST_BYTES
+        self,
+        name: str,
+        read: Callable[[int], bytes],
+        row: str,
+        largest: float = MOST_BYTES,
+        first: int = 1,
     ) -> None:
         self.name = name
         self.read = read
         self.row = row
         self.largest = largest
+        self.first = first
         self.encoding = "utf-8-sig"
         self.note = ""
 
     def blocks(self) -> Iterator[tuple[int, Lines]]:
         """Yield the lines in blocks, with the number of the first line of each."""
-        number, size, rest = 1, 0, b""
+        number, size, rest = self.first, 0, b""
         read = filter(None, self._in_utf8())
         while True:
             data = next(read, b"")

@@ -56,7 +56,10 @@ NumberedLine = tuple[int, str]
 
 
 class LogSettings(NamedTuple):
-    """The settings for a log: columns, unit, delimiter, times."""
+    """The settings for a log: columns, unit, delimiter, times.
+
+    A row of data is a `row` in messages, and the first row of all has the number `first`.
+    """
 
     times: tuple[str, ...] = ()
     column: str = ""
@@ -64,6 +67,8 @@ class LogSettings(NamedTuple):
     delimiter: str = ""
     invalid: str = ABORT
     clock: TimeSettings = TimeSettings()
+    row: str = "line"
+    first: int = 1
 
 
 class LogLayout(NamedTuple):
@@ -77,9 +82,9 @@ class LogLayout(NamedTuple):
     units: int | None = None  # the column with the unit of each value
 
 
-def error(name: str, number: int, problem: str, hint: str) -> LineError:
-    """Return the error of a log in a line (0: in none)."""
-    return LineError(f"{where(name, number)}: {problem}", hint)
+def error(name: str, number: int, problem: str, hint: str, row: str) -> LineError:
+    """Return the error of a log in a row (0: in none)."""
+    return LineError(f"{where(name, number, row)}: {problem}", hint)
 
 
 def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
@@ -151,7 +156,7 @@ class FirstRows:
         return tuple([plain.index(part) for part in PARTS[:count]]) if count > LEAST_PARTS else ()
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
-        return error(self.name, number, problem, hint)
+        return error(self.name, number, problem, hint, self.settings.row)
 
     def delimiter(self, line: str) -> str | None:
         return self.settings.delimiter or columns.dialect(line)[0]

@@ -59,7 +59,7 @@ class Log:
         # Local times that occur twice wait for a later one; None for a skipped line.
         self.waiting: list[Sample | None] = []
         self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
-        self.text = Text(name, read, "a time and a value", inf)
+        self.text = Text(name, read, "a time and a value", inf, settings.first)
         self._blocks = self.text.blocks()
         lines = log_layout.first_lines(self._blocks)
         head = Head(name, lines, settings)
@@ -71,7 +71,7 @@ class Log:
         return self.layout.clock
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
-        return log_layout.error(self.name, number, problem, hint)
+        return log_layout.error(self.name, number, problem, hint, self.settings.row)
 
     def samples(self) -> Iterator[Samples | None]:
         """Yield blocks of times and values; None for a skipped line."""
@@ -84,7 +84,8 @@ class Log:
         if self.text.note:
             self.notes.append(self.text.note)
         if self.left_out:
-            how_many = "a line is" if self.left_out == 1 else f"{self.left_out} lines are"
+            row = self.settings.row
+            how_many = f"a {row} is" if self.left_out == 1 else f"{self.left_out} {row}s are"
             self.notes.append(f"{how_many} skipped; the first: {self.first_left_out}")
         self.assumptions += self.clock.assumptions
 
@@ -191,7 +192,7 @@ class Log:
             raise self.error(number, error.message, error.hint) from None
         text = cells[layout.place]
         if text.lower() in MISSING or MARKED.fullmatch(text):
-            hint = mention("{invalid=ignore}, to skip the line")
+            hint = mention(f"{{invalid=ignore}}, to skip the {self.settings.row}")
             raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
         value = columns.finite(text, True)
         if value is None:
@@ -218,12 +219,12 @@ class Log:
     def _check_order(self, time: Any, number: int) -> None:
         if self.last is None or time > self.last:
             return
-        say = self.clock.say
+        say, row = self.clock.say, self.settings.row
         if time == self.last:
-            problem = f"the time {say(time)} is already in line {self.last_line}"
+            problem = f"the time {say(time)} is already in {row} {self.last_line}"
             raise self.error(number, problem, "each time once")
-        problem = f"{say(time)} is before {say(self.last)} in line {self.last_line}"
-        hint = "lines in the order of their times"
+        problem = f"{say(time)} is before {say(self.last)} in {row} {self.last_line}"
+        hint = f"{row}s in the order of their times"
         if isinstance(self.clock, Calendar) and not self.clock.has_offset:
             hint += f"; if clocks were put back, {ZONE}"
         raise self.error(number, problem, hint)
