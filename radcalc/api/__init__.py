@@ -10,8 +10,9 @@ from typing import Any
 # By module; the other functions are made from the pages.
 MODULES = {
     "radcalc.api.conversion": ("convert", "explain", "factor"),
-    "radcalc.api.geometry": ("direction", "solid_angle"),
+    "radcalc.api.geometry": ("direction", "integrate", "solid_angle"),
     "radcalc.api.homework": ("Verdict", "check"),
+    "radcalc.api.logs": ("dose",),
     "radcalc.api.quantity": ("Quantity",),
     "radcalc.api.result": ("Result",),
     "radcalc.api.scene": ("scene",),

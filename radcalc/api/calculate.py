@@ -27,14 +27,16 @@ def calculate(
     *,
     waits: bool = True,
     adapt: Callable[[Inputs], Inputs] | None = None,
+    samples: Mapping[str, float] = NOTHING,
     drawn: Any = None,
     requested: tuple[str, ...] = (),
 ) -> Result:
     """Read the symbols given to a function, and return the result.
 
-    `operands` are shown with them; `drawn` is what a picture needs besides the inputs; `adapt`
-    changes the inputs that were read; `waits` is true if the function takes Dask arrays.
-    `requested` are results that the function calculates on request alone.
+    `operands` are shown with them; `samples` are facts of a log; `drawn` is what a picture needs
+    in addition to the inputs; `adapt` changes the inputs that were read; `waits` is true if the
+    function takes Dask arrays. `requested` are results that the
+    function calculates on request alone.
     """
     columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
@@ -53,7 +55,9 @@ def calculate(
         inputs = adapt(inputs)
     arrays = any(map(_has_elements, inputs.values()))
     shape = operands.get("shape") or operands.get("type", "")
-    task = Task(command, _requesting(work_out, requested), texts_of(operands), shape, drawn=drawn)
+    task = Task(
+        command, _requesting(work_out, requested), texts_of(operands), shape, samples, drawn
+    )
     answer = broadcast(lambda: task.solve(inputs))
 
     def ask() -> Any:

@@ -276,7 +276,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     source: Unit | None
     given = [*read_inputs(conditions).values()]
     if isinstance(value, (list, tuple)):
-        value = _as_array(value)
+        value = as_array(value)
     if isinstance(value, str):
         amount = read_for(value, target)
         magnitude = amount.exact
@@ -306,7 +306,7 @@ def _plan_of(source: Unit | None, target: str, given: list[Input], number: str) 
     return plan(start, target_unit, given, number)
 
 
-def _as_array(value: Sequence[Any]) -> Any:
+def as_array(value: Sequence[Any]) -> Any:
     """Return a list of texts or quantities as one array in the unit of the first; others as is."""
     if not any(isinstance(element, str) or is_quantity(element) for element in value):
         return value

@@ -11,14 +11,18 @@ import numpy
 from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Points, Shape, Vector
 from radcalc.api.pages import of_page
-from radcalc.api.reading import in_metres, one_of
+from radcalc.api.reading import in_metres, one_of, read_inputs, refuse_arrays
 from radcalc.api.result import Result
 from radcalc.calculators.direction import direction as of_direction
+from radcalc.calculators.integrate import BARE, integrand
+from radcalc.calculators.integrate import integrate as of_expression
+from radcalc.calculators.pages import page_of
 from radcalc.calculators.pixel import pixel as of_pixel
 from radcalc.calculators.solid_angle import ALIASES, NAMES
 from radcalc.calculators.solid_angle import solid_angle as of_shape
 from radcalc.errors import ConditionError
 from radcalc.inputs.places import read_coordinates, read_point
+from radcalc.quantities.symbols import article
 
 
 @of_page("solid-angle")
@@ -49,6 +53,46 @@ def solid_angle(shape: Shape, vertices: Sequence[Vector] = (), **given: Any) -> 
     work_out = of_pixel if name == "pixel" else partial(of_shape, name, points=points)
     operands = {"shape": name, "vertices": " ".join(corners)}
     return calculate("solid-angle", given, work_out, operands)
+
+
+@of_page("integrate")
+def integrate(expression: str, *, unit: str = "", **given: Any) -> Result:
+    """Integrate a function of direction over a part of the sphere.
+
+    Parameters
+    ----------
+    expression : str
+        In `theta` and `phi`, the polar angle and the azimuth, or `x`, `y`, `z`, the unit vector:
+        ``"cos(theta)**2"``.  An angle in it has a unit: ``"exp(-(theta/(10*deg))**2)"``.
+    unit : str, optional
+        The unit of the expression, of intensity or radiance: ``"cd"``; the integral is then a
+        flux, or an irradiance.
+
+    Returns
+    -------
+    Result
+        The `integral` over solid angle, for which the factor sin(theta) is supplied, and a bound of
+        its `error`.
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        If the expression is not valid, its integral does not converge, or an input is missing,
+        contradictory or out of range.
+
+    Examples
+    --------
+    >>> print(integrate("cos(theta)", half_angle="90 deg").integral.round(6))
+    3.141593 steradian
+    """
+    if not isinstance(expression, str):
+        problem = f"an expression is a text, not {article(type(expression).__name__)}"
+        raise ConditionError(problem, '"cos(theta)"')
+    refuse_arrays(read_inputs(given, page_of("integrate").intervals), "an integral")
+    of = integrand(unit) if unit else BARE
+    work_out = partial(of_expression, expression, of=of)
+    operands, drawn = {"expression": expression, "unit": unit}, (expression, unit)
+    return calculate("integrate", given, work_out, operands, waits=False, drawn=drawn)
 
 
 @of_page("direction")

@@ -5,6 +5,7 @@ a list of these, or a column of pandas, Polars or xarray with its unit.  A `Numb
 """
 
 from collections.abc import Sequence
+from datetime import date
 from os import PathLike
 from typing import Any, Literal, Protocol, TypeAlias
 
@@ -73,3 +74,10 @@ Observer: TypeAlias = Literal[
 ]
 Profile: TypeAlias = Literal["gaussian", "uniform"]
 ElectricField: TypeAlias = Literal["peak", "rms"]
+Readings: TypeAlias = Path | Quantity | Column | Sequence[str] | Sequence[float] | Array
+Times: TypeAlias = (
+    Quantity | Column | Sequence[str] | Sequence[date] | Sequence[float] | Array | None
+)
+Samples: TypeAlias = Literal["points", "means"]
+Invalid: TypeAlias = Literal["abort", "warn", "ignore"]
+Period: TypeAlias = Literal["day", "hour"]

@@ -11,7 +11,7 @@ from radcalc.errors import ConditionError, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.places import TOO_FAR, read_place
 from radcalc.inputs.reading import read, read_interval, split_values
-from radcalc.maths import LARGEST, frozen, is_column
+from radcalc.maths import LARGEST, frozen, is_array, is_column
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -134,6 +134,13 @@ def refuse_lazy(value: Any, what: str) -> None:
     if is_lazy(value):
         problem = f"{what} is a Dask collection, but its value is needed at once"
         raise ConditionError(problem, "an array in memory: .compute() before the call")
+
+
+def refuse_arrays(inputs: Inputs, whole: str) -> None:
+    """Refuse arrays where a single value holds for the whole."""
+    for given in inputs.values():
+        if is_array(given.value):
+            raise ConditionError(f"{option(given.name)} is an array", f"one value for {whole}")
 
 
 def library_of(value: Any) -> str:

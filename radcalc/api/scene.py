@@ -12,16 +12,15 @@ from radcalc.answer import Value, texts_of
 from radcalc.api.keywords import Path, Points, Vector
 from radcalc.api.pages import of_page
 from radcalc.api.quantity import plain
-from radcalc.api.reading import read_inputs, read_points
+from radcalc.api.reading import read_inputs, read_points, refuse_arrays
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.calculators.scene import Survey
 from radcalc.calculators.scene import scene as add_up
 from radcalc.distributions.scene import blocks
-from radcalc.errors import ConditionError, option
+from radcalc.errors import ConditionError
 from radcalc.inputs.given import refuse_uncertain, shown_inputs
 from radcalc.inputs.places import IN_METRES
 from radcalc.inputs.reading import read
-from radcalc.maths import is_array
 
 
 @of_page("scene", without=("grid", "normal"))
@@ -69,11 +68,7 @@ def scene(
     """
     inputs = read_inputs(given)
     refuse_uncertain(inputs.values(), "a scene")
-    for condition in inputs.values():
-        if is_array(condition.value):
-            raise ConditionError(
-                f"{option(condition.name)} is an array", "one value for the whole scene"
-            )
+    refuse_arrays(inputs, "the whole scene")
     rows = _rows(sources)
     read_at = read_points(points)
     places = numpy.atleast_2d(numpy.stack(read_at.value, -1))

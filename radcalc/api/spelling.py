@@ -9,8 +9,7 @@ from radcalc.units.table import resolve
 OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
 # Commands that are not functions.
 AT_A_SHELL = (
-    *("columns", "dose", "examples", "help", "integrate", "manual", "mark", "prompt"),
-    "quantities",
+    *("columns", "examples", "help", "manual", "mark", "prompt", "quantities"),
     "typical",
     "units",
 )

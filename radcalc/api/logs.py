@@ -1,0 +1,228 @@
+"""Logs of light: files, and readings with times in memory."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from datetime import date, timedelta
+from io import BytesIO
+from typing import Any, NamedTuple, overload
+from warnings import warn
+
+import numpy
+
+from radcalc.answer import ShownInput, texts_of
+from radcalc.api.calculate import calculate
+from radcalc.api.conversion import as_array
+from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
+from radcalc.api.pages import of_page
+from radcalc.api.quantity import is_quantity, magnitude_of, unit_of
+from radcalc.api.reading import one_of, read_inputs, refuse_arrays, refuse_lazy
+from radcalc.api.result import Result, Undrawn, of_answer
+from radcalc.api.spelling import in_words
+from radcalc.calculators.dose import MEANS_OF_STEPS, READINGS
+from radcalc.errors import ConditionError, LineError, MissingInput, mention
+from radcalc.files.text import reading as opened
+from radcalc.inputs.given import refuse_uncertain, shown_inputs
+from radcalc.quantities.symbols import article
+from radcalc.streams.clocks import PERIODS, TimeSettings
+from radcalc.streams.dose import EXPECTED, LogDose, longest_step
+from radcalc.streams.log_layout import LogSettings
+from radcalc.streams.samples import Log
+from radcalc.terminal import ABORT, IGNORE, WARN
+
+TAB = "\t"
+TIMES = "times as the second argument, or a Series of pandas with a DatetimeIndex"
+SKIPPING = ABORT, WARN, IGNORE
+UNDRAWN = Undrawn("a part of a log has no picture", "the whole log, without by")
+
+Opened = tuple[str, Callable[[int], bytes]]  # the name of a log, and what reads its bytes
+
+
+class Table(NamedTuple):
+    """Readings and their times as texts, with the titles of both, and the zone of the times."""
+
+    titles: tuple[str, str]
+    times: Sequence[str]
+    values: Sequence[str]
+    unit: str = ""
+    time_unit: str = ""
+    zone: str = ""
+
+    @contextmanager
+    def opened(self) -> Iterator[Opened]:
+        rows = [self.titles, *zip(self.times, self.values, strict=True)]
+        yield "the log", BytesIO("\n".join(map(TAB.join, rows)).encode()).read
+
+
+@overload
+def dose(readings: Readings, times: Times = None, *, by: None = None, **given: Any) -> Result: ...
+@overload
+def dose(
+    readings: Readings, times: Times = None, *, by: Period, **given: Any
+) -> dict[str, Result]: ...
+@of_page("dose")
+def dose(
+    readings: Readings,
+    times: Times = None,
+    *,
+    unit: str = "",
+    column: str | int | None = None,
+    time_column: str | Sequence[str] = (),
+    time_unit: str = "",
+    time_zone: str = "",
+    time_format: str = "",
+    samples: Samples = "points",
+    invalid: Invalid = "abort",
+    by: Period | None = None,
+    **given: Any,
+) -> Result | dict[str, Result]:
+    """Add up samples of light over time: exposure, energy, daily light integral.
+
+    Parameters
+    ----------
+    readings : str, path, Series, Quantity or sequence
+        The path of a file with a time and a value in each line, or the samples: a column of
+        pandas or Polars with its unit in its name (``"E [lx]"``), a quantity, texts, or numbers
+        with `unit`.
+    times : Series, Quantity or sequence, optional
+        The times of the samples: dates (of `datetime`, NumPy, pandas or as texts), a quantity, or
+        numbers with `time_unit`.  By default those of the index of a pandas Series.
+    unit : str, optional
+        The unit of the values, if they have none: ``"lx"``, ``"W/m2"``, ``"umol/m2/s"`` ...
+    column, time_column : str, optional
+        The columns of a file, by title or number; several for a date and a time of day.
+    time_unit : str, optional
+        The unit of times that are numbers since the start: ``"s"``.
+    time_zone : str, optional
+        The zone of local times and of days: ``"Europe/Prague"``, ``"+02:00"``, ``"UTC"``; by
+        default that of the times.
+    time_format : str, optional
+        The format of dates in texts, as in strptime: ``"%d/%m/%Y %H:%M"``.
+    samples : {"points", "means"}, optional
+        Points with straight lines between them, or means from each time to the next.
+    invalid : {"abort", "warn", "ignore"}, optional
+        Refuse the log at a reading that is missing or invalid (the default), or skip it, which is a
+        gap, with a warning or without.
+    by : {"day", "hour"}, optional
+        Give a result for each local day or hour.
+
+    Returns
+    -------
+    Result
+        With `by` a dict of results by day or hour.  Each has `exposure` (of an irradiance) or
+        `energy` (of a flux), the mean, the maximum, `covered_time` and `coverage`.
+
+    Examples
+    --------
+    >>> hours = ["2024-06-01 08:00", "2024-06-01 12:00", "2024-06-01 20:00"]
+    >>> print(dose([0, 500, 0], hours, unit="umol/m2/s").exposure)
+    10.8 mole / metre ** 2
+    """
+    means = one_of(samples, READINGS, "kind of samples") == MEANS_OF_STEPS
+    one_of(invalid, SKIPPING, "treatment of an invalid reading")
+    period = "" if by is None else one_of(by, PERIODS, "period")
+    inputs = read_inputs(given)
+    refuse_uncertain([inputs["max-gap"]] if "max-gap" in inputs else [], "a log")
+    refuse_arrays(inputs, "the whole log")
+    clock = TimeSettings(time_zone, time_unit, time_format)
+    columns = (time_column,) if isinstance(time_column, str) else tuple(time_column)
+    place = "" if column is None else str(column)
+    path = ""
+    if isinstance(readings, (str, os.PathLike)):
+        if times is not None:
+            raise ConditionError("times do not apply to a file", mention("{time-column}"))
+        path = os.fspath(readings)
+        settings = LogSettings(tuple(filter(None, columns)), place, unit, "", invalid, clock)
+        source = opened(path, EXPECTED)
+    else:
+        if place or any(columns):
+            raise ConditionError("readings in memory have no columns to choose", "a file")
+        table = _table(readings, times, unit)
+        clock = clock._replace(zone=time_zone or table.zone, unit=time_unit or table.time_unit)
+        settings = LogSettings(("1",), "2", table.unit, TAB, invalid, clock, "reading", 0)
+        source = table.opened()
+    with source as (name, read):
+        skipped: list[LineError] = []
+        log = LogDose(
+            Log(name, read, settings, skipped.append), longest_step(inputs), period, means
+        )
+    for error in skipped:
+        warn(in_words(error.message), stacklevel=4)  # in the caller's line
+    operands = {
+        "file": path,
+        "column": place,
+        "unit": unit,
+        "time-column": ",".join(columns),
+        "invalid": invalid if invalid != ABORT else "",
+        "time-zone": time_zone,
+        "time-format": time_format,
+        "time-unit": time_unit,
+        "samples": samples if means else "",
+    }
+    if not period:
+        return calculate("dose", given, log.answer, operands, waits=False, samples=log.samples)
+    shown = (*texts_of(operands), *shown_inputs(inputs))
+    results = {}
+    for label, answer in log.periods(inputs):
+        listed = (*shown, ShownInput(period, text=label, tells=True))
+        results[label] = of_answer("dose", answer, listed, None, UNDRAWN)
+    return results
+
+
+def _table(readings: Any, times: Any, unit: str) -> Table:
+    """Return readings in memory with their times."""
+    values = as_array(readings) if isinstance(readings, (list, tuple)) else readings
+    if times is None:
+        times = getattr(readings, "index", None)
+        if not hasattr(times, "freq"):  # an index of dates or of timedeltas
+            raise MissingInput("the times of the readings are missing", TIMES)
+    of_values, of_times = _elements(values, "readings"), _elements(times, "times")
+    if len(of_values) != len(of_times):
+        problem = f"there are {len(of_values)} readings and {len(of_times)} times"
+        raise ConditionError(problem, "a time for each reading")
+    own = unit_of(values).text if is_quantity(values) else ""
+    if own and unit:
+        raise ConditionError("unit cannot be used with readings that have a unit", "leave out unit")
+    first = of_times[0] if of_times else None
+    zone = getattr(first, "tzinfo", None)
+    unit_of_times = "s" if isinstance(first, (timedelta, numpy.timedelta64)) else ""
+    return Table(
+        (_title(times, "time"), _title(readings, "value")),
+        [_cell(time) for time in of_times],
+        [_cell(value) for value in of_values],
+        own or unit,
+        unit_of(times).text if is_quantity(times) else unit_of_times,
+        getattr(zone, "key", None) or getattr(zone, "zone", None) or "",
+    )
+
+
+def _elements(value: Any, what: str) -> list[Any]:
+    """Return the elements of a sequence, a column or an array of one dimension."""
+    refuse_lazy(value, what)
+    array = magnitude_of(value)
+    if hasattr(array, "to_list"):  # of pandas and Polars
+        return list(array.to_list())
+    if not isinstance(array, (list, tuple, numpy.ndarray)) or getattr(array, "ndim", 1) != 1:
+        problem = f"the {what} are not a sequence, but {article(type(array).__name__)}"
+        raise ConditionError(problem, "a column, a list or an array of one dimension")
+    is_time = getattr(getattr(array, "dtype", None), "kind", "") in "mM"
+    return array.tolist() if isinstance(array, numpy.ndarray) and not is_time else [*array]
+
+
+def _cell(value: Any) -> str:
+    """Return a time or a reading as a line of a log has it."""
+    if isinstance(value, date):  # also a datetime, and a Timestamp of pandas
+        return value.isoformat()
+    if isinstance(value, numpy.timedelta64):
+        return str(value / numpy.timedelta64(1, "s"))
+    if isinstance(value, timedelta):
+        return str(value.total_seconds())
+    return " ".join(str("" if value is None else value).split())
+
+
+def _title(value: Any, otherwise: str) -> str:
+    """Return the name of a column, if it has one that is not a number."""
+    name = " ".join(str(getattr(value, "name", None) or "").split())
+    return otherwise if not name or name.isdecimal() else name
