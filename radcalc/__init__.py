@@ -27,6 +27,7 @@ __all__ = [
     "environment",
     "etendue",
     "ev",
+    "examples",
     "explain",
     "factor",
     "integrate",
@@ -45,6 +46,7 @@ __all__ = [
     "sky",
     "solid_angle",
     "spectrum",
+    "typical",
     "uberlight",
 ]
 

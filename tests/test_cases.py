@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from conftest import DOCS, ROOT, entry_point, run
 
-from radcalc.cli import tasks
+from radcalc.sentences import tasks
 
 BARE = r"[^\"|<>;&`$\\]*"  # no characters special to a shell, except in '...'
 CALL = re.compile(

@@ -12,6 +12,7 @@ MODULES = {
     "radcalc.api.conversion": ("convert", "explain", "factor"),
     "radcalc.api.geometry": ("direction", "integrate", "solid_angle"),
     "radcalc.api.homework": ("Verdict", "check"),
+    "radcalc.api.lists": ("Listing", "TypicalValue", "examples", "typical"),
     "radcalc.api.logs": ("dose",),
     "radcalc.api.quantity": ("Quantity",),
     "radcalc.api.result": ("Result",),

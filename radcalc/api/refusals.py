@@ -150,9 +150,11 @@ def _literal(value: Any) -> str:
 
 
 def _text(answer: Any) -> str:
-    """Return the first number of an answer, with its unit."""
+    """Return the first number of an answer, with its unit, or the first line of a list."""
     if isinstance(answer, float) or is_quantity(answer):
         return in_short(answer)
+    if isinstance(answer, tuple):
+        return str(answer[0]).partition("\n")[0]
     return next(_rows(answer), "")
 
 

@@ -8,11 +8,7 @@ from radcalc.units.table import resolve
 
 OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
 # Commands that are not functions.
-AT_A_SHELL = (
-    *("columns", "examples", "help", "manual", "mark", "prompt", "quantities"),
-    "typical",
-    "units",
-)
+AT_A_SHELL = ("columns", "help", "manual", "mark", "prompt", "quantities", "units")
 
 
 def keyword(name: str) -> str:

@@ -10,13 +10,11 @@ from radcalc.calculators.page import Operand, Page
 from radcalc.cli.command import define
 from radcalc.cli.help_format import narrowed
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
-from radcalc.cli.tasks import CALL, Task, search
-from radcalc.cli.tasks import words as searches
 from radcalc.quantities.symbols import CHOICE
 from radcalc.render.formats import PLAIN, TABLE, Records
-from radcalc.terminal import BOLD, HANGING, RESET, fold
-
-WIDTH = 80  # of paragraphs in plain text
+from radcalc.sentences.tasks import Task, search
+from radcalc.sentences.tasks import words as searches
+from radcalc.terminal import BOLD, RESET
 
 
 @define(
@@ -69,21 +67,7 @@ def _complete(found: Sequence[Task], width: int) -> Iterator[str]:
     for place, task in enumerate(found):
         if place:
             yield ""
-        yield f"{task.trade}: {task.title}"
-        yield from _paragraph(task.question, width)
-        yield ""
-        for call in task.calls:
-            typed = f"    {CALL}{call.command}"
-            yield from narrowed(typed, width) if width else [typed]
-            for printed in call.output:
-                line = f"    {printed}".rstrip()
-                yield from fold(line, width, HANGING) if width else [line]
-        yield ""
-        yield from _paragraph(task.reading, width)
-
-
-def _paragraph(text: str, width: int) -> list[str]:
-    return fold(f"  {text}", width or WIDTH)
+        yield from task.lines(width, narrowed) if width else task.lines()
 
 
 def _record(task: Task, is_complete: bool) -> dict[str, Any]:

@@ -5,7 +5,6 @@ from contextlib import suppress
 
 from radcalc.answer import Result, texts_of
 from radcalc.calculators.page import SEARCH, Operand, Page
-from radcalc.cli import tasks
 from radcalc.cli.command import define
 from radcalc.cli.findings import EXACT, Finding, find, near
 from radcalc.cli.names import COMMANDS
@@ -13,6 +12,7 @@ from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import pasted
 from radcalc.errors import UsageError, call, quote
 from radcalc.render.formats import JSON, Records
+from radcalc.sentences import tasks
 
 MOST, OF_A_KIND = 20, 5  # findings shown, and of one kind unless they have the exact name
 # The kinds with their plurals, and the commands that list all of one kind.

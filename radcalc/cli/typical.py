@@ -6,7 +6,7 @@ from radcalc.cli.command import define
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.quantities.language import translate
 from radcalc.quantities.symbols import CHOICE
-from radcalc.quantities.typical import how_far, search
+from radcalc.quantities.typical import BOUNDS, FIELDS, how_far, search
 from radcalc.quantities.typical import words as searches
 from radcalc.render.formats import CSV, JSON, Records
 
@@ -30,9 +30,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
     refuse_number_options(output, "typical")
     text = " ".join(words)
     matches = search(text)
-    fields: tuple[str, ...] = ("what", "quantity", "value", "unit", "source", "note")
-    if output.format in (JSON, CSV):
-        fields = (*fields, "low", "high")
+    fields = (*FIELDS, *BOUNDS) if output.format in (JSON, CSV) else FIELDS
     rows = [{field: getattr(value, field) for field in fields} for value in matches]
     language = output.style.language
     translated = [

@@ -30,6 +30,8 @@ THINGS = (
     *("солнце", "небо", "пасмурно", "сумерки", "луна", "звёзды", "офис", "класс"),
     *("улица", "свеча", "лампа", "фара", "фонарик", "лазер", "экран", "растения"),
 )
+FIELDS = ("what", "quantity", "value", "unit", "source", "note")  # of a value in a list
+BOUNDS = ("low", "high")
 NEAREST = 7  # values shown near a given one
 LEAST, MOST = 1e-99, 1e99  # sizes to look near
 FAR = 10.0  # ratio above which a value is not near

@@ -9,7 +9,7 @@ from conftest import run
 from helpers import for_each, terminal_of
 
 from radcalc.cli import manual
-from radcalc.cli.tasks import FILE, search, tasks
+from radcalc.sentences.tasks import FILE, search, tasks
 
 TRADES = {
     "stage": 2, "growing": 3, "physics class": 3, "photography film": 3, "laser": 3,

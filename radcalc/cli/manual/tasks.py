@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from itertools import groupby
 
-from radcalc.cli import tasks as source
 from radcalc.cli.help_format import narrowed
 from radcalc.cli.manual.mdoc import ROOM, argument, literal, sentences, text
-from radcalc.cli.tasks import CALL
+from radcalc.sentences import tasks as source
+from radcalc.sentences.tasks import CALL
 from radcalc.terminal import HANGING, fold
 
 

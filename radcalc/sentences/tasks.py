@@ -5,11 +5,20 @@ from pathlib import Path
 
 from radcalc.errors import UsageError, corrections, nearest, quote
 from radcalc.quantities.search import comparable, matching
+from radcalc.terminal import HANGING, fold
 from radcalc.tuples import NamedTuple
 
 FILE = Path(__file__).parent / "examples.md"
 TRADE, TITLE, CALL = "# ", "## ", "$ "
 BEGIN, END = "```console", "```"
+WIDTH = 80  # of paragraphs in plain text
+
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+    from typing import TypeAlias
+
+    Narrowed: TypeAlias = Callable[[str, int], Iterable[str]]
 
 
 class Call(NamedTuple):
@@ -38,6 +47,27 @@ class Task(NamedTuple):
         """The text for searches: everything except the output."""
         commands = [call.command for call in self.calls]
         return " ".join([self.trade, self.title, self.question, *commands, self.reading])
+
+    def __str__(self) -> str:
+        """Return the whole task as plain text."""
+        return "\n".join(self.lines())
+
+    def lines(self, width: int = 0, narrowed: "Narrowed | None" = None) -> "Iterator[str]":
+        """Yield the title, and indented the question, the calls with their output, the reading.
+
+        With a width, `narrowed` folds the calls; without one, only paragraphs are folded.
+        """
+        yield f"{self.trade}: {self.title}"
+        yield from fold(f"  {self.question}", width or WIDTH)
+        yield ""
+        for call in self.calls:
+            typed = f"    {CALL}{call.command}"
+            yield from narrowed(typed, width) if narrowed else [typed]
+            for printed in call.output:
+                line = f"    {printed}".rstrip()
+                yield from fold(line, width, HANGING) if width else [line]
+        yield ""
+        yield from fold(f"  {self.reading}", width or WIDTH)
 
 
 @cache
