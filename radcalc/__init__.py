@@ -60,8 +60,16 @@ def __getattr__(name: str) -> object:
         from radcalc.api import public
 
         return public(name)
-    raise AttributeError(f"module 'radcalc' has no attribute '{name}'")
+    import sys
+
+    frame = sys._getframe(1)
+    is_import = frame.f_code.co_name == "_handle_fromlist" or f"radcalc.{name}" in sys.modules
+    if name[:1] == "_" or is_import:  # of a module
+        raise AttributeError(f"module 'radcalc' has no attribute '{name}'")
+    from radcalc.api import unknown
+
+    raise unknown.error(name, frame)
 
 
 def __dir__() -> "list[str]":
-    return [*globals(), *__all__]
+    return __all__

@@ -8,7 +8,7 @@ from radcalc.answer import Answer, texts_of
 from radcalc.api.columns import take_columns
 from radcalc.api.quantity import is_lazy
 from radcalc.api.reading import broadcast, is_absent, read_inputs, read_points
-from radcalc.api.result import Result, of_answer
+from radcalc.api.result import Result, in_columns, of_answer
 from radcalc.api.spelling import keyword
 from radcalc.calculators.page import NOTHING
 from radcalc.calculators.pages import page_of
@@ -35,8 +35,8 @@ def calculate(
 
     `operands` are shown with them; `samples` are facts of a log; `drawn` is what a picture needs
     in addition to the inputs; `adapt` changes the inputs that were read; `waits` is true if the
-    function takes Dask arrays. `requested` are results that the
-    function calculates on request alone.
+    function takes Dask arrays.  `requested` are results that the function calculates on request
+    alone.
     """
     columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
@@ -45,7 +45,7 @@ def calculate(
         operand_texts = dict(operands)  # pickle takes it, unlike a proxy
         call = partial(calculate, command, work_out=work_out, operands=operand_texts, adapt=adapt)
         waiting: Result = blockwise(keyword(command), call, given)
-        return waiting.in_columns(columns)
+        return in_columns(waiting, columns)
     symbols = dict(given)
     point = symbols.pop("point", None)
     inputs = read_inputs(symbols, page_of(command).intervals)
@@ -73,7 +73,7 @@ def calculate(
     listed_inputs = (*task.operands, *shown_inputs(inputs))
     solved = (inputs, answer, drawn)
     result = of_answer(command, answer, listed_inputs, None if arrays else ask, solved, again)
-    return result.in_columns(columns)
+    return in_columns(result, columns)
 
 
 def _requesting(work_out: WorkOut, requested: tuple[str, ...]) -> WorkOut:

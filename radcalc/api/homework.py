@@ -9,7 +9,7 @@ from radcalc.answer import Row, Value
 from radcalc.api.quantity import Quantity
 from radcalc.api.reading import as_text
 from radcalc.api.refusals import in_python
-from radcalc.api.result import Result
+from radcalc.api.result import Result, question_of
 from radcalc.api.spelling import in_words, keyword
 from radcalc.errors import ConditionError
 from radcalc.homework.verdict import Verdict as Judged
@@ -83,7 +83,7 @@ def check(
         problem = f"{article(type(result).__name__)} is not a result to check"
         raise ConditionError(problem, "radcalc.explain, or a calculator's function")
     allowed = None if tolerance is None else as_text(tolerance)
-    question = result.question
+    question = question_of(result)
     judgement = judge(question, _as_named(as_text(claim), question.answer.values), allowed)
     return Verdict(*judgement._replace(diagnoses=tuple(map(_in_python, judgement.diagnoses))))
 

@@ -13,7 +13,7 @@ import numpy
 from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, unit_of
 from radcalc.api.reading import gathered
 from radcalc.api.refusals import in_python
-from radcalc.api.result import Result
+from radcalc.api.result import Result, all_of, waiting
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, option
 from radcalc.maths import is_column
@@ -139,12 +139,12 @@ def blockwise(
     for row, name in enumerate(names):
         array = rows[(row, *_index(expected[name].shape, len(axes), is_single))]
         results[name] = Quantity(array, empty[name].units) if expected[name].unit else array
-    return answer.waiting(results) if isinstance(answer, Result) else results[ALONE]
+    return waiting(answer, results) if isinstance(answer, Result) else results[ALONE]
 
 
 def _by_name(answer: Any) -> dict[str, Any]:
     """Return the results of an answer by all of their names; a single one has none."""
-    return answer.every if isinstance(answer, Result) else {ALONE: answer}
+    return all_of(answer) if isinstance(answer, Result) else {ALONE: answer}
 
 
 def _arrays(key: str, value: Any) -> list[Any]:

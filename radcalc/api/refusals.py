@@ -58,8 +58,8 @@ def misspelt(function: Callable[..., Any], args: tuple[Any, ...], kwargs: Mappin
             hints.append(name)
             continue
         with suppress(RadcalcError, TypeError):
-            answer = _text(function(*args, **arguments))
-            hints.append(f"{_call(function, args, arguments)}\n     {answer}")
+            answer = function(*args, **arguments)
+            hints.append(with_answer(_call(function, args, arguments), answer))
     return "\ntry: " + "\nor:  ".join(hints or names) if names else ""
 
 
@@ -78,8 +78,7 @@ def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str,
             )
         except (RadcalcError, TypeError, ValueError, LookupError):
             continue
-        remark = spell(proposal.remark, PythonHint)
-        texts.append("\n     ".join([call, ", ".join(filter(None, [_text(answer), remark]))]))
+        texts.append(with_answer(call, answer, spell(proposal.remark, PythonHint)))
     if texts and (others := error.others):
         help_ = Python.manual(symbol_name(function.__name__))
         return "\nor:  ".join(texts) + f"\nor {', '.join(map(keyword, others))} ({help_})"
@@ -143,6 +142,11 @@ def other_call(proposal: Try, in_core: bool = True) -> tuple[str, Any]:
         answer = getattr(answer, keyword(name))
         answer = answer.to(unit) if unit else answer
     return Python.command(*proposal.words), answer
+
+
+def with_answer(call: str, answer: Any, remark: str = "") -> str:
+    """Return a call with its answer, and a remark, below it."""
+    return f"{call}\n     {', '.join(filter(None, [_text(answer), remark]))}"
 
 
 def _literal(value: Any) -> str:

@@ -127,8 +127,9 @@ class Result(Mapping[str, Quantity]):
         return _restored, (self.command, self._renderable, self._every, self._names)
 
     def __dir__(self) -> list[str]:
-        """List the results, by all of their names, with the other attributes."""
-        return [*super().__dir__(), *self._every, *self._later]
+        """List the results, by all of their names, with the other public attributes."""
+        public = (name for name in dir(Result) if name[0] != "_")
+        return [*self._every, *self._later, "command", *public]
 
     def _ipython_key_completions_(self) -> list[str]:
         return [*self._every]
@@ -217,33 +218,40 @@ class Result(Mapping[str, Quantity]):
         """
         return _drawing(self, self._solved, wanted)
 
-    @property
-    def question(self) -> "Question":
-        if self._ask is None:
-            problem = "check takes one answer, but there are several"
-            raise ConditionError(problem, "one value of each")
-        return self._ask()
 
-    @property
-    def every(self) -> dict[str, Any]:
-        return self._every
+def question_of(result: Result) -> "Question":
+    """Return the question that a result answers, for a check."""
+    if result._ask is None:
+        problem = "check takes one answer, but there are several"
+        raise ConditionError(problem, "one value of each")
+    return result._ask()
 
-    def in_columns(self, columns: "Columns | None") -> "Result":
-        if columns is None:
-            return self
-        every = {name: columns.result(name, value) for name, value in self._every.items()}
-        return Result(self.command, self._show, every, self._names, None, self._solved)
 
-    def waiting(self, results: Mapping[str, Any]) -> "Result":
-        def show() -> answer.Result:
-            result = self._renderable
-            rows = [_with_value(row, results) for row in result.rows]
-            return result._replace(rows=tuple(row for row in rows if row), steps=())
+def all_of(result: Result) -> dict[str, Any]:
+    """Return the quantities of a result by all of their names."""
+    return result._every
 
-        waits = Undrawn(
-            "a result not yet computed by Dask cannot be drawn", "the same of NumPy's arrays"
-        )
-        return Result(self.command, show, results, self._names, None, waits)
+
+def in_columns(result: Result, columns: "Columns | None") -> Result:
+    """Return a result with columns for arrays that depend on columns."""
+    if columns is None:
+        return result
+    every = {name: columns.result(name, value) for name, value in result._every.items()}
+    return Result(result.command, result._show, every, result._names, None, result._solved)
+
+
+def waiting(result: Result, results: Mapping[str, Any]) -> Result:
+    """Return a result with other values, which Dask has not computed yet."""
+
+    def show() -> answer.Result:
+        shown = result._renderable
+        rows = [_with_value(row, results) for row in shown.rows]
+        return shown._replace(rows=tuple(row for row in rows if row), steps=())
+
+    waits = Undrawn(
+        "a result not yet computed by Dask cannot be drawn", "the same of NumPy's arrays"
+    )
+    return Result(result.command, show, results, result._names, None, waits)
 
 
 def _is_same(first: Any, second: Any) -> bool:

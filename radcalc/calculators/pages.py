@@ -32,6 +32,25 @@ SUMMARIES = {
     "mesopic": "Mesopic luminance by CIE 191:2010.",
 }
 
+# Words for the subjects of commands, if unlike the command's name.
+SUBJECTS = {
+    "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
+    "point-source": "point lamp led bulb spot spotlight beam inverse-square cosine candela",
+    "scene": "room lights luminaires layout isolux uniformity",
+    "mark": "grade grades marking homework students exam sheet",
+    "lambertian": "diffuse diffuser reflector panel wall surface luminaire reflectance",
+    "spectrum": "blackbody illuminant cct cri colour color spectra daylight",
+    "photon": "wavelength frequency wavenumber laser",
+    "mesopic": "scotopic photopic purkinje",
+    "direction": "vector angle angles spherical azimuth elevation",
+    "integrate": "integral",
+    "calorimeter": "heat thermometer",
+    "units": "unit",
+    "screen": "projector cinema",
+    "solid-angle": "steradian steradians omega",
+    "uberlight": "cinematography renderman barzel superellipse barndoor falloff",
+}
+
 
 def page_of(name: str) -> "Page":
     """Import the page of a calculator."""

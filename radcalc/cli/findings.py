@@ -9,9 +9,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from typing import Any
 
-from radcalc.calculators.pages import SUMMARIES
+from radcalc.calculators.pages import SUBJECTS, SUMMARIES
 from radcalc.cli.names import COMMANDS
-from radcalc.cli.suggestions import MEANT
 from radcalc.completion import table
 from radcalc.errors import RadcalcError, nearest
 from radcalc.quantities import entries, search, typical
@@ -95,7 +94,7 @@ def _of_commands(text: str) -> Iterable[Finding]:
             line,
             (name, "--help"),
             (name, *_shapes(name)),
-            f"{line} {MEANT.get(name, '')}",
+            f"{line} {SUBJECTS.get(name, '')}",
         )
         for name, line in COMMANDS.items()
     ]

@@ -1,26 +1,8 @@
 """Suggestions for a word that is not a command."""
 
+from radcalc.calculators.pages import SUBJECTS
 from radcalc.cli.names import COMMANDS
 from radcalc.errors import Hint, Try, call, correct, corrections, nearest
-
-# Words for the subjects of commands, if unlike the command's name.
-MEANT = {
-    "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
-    "point-source": "point lamp led bulb spot spotlight beam inverse-square cosine candela",
-    "scene": "room lights luminaires layout isolux uniformity",
-    "mark": "grade grades marking homework students exam sheet",
-    "lambertian": "diffuse diffuser reflector panel wall surface luminaire reflectance",
-    "spectrum": "blackbody illuminant cct cri colour color spectra daylight",
-    "photon": "wavelength frequency wavenumber laser",
-    "mesopic": "scotopic photopic purkinje",
-    "direction": "vector angle angles spherical azimuth elevation",
-    "integrate": "integral",
-    "calorimeter": "heat thermometer",
-    "units": "unit",
-    "screen": "projector cinema",
-    "solid-angle": "steradian steradians omega",
-    "uberlight": "cinematography renderman barzel superellipse barndoor falloff",
-}
 
 
 def meant(args: list[str]) -> Hint:
@@ -32,7 +14,7 @@ def meant(args: list[str]) -> Hint:
 
     if word in NAMES:
         return correct(args[0], "solid-angle", word)
-    names = [name for name, synonyms in MEANT.items() if word in synonyms.split()]
+    names = [name for name, synonyms in SUBJECTS.items() if word in synonyms.split()]
     if names:
         tries = corrections(args[0], *names[:2])
         return tries if args[1:] else [call(names[0], "--help")]
