@@ -8,6 +8,7 @@ from collections.abc import (
 from typing import (
     Any,
     Literal,
+    overload,
 )
 
 from radcalc._version import (
@@ -23,21 +24,30 @@ from radcalc.api.keywords import (
     Distribution,
     ElectricField,
     Interval,
+    Invalid,
     Number,
     Numbers,
     Observer,
     Pair,
     Path,
+    Period,
     Points,
     Profile,
     Projection,
+    Readings,
+    Samples,
     Shape,
     Sky,
     Surroundings,
     Text,
+    Times,
     Unnamed,
     Vector,
     WholeSphere,
+)
+from radcalc.api.lists import (
+    Listing,
+    TypicalValue,
 )
 from radcalc.api.quantity import (
     Quantity,
@@ -52,6 +62,9 @@ from radcalc.errors import (
     RadcalcError,
     UnitError,
     UsageError,
+)
+from radcalc.sentences.tasks import (
+    Task,
 )
 
 __all__ = [
@@ -70,11 +83,14 @@ __all__ = [
     "check",
     "convert",
     "direction",
+    "dose",
     "environment",
     "etendue",
     "ev",
+    "examples",
     "explain",
     "factor",
+    "integrate",
     "irradiance_map",
     "lambertian",
     "laser",
@@ -90,6 +106,7 @@ __all__ = [
     "sky",
     "solid_angle",
     "spectrum",
+    "typical",
     "uberlight",
 ]
 
@@ -161,6 +178,52 @@ def direction(
     reflect_to: Vector = None,
     on_ball: bool = False,
 ) -> Result: ...
+@overload
+def dose(
+    readings: Readings,
+    times: Times = None,
+    *,
+    max_gap: Amount = None,
+    receiver_area: Amount = None,
+    wavelength: Amount = None,
+    spectrum: Text = None,
+    efficacy: Amount = None,
+    observer: Observer | None = None,
+    range: Text = None,
+    photon_range: Text = None,
+    unit: str = "",
+    column: str | int | None = None,
+    time_column: str | Sequence[str] = (),
+    time_unit: str = "",
+    time_zone: str = "",
+    time_format: str = "",
+    samples: Samples = "points",
+    invalid: Invalid = "abort",
+    by: None = None,
+) -> Result: ...
+@overload
+def dose(
+    readings: Readings,
+    times: Times = None,
+    *,
+    max_gap: Amount = None,
+    receiver_area: Amount = None,
+    wavelength: Amount = None,
+    spectrum: Text = None,
+    efficacy: Amount = None,
+    observer: Observer | None = None,
+    range: Text = None,
+    photon_range: Text = None,
+    unit: str = "",
+    column: str | int | None = None,
+    time_column: str | Sequence[str] = (),
+    time_unit: str = "",
+    time_zone: str = "",
+    time_format: str = "",
+    samples: Samples = "points",
+    invalid: Invalid = "abort",
+    by: Period,
+) -> dict[str, Result]: ...
 def environment(
     source: Surroundings,
     *,
@@ -235,6 +298,9 @@ def ev(
     k: Amount = None,
     c: Amount = None,
 ) -> Result: ...
+def examples(
+    search: str = "",
+) -> Listing[Task]: ...
 def explain(
     value: Number,
     target: str,
@@ -304,6 +370,17 @@ def factor(
     photoperiod: Amount = None,
     bandwidth: Amount = None,
 ) -> float: ...
+def integrate(
+    expression: str,
+    *,
+    sphere: bool = False,
+    hemisphere: bool = False,
+    half_angle: Amount = None,
+    polar: Interval = None,
+    azimuth: Interval = None,
+    accuracy: Number = None,
+    unit: str = "",
+) -> Result: ...
 def irradiance_map(
     source: Surroundings,
     size: Pair = None,
@@ -703,6 +780,9 @@ def spectrum(
     column: str | int | None = None,
     unit: str = "",
 ) -> Result: ...
+def typical(
+    search: str | Quantity = "",
+) -> Listing[TypicalValue]: ...
 def uberlight(
     point: Points,
     *amounts: Unnamed,

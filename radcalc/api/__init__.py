@@ -21,6 +21,7 @@ MODULES = {
     "radcalc.api.sources": ("lambertian", "point_source", "uberlight"),
     "radcalc.api.spectra": ("photon", "spectrum"),
     "radcalc.api.surroundings": ("environment", "irradiance_map", "reproject", "sky"),
+    "radcalc.sentences.tasks": ("Task",),
     "radcalc.errors": (
         "ConditionError",
         "ConversionError",

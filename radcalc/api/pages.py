@@ -8,9 +8,10 @@ from __future__ import annotations
 import inspect
 import re
 import textwrap
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import cache, wraps
 from importlib import import_module
+from itertools import groupby
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from radcalc.api import keywords
@@ -50,6 +51,7 @@ FORMS = {
     POINT: "Vector",
     VECTOR: "Vector",
 }
+FEW = 3  # keywords in the text of a signature
 WIDTH = 96  # width of a docstring, which help() indents
 HEADING = re.compile(r"^(\w+)\n-{3,}\n", re.MULTILINE)
 ENTRY = re.compile(r"^(\w[^\n]*?) : [^\n]*(?:\n    [^\n]*)*", re.MULTILINE)
@@ -65,14 +67,44 @@ ABOUT_AMOUNTS = """amounts : Unnamed, optional
 HEADINGS = PARAMETERS, _, _, EXAMPLES = "Parameters", "Returns", "Raises", "Examples"
 
 
+class Readable(inspect.Signature):
+    """A signature whose text is a line: the operands, a few keywords, and ... for the others."""
+
+    shown: Collection[str] = ()
+
+    def __str__(self) -> str:
+        """Return the text."""
+        return self.format()
+
+    def format(self, **_: Any) -> str:
+        """Return the text, which `help` shows, in one line of any width."""
+        texts: list[str] = []
+        omitted = False
+        for parameter in self.parameters.values():
+            if parameter.kind == parameter.KEYWORD_ONLY:
+                if not any(text[0] == "*" for text in texts):
+                    texts.append("*")
+                if parameter.name in self.shown:
+                    texts.append(f"{parameter.name}=...")
+                omitted = omitted or parameter.name not in self.shown
+            elif parameter.kind == parameter.VAR_POSITIONAL:
+                texts.append(f"*{parameter.name}")
+            elif parameter.default is parameter.empty:
+                texts.append(parameter.name)
+            else:
+                texts.append(f"{parameter.name}={parameter.default!r}")
+        return f"({', '.join([*texts, *['...'] * omitted])}) -> {self.return_annotation}"
+
+
 class Keyword(NamedTuple):
-    """A symbol as a keyword: its annotation, default, unit and description."""
+    """A symbol as a keyword: its annotation, default, unit and description, and its group."""
 
     name: str
     annotation: str
     default: Any
     unit: str
     help: str
+    group: str
 
     @property
     def parameter(self) -> inspect.Parameter:
@@ -121,7 +153,7 @@ def of_page(
         unnamed = [AMOUNTS] if amounts else []
         keyword_only = [added.parameter for added in page_keywords]
         parameters = [*operands, *unnamed, *keyword_only, *options]
-        signature = signature.replace(parameters=parameters)
+        signature = Readable(parameters, return_annotation=signature.return_annotation)
 
         @wraps(function)
         def call(*args: Any, **kwargs: Any) -> T:
@@ -135,7 +167,6 @@ def of_page(
                 given = with_amounts(function, command, values, given)
             return in_python(function)(**given)
 
-        call.__signature__ = signature  # type: ignore[attr-defined]
         call.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
         call.__annotations__["return"] = signature.return_annotation
         call.__annotations__ = get_type_hints(call, {**vars(keywords), **function.__globals__})
@@ -143,6 +174,9 @@ def of_page(
         call.__doc__ = _docstring(
             own_text, command, page, [one.name for one in (*operands, *unnamed)], page_keywords
         )
+        in_example = re.findall(r"(\w+)=", call.__doc__.partition(f"{EXAMPLES}\n")[2])
+        signature.shown = [*dict.fromkeys(in_example)][:FEW]
+        call.__signature__ = signature  # type: ignore[attr-defined]
         call.__module__ = "radcalc"
         return call
 
@@ -151,17 +185,18 @@ def of_page(
 
 def _keywords(page: Page, without: Sequence[str]) -> list[Keyword]:
     """Return the keywords of a page; a light quantity also has those of its kinds."""
-    names = [name for section in page.sections.values() for name in section if name not in without]
-    all_names = [
-        kind_name
+    groups = {
+        kind_name: group
+        for group, names in page.sections.items()
         for name in names
+        if name not in without
         for kind_name in (name, *names_of_kinds(name))
         if kind_name == name or SPECIFIC[kind_name][1] in page.kinds
-    ]
-    return [_keyword(page.symbol(name), page.kinds) for name in all_names]
+    }
+    return [_keyword(page.symbol(name), page.kinds, group) for name, group in groups.items()]
 
 
-def _keyword(symbol: Symbol, kinds: Sequence[str]) -> Keyword:
+def _keyword(symbol: Symbol, kinds: Sequence[str], group: str) -> Keyword:
     name, text = keyword(symbol.name), spell(mention(symbol.help), Documented)
     unit = ""
     if symbol.form in (QUANTITY, INTERVAL) and NUMBER not in symbol.dimensions:
@@ -169,13 +204,13 @@ def _keyword(symbol: Symbol, kinds: Sequence[str]) -> Keyword:
         if symbol.name == symbol.generic:
             unit = ", ".join(light_unit(symbol.name, kind) for kind in kinds)
     if symbol.form == FLAG:
-        return Keyword(name, "bool", False, unit, text)
+        return Keyword(name, "bool", False, unit, text, group)
     annotation = FORMS.get(symbol.form, "Text")
     if symbol.form == CHOICE:
         annotation = "".join(map(str.capitalize, symbol.name.split("-"))) + " | None"
     elif symbol.form == QUANTITY:
         annotation = "Interval" if ":" in symbol.example else "Amount" if unit else "Number"
-    return Keyword(name, annotation, None, unit, text)
+    return Keyword(name, annotation, None, unit, text, group)
 
 
 def _docstring(
@@ -197,14 +232,21 @@ def _docstring(
         sections[EXAMPLES] = "\n".join(calls)
     entries = [entry[0] for entry in ENTRY.finditer(sections.get(PARAMETERS, ""))]
     first = [entry for entry in entries if re.split(r"\W", entry)[0] in operands]
-    last = [entry for entry in entries if entry not in first]
+    options = [entry for entry in entries if entry not in first]
     if AMOUNTS.name in operands:
         first.append(ABOUT_AMOUNTS)
-    sections[PARAMETERS] = "\n".join([*first, *_entries(page_keywords), *last])
+    grouped = [f"\n{group}:\n\n{text}" for group, text in _groups(page_keywords)]
+    sections[PARAMETERS] = "\n".join([*first, *options, *grouped])
     parts = [
         f"{heading}\n{'-' * len(heading)}\n{sections[heading].strip()}" for heading in HEADINGS
     ]
     return "\n\n".join([summary.strip(), *parts])
+
+
+def _groups(page_keywords: Sequence[Keyword]) -> Iterator[tuple[str, str]]:
+    """Yield the title and the entries of each group of keywords."""
+    for group, in_group in groupby(page_keywords, lambda entry: entry.group):
+        yield group, "\n".join(_entries([*in_group]))
 
 
 def _entries(page_keywords: Sequence[Keyword]) -> Iterator[str]:
