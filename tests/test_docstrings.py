@@ -59,8 +59,12 @@ def sections(documented: Any) -> dict[str, str]:
 
 
 def entries(text: str) -> set[str]:
-    """Return the names that a section documents: one or more per unindented line."""
+    """Return the names that a section documents: one or more per unindented line.
+
+    A line that ends in a colon is the title of a group.
+    """
     lines = [line for line in text.splitlines() if line and not line.startswith(" ")]
+    lines = [line for line in lines if not line.endswith(":")]
     return {name.strip() for line in lines for name in line.partition(":")[0].split(",")}
 
 

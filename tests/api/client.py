@@ -48,6 +48,12 @@ def main() -> None:
     print(radcalc.solid_angle("zone", polar=("30 deg", "60 deg")).solid_angle.m_as("sr"))
     print(radcalc.ev(f_number=16, time=Quantity(10, "ms")).ev.magnitude)
     assert radcalc.point_source("100 cd", Quantity(2, "m")).illuminance.m_as("lx") == 25
+    lux, stamps = [0.0, 500.0, 0.0], ["2024-06-01 08:00", "2024-06-01 12:00", "2024-06-01 20:00"]
+    print(radcalc.dose(lux, Quantity([0.0, 4.0, 12.0], "h"), unit="lx").exposure.m_as("lx h"))
+    days = radcalc.dose(lux, stamps, unit="lx", by="day")
+    print({day: result.exposure.m_as("lx h") for day, result in days.items()})
+    print(radcalc.typical("office")[0].source, radcalc.examples("museum")[0].title)
+    print(radcalc.integrate("cos(theta)", half_angle="90 deg").integral.m_as("sr"))
     lamps = [{"x": 0, "y": 0, "z": 2, "intensity": "100 cd"}]
     print(radcalc.scene(lamps, np.zeros((1, 3)), normal=(0, 0, 1)).irradiance.shape)
 

@@ -89,7 +89,8 @@ def test_a_misspelt_keyword_is_refused_with_the_call(function, operands, keyword
 
 def test_help_reads_as_a_manual():
     text = pydoc.render_doc(radcalc.point_source, renderer=pydoc.plaintext)
-    assert "distance: 'Amount' = None" in text
+    assert "point_source(*amounts, flux=..., distribution=..., distance=..., ...)" in text
+    assert "Receiver:\n" in text  # a group of parameters
     assert "Straight line from the source to the receiver. [m]" in text
     assert "`height`" in text  # the form of keywords
 
