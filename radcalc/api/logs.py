@@ -174,11 +174,12 @@ def dose(
 def _table(readings: Any, times: Any, unit: str) -> Table:
     """Return readings in memory with their times."""
     values = as_array(readings) if isinstance(readings, (list, tuple)) else readings
+    of_values = _elements(values, "readings")
     if times is None:
         times = getattr(readings, "index", None)
         if not hasattr(times, "freq"):  # an index of dates or of timedeltas
             raise MissingInput("the times of the readings are missing", TIMES)
-    of_values, of_times = _elements(values, "readings"), _elements(times, "times")
+    of_times = _elements(times, "times")
     if len(of_values) != len(of_times):
         problem = f"there are {len(of_values)} readings and {len(of_times)} times"
         raise ConditionError(problem, "a time for each reading")

@@ -18,6 +18,7 @@ from radcalc.inputs.given import Inputs
 from radcalc.maths import frozen, is_column
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
+from radcalc.units.table import unit_of as unit_named
 
 if TYPE_CHECKING:
     from radcalc.api.columns import Columns
@@ -94,9 +95,15 @@ class Result(Mapping[str, Quantity]):
         if called in self._later and called not in self._every:
             self._every[called] = self._later[called]()
         if called not in self._every:
-            near = ", ".join(nearest(called, self._every, 3) or self._names)
-            raise MissingResult(f"unknown result '{quote(str(name))}'", near)
+            near = self._in_unit(str(name)) or nearest(called, self._every, 3) or self._names
+            raise MissingResult(f"unknown result '{quote(str(name))}'", ", ".join(near))
         return self._every[called]  # type: ignore[no-any-return]
+
+    def _in_unit(self, text: str) -> list[str]:
+        """Return the results that a unit measures."""
+        unit = unit_named(text)
+        dimension = unit and unit.dimension
+        return [name for name in self._names if unit_of(self[name]).dimension == dimension]
 
     def __iter__(self) -> Iterator[str]:
         """Iterate over the names of the results, each once."""

@@ -97,7 +97,7 @@ REFUSED = [
     (lambda: radcalc.dose(VALUES, STAMPS, unit="lx", efficacy=["1 lm/W", "2 lm/W"]), "an array"),
     (lambda: radcalc.dose("absent.csv"), "cannot read absent.csv"),
     (lambda: radcalc.dose("absent.csv", STAMPS), "times do not apply to a file"),
-    (lambda: radcalc.dose(SERIES.to_frame(), STAMPS), "not a sequence"),
+    (lambda: radcalc.dose(SERIES.to_frame()), "not a sequence, but a DataFrame"),
     (lambda: radcalc.dose(np.zeros((2, 2)), HOURS, unit="lx"), "not a sequence"),
     (lambda: radcalc.dose(5, HOURS, unit="lx"), "not a sequence"),
 ]

@@ -384,3 +384,10 @@ def test_the_errors_are_in_the_top_level_package():
     assert issubclass(radcalc.UnitError, radcalc.RadcalcError)
     with pytest.raises(radcalc.UnitError):
         radcalc.convert("1 zork", "lx")
+
+
+def test_an_unknown_result_that_is_a_unit_is_answered_with_the_results_in_it():
+    lamp = radcalc.point_source(intensity="100 cd", distance="2 m")
+    with pytest.raises(RadcalcError, match="unknown result 'lux'") as caught:
+        lamp.lux  # noqa: B018
+    assert caught.value.hint == "illuminance"
