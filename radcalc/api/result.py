@@ -18,7 +18,7 @@ from radcalc.inputs.given import Inputs
 from radcalc.maths import frozen, is_column
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
-from radcalc.units.table import unit_of as unit_named
+from radcalc.units.table import unit_of as unit_of_text
 
 if TYPE_CHECKING:
     from radcalc.api.columns import Columns
@@ -101,9 +101,12 @@ class Result(Mapping[str, Quantity]):
 
     def _in_unit(self, text: str) -> list[str]:
         """Return the results that a unit measures."""
-        unit = unit_named(text)
-        dimension = unit and unit.dimension
-        return [name for name in self._names if unit_of(self[name]).dimension == dimension]
+        if not (unit := unit_of_text(text)):
+            return []
+        shown = {row.name: unit_of_text(row.unit) for row in self.rows}
+        return [
+            keyword(name) for name, of in shown.items() if of and of.dimension == unit.dimension
+        ]
 
     def __iter__(self) -> Iterator[str]:
         """Iterate over the names of the results, each once."""

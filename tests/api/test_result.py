@@ -388,6 +388,6 @@ def test_the_errors_are_in_the_top_level_package():
 
 def test_an_unknown_result_that_is_a_unit_is_answered_with_the_results_in_it():
     lamp = radcalc.point_source(intensity="100 cd", distance="2 m")
-    with pytest.raises(RadcalcError, match="unknown result 'lux'") as caught:
+    with pytest.raises(radcalc.RadcalcError, match="unknown result 'lux'") as caught:
         lamp.lux  # noqa: B018
     assert caught.value.hint == "illuminance"
