@@ -78,7 +78,7 @@ def typical(search: str | Quantity = "") -> Listing[TypicalValue]:
 
     Examples
     --------
-    >>> typical("classroom")[0].low.to("fc").round(1)
+    >>> typical("office")[0].low.to("fc").round(1)
     <Quantity(46.5, 'footcandle')>
     """
     text = as_text(search)
