@@ -139,7 +139,7 @@ class Result(Mapping[str, Quantity]):
     def __dir__(self) -> list[str]:
         """List the results, by all of their names, with the other public attributes."""
         public = (name for name in dir(Result) if name[0] != "_")
-        return [*self._every, *self._later, "command", *public]
+        return [*names_of(self), "command", *public]
 
     def _ipython_key_completions_(self) -> list[str]:
         return [*self._every]
@@ -240,6 +240,11 @@ def question_of(result: Result) -> "Question":
 def all_of(result: Result) -> dict[str, Any]:
     """Return the quantities of a result by all of their names."""
     return result._every
+
+
+def names_of(result: Result) -> list[str]:
+    """Return all names of the results, also of those that are calculated at the first access."""
+    return [*result._every, *result._later]
 
 
 def in_columns(result: Result, columns: "Columns | None") -> Result:

@@ -10,7 +10,7 @@ from types import FrameType
 
 from radcalc.api.quantity import in_short
 from radcalc.api.refusals import other_call, with_answer
-from radcalc.api.result import Result, all_of
+from radcalc.api.result import Result, names_of
 from radcalc.api.spelling import Python, keyword, symbol_name
 from radcalc.calculators.page import Page, words_of
 from radcalc.calculators.pages import SUBJECTS, SUMMARIES, page_of
@@ -71,7 +71,7 @@ def _result(name: str) -> Iterator[str]:
         results = (*page.light, *page.others)
         if not results or _names(name) & {*results}:
             for call, result in _examples(command, page):
-                if name in all_of(result) and f"{name}=" not in call:
+                if name in names_of(result) and f"{name}=" not in call:
                     yield f"{call}.{name}\n     {in_short(result[name])}"
                     break
 

@@ -12,6 +12,7 @@ from helpers import for_each
 
 import radcalc
 from radcalc.api import stub
+from radcalc.api.result import names_of
 
 FUNCTIONS = [name for name in radcalc.__all__ if inspect.isfunction(getattr(radcalc, name))]
 LAMP = radcalc.point_source(intensity="100 cd", distance="2 m")
@@ -34,7 +35,7 @@ def test_tab_shows_the_quantities_of_a_result_and_no_tools_of_the_package():
     mapping = {"get", "items", "keys", "values"}
     others = {"assumptions", "command", "inputs", "notes", "plot", "rows", "steps", "to_dict"}
     assert {"illuminance", "irradiance", "distance"} <= names
-    assert names == {*dir(LAMP)} == {*LAMP._every, *others, *mapping}
+    assert names == {*dir(LAMP)} == {*names_of(LAMP), *others, *mapping}
 
 
 def test_help_begins_with_the_functions():
