@@ -30,6 +30,12 @@ COLORS = {
     "likely:": MAGENTA,
     "or:": MAGENTA,
 }
+WIDE, MARKS = (
+    ("W", "F"),
+    ("Mn", "Me", "Mc"),
+)  # classes of Unicode: widths of two columns, and of none
+MEDIALS = frozenset(map(chr, range(0x1160, 0x1200)))  # of Hangul, drawn within the letter before
+DOTS = "..."
 CALLS = "try: radcalc ", "or:  radcalc ", "read as: radcalc "  # lines to paste: not folded
 _chosen = AUTO
 
@@ -200,16 +206,65 @@ def _width_of_terminal() -> int:
         return sys.maxsize
 
 
+def columns_of(text: str) -> int:
+    """Return the columns that a text takes: 2 for a wide letter, 0 for a combining mark.
+
+    >>> columns_of("lamp"), columns_of("灯"), columns_of("e\u0301")
+    (4, 2, 1)
+    """
+    if text.isascii():
+        return len(text)
+    from unicodedata import category, east_asian_width
+
+    return sum(
+        0
+        if category(letter) in MARKS or letter in MEDIALS
+        else 1 + (east_asian_width(letter) in WIDE)
+        for letter in text
+    )
+
+
+def cut(text: str, width: int) -> str:
+    """Return a text within a width, with dots for the end that does not fit."""
+    if columns_of(text) <= width:
+        return text
+    end = len(text)
+    while columns_of(text[:end]) > width - len(DOTS):
+        end -= 1
+    return text[:end].rstrip() + DOTS
+
+
 def fold(line: str, width: int, deeper: int = 0) -> list[str]:
-    """Fold a line between words, with the later parts indented by `deeper`."""
-    if len(line) <= width:
+    """Fold a line between words, with the later parts indented by `deeper`.
+
+    A word with wide letters, which has no blanks where it may be divided, is divided anywhere.
+    """
+    if columns_of(line) <= width:
         return [line]
+    indent = " " * (len(line) - len(line.lstrip()) + deeper)
+    if columns_of(line) > len(line):
+        return _fold_wide(line, width, indent)
     from textwrap import wrap
 
-    indent = " " * (len(line) - len(line.lstrip()) + deeper)
     return wrap(
         line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
     ) or [""]
+
+
+def _fold_wide(line: str, width: int, indent: str) -> list[str]:
+    lines, now = [], line[: len(line) - len(line.lstrip())]
+    for word in line.split():
+        gap = " " if now.strip() else ""
+        if now.strip() and columns_of(now + gap + word) > width:
+            lines.append(now)
+            now, gap = indent, ""
+        now += gap
+        for letter in word:
+            if columns_of(word) > len(word) and columns_of(now + letter) > width and now.strip():
+                lines.append(now)
+                now = indent
+            now += letter
+    return [*lines, now]
 
 
 def message(line: str, width: int, is_colored: bool) -> str:
