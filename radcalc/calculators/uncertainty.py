@@ -34,6 +34,7 @@ from radcalc.units.table import resolve
 from radcalc.units.uncertain import variable
 from radcalc.units.unit import Unit
 
+STANDARD = "standard uncertainty (k = 1)"  # of a single result
 ASSUMED = "standard uncertainties (k = 1), propagated linearly"
 INDEPENDENT = "standard uncertainties (k = 1) of independent inputs, propagated linearly"
 FORMULA = "u(y)^2 = sum of (dy/dx u(x))^2"

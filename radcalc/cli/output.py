@@ -125,6 +125,15 @@ def width_of_terminal() -> int:
     return shutil.get_terminal_size((80, 24)).columns
 
 
+def height_of_terminal() -> int:
+    """Return the terminal's height, or 0 without a terminal."""
+    if not terminal.is_terminal():
+        return 0
+    import shutil
+
+    return shutil.get_terminal_size().lines
+
+
 def folded(lines: Sequence[str]) -> list[str]:
     """Merge many lines that differ only in their numbers."""
     alike: dict[str, list[str]] = {}

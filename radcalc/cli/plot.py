@@ -8,7 +8,7 @@ from radcalc.answer import Answer, ShownInput
 from radcalc.calculators.results import pick
 from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, result, show
-from radcalc.cli.output import Output, width_of_terminal
+from radcalc.cli.output import Output, height_of_terminal, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request
 from radcalc.errors import UsageError, add, leave_out, one_of
 from radcalc.inputs.given import Inputs
@@ -83,5 +83,6 @@ def draw(drawing: "Picture", output: Output) -> None:
     """Write a picture in characters."""
     from radcalc.plots import characters
 
-    style = characters.style_of(width_of_terminal(), output.style.color)
+    size = width_of_terminal(), height_of_terminal()
+    style = characters.style_of(*size, output.style.color)
     terminal.write(characters.draw(drawing, style))

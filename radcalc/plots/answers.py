@@ -3,10 +3,10 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from radcalc.calculators.results import name_of
+from radcalc.calculators.results import name_of, pick
 from radcalc.errors import UsageError, mention
 from radcalc.inputs.given import Inputs
-from radcalc.plots.curves import RANGE, Solved, curves, ranged, varied
+from radcalc.plots.curves import RANGE, Solved, curves, ranged, varied, without_band
 from radcalc.plots.data import Picture
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.spectrum import WHOLE
@@ -28,7 +28,14 @@ def picture(
     if command not in OF_ONE:
         hint = ranged(solved[0].given) or mention(RANGE)
         raise UsageError("there is no picture of a single answer for this command", hint)
-    return OF_ONE[command](solved, wanted, operand)
+    drawn = OF_ONE[command](solved, wanted, operand)
+    return drawn if command in WITH_BANDS else _of_values(drawn, solved)
+
+
+def _of_values(drawn: Picture, solved: Sequence[Solved]) -> Picture:
+    """Return a picture with a note of the uncertain inputs, whose uncertainty it does not show."""
+    uncertain = [item for each in solved for item in each.given.values() if item.is_uncertain]
+    return drawn._replace(note=without_band(uncertain)) if uncertain else drawn
 
 
 def depends(command: str, solved: Solved, name: str) -> bool:
@@ -60,8 +67,7 @@ def _photon(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Pi
 
     given = solved[0].given
     wave = given[next(iter(given))]
-    (size,) = (v.amount for v in solved[0].answer.values if v.name == "wavelength")
-    return photon([(wave.text, size * 1e9)], _eye(given))
+    return photon([(wave.text, pick(solved[0].answer.values, "wavelength:nm").value)], _eye(given))
 
 
 def _eye(given: Inputs) -> Observer:
@@ -103,6 +109,7 @@ def _integrate(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) ->
 
 # commands that draw several answers in a picture other than curves
 LISTS = ("spectrum", "scene")
+WITH_BANDS = ("point-source",)  # whose single picture shows uncertainties, or has its own note
 OF_ONE: dict[str, Callable[[Sequence[Solved], Sequence[str], Any], Picture]] = {
     "spectrum": _spectrum,
     "photon": _photon,

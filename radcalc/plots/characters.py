@@ -6,6 +6,7 @@ from itertools import pairwise
 from typing import Any
 
 from radcalc.derivation import in_ascii
+from radcalc.errors import printable
 from radcalc.plots.data import (
     LINE,
     LINES,
@@ -42,8 +43,8 @@ from radcalc.plots.sheet import (
     line,
     sample,
 )
-from radcalc.plots.ticks import ends, levels, limits, log_ticks, rings, shades, texts, ticks
-from radcalc.terminal import can_show, fold
+from radcalc.plots.ticks import levels, limits, log_ticks, rings, shades, span, texts, ticks
+from radcalc.terminal import can_show, columns_of, cut, fold
 
 Scale = Callable[[float], float]  # from a value to its position on an axis
 
@@ -55,9 +56,12 @@ IN_ASCII = str.maketrans(
 COLORS = ("32", "35", "36", "31", "34", "33")  # green first: visible on light and on dark
 MARKS = "*+o#x%@&"  # of curves, in ASCII
 LEAST, MOST = 10, 24  # rows of a chart
+PLAN = 4, 32  # rows of a plan
+WIDER = 1.25  # ratio of the widths above which a plan is turned
+AROUND = 7  # lines around a picture that is as high as the terminal
 SHARE = 5  # columns for each row of a chart
 GRID = 4  # distance of the dots in circles and rays of a polar diagram
-RIM = 6  # columns on each side of a circle, for labels
+RIM, RIM_IN_ASCII = 6, 9  # columns on each side of a circle, for labels
 SMALLEST, LARGEST = 22, 32  # rows of a circle
 ROUND = 360  # pieces of a circle
 RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # colours of ordered curves
@@ -65,9 +69,9 @@ DARKEST, BRIGHTEST = 1, 4  # range of red, green and blue in the palette, from 0
 BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
 
 
-def style_of(width: int = 80, color: bool = False) -> Style:
+def style_of(width: int = 80, height: int = 0, color: bool = False) -> Style:
     """Return the style for standard output: ASCII if its encoding has no Braille."""
-    return Style(width, color, not can_show(BRAILLE))
+    return Style(width, color, not can_show(BRAILLE), height)
 
 
 def draw(picture: Picture, style: Style) -> str:
@@ -80,9 +84,22 @@ def draw(picture: Picture, style: Style) -> str:
         ColourDiagram: _colour_diagram,
     }
     style = style._replace(width=max(style.width, NARROWEST))
+    picture = _in_ascii(picture) if style.ascii else picture  # before it is laid out
     lines = ways[type(picture)](picture, style)
     text = "".join(f"{line.rstrip()}\n" for line in lines)
     return in_ascii(text.translate(IN_ASCII)) if style.ascii else text
+
+
+def _in_ascii(item: Any) -> Any:
+    """Return a picture, or a part of it, with its texts in ASCII."""
+    if isinstance(item, str):
+        text = in_ascii(item.translate(IN_ASCII))
+        return text.encode("ascii", "backslashreplace").decode()
+    if isinstance(item, tuple) and hasattr(item, "_fields"):
+        return type(item)(*map(_in_ascii, item))
+    if isinstance(item, (list, tuple)) and not (item and isinstance(item[0], (int, float))):
+        return [*map(_in_ascii, item)]
+    return item
 
 
 # -- polar diagrams --------------------------------------------------------------------------------
@@ -92,8 +109,9 @@ def _polar(polar: Polar, style: Style) -> list[str]:
     """Draw the axis downwards, and only the lower half if the upper half is dark."""
     circles, is_half = rings(polar.most), polar.is_half
     names, outer = texts(circles), circles[-1]
-    radius = min(style.width - 2 * RIM, (4 if is_half else 2) * (_tall(style) - 2))  # in dots
-    columns, rows = radius + 2 * RIM, -(-radius // (4 if is_half else 2)) + 2
+    rim, degrees = _rim(style)
+    radius = min(style.width - 2 * rim, (4 if is_half else 2) * (_tall(style) - 2))  # in dots
+    columns, rows = radius + 2 * rim, -(-radius // (4 if is_half else 2)) + 2
     dot = outer / (radius - 1)
     top = 5 if is_half else 2 * rows
     sheet = Sheet(
@@ -107,7 +125,7 @@ def _polar(polar: Polar, style: Style) -> list[str]:
     for angle in range(-180, 180, 30):
         if abs(angle) <= reach:
             dotted(grid, [((0.0, 0.0), _turned(outer, angle))], GRID)
-            _write_at_rim(sheet, f"{abs(angle)}°", *_turned(outer, angle), dot)
+            _write_at_rim(sheet, f"{abs(angle)}{degrees}", *_turned(outer, angle), dot)
     for size, name in zip(circles, names, strict=True):
         column, row = sheet.place(size, 0.0)
         if size != outer:
@@ -117,6 +135,9 @@ def _polar(polar: Polar, style: Style) -> list[str]:
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
         canvas = sheet.layer(color, mark)
         points = [_turned(v, a) for a, v in zip(plane.angles, plane.values, strict=True)]
+        for sizes in plane.band or ():
+            ends = [_turned(v, a) for a, v in zip(plane.angles, sizes, strict=True)]
+            dotted(canvas, pairwise(ends))
         if k == 0:
             line(canvas, pairwise(points))
         else:
@@ -125,8 +146,13 @@ def _polar(polar: Polar, style: Style) -> list[str]:
         entries.append((look, color, plane.label))
     indent = " " * ((style.width - columns) // 2)
     caption_text = f"{polar.radius.title}, circles every {names[0]}"
-    lines = [*heading(polar.title, style), *(indent + line for line in sheet.lines(style))]
-    return [*lines, *caption(caption_text, 0, style.width), *legend(entries, style)]
+    return [
+        *heading(polar.title, style),
+        *(indent + line for line in sheet.lines(style)),
+        *caption(caption_text, 0, style.width),
+        *legend(entries, style),
+        *heading(polar.note, style),
+    ]
 
 
 def _turned(size: float, angle: float) -> Point:
@@ -150,7 +176,15 @@ def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> No
     sheet.write(column, row, text)
 
 
+def _rim(style: Style) -> tuple[int, str]:
+    """Return the columns on each side of a circle, and the sign of a degree."""
+    return (RIM_IN_ASCII, " deg") if style.ascii else (RIM, "\u00b0")
+
+
 def _tall(style: Style) -> int:
+    """Return the rows of a circle: as the terminal has, or if that is unknown, by the width."""
+    if style.height:
+        return max(style.height - AROUND, SMALLEST)
     return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
 
 
@@ -158,30 +192,51 @@ def _tall(style: Style) -> int:
 
 
 def _field(field: Field, style: Style) -> list[str]:
-    x_ends, y_ends = (field.xs[0], field.xs[-1]), (field.ys[0], field.ys[-1])
-    wide, high = x_ends[1] - x_ends[0], y_ends[1] - y_ends[0]
-    y_ticks = ticks(*y_ends, 6)
-    names = texts(y_ticks)
-    margin = max(map(len, names)) + 2
-    columns = style.width - margin - 1
-    rows = min(max(round(columns * high / wide / 2), 4), MOST)
-    columns = min(columns, max(round(2 * rows * wide / high), LEAST))
+    """Draw a plan to scale; a high one is turned if it is then larger."""
+    if _size(field.turned, style)[0] > WIDER * _size(field, style)[0]:
+        turned, downwards = field.turned, -1
+    else:
+        turned, downwards = field, 1
+    columns, rows, margin = _size(turned, style)
+    x_ends, y_ends = _ends_of(turned.xs), _ends_of(turned.ys)
     sheet = Sheet.between(columns, rows, x_ends, y_ends)
-    drawn = field.xs, field.ys, field.rows
-    _place_marks(sheet, field.marks)
-    value_caption = _contours(sheet, drawn, field.value, field.marks)
-    x_ticks = ticks(*x_ends, max(columns // 10, 2))
+    _place_marks(sheet, turned.marks)
+    drawn = turned.xs, turned.ys, turned.rows
+    value_caption = _contours(sheet, drawn, field.value, turned.marks)
+    x_ticks, y_ticks = ticks(*x_ends, max(columns // 10, 2)), _y_ticks(turned)
+    names = texts([downwards * y for y in y_ticks])
     return [
         *heading(field.title, style),
-        *beside(field.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
-        *below(field.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
+        *beside(turned.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
+        *below(turned.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
         *fold(value_caption, style.width),
+        *heading(field.note, style),
     ]
 
 
+def _size(field: Field, style: Style) -> tuple[int, int, int]:
+    """Return the columns and rows of a plan, and the columns on its left, for its numbers."""
+    (left, right), (bottom, top) = _ends_of(field.xs), _ends_of(field.ys)
+    margin = max(map(len, texts(_y_ticks(field)))) + 2
+    columns = style.width - margin - 1
+    least, most = PLAN[0], _tall(style) if style.height else PLAN[1]
+    rows = min(max(round(columns * (top - bottom) / (right - left) / 2), least), most)
+    columns = min(columns, max(round(2 * rows * (right - left) / (top - bottom)), LEAST))
+    return columns, rows, margin
+
+
+def _ends_of(places: Values) -> Point:
+    return places[0], places[-1]
+
+
+def _y_ticks(field: Field) -> list[float]:
+    return ticks(*_ends_of(field.ys), 6)
+
+
 def _disc(disc: Disc, style: Style) -> list[str]:
-    radius = min(style.width - 2 * RIM, 2 * (_tall(style) - 2))  # in dots
-    columns, rows = radius + 2 * RIM, radius // 2 + 2
+    room, _ = _rim(style)
+    radius = min(style.width - 2 * room, 2 * (_tall(style) - 2))  # in dots
+    columns, rows = radius + 2 * room, radius // 2 + 2
     wide, high = columns / (radius - 1), 2 * rows / (radius - 1)
     sheet = Sheet(columns, rows, (-wide, wide), (-high, high))
     count = len(disc.rows)
@@ -203,8 +258,12 @@ def _disc(disc: Disc, style: Style) -> list[str]:
         taken = {sheet.place(*place) for place in rim}
         value_caption = _contours(sheet, (places, places, inside), disc.value, disc.marks, taken)
     indent = " " * max((style.width - columns) // 2, 0)
-    lines = [*heading(disc.title, style), *(indent + line for line in sheet.lines(style))]
-    return [*lines, *caption(value_caption, 0, style.width)]
+    return [
+        *heading(disc.title, style),
+        *(indent + line for line in sheet.lines(style)),
+        *caption(value_caption, 0, style.width),
+        *caption(disc.note, 0, style.width),
+    ]
 
 
 def _colour_diagram(diagram: ColourDiagram, style: Style) -> list[str]:
@@ -228,17 +287,23 @@ def _colour_diagram(diagram: ColourDiagram, style: Style) -> list[str]:
         *beside(diagram.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
         *below(diagram.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
         *legend(entries, style),
+        *heading(diagram.note, style),
     ]
 
 
 def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
-    for mark in marks:
-        column, row = sheet.place(mark.x, mark.y)
+    """Write each mark, and its label next to it where there is room."""
+    places = [sheet.place(mark.x, mark.y) for mark in marks]
+    for column, row in places:
         sheet.write(column, row, "+")
-        if column + 2 + len(mark.label) <= sheet.columns:
-            sheet.write(column + 1, row, mark.label)
-        else:
-            sheet.write(column - len(mark.label), row, mark.label)
+    for mark, (column, row) in zip(marks, places, strict=True):
+        label = cut(printable(mark.label), sheet.columns - 1)
+        size = columns_of(label)
+        around = [
+            (start, r) for start in (column + 1, column - size) for r in (row, row - 1, row + 1)
+        ]
+        if free := next((cell for cell in around if sheet.is_free(*cell, size)), None):
+            sheet.write(*free, label)
 
 
 def _contours(
@@ -260,8 +325,7 @@ def _contours(
             canvas.line(*start, *end)
             places.append(start)
         _name_contour(sheet, places, name, color, full)
-    low, high = texts([float(f"{x:.4g}") for x in ends(values)])
-    return f"{value.title}, from {low} to {high}"
+    return f"{value.title}, {span(values)}"
 
 
 def _on_ramp(k: int, count: int) -> str:
@@ -317,7 +381,8 @@ def _between(
 
 def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, style: Style) -> str:
     """Draw more dots for brighter parts, on a logarithmic scale; return a caption."""
-    low, high = shades([z for row in rows for z in row if z == z])
+    values = [z for row in rows for z in row if z == z]
+    scale = shades(values)
     canvas = sheet.layer("", "#")
     count = len(places)
     for row in range(4 * sheet.rows):
@@ -328,11 +393,14 @@ def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, s
                 continue
             i, j = (round((place + 1) / 2 * (count - 1)) for place in (x, y))
             z = rows[j][i]
-            share = math.log(max(z, low) / low) / math.log(high / low) if high > low else 1.0
-            if z == z and share > (BAYER[row % 4][column % 4] + 0.5) / 16:
+            if z == z and scale.share(z) > (BAYER[row % 4][column % 4] + 0.5) / 16:
                 canvas.point(x, y)
-    ends = texts([float(f"{z:.3g}") for z in (low, high)])
-    return f"{value.title}: all dots at {ends[1]} or more, none at {ends[0]} or less"
+    if scale.low == scale.high:
+        return f"{value.title}, {span(values)}"
+    low, high = texts([float(f"{z:.3g}") for z in scale[:2]])
+    or_less = " or less" if min(values) < scale.low else ""
+    or_more = " or more" if max(values) > scale.high else ""
+    return f"{value.title}, {scale.kind}: no dots at {low}{or_less}, all at {high}{or_more}"
 
 
 # -- charts ----------------------------------------------------------------------------------------
@@ -341,16 +409,16 @@ def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, s
 def _chart(chart: Chart, style: Style) -> list[str]:
     rows = min(max(style.width // SHARE, LEAST), MOST)
     x_of, y_of = _scale(chart.x.is_log), _scale(chart.y.is_log)
-    values = [y for series in chart.series for y in series.y]
+    values = [y for series in chart.series for y in series.heights]
     y_ends, y_ticks = _ends(chart.y, values, rows // 3 + 1)
     places = [x for series in chart.series for x in series.x]
     names = texts(y_ticks)
     margin = max(map(len, names)) + 2
     columns = style.width - margin - 1
     x_ends, x_ticks = _ends(chart.x, places, max(columns // 10, 2), is_round=False)
-    sheet = Sheet.between(
-        columns, rows, (x_of(x_ends[0]), x_of(x_ends[1])), (y_of(y_ends[0]), y_of(y_ends[1]))
-    )
+    size = (x_of(x_ends[0]), x_of(x_ends[1])), (y_of(y_ends[0]), y_of(y_ends[1]))
+    has_points = any(series.style == POINTS for series in chart.series)
+    sheet = Sheet.between(columns, rows, *size, edge=1 if has_points else 0)
     for label, place in chart.marks:
         _upright(sheet, x_of(place), label)
     entries = _draw_series(chart, sheet, x_of, y_of, style)
@@ -360,8 +428,8 @@ def _chart(chart: Chart, style: Style) -> list[str]:
         *heading(chart.title, style),
         *beside(chart.y, sheet, y_numbers, margin, style),
         *below(chart.x, sheet, x_numbers, margin, style),
-        *heading(chart.crowd, style),
         *legend(entries, style),
+        *heading(chart.note, style),
     ]
 
 
@@ -373,27 +441,32 @@ def _draw_series(
     count = len(chart.curves)
     colors = _hues(chart, sheet) if count == 1 else PLAIN
     named = chart.named
+    is_numbered = sum(chart.series[k].style in (LINE, POINTS) for k in named) > 1
     for k, series in enumerate(chart.series):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
-        if chart.crowd:
+        if chart.is_crowd:
             color = _on_ramp(k, count)
         if series.style == REFERENCE:
             color, mark, colors = DIM, BEHIND, PLAIN
         elif colors:
             color = ""
+        canvas = sheet.layer(color, mark, colors)
         points = [(x_of(x), y_of(y)) for x, y in zip(series.x, series.y, strict=True)]
-        _curve(sheet.layer(color, mark, colors), points, series.style, sheet)
-        if series.style in (LINE, POINTS):
-            drawn.append((dict(sheet.place(*point) for point in points), color))
+        if series.band:
+            low, high = (
+                [(x_of(x), y_of(y)) for x, y in zip(series.x, values, strict=True)]
+                for values in series.band
+            )
+            _band(canvas, low, high, series.style, sheet)
+        _curve(canvas, points, series.style, sheet)
         if k in named:
-            entries.append((sample(series.style, mark, style), color, series.label))
-    if len(drawn) < 2 or chart.crowd:
-        return entries
+            look = sample(series.style, mark, style)
+            if series.style in (LINE, POINTS) and is_numbered:
+                drawn.append((dict(sheet.place(*point) for point in points), color))
+                look = f"{len(drawn)} {look}"
+            entries.append((look, color, series.label))
     _number(sheet, drawn)
-    return [
-        (look if k > len(drawn) else f"{k} {look}", color, label)
-        for k, (look, color, label) in enumerate(entries, start=1)
-    ]
+    return [*entries, ("", "", chart.more)] if chart.more else entries
 
 
 def _upright(sheet: Sheet, x: float, label: str) -> None:
@@ -401,8 +474,9 @@ def _upright(sheet: Sheet, x: float, label: str) -> None:
     canvas = sheet.layer(DIM, "|")
     canvas.line(x, sheet.y[0], x, sheet.y[1])
     column = sheet.column(x)
-    is_left = column + 2 + len(label) > sheet.columns
-    sheet.write(column - 1 - len(label) if is_left else column + 2, 0, label)
+    size = columns_of(label)
+    is_left = column + 2 + size > sheet.columns and size < column
+    sheet.write(column - 1 - size if is_left else column + 2, 0, label)
 
 
 def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
@@ -419,6 +493,16 @@ def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
             blot(canvas, x, y, sheet)
         return
     line(canvas, _inside(points, sheet))
+
+
+def _band(canvas: Any, low: list[Point], high: list[Point], style: str, sheet: Sheet) -> None:
+    """Draw the ends of uncertain values: dotted lines, or a bar through each point."""
+    if style == POINTS:
+        for start, end in zip(low, high, strict=True):
+            canvas.line(*start, *end)
+        return
+    for points in (low, high):
+        dotted(canvas, _inside(points, sheet))
 
 
 def _inside(points: list[Point], sheet: Sheet) -> Iterator[Piece]:
@@ -460,10 +544,11 @@ def _number(sheet: Sheet, drawn: Sequence[tuple[dict[int, int], str]]) -> None:
             apart = [abs(places[column] - rows.get(column, -APART)) for rows in other_curves]
             return min(APART, *apart), -places[column]
 
-        free = [column for column in places if (column, places[column]) not in sheet.texts]
-        if free:
+        name = str(k + 1)
+        free = [c for c in places if sheet.is_free(c - 1, places[c], len(name) + 2, inside=False)]
+        if free := free or [c for c in places if sheet.is_free(c, places[c], len(name))]:
             column = max(free, key=room)
-            sheet.write(column, places[column], str(k + 1), color)
+            sheet.write(column, places[column], name, color)
 
 
 def _scale(is_log: bool) -> Scale:

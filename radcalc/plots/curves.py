@@ -6,7 +6,17 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Row
 from radcalc.calculators.results import pick
-from radcalc.errors import ConditionError, Hint, UsageError, add, leave_out, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    Hint,
+    UsageError,
+    add,
+    leave_out,
+    listed,
+    mention,
+    option,
+    quote,
+)
 from radcalc.inputs.given import Input, Inputs
 from radcalc.maths import is_array
 from radcalc.plots.data import LINE, POINTS, Axis, Chart, Series
@@ -18,7 +28,26 @@ SMOOTH = 16  # least number of points to draw as a line
 WIDE = 50.0  # ratio of greatest to least above which an axis may be logarithmic
 PREFERRED = ("irradiance", "radiance-toward", "intensity-toward", "luminous-efficacy")
 RANGE = "a list or a range of values: {distance=1m:10m:0.1m}"
-Lines = dict[str, tuple[list[float], list[float]]]  # x and y of the points, by label
+JUMPS = "a result that jumps has its range"
+
+
+class Line(NamedTuple):
+    """Points of a curve, and the ends of their uncertain values."""
+
+    x: list[float]
+    y: list[float]
+    low: list[float]
+    high: list[float]
+
+    def series(self, label: str) -> Series:
+        """Return the curve in the order of x."""
+        order = sorted(range(len(self.x)), key=self.x.__getitem__)
+        x, y, low, high = ([numbers[k] for k in order] for numbers in self)
+        band = (low, high) if low != high else None
+        return Series(label, x, y, LINE if len(x) >= SMOOTH else POINTS, band)
+
+
+Lines = dict[str, Line]  # by label
 
 
 class Solved(NamedTuple):
@@ -53,6 +82,12 @@ def ranged(given: Inputs) -> Hint:
     return ""
 
 
+def without_band(uncertain: Sequence[Input]) -> str:
+    """Return the note of a picture that does not show the uncertainty of inputs."""
+    texts = dict.fromkeys(f"{item.symbol.label or item.name} {item.text}" for item in uncertain)
+    return f"drawn without the uncertainty of {listed([*texts])}"
+
+
 def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     """Return results as curves; of several varied inputs, the last numeric one is the x axis.
 
@@ -71,17 +106,35 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
         each = {row.name: add("get", f"{row.name}:{row.unit}") for row in rows}
         raise UsageError(f"{several}: an axis has one unit", [*each.values()])
     _refuse_many(lines)
-    is_log = all(_is_wide([line[k] for line in lines.values()]) for k in (0, 1))
+    is_log = _is_wide([line.x for line in lines.values()]) and _is_wide(
+        [[*line.y, *line.low] for line in lines.values()]
+    )
     x_axis = Axis(*_axis_name(solved[0].given[along]), is_log=is_log)
     names = list(dict.fromkeys(f"{row.quantity} {row.symbol}".strip() for row in rows))
     y_axis = Axis(names[0] if len(names) == 1 else "", rows[0].unit, is_log=is_log)
     fixed = [item for name, item in solved[0].given.items() if name not in (*other_lists, along)]
     title = ", ".join(f"{item.name} {item.text}".strip() for item in fixed)
-    drawn = [
-        Series(label, *_in_order(*line), LINE if len(line[0]) >= SMOOTH else POINTS)
-        for label, line in lines.items()
-    ]
-    return Chart(title, x_axis, y_axis, drawn)
+    drawn = [line.series(label) for label, line in lines.items()]
+    note = _coverage(drawn, rows, [answered.given[along] for answered in solved])
+    return Chart(title, x_axis, y_axis, drawn, note=note)
+
+
+def _coverage(drawn: Sequence[Series], rows: Sequence[Row], places: Sequence[Input]) -> str:
+    """Return the meaning of the bands; "" without any."""
+    styles = {series.style for series in drawn if series.band}
+    if not styles:
+        return ""
+    from radcalc.calculators.uncertainty import STANDARD
+
+    kind = " and ".join(
+        name for style, name in ((LINE, "band"), (POINTS, "bar")) if style in styles
+    )
+    texts = [f"{kind}: \u00b1 {STANDARD}"]
+    if any(place.is_uncertain for place in places):
+        texts[0] += f", with that of the {places[0].symbol.label}"
+    if any(row.ends for row in rows):
+        texts.append(JUMPS)
+    return "; ".join(texts)
 
 
 def _check_arrays(given: Inputs) -> None:
@@ -107,9 +160,11 @@ def _lines(
                 row = pick(answer.values, name, ", ".join(case))
                 rows.append(row)
                 label = ", ".join([*([row.quantity] if len(wanted) > 1 else []), *case])
-                x, y = lines.setdefault(label, ([], []))
-                x += places
-                y += _numbers(row.value, len(places))
+                line = lines.setdefault(label, Line([], [], [], []))
+                numbers = _numbers(row.value, len(places))
+                ends = row.ends or (row.value - row.uncertainty, row.value + row.uncertainty)
+                for part, more in zip(line, (places, numbers, *ends), strict=True):
+                    part += more if isinstance(more, list) else _numbers(more, len(places))
     return lines, rows
 
 
@@ -150,11 +205,6 @@ def _places(given: Input, first: Input) -> list[float]:
     return [float(x) for x in (number if is_array(number) else [number])]
 
 
-def _in_order(x: list[float], y: list[float]) -> tuple[list[float], list[float]]:
-    places = sorted(range(len(x)), key=x.__getitem__)
-    return [x[k] for k in places], [y[k] for k in places]
-
-
 def _is_number(given: Input) -> bool:
     return given.symbol.form == DIRECTION or (
         given.symbol.form == QUANTITY and given.number is not None
@@ -174,7 +224,7 @@ def _numbers(value: Any, count: int) -> list[float]:
 
 
 def _refuse_many(lines: Lines) -> None:
-    count = sum(len(x) for x, _ in lines.values())
+    count = sum(len(line.x) for line in lines.values())
     if count > MOST:
         raise UsageError(f"{count} points are too many for a picture", f"at most {MOST}")
 

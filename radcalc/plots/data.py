@@ -6,7 +6,9 @@ from typing import Any, NamedTuple
 LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # styles of a series
 RIGHT = 90.0  # deg
 MANY = 20  # most curves that can all be named
+FEW = 8  # curves to name among more, evenly spaced in their order
 Values = Sequence[float]
+Band = tuple[Values, Values]  # the lower and the upper ends of uncertain values
 
 
 class Axis(NamedTuple):
@@ -27,13 +29,20 @@ class Series(NamedTuple):
     """Points of a curve, and its name.
 
     A `REFERENCE` is drawn for comparison; `LINES` are vertical from 0; `POINTS` are too few to
-    connect.
+    connect.  A `band` has the ends of uncertain values; the `note` of the picture states its
+    coverage.
     """
 
     label: str
     x: Values
     y: Values
     style: str = LINE
+    band: Band | None = None
+
+    @property
+    def heights(self) -> list[float]:
+        """The values and the ends of their band."""
+        return [y for values in (self.y, *(self.band or ())) for y in values]
 
 
 class Hue(NamedTuple):
@@ -46,7 +55,10 @@ class Hue(NamedTuple):
 
 
 class Chart(NamedTuple):
-    """Curves over an axis, with named marks and evenly spaced `hues` along it."""
+    """Curves over an axis, with named marks and evenly spaced `hues` along it.
+
+    A `note` of any picture is shown below it.
+    """
 
     title: str
     x: Axis
@@ -54,22 +66,32 @@ class Chart(NamedTuple):
     series: Sequence[Series]
     marks: Sequence[tuple[str, float]] = ()
     hues: Sequence[Hue] = ()
+    note: str = ""
 
     @property
     def curves(self) -> list[Series]:
         return [series for series in self.series if series.style != REFERENCE]
 
     @property
-    def crowd(self) -> str:
-        """A legend title if there are too many curves to name each; else ""."""
-        count = len(self.curves)
-        return f"{count} curves; the first and the last:" if count > MANY else ""
+    def is_crowd(self) -> bool:
+        """Whether there are too many curves to name each; their colours then follow their order."""
+        return len(self.curves) > MANY
 
     @property
     def named(self) -> list[int]:
+        """The series to name in a legend: all, or of a crowd some, and the references."""
         labelled = [k for k, series in enumerate(self.series) if series.label]
+        if not self.is_crowd:
+            return labelled
         curves = [k for k in labelled if self.series[k].style != REFERENCE]
-        return [k for k in labelled if k not in curves[1:-1]] if self.crowd else labelled
+        some = {curves[k * (len(curves) - 1) // (FEW - 1)] for k in range(FEW)} if curves else ()
+        return [k for k in labelled if k not in curves or k in some]
+
+    @property
+    def more(self) -> str:
+        """The number of curves that a legend does not name, if any."""
+        count = len(self.curves) - sum(self.series[k].style != REFERENCE for k in self.named)
+        return f"and {count} more, in this order" if self.is_crowd and count else ""
 
 
 class Plane(NamedTuple):
@@ -78,6 +100,12 @@ class Plane(NamedTuple):
     label: str
     angles: Values
     values: Values
+    band: Band | None = None
+
+    @property
+    def ranges(self) -> Sequence[Values]:
+        """The values, and the ends of their band."""
+        return (self.values, *(self.band or ()))
 
 
 class Polar(NamedTuple):
@@ -86,6 +114,7 @@ class Polar(NamedTuple):
     title: str
     radius: Axis
     planes: Sequence[Plane]
+    note: str = ""
 
     @property
     def is_half(self) -> bool:
@@ -98,7 +127,7 @@ class Polar(NamedTuple):
 
     @property
     def most(self) -> float:
-        return max(value for plane in self.planes for value in plane.values)
+        return max(y for plane in self.planes for values in plane.ranges for y in values)
 
 
 class Mark(NamedTuple):
@@ -120,6 +149,17 @@ class Field(NamedTuple):
     ys: Values
     rows: Sequence[Values]
     marks: Sequence[Mark] = ()
+    note: str = ""
+
+    @property
+    def turned(self) -> "Field":
+        """The plane after a quarter turn clockwise: y to the right, and x down, as -x up."""
+        rows = [list(column) for column in zip(*self.rows, strict=True)][::-1]
+        marks = [Mark(mark.label, mark.y, -mark.x) for mark in self.marks]
+        down = self.x._replace(label=f"{self.x.label} downwards")
+        return self._replace(
+            x=self.y, y=down, xs=self.ys, ys=[-x for x in self.xs[::-1]], rows=rows, marks=marks
+        )
 
 
 class Disc(NamedTuple):
@@ -138,6 +178,7 @@ class Disc(NamedTuple):
     centre: str = ""
     marks: Sequence[Mark] = ()
     is_image: bool = False
+    note: str = ""
 
 
 class ColourDiagram(NamedTuple):
@@ -153,6 +194,7 @@ class ColourDiagram(NamedTuple):
     series: Sequence[Series]
     marks: Sequence[Mark] = ()
     report: Any = None
+    note: str = ""
 
     @property
     def limits(self) -> tuple[tuple[float, float], tuple[float, float]]:

@@ -10,6 +10,7 @@ from radcalc.calculators.environment import Source, surroundings
 from radcalc.calculators.point_laws import spread
 from radcalc.calculators.results import name_of, pick
 from radcalc.calculators.sky import place_of_sun
+from radcalc.calculators.uncertainty import STANDARD
 from radcalc.derivation import format_angle
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
 from radcalc.distributions.maps.radiance_map import RadianceMap
@@ -20,7 +21,8 @@ from radcalc.geometry.directions import UP, cartesian, facing, spherical
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, from_components
 from radcalc.geometry.sky import sky_type
-from radcalc.plots.curves import Solved
+from radcalc.maths import is_uncertain
+from radcalc.plots.curves import Solved, without_band
 from radcalc.plots.data import LINE, REFERENCE, Axis, Chart, Disc, Mark, Plane, Polar, Series
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
 from radcalc.units.table import resolve
@@ -35,19 +37,27 @@ STRENGTHS = ("peak-intensity", "intensity")
 RELATIVE = Axis("relative intensity")
 
 
-def polar(distribution: Distribution, factor: float, radius: Axis, title: str = "") -> Polar:
+def polar(
+    distribution: Distribution,
+    factor: float,
+    radius: Axis,
+    title: str = "",
+    ends: tuple[float, float] | None = None,
+) -> Polar:
     """Return the polar diagram of a distribution: the planes C0-C180 and C90-C270.
 
-    `factor` converts the intensities to the unit of the radius.
+    `factor` converts the intensities to the unit of the radius; `ends` are those of an uncertain
+    factor.
     """
     angles = numpy.linspace(-180.0, 180.0, HALVES)
     theta = numpy.radians(numpy.abs(angles))
     planes = []
     for label, azimuth in PLANES[: 1 if distribution.is_axial else 2]:
         phi = numpy.where(angles < 0, azimuth + math.pi, azimuth)
-        values = factor * distribution.intensity(theta, phi)
+        values = numpy.broadcast_to(distribution.intensity(theta, phi), phi.shape)
         name = EVERY_PLANE if distribution.is_axial else label
-        planes.append(Plane(name, angles.tolist(), numpy.broadcast_to(values, phi.shape).tolist()))
+        band = ((ends[0] * values).tolist(), (ends[1] * values).tolist()) if ends else None
+        planes.append(Plane(name, angles.tolist(), (factor * values).tolist(), band))
     return Polar(title, radius, planes)
 
 
@@ -59,9 +69,13 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
     chosen = given["distribution"].value if "distribution" in given else ""
     title = given["distribution"].text if "distribution" in given else ""
     distribution: Distribution
+    note, uncertain = "", [item for item in given.values() if item.is_uncertain]
     if isinstance(chosen, str):
         shape = spread(given)
-        width = next((amounts[n].amount for n in ("half-angle", "exponent") if n in amounts), None)
+        widths = (amounts[n].amount for n in ("half-angle", "exponent") if n in amounts)
+        width: Any = next(widths, None)
+        if is_uncertain(width):  # of the shape: a band of the intensity alone would be too narrow
+            note, width = without_band(uncertain), width.nominal_value
         distribution, title = of_shape(shape, width), shape
     else:
         distribution = chosen.distribution
@@ -69,14 +83,19 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
     on_axis = float(distribution.intensity(0.0, 0.0))
     known = [name for name in STRENGTHS if name in amounts]
     if not known:
-        return polar(distribution, 1 / distribution.peak().value, RELATIVE, title)
+        relative = polar(distribution, 1 / distribution.peak().value, RELATIVE, title)
+        return relative._replace(note=note)
     intensities = [name for name in wanted if is_intensity(name)]
     name = "intensity" if on_axis and "intensity" in known else "peak-intensity"
     asked = intensities[0] if intensities and name == "intensity" else amounts[name].name
     row = pick(values, asked)
-    factor = row.value / (on_axis if name == "intensity" else distribution.peak().value)
+    strength = on_axis if name == "intensity" else distribution.peak().value
+    ends = None
+    if row.uncertainty and not note:
+        ends = (row.value - row.uncertainty) / strength, (row.value + row.uncertainty) / strength
+        note = f"band: \u00b1 {STANDARD}"
     axis = Axis(f"{row.quantity} I", row.unit)
-    return polar(distribution, factor, axis, title)
+    return polar(distribution, row.value / strength, axis, title, ends)._replace(note=note)
 
 
 def of_sky(name: str, solved: Solved) -> Disc:
@@ -106,7 +125,26 @@ def of_environment(source: Source, solved: Solved) -> Disc:
     title = "" if "normal" not in solved.given else f"toward {solved.given['normal'].text}"
     value = Axis(label.replace("-", " "), unit)
     is_image = isinstance(radiances, RadianceMap)
-    return fisheye(radiances, factor, value, normal, title, is_image=is_image)
+    drawn = fisheye(radiances, factor, value, normal, title, is_image=is_image)
+    return _with_peak(drawn, solved, normal)
+
+
+def _with_peak(disc: Disc, solved: Solved, normal: Vector) -> Disc:
+    """Mark the direction of the peak, and note its radiance; neither if there is none."""
+    values = {value.name: value for value in solved.answer.values}
+    if values["peak-polar"].is_absent:
+        return disc
+    peak, *to = (
+        pick(solved.answer.values, name)
+        for name in ("peak-radiance", "peak-polar:rad", "peak-azimuth:rad")
+    )
+    polar_angle, azimuth = (row.value for row in to)
+    mark = _mark("peak", (polar_angle, azimuth), normal)
+    direction = f"{math.degrees(polar_angle):.4g}\u00b0,{math.degrees(azimuth):.4g}\u00b0"
+    note = f"peak {peak.value:.4g} {peak.unit.removesuffix('1')}".strip() + f" toward {direction}"
+    if not mark:
+        note += ", behind the receiver"
+    return disc._replace(marks=[*disc.marks, *mark], note=note)
 
 
 def is_intensity(wanted: str) -> bool:
@@ -130,11 +168,8 @@ def fisheye(
     `factor` converts the radiances to the unit of `value`; `sun` is marked at its polar angle and
     azimuth [rad].
     """
-    forward, _, up = facing(normal)
+    right, up, forward = _axes(normal)
     is_level = not (forward[0] or forward[1])
-    if is_level:
-        up = (1.0, 0.0, 0.0)
-    right = cross(forward, up)
     x, y = numpy.meshgrid(*2 * [numpy.linspace(-1.0, 1.0, PIXELS)])
     away = numpy.hypot(x, y)
     angle = numpy.minimum(away, 1.0) * math.pi / 2
@@ -148,16 +183,28 @@ def fisheye(
         sign = 1 if forward[2] > 0 else -1
         rim = [(f"{azimuth}\u00b0", sign * azimuth % 360) for azimuth in range(0, 360, 45)]
         centre = "zenith" if forward[2] > 0 else "nadir"
-    marks = []
-    if sun:
-        to = cartesian(*sun)
-        ahead = math.acos(max(-1.0, min(1.0, dot(to, forward))))
-        if ahead <= math.pi / 2:
-            place = (dot(to, right), dot(to, up))
-            size = math.hypot(*place) or 1.0
-            share = ahead / (math.pi / 2) / size
-            marks.append(Mark("sun", place[0] * share, place[1] * share))
+    marks = _mark("sun", sun, normal) if sun else []
     return Disc(title, value, values.tolist(), rim, centre, marks, is_image)
+
+
+def _axes(normal: Vector) -> tuple[Vector, Vector, Vector]:
+    """Return the directions to the right, up and forward of a view along a normal."""
+    forward, _, up = facing(normal)
+    if not (forward[0] or forward[1]):
+        up = (1.0, 0.0, 0.0)
+    return cross(forward, up), up, forward
+
+
+def _mark(label: str, to: tuple[float, float], normal: Vector) -> list[Mark]:
+    """Return the mark of a direction (polar angle and azimuth [rad]); none behind the view."""
+    right, up, forward = _axes(normal)
+    direction = cartesian(*to)
+    ahead = math.acos(max(-1.0, min(1.0, dot(direction, forward))))
+    if ahead > math.pi / 2:
+        return []
+    place = dot(direction, right), dot(direction, up)
+    share = ahead / (math.pi / 2) / (math.hypot(*place) or 1.0)
+    return [Mark(label, place[0] * share, place[1] * share)]
 
 
 def integrand(

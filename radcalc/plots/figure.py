@@ -8,6 +8,7 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from functools import cache
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -27,11 +28,15 @@ from radcalc.plots.data import (
     Picture,
     Polar,
 )
-from radcalc.plots.ticks import levels, limits, rings, shades, texts
+from radcalc.plots.ticks import levels, limits, rings, shades, span, texts
+from radcalc.terminal import cut, fold
 
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
 SIZE = 7.2, 4.5  # inches
+AREA, LONGEST = 20.0, 8.0  # of a plan [square inches, inches]
+FRAME = 1.5, 1.0  # room for its numbers and its scale [inches]
+FLAT = 2.0  # ratio of the width to the height above which the scale is below the plan
 DOTS = 160  # per inch, in PNG
 SQUARE, HALF = (6.4, 6.4), (7.2, 4.9)
 WEDGE, CIRCLE = (0.09, -0.05, 0.82, 1.2), (0.14, 0.15, 0.72, 0.72)  # of a polar diagram
@@ -39,11 +44,19 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
 GREY, NO_LIGHT, FAINT = "#6b7280", "#374151", "#d1d5db"
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
+LINESTYLES = ("-", (0, (5, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1, 1.5)))  # of curves of one colour
+MARKERS = "os^D"  # of points of one colour
+BESIDE = 8  # longest legend inside a chart
+LABEL = 40  # most letters of a label in a legend
+LETTERS, MARGINS, MOST_LINES = 9, 1.0, 3  # of a title: letters an inch; inches; lines
+BAND = 0.25  # opacity
+OVER = "white"  # brighter than the scale
 STRIP = 0.03  # of the height of a chart, for the colours of its axis
 TICKS = 6  # of an axis with round ends
 COLORMAP = "viridis"
 WHOLE = 0.9  # of the radius of a disc, within which its rim does not cut the contour numbers
 COLORS = ("#0f766e", "#b45309", "#7c3aed", "#be123c", "#1d4ed8", "#4d7c0f")
+FONT = "DejaVu Sans"  # included in Matplotlib
 SETTINGS = {
     "axes.edgecolor": GREY,
     "axes.grid": True,
@@ -54,7 +67,7 @@ SETTINGS = {
     "axes.titlelocation": "left",
     "axes.titlesize": 11,
     "figure.facecolor": "white",
-    "font.family": "DejaVu Sans",  # included in Matplotlib
+    "font.family": FONT,
     "font.size": 10,
     "grid.color": "#e5e7eb",
     "grid.linewidth": 0.8,
@@ -153,18 +166,24 @@ def _matplotlib() -> Any:
 
 def _chart(chart: Chart, drawing: Any) -> None:
     axes = drawing.subplots()
-    colors = iter(_colors(chart))
-    drawn = []
+    looks = iter(_looks(chart))
+    drawn: list[Any] = []
     for series in chart.series:
         if series.style == REFERENCE:
-            dashes: Any = (0, (2, 2))
-            artist = axes.plot(series.x, series.y, color=GREY, linestyle=dashes, lw=1.3)[0]
-        elif series.style == LINES:
-            artist = axes.vlines(series.x, 0, series.y, color=next(colors), lw=2)
+            drawn += axes.plot(series.x, series.y, color=GREY, linestyle=(0, (2, 2)), lw=1.3)
+            continue
+        color, turn = next(looks)
+        if series.style == LINES:
+            drawn.append(axes.vlines(series.x, 0, series.y, color=color, lw=2))
+        elif series.style == POINTS:
+            look = {"marker": MARKERS[turn], "ms": 6, "ls": ""}
+            drawn += axes.plot(series.x, series.y, color=color, clip_on=False, zorder=3, **look)
         else:
-            look = {"marker": "o", "ls": "", "ms": 6} if series.style == POINTS else {}
-            artist = axes.plot(series.x, series.y, color=next(colors), **look)[0]
-        drawn.append(artist)
+            drawn += axes.plot(series.x, series.y, color=color, linestyle=LINESTYLES[turn])
+        if series.band and series.style == POINTS:
+            axes.vlines(series.x, *series.band, color=color, lw=1.3)
+        elif series.band:
+            axes.fill_between(series.x, *series.band, color=color, alpha=BAND, lw=0)
     for label, place in chart.marks:
         axes.axvline(place, color=GREY, lw=1)
         axes.annotate(
@@ -174,25 +193,44 @@ def _chart(chart: Chart, drawing: Any) -> None:
     _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, chart.x)
     _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, chart.y)
     if not chart.y.is_log and chart.y.limits is None:
-        axes.set_ylim(*limits([y for series in chart.series for y in series.y], TICKS))
+        axes.set_ylim(*limits([y for series in chart.series for y in series.heights], TICKS))
     if chart.y.limits:
         axes.set_ylim(chart.y.limits[0], chart.y.limits[1] * 1.04)
     if chart.hues:
         _hues(chart, axes)
-    if named := chart.named:
-        entries = [drawn[k] for k in named], [_safe(chart.series[k].label) for k in named]
-        axes.legend(*entries, title=chart.crowd or None)
-    axes.set_title(_safe(chart.title), wrap=True)
+    _legend(chart, drawn, axes)
+    axes.set_title(_folded(chart.title, axes.figure))
+    _note(chart.note, axes)
 
 
-def _colors(chart: Chart) -> Sequence[Any]:
-    """Return a colour for each curve; many have ordered colours."""
+def _legend(chart: Chart, drawn: Sequence[Any], axes: Any) -> None:
+    """Name the curves: a few in the chart, more of them beside it."""
+    named = chart.named
+    handles = [drawn[k] for k in named]
+    labels = [_safe(chart.series[k].label, LABEL) for k in named]
+    if chart.more:
+        handles.append(axes.plot([], [], ls="")[0])
+        labels.append(chart.more)
+    if len(named) > BESIDE:
+        axes.figure.legend(handles, labels, loc="outside right upper", fontsize=8.5)
+    elif named:
+        axes.legend(handles, labels)
+
+
+def _looks(chart: Chart) -> list[tuple[Any, int]]:
+    """Return a colour and a line style for each curve; too many to name have ordered colours."""
     count = len(chart.curves)
-    if not chart.crowd:
-        return COLORS * count
+    if not chart.is_crowd:
+        return [(COLORS[k % len(COLORS)], k // len(COLORS)) for k in range(count)]
     import matplotlib
 
-    return [matplotlib.colormaps[COLORMAP](0.95 * k / (count - 1)) for k in range(count)]
+    return [(matplotlib.colormaps[COLORMAP](0.95 * k / (count - 1)), 0) for k in range(count)]
+
+
+def _note(note: str, axes: Any) -> None:
+    """Write the note of a picture below it."""
+    if note:
+        axes.figure.supxlabel(_folded(note, axes.figure), fontsize=8.5, color=NO_LIGHT)
 
 
 def _hues(chart: Chart, axes: Any) -> None:
@@ -226,8 +264,21 @@ def _axis(mpl_axis: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
     mpl_axis.set_label_text(_text(axis))
     if axis.is_log:
         set_scale("log")
+    else:
+        mpl_axis.set_major_formatter(_numbers())
     if axis.limits:
         set_ends(*axis.limits)
+
+
+def _numbers() -> Any:
+    """Return a formatter of the numbers of an axis that writes no common factor above it."""
+    from matplotlib.ticker import ScalarFormatter
+
+    class Numbers(ScalarFormatter):
+        def format_ticks(self, values: Any) -> list[str]:
+            return texts([float(value) for value in values])
+
+    return Numbers()
 
 
 # -- polar diagrams --------------------------------------------------------------------------------
@@ -244,6 +295,8 @@ def _polar(polar: Polar, drawing: Any) -> None:
         turns = [math.radians(angle) for angle in plane.angles]
         axes.plot(turns, plane.values, color=color, linestyle=dashes, label=plane.label)
         axes.fill(turns, plane.values, color=color, alpha=0.08, lw=0)
+        if plane.band:
+            axes.fill_between(turns, *plane.band, color=color, alpha=BAND, lw=0)
     rays = range(-180, 180, 30)
     if is_half:
         axes.set_thetamin(-RIGHT)
@@ -255,22 +308,36 @@ def _polar(polar: Polar, drawing: Any) -> None:
     axes.set_yticks(circles, texts(circles))
     axes.set_rlabel_position(RIGHT if is_half else 75)
     axes.spines["polar"].set_color(FAINT)
-    drawing.legend(title=_text(polar.radius), loc="lower center", ncols=2)
-    drawing.suptitle(_safe(polar.title), fontsize=11, wrap=True)
+    above = 0.04 if polar.note else 0.0
+    drawing.legend(
+        title=_text(polar.radius), loc="lower center", ncols=2, bbox_to_anchor=(0.5, above)
+    )
+    drawing.suptitle(_folded(polar.title, drawing), fontsize=11)
+    _note(polar.note, axes)
 
 
 # -- fields and discs ------------------------------------------------------------------------------
 
 
 def _field(field: Field, drawing: Any) -> None:
+    ratio = (field.xs[-1] - field.xs[0]) / (field.ys[-1] - field.ys[0])
+    drawing.set_size_inches(*_plan_size(ratio))
     axes = drawing.subplots()
     axes.grid(visible=False)
     axes.set_aspect("equal")
-    _filled(drawing, axes, field.xs, field.ys, field.rows, field.value)
+    _filled(drawing, axes, field.xs, field.ys, field.rows, field.value, is_flat=ratio > FLAT)
     _marks(axes, field.marks)
     axes.set_xlabel(_text(field.x))
     axes.set_ylabel(_text(field.y))
-    axes.set_title(_safe(field.title), wrap=True)
+    axes.set_title(_folded(field.title, drawing))
+    _note(field.note, axes)
+
+
+def _plan_size(ratio: float) -> tuple[float, float]:
+    """Return the size of a figure [inches] for a plan of a ratio of width to height."""
+    high = min(math.sqrt(AREA / ratio), LONGEST, LONGEST / ratio)
+    across, down = FRAME if ratio <= FLAT else FRAME[::-1]
+    return max(high * ratio + across, SIZE[1]), high + down
 
 
 def _disc(disc: Disc, drawing: Any) -> None:
@@ -285,12 +352,8 @@ def _disc(disc: Disc, drawing: Any) -> None:
     x, y = numpy.meshgrid(places, places)
     rows = numpy.asarray(disc.rows, float)
     inside = rows[numpy.hypot(x, y) <= 1]
-    if disc.is_image:
-        from matplotlib.colors import LogNorm
-
-        norm = LogNorm(*shades(inside.tolist()))
-        drawn = axes.pcolormesh(places, places, rows, cmap=COLORMAP, norm=norm, rasterized=True)
-        drawing.colorbar(drawn, ax=axes, shrink=0.8, label=_text(disc.value), extend="both")
+    if disc.is_image and inside.min() < inside.max():
+        _shaded(drawing, axes, places, rows, inside, disc.value)
     else:
         _filled(drawing, axes, places, places, rows, disc.value, numpy.hypot(x, y) < WHOLE)
     for drawn in axes.collections:
@@ -303,7 +366,24 @@ def _disc(disc: Disc, drawing: Any) -> None:
             ha="center", va="center",
         )  # fmt: skip
     _marks(axes, disc.marks)
-    axes.figure.suptitle(_safe(disc.title), fontsize=11, wrap=True)
+    axes.figure.suptitle(_folded(disc.title, drawing), fontsize=11)
+    _note(disc.note, axes)
+
+
+def _shaded(drawing: Any, axes: Any, places: Any, rows: Any, inside: Any, value: Axis) -> None:
+    """Draw an image in colours; parts that are brighter than the scale are white."""
+    import matplotlib
+    from matplotlib.colors import LogNorm, Normalize
+
+    scale = shades(inside.tolist())
+    norm = (LogNorm if scale.is_log else Normalize)(scale.low, scale.high)
+    ends = bool(inside.min() < scale.low), bool(inside.max() > scale.high)
+    extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(ends, "neither")
+    colormap = matplotlib.colormaps[COLORMAP]
+    colormap = colormap.with_extremes(bad=colormap(0.0), over=OVER)  # bad: the logarithm of 0
+    drawn = axes.pcolormesh(places, places, rows, cmap=colormap, norm=norm, rasterized=True)
+    label = f"{_text(value)}, {scale.kind}"
+    drawing.colorbar(drawn, ax=axes, shrink=0.8, label=label, extend=extend)
 
 
 def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
@@ -324,11 +404,19 @@ def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
         _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, diagram.y)
         axes.legend(loc="upper right")
     axes.set_aspect("equal")
-    axes.set_title(_safe(diagram.title), wrap=True)
+    axes.set_title(_folded(diagram.title, drawing))
+    _note(diagram.note, axes)
 
 
 def _filled(
-    drawing: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis, inside: Any = None
+    drawing: Any,
+    axes: Any,
+    xs: Any,
+    ys: Any,
+    rows: Any,
+    value: Axis,
+    inside: Any = None,
+    is_flat: bool = False,
 ) -> None:
     """Draw contours with numbers inside a region, and colours between them."""
     import matplotlib
@@ -337,8 +425,14 @@ def _filled(
     values = numpy.asarray(rows, float)
     contour_levels = levels(values.ravel().tolist())
     if not contour_levels:
-        drawing.colorbar(
-            axes.pcolormesh(xs, ys, values, cmap=COLORMAP), ax=axes, label=_text(value)
+        axes.pcolormesh(xs, ys, values, cmap=COLORMAP)
+        even = values if inside is None else values[inside]
+        axes.annotate(
+            f"{_text(value)}, {span(even.ravel().tolist())}",
+            (0.5, 0.5),
+            xycoords="axes fraction",
+            ha="center",
+            color="white",
         )
         return
     bounds = [
@@ -356,13 +450,35 @@ def _filled(
         how["manual"] = [number.get_position() for number in axes.clabel(within, **how)]
         within.remove()
     axes.clabel(lines, **how)
-    bar = drawing.colorbar(filled, ax=axes, shrink=0.8, label=_text(value), spacing="uniform")
+    place = {"orientation": "horizontal", "aspect": 40} if is_flat else {"shrink": 0.8}
+    bar = drawing.colorbar(filled, ax=axes, label=_text(value), spacing="uniform", **place)
     bar.set_ticks(contour_levels, labels=names)
 
 
-def _safe(text: str) -> str:
-    """Escape a user's text, which Matplotlib would read as a formula."""
-    return printable(text).replace("$", r"\$")
+def _safe(text: str, width: int = sys.maxsize) -> str:
+    """Cut a user's text; escape letters that the font lacks, and formulas of Matplotlib."""
+    return cut(_shown(text), width).replace("$", r"\$")
+
+
+def _folded(text: str, drawing: Any) -> str:
+    """Fold a text to the width of the figure, and cut it if it has too many lines."""
+    width = int(LETTERS * (drawing.get_figwidth() - MARGINS))
+    lines = [cut(line, width) for line in fold(_shown(text), width)]
+    if len(lines) > MOST_LINES:
+        lines = [*lines[: MOST_LINES - 1], f"{cut(lines[MOST_LINES - 1], width - 4)} ..."]
+    return "\n".join(lines).replace("$", r"\$")
+
+
+def _shown(text: str) -> str:
+    known = _letters()
+    return "".join([c if ord(c) in known else ascii(c)[1:-1] for c in printable(text)])
+
+
+@cache
+def _letters() -> frozenset[int]:
+    from matplotlib.font_manager import findfont, get_font
+
+    return frozenset(get_font(findfont(FONT)).get_charmap())
 
 
 def _text(axis: Axis) -> str:

@@ -12,7 +12,7 @@ from plotille import Canvas
 
 from radcalc.errors import printable
 from radcalc.plots.data import LINES, POINTS, REFERENCE, Axis
-from radcalc.terminal import RESET, fold
+from radcalc.terminal import RESET, columns_of, fold
 
 PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns
 EMPTY = 0x2800  # the Braille character without dots
@@ -26,11 +26,15 @@ Piece = tuple[Point, Point]
 
 
 class Style(NamedTuple):
-    """Greatest width of a picture; whether it may have colours; whether it must be ASCII."""
+    """Greatest width of a picture; whether it may have colours; whether it must be ASCII.
+
+    The height is that of the terminal [lines], or 0 if it is unknown.
+    """
 
     width: int
     color: bool = False
     ascii: bool = False
+    height: int = 0
 
 
 class Layer(NamedTuple):
@@ -51,11 +55,13 @@ class Sheet:
         self.texts: dict[tuple[int, int], tuple[str, str]] = {}
 
     @classmethod
-    def between(cls, columns: int, rows: int, x: Point, y: Point) -> "Sheet":
-        """Return a sheet with its first and last dots at the ends of x and of y."""
-        # plotille excludes the end itself
-        wide, high = ((b - a) / (dots - 1) for (a, b), dots in ((x, 2 * columns), (y, 4 * rows)))
-        return cls(columns, rows, (x[0], x[1] + wide), (y[0], y[1] + high))
+    def between(cls, columns: int, rows: int, x: Point, y: Point, edge: int = 0) -> "Sheet":
+        """Return a sheet with the ends of x and y at its first and last dots, or `edge` inside."""
+        ranges = []
+        for (low, high), dots in ((x, 2 * columns), (y, 4 * rows)):
+            dot = (high - low) / (dots - 1 - 2 * edge)
+            ranges.append((low - edge * dot, high + (edge + 1) * dot))  # plotille excludes the end
+        return cls(columns, rows, *ranges)
 
     def layer(self, color: str, mark: str, colors: Mapping[int, str] = PLAIN) -> Any:
         """Add a canvas on top of the others."""
@@ -64,10 +70,36 @@ class Sheet:
         return canvas
 
     def write(self, column: int, row: int, text: str, color: str = "") -> None:
-        """Write a text; what is outside is omitted."""
-        for k, letter in enumerate(printable(text)):
-            if 0 <= column + k < self.columns and 0 <= row < self.rows:
-                self.texts[column + k, row] = letter, color
+        """Write a text; what is outside is omitted.
+
+        A mark is in the cell of its letter; the second cell of a wide letter is empty.
+        """
+        start, end = -1, column
+        for letter in printable(text):
+            size = columns_of(letter)
+            if not size:
+                if (start, row) in self.texts:
+                    self.texts[start, row] = self.texts[start, row][0] + letter, color
+                continue
+            start, end = end, end + size
+            if 0 <= row < self.rows and start >= 0 and end <= self.columns:
+                for k in range(start, end):
+                    self._clear(k, row)
+                    self.texts[k, row] = letter if k == start else "", color
+
+    def is_free(self, column: int, row: int, size: int, inside: bool = True) -> bool:
+        """Return whether cells have no text, and are in the sheet if they must be `inside`."""
+        is_inside = 0 <= row < self.rows and column >= 0 and column + size <= self.columns
+        return (is_inside or not inside) and not any(
+            (k, row) in self.texts for k in range(column, column + size)
+        )
+
+    def _clear(self, column: int, row: int) -> None:
+        """Blank the other half of a wide letter before its half here is written over."""
+        if self.texts.get((column, row), (" ",))[0] == "":
+            self.texts[column - 1, row] = " ", ""
+        if self.texts.get((column + 1, row), (" ",))[0] == "":
+            self.texts[column + 1, row] = " ", ""
 
     def place(self, x: float, y: float) -> tuple[int, int]:
         """Return the column of a point, and its row from the top."""
@@ -90,10 +122,10 @@ class Sheet:
         for row in range(self.rows):
             cells = []
             for column in range(self.columns):
-                letter, color = self.texts.get((column, row), ("", ""))
-                if not letter:
-                    letter, color = self._dots([rows[row][column] for rows in drawn], column, style)
-                cells.append((letter, color))
+                cells.append(
+                    self.texts.get((column, row))
+                    or self._dots([rows[row][column] for rows in drawn], column, style)
+                )
             lines.append(_joined(cells, style))
         return lines
 
@@ -200,11 +232,8 @@ def below(
 
 def caption(text: str, start: int, room: int) -> list[str]:
     """Centre a text in a width, folded if it is longer."""
-    text = printable(text)
-    return [
-        " " * (start + (room - len(part)) // 2) + part
-        for part in fold(text, max(room, NARROWEST // 2))
-    ]
+    parts = fold(printable(text), max(room, NARROWEST // 2)) if text else []
+    return [" " * (start + max(room - columns_of(part), 0) // 2) + part for part in parts]
 
 
 def sample(how: str, mark: str, style: Style) -> str:
@@ -218,18 +247,18 @@ def sample(how: str, mark: str, style: Style) -> str:
 
 def legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
     """Return samples and names of the curves, as many in a line as fit."""
-    if not entries:
-        return []
     lines, line, size = [], "", 0
     for look, color, label in entries:
-        label, *more_lines = fold(printable(label), style.width - len(look) - 1)
-        text = f"{look} {label}"
-        if size and size + GAP + len(text) > style.width:
+        room = style.width - len(look) - 1
+        label, *more_lines = fold(printable(label), room)
+        text = f"{look} {label}".lstrip()
+        if size and size + GAP + columns_of(text) > style.width:
             lines.append(line)
             line, size = "", 0
         if size:
             line, size = line + " " * GAP, size + GAP
-        line, size = f"{line}{_painted(look, color, style)} {label}", size + len(text)
+        line += f"{_painted(look, color, style)} {label}".lstrip()
+        size += columns_of(text)
         if more_lines:
             lines += [line, *(f"   {part}" for part in more_lines)]
             line, size = "", 0

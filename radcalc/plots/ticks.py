@@ -1,14 +1,19 @@
 """Round numbers along an axis, and their texts."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 FAR = 20.0  # ratio of the ends above which contours are not evenly spaced
 ROUNDED = 1e-12  # of the greatest value: smaller values are shown as 0
 NEGLIGIBLE = 1e-9  # of the greatest value: smaller values are rounding errors of 0
-SPAN = 1000.0  # ratio of the brightest to the darkest in an image
-CLIPPED = 0.995  # quantile of an image's values that has the greatest brightness
+SPAN = (
+    1000.0  # ratio of an image's brightest part to its darkest shade, and of its peak to that part
+)
+PART = 0.005  # of an image, which may be brighter by more than the span: the sun
+EVEN = 1.05  # ratio of the brightest to the darkest below which an image without it is even
+GLOW = 2.0  # ratio to the brightest of the rest below which a value still belongs to it
 RINGS = 6  # most circles of a polar diagram, including the centre
 DIGITS = 6  # of a number, unless it needs more to differ from others
 ROUNDING = 1e-9  # of a step: tolerance of a tick
@@ -97,15 +102,63 @@ def ends(values: Iterable[float]) -> tuple[float, float]:
     return low if abs(low) > least else 0.0, high if abs(high) > least else 0.0
 
 
-def shades(values: list[float]) -> tuple[float, float]:
-    """Return the ends of a logarithmic brightness scale; values beyond them are clipped.
+def span(values: Iterable[float]) -> str:
+    """Return the range of values as text.
 
-    >>> shades([0.0, 2.0, 400.0])
-    (0.4, 400.0)
+    >>> span([32.38201, 93.258]), span([5.0, 5.0])
+    ('from 32.38 to 93.26', '5 everywhere')
+    """
+    low, high = ends(values)
+    if high - low <= ROUNDED * max(abs(low), abs(high)):
+        return f"{high:.4g} everywhere"
+    rounded = [float(f"{end:.4g}") for end in (low, high)]
+    return "from {} to {}".format(*texts(rounded if rounded[0] < rounded[1] else [low, high]))
+
+
+class Shades(NamedTuple):
+    """A scale of brightness from `low` to `high`; values beyond its ends look like the ends."""
+
+    low: float
+    high: float
+    is_log: bool
+
+    @property
+    def kind(self) -> str:
+        return "log scale" if self.is_log else "linear scale"
+
+    def share(self, value: float) -> float:
+        """Return the brightness of a value, from 0 to 1."""
+        if value >= self.high:
+            return 1.0 if self.high > 0 else 0.0
+        if value <= self.low:
+            return 0.0
+        if self.is_log:
+            return math.log(value / self.low) / math.log(self.high / self.low)
+        return (value - self.low) / (self.high - self.low)
+
+
+def shades(values: Sequence[float]) -> Shades:
+    """Return the scale of brightness of an image.
+
+    It reaches the greatest value.  Only a small part of an image with contrast, such as the sun,
+    which is brighter than the rest by more than `SPAN`, is beyond it.  The scale is logarithmic if
+    its ends are far apart.
+
+    >>> shades([1.0] * 999 + [200.0])
+    Shades(low=1.0, high=200.0, is_log=True)
+    >>> shades([300.0, 5000.0] * 500 + [1e9])
+    Shades(low=300.0, high=5000.0, is_log=True)
     """
     ordered = sorted(values)
-    high = ordered[round(CLIPPED * (len(ordered) - 1))] or 1.0
-    return max(ordered[0], high / SPAN), high
+    least, most = ordered[0], ordered[-1]
+    rest = ordered[round((1 - PART) * (len(ordered) - 1))]
+    darkest = next((x for x in ordered if x > 0), 0.0)
+    high = most
+    if most > SPAN * rest > SPAN * EVEN * darkest > 0:
+        high = max(x for x in ordered if x <= GLOW * rest)
+    is_log = high > FAR * max(least, 0.0) and high > FAR * darkest > 0
+    low = max(darkest, min(high, rest or high) / SPAN) if is_log else least
+    return Shades(low, high, is_log)
 
 
 def texts(values: list[float]) -> list[str]:

@@ -6,7 +6,9 @@ import pytest
 
 from radcalc.calculators import scene as page
 from radcalc.calculators.lambertian import lambertian
+from radcalc.calculators.photon import photon
 from radcalc.calculators.point_source import point_source
+from radcalc.calculators.task import Task
 from radcalc.distributions.scene import Axis, grid
 from radcalc.errors import UsageError
 from radcalc.inputs.reading import read, split_values
@@ -126,3 +128,55 @@ def test_values_in_other_units_stand_where_they_are_and_in_order():
     chart = picture("point-source", each)
     assert (chart.series[0].x, chart.series[0].y) == ([1, 2, 5], [100, 25, 4])
     assert chart.x.unit == "m"
+
+
+def uncertain(**values):
+    """Return the case with its uncertainty, as commands solve it."""
+    names = {name.replace("_", "-"): text for name, text in values.items()}
+    given = {name: read(name, text, uncertain=True) for name, text in names.items()}
+    return Solved(given, Task("point-source", point_source).solve(given))
+
+
+def test_a_curve_of_uncertain_values_has_a_band():
+    each = [uncertain(intensity="100+-5cd", distance=f"{d}m") for d in range(1, 21)]
+    chart = picture("point-source", each)
+    (curve,) = chart.series
+    low, high = curve.band
+    # E = I/d^2, so that u(E) = u(I)/d^2
+    assert low == pytest.approx([95 / d**2 for d in range(1, 21)])
+    assert high == pytest.approx([105 / d**2 for d in range(1, 21)])
+    assert (curve.style, chart.note) == (LINE, "band: ± standard uncertainty (k = 1)")
+
+
+def test_bars_contain_the_uncertainty_of_the_axis_and_follow_its_order():
+    each = [uncertain(intensity="100cd", distance=d) for d in ("4m", "2+-0.1m", "5+-0.1m")]
+    chart = picture("point-source", each)
+    (points,) = chart.series
+    # u(E) = 2 E u(d)/d: 2.5 at 25 lx, none at 6.25 lx, 0.16 at 4 lx
+    assert (points.x, points.y) == ([2, 4, 5], pytest.approx([25, 6.25, 4]))
+    assert points.band == (pytest.approx([22.5, 6.25, 3.84]), pytest.approx([27.5, 6.25, 4.16]))
+    assert chart.note == "bar: ± standard uncertainty (k = 1), with that of the distance"
+
+
+def test_exact_values_have_no_band():
+    chart = picture("point-source", [uncertain(intensity="1cd", distance=d) for d in ("1m", "2m")])
+    assert (chart.series[0].band, chart.note) == (None, "")
+
+
+def test_a_band_that_reaches_0_has_no_logarithmic_axis():
+    each = [uncertain(intensity="100+-100cd", distance=f"{d}m") for d in (0.1, 1, 10)]
+    assert not picture("point-source", each).y.is_log
+    each = [uncertain(intensity="100+-10cd", distance=f"{d}m") for d in (0.1, 1, 10)]
+    assert picture("point-source", each).y.is_log
+
+
+def test_a_result_with_a_corner_has_its_range():
+    given = [{"wavelength": read("wavelength", f"{nm}+-2nm", uncertain=True)} for nm in (545, 555)]
+    solved = [Solved(one, Task("photon", photon).solve(one)) for one in given]
+    chart = picture("photon", solved, ["luminous-efficiency"])
+    low, high = chart.series[0].band
+    # CIE 018:2019: V is 1 at 555 nm, 0.9950 at 550 nm and 560 nm
+    assert high[1] == 1.0
+    assert 0.995 < low[1] < 1
+    assert high[0] - low[0] > 0.01  # on the slope
+    assert chart.note.endswith("a result that jumps has its range")

@@ -1,12 +1,15 @@
 """What polar diagrams, discs and integrands plot, against what is known of the light."""
 
 import math
+import re
 
 import pytest
 from conftest import ROOT
 
 from radcalc.calculators import integrate, point_source, sky
 from radcalc.calculators.environment import Source, environment
+from radcalc.calculators.photon import photon
+from radcalc.calculators.task import Task
 from radcalc.inputs.reading import read
 from radcalc.plots import answers
 from radcalc.plots.curves import Solved
@@ -15,7 +18,7 @@ from radcalc.plots.data import REFERENCE
 
 def given(**values):
     names = {name.replace("_", "-"): text for name, text in values.items()}
-    return {name: read(name, text) for name, text in names.items()}
+    return {name: read(name, text, uncertain=True) for name, text in names.items()}
 
 
 def diagram(wanted=(), **values):
@@ -150,3 +153,115 @@ def test_an_integrand_and_what_of_it_adds_up():
 
 def test_a_result_that_is_none_leaves_the_picture_as_it_is():
     assert diagram(("speed",), flux="800lm").radius.unit == "cd"  # the answer refuses it
+
+
+# -- uncertain values ------------------------------------------------------------------------------
+
+
+def solved(command, work_out, **values):
+    """Return a case with its uncertainty, as commands solve it."""
+    inputs = given(**values)
+    return Solved(inputs, Task(command, work_out).solve(inputs))
+
+
+def polar_of(**values):
+    return answers.picture(
+        "point-source", [solved("point-source", point_source.point_source, **values)]
+    )
+
+
+def test_an_uncertain_intensity_has_a_band():
+    polar = polar_of(flux="800+-40lm")
+    (plane,) = polar.planes
+    low, high = plane.band
+    ends = (760 / (4 * math.pi), 840 / (4 * math.pi))  # I = Phi / (4 pi)
+    assert (min(low), max(low), min(high), max(high)) == pytest.approx(
+        (ends[0], ends[0], ends[1], ends[1])
+    )
+    assert polar.most == pytest.approx(ends[1])
+    assert polar.note == "band: ± standard uncertainty (k = 1)"
+
+
+def test_an_uncertain_shape_is_drawn_without_a_band_and_says_so():
+    polar = polar_of(intensity="1000cd", beam_angle="30+-2deg")
+    (plane,) = polar.planes
+    assert plane.band is None
+    assert at(plane, 15.0) == pytest.approx(500)
+    assert polar.note == "drawn without the uncertainty of beam angle 30+-2deg"
+
+
+def test_an_uncertainty_that_the_picture_does_not_depend_on_is_not_mentioned():
+    polar = polar_of(intensity="1000cd", distance="2+-0.1m")
+    assert (polar.planes[0].band, polar.note) == (None, "")
+
+
+@pytest.mark.parametrize(
+    ("command", "work_out", "operand", "values", "named"),
+    [
+        (
+            "sky",
+            lambda inputs: sky.sky("overcast", inputs, is_drawn=True),
+            "overcast",
+            {"zenith_luminance": "9000+-90cd/m2"},
+            "zenith luminance 9000+-90cd/m2",
+        ),
+        (
+            "environment",
+            lambda inputs: environment(Source("sky:overcast"), inputs),
+            Source("sky:overcast"),
+            {"zenith_luminance": "9000+-90cd/m2"},
+            "zenith luminance 9000+-90cd/m2",
+        ),
+        (
+            "integrate",
+            lambda inputs: integrate.integrate("cos(theta)", inputs),
+            ("cos(theta)", "cd"),
+            {"half_angle": "30+-1deg"},
+            "half angle 30+-1deg",
+        ),
+        ("photon", photon, None, {"wavelength": "555+-2nm"}, "wavelength 555+-2nm"),
+    ],
+)
+def test_a_picture_without_bands_says_so(command, work_out, operand, values, named):
+    drawn = answers.picture(command, [solved(command, work_out, **values)], (), operand)
+    assert drawn.note.endswith(f"drawn without the uncertainty of {named}")
+
+
+# -- the peak of an environment --------------------------------------------------------------------
+
+
+def environment_of(text, **values):
+    source = Source(text)
+    inputs = given(**values)
+    case = Solved(inputs, environment(source, inputs))
+    return answers.picture("environment", [case], (), source)
+
+
+LOBE = "(1 + 199*exp(-((theta - 45*deg)/(9*deg))^2)*((1 + sin(phi))/2)^9) cd/m2"
+
+
+def test_the_peak_of_an_environment_is_marked_with_its_value_and_direction():
+    """The brightest direction is 45 deg from the zenith at the azimuth 90 deg, by construction."""
+    disc = environment_of(LOBE)
+    (mark,) = disc.marks
+    assert mark.label == "peak"
+    assert (mark.x, mark.y) == (pytest.approx(0.5, abs=0.01), pytest.approx(0, abs=0.01))
+    value, polar_angle, azimuth = re.fullmatch(
+        r"peak ([\d.]+) cd/m2 toward ([\d.]+)°,([\d.]+)°", disc.note
+    ).groups()
+    assert float(value) == pytest.approx(200, rel=0.01)
+    assert float(polar_angle) == pytest.approx(45, abs=0.5)
+    assert float(azimuth) == pytest.approx(90, abs=0.5)
+
+
+def test_a_peak_out_of_sight_is_noted_but_not_marked():
+    disc = environment_of(LOBE, normal="0,0,-1")
+    assert not disc.marks
+    assert disc.note.endswith(", behind the receiver")
+
+
+@pytest.mark.parametrize("text", ["5 cd/m2", "0 cd/m2"])
+def test_even_and_dark_surroundings_have_no_peak(text):
+    disc = environment_of(text)
+    assert (disc.marks, disc.note) == ([], "")
+    assert all(math.isfinite(z) for row in disc.rows for z in row)

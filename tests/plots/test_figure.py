@@ -1,5 +1,6 @@
 """Figures: files that can be read, that say what is drawn, and are the same every time."""
 
+import math
 import struct
 import xml.etree.ElementTree as ElementTree
 
@@ -7,7 +8,7 @@ import pytest
 from conftest import process, python, run
 
 from radcalc.plots import figure
-from radcalc.plots.data import Axis, Chart, Series
+from radcalc.plots.data import LINE, POINTS, Axis, Chart, Disc, Field, Plane, Polar, Series
 
 SVG = "{http://www.w3.org/2000/svg}"
 CALLS = {
@@ -134,14 +135,146 @@ def test_what_a_user_named_is_no_formula():
     series = [Series(name, [0.0, 1.0], [0.0, float(k)]) for k, name in enumerate(names)]
     chart = Chart("$x", Axis("x"), Axis("y"), series)
     text = figure.data(chart, ".svg").decode()
-    for said in ("$x", "_hidden", "a\\x1bb", "光"):
+    for said in ("$x", "_hidden", "a\\x1bb", "\\u5149"):  # the font has no 光
         assert f"<!-- {said} -->" in text or f"<!-- {said.replace('$', chr(92) + '$')} -->" in text
 
 
-def test_of_too_many_curves_the_first_and_the_last_are_named_in_colours_of_their_own():
-    many = [Series(f"flux {k}lm", [0.0, 1.0], [0.0, float(k)]) for k in range(1, 31)]
-    (axes,) = figure.figure(Chart("", Axis("x"), Axis("y"), many)).axes
-    legend = axes.get_legend()
-    assert [one.get_text() for one in legend.get_texts()] == ["flux 1lm", "flux 30lm"]
-    assert legend.get_title().get_text() == "30 curves; the first and the last:"
-    assert len({line.get_color() for line in axes.lines}) == 30
+def chart_of(count):
+    curves = [Series(f"flux {k}lm", [0.0, 1.0], [0.0, float(k)]) for k in range(1, count + 1)]
+    return Chart("", Axis("x"), Axis("y"), curves)
+
+
+def extents(drawing):
+    """The edges of the figure, of its axes and of all its legends [pixels]."""
+    drawing.draw_without_rendering()
+    (axes,) = drawing.axes
+    legends = [*drawing.legends, *filter(None, [axes.get_legend()])]
+    return drawing.bbox, axes.get_window_extent(), [one.get_window_extent() for one in legends]
+
+
+def test_of_too_many_curves_some_are_named_in_colours_of_their_own():
+    (axes,) = figure.figure(chart_of(30)).axes
+    texts = [one.get_text() for one in axes.get_legend().get_texts()]
+    # evenly spaced in 1 to 30: every 29/7, rounded down
+    assert texts == [f"flux {k}lm" for k in (1, 5, 9, 13, 17, 21, 25, 30)] + [
+        "and 22 more, in this order"
+    ]
+    assert len({line.get_color() for line in axes.lines[:30]}) == 30
+
+
+@pytest.mark.parametrize("count", [2, 10, 20, 30, 200])
+def test_a_legend_is_inside_the_figure_and_leaves_the_chart_its_room(count):
+    whole, axes, (legend,) = extents(figure.figure(chart_of(count)))
+    assert whole.x0 <= legend.x0 < legend.x1 <= whole.x1
+    assert whole.y0 <= legend.y0 < legend.y1 <= whole.y1
+    assert axes.width > whole.width / 2
+
+
+def test_curves_that_are_all_named_have_looks_of_their_own():
+    (axes,) = figure.figure(chart_of(20)).axes
+    looks = {
+        (line.get_color(), line.get_linestyle(), str(line._dash_pattern)) for line in axes.lines
+    }
+    assert len(looks) == 20
+
+
+def test_a_long_label_is_cut_and_does_not_take_the_room_of_the_chart():
+    chart = chart_of(10)
+    named = [one._replace(label=one.label * 20) for one in chart.series]
+    whole, axes, (legend,) = extents(figure.figure(chart._replace(series=named)))
+    assert whole.x0 <= legend.x0
+    assert axes.width > whole.width / 3
+
+
+@pytest.mark.parametrize("word", ["intensity 100cd, ", "a", "日本語", "$x_1$ "])
+@pytest.mark.parametrize("count", [1, 5, 60])
+def test_a_long_title_and_a_long_note_are_inside_the_figure(count, word):
+    text = word * count
+    fields = {"title": text, "note": text}
+    xs = [0.0, 1.0, 2.0]
+    rows = [[x + y for x in xs] for y in xs]
+    value, length = Axis("E", "lx"), Axis("x", "m")
+    for drawn in (
+        chart_of(2),
+        Polar("", value, [Plane("every C plane", [-90.0, 0.0, 90.0], xs)]),
+        Field("", length, length, value, xs, xs, rows),
+        Field("", length, length, value, xs, [0.0, 3.0, 6.0], rows),
+        disc_of(lambda x, y: 1 + x * x),
+    ):
+        drawing = figure.figure(drawn._replace(**fields))
+        drawing.draw_without_rendering()
+        texts = [drawing._suptitle, drawing._supxlabel, drawing.axes[0]._left_title]
+        boxes = [one.get_window_extent() for one in texts if one and one.get_text()]
+        assert len(boxes) == 2
+        for box in boxes:
+            assert drawing.bbox.x0 <= box.x0 < box.x1 <= drawing.bbox.x1
+            assert drawing.bbox.y0 <= box.y0 < box.y1 <= drawing.bbox.y1
+
+
+@pytest.mark.parametrize("size", [(6, 9), (9, 6), (20, 4), (2, 18), (5, 5)])
+def test_a_plan_is_to_scale_and_uses_the_figure(size):
+    wide, high = size
+    xs, ys = [0.0, wide / 2, float(wide)], [0.0, high / 2, float(high)]
+    rows = [[x + y for x in xs] for y in ys]
+    drawing = figure.figure(
+        Field("t", Axis("x", "m"), Axis("y", "m"), Axis("E", "lx"), xs, ys, rows)
+    )
+    drawing.draw_without_rendering()
+    box = drawing.axes[0].get_window_extent()
+    assert box.width / box.height == pytest.approx(wide / high, rel=0.02)
+    assert max(box.width / drawing.bbox.width, box.height / drawing.bbox.height) > 0.75
+
+
+def test_a_band_is_filled_between_its_ends_and_a_bar_joins_them():
+    x, y = [1.0, 2.0, 3.0], [1.0, 4.0, 9.0]
+    band = [0.5, 3.5, 8.0], [1.5, 4.5, 10.0]
+    curve, points = (Series(style, x, y, style, band) for style in (LINE, POINTS))
+    chart = Chart("", Axis("x"), Axis("y"), [curve], note="band: k = 1")
+    drawing = figure.figure(chart)
+    (filled,) = drawing.axes[0].collections
+    ends = {(round(px, 6), round(py, 6)) for px, py in filled.get_paths()[0].vertices}
+    assert ends >= {*zip(x, band[0], strict=True), *zip(x, band[1], strict=True)}
+    assert drawing.get_supxlabel() == "band: k = 1"
+    assert drawing.axes[0].get_ylim()[1] >= 10
+    (bars,) = figure.figure(chart._replace(series=[points])).axes[0].collections
+    assert [bar.tolist() for bar in bars.get_segments()] == [
+        [[px, low], [px, high]] for px, low, high in zip(x, *band, strict=True)
+    ]
+
+
+def test_numbers_of_an_axis_have_no_factor_above_it():
+    chart = Chart("t", Axis("x"), Axis("y"), [Series("s", [0.0, 0.3], [0.0, 2e9])])
+    drawing = figure.figure(chart)
+    drawing.draw_without_rendering()
+    (axes,) = drawing.axes
+    assert axes.yaxis.get_offset_text().get_text() == ""
+    assert axes.get_yticklabels()[-1].get_text() == "2e+09"
+    assert [one.get_text() for one in axes.get_xticklabels()][1:4] == ["0", "0.05", "0.1"]
+
+
+def disc_of(value):
+    places = [k / 20 - 1 for k in range(41)]
+    rows = [[value(x, y) for x in places] for y in places]
+    return Disc("", Axis("luminance", "cd/m2"), rows, [("up", 0)], is_image=True, note="n")
+
+
+def test_an_image_with_a_softbox_has_a_logarithmic_scale_up_to_its_peak():
+    softbox = disc_of(lambda x, y: 200.0 if math.hypot(x - 0.5, y) < 0.06 else 1.0)
+    _, bar = figure.figure(softbox).axes
+    assert bar.get_ylabel() == "luminance [cd/m²], log scale"
+    assert bar.get_ylim() == pytest.approx((1.0, 200.0))
+
+
+def test_a_sun_is_beyond_the_scale_in_white_and_the_sky_keeps_its_contrast():
+    sun = disc_of(lambda x, y: 1e9 if (x, y) == (0.5, 0.0) else 3000 + 1000 * x)
+    drawn, bar = figure.figure(sun).axes
+    mesh = drawn.collections[0]
+    assert mesh.get_clim() == (pytest.approx(2000), pytest.approx(4000))
+    assert mesh.cmap(mesh.norm(1e9)) == (1.0, 1.0, 1.0, 1.0)
+    assert bar.get_ylabel() == "luminance [cd/m²], linear scale"
+
+
+@pytest.mark.parametrize("value", [0.0, 5.0])
+def test_an_even_image_states_its_value_without_a_scale(value):
+    (axes,) = figure.figure(disc_of(lambda x, y: value)).axes
+    assert f"luminance [cd/m²], {value:g} everywhere" in [one.get_text() for one in axes.texts]

@@ -6,10 +6,12 @@ import sys
 from types import SimpleNamespace
 
 import pytest
+from rich.cells import cell_len
 
 from radcalc.plots.characters import Style, draw, style_of
 from radcalc.plots.data import (
     LINES,
+    POINTS,
     REFERENCE,
     Axis,
     Chart,
@@ -20,6 +22,8 @@ from radcalc.plots.data import (
     Polar,
     Series,
 )
+from radcalc.plots.sheet import Sheet
+from radcalc.terminal import columns_of, cut, fold
 
 CHART = Chart(
     "a line",
@@ -192,7 +196,7 @@ def test_what_rounding_leaves_of_0_is_told_as_0():
 
 def test_an_even_field_has_no_contours():
     even = SLOPE._replace(rows=[[5.0] * 5] * 3)
-    assert draw(even, Style(80)).splitlines()[-1] == "illuminance E_v [lx], from 5 to 5"
+    assert draw(even, Style(80)).splitlines()[-1] == "illuminance E_v [lx], 5 everywhere"
 
 
 @pytest.mark.parametrize(
@@ -217,9 +221,286 @@ def test_a_curve_far_beyond_the_axis_is_cut_and_takes_no_time():
     assert len(rows) == 1  # level, in the middle
 
 
-def test_of_too_many_curves_the_first_and_the_last_are_named():
-    many = [Series(f"flux {k}lm", [0.0, 1.0], [0.0, float(k)]) for k in range(1, 31)]
-    lines = draw(Chart("", Axis("x"), Axis("y"), many), Style(80)).splitlines()
-    assert lines[-2] == "30 curves; the first and the last:"
-    assert lines[-1].split("  ") == ["⠤⠤ flux 1lm", "⠤⠤ flux 30lm"]
-    assert len(lines) < 30
+def many(count):
+    return [Series(f"flux {k}lm", [0.0, 1.0], [0.0, float(k)]) for k in range(1, count + 1)]
+
+
+def test_of_too_many_curves_some_are_named_and_the_others_are_counted():
+    lines = draw(Chart("", Axis("x"), Axis("y"), many(30)), Style(80)).splitlines()
+    legend = " ".join(lines[-2:])
+    # evenly spaced in 1 to 30: every 29/7, rounded down
+    assert re.findall(r"(\d) ⠤⠤ flux (\d+)lm", legend) == [
+        (str(k), str(flux)) for k, flux in enumerate((1, 5, 9, 13, 17, 21, 25, 30), start=1)
+    ]
+    assert legend.endswith("and 22 more, in this order")
+
+
+@pytest.mark.parametrize("width", [60, 80, 120])
+@pytest.mark.parametrize("count", [2, 10, 20, 21, 200])
+def test_a_legend_of_many_curves_fits_below_the_chart(count, width):
+    lines = draw(Chart("", Axis("x"), Axis("y"), many(count)), Style(width)).splitlines()
+    assert max(map(len, lines)) <= width
+    below = lines[next(k for k, line in enumerate(lines) if "└" in line) :]
+    assert len(below) <= 3 + -(-count * 17 // (width - 17))
+    named = "".join(lines).count("flux")
+    assert named == (count if count <= 20 else 8)
+    counted = re.search(r"and (\d+) more", below[-1])
+    assert (int(counted[1]) if counted else 0) == count - named
+
+
+def test_each_number_on_a_curve_is_that_of_the_legend():
+    """Vertical lines have no number, also before the curves."""
+    first = Series("lines", [0.5], [0.2], LINES)
+    low, high = (Series(name, [0.0, 1.0], [y, y]) for name, y in (("low", 0.0), ("high", 1.0)))
+    lines = draw(Chart("", Axis("x"), Axis("y"), [first, low, high]), Style(60)).splitlines()
+    assert lines[-1] == "⢸⡇ lines  1 ⠤⠤ low  2 ⠤⠤ high"
+    drawn = {name.strip(): row for name, _, row in (line.partition("┤") for line in lines)}
+    assert ("2" in drawn["1"], "1" in drawn["0"]) == (True, True)
+
+
+# -- uncertain values ------------------------------------------------------------------------------
+
+
+def dots(text):
+    """The places of dots: rows from the top, columns after the axis; four rows for a character."""
+    bits = ((0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1), (3, 0), (3, 1))  # Unicode, Braille
+    return {
+        (4 * row + down, 2 * column + right)
+        for row, column in cells(text)
+        for k, (down, right) in enumerate(bits)
+        if ord(rows_of(text)[row][column]) - 0x2800 >> k & 1
+    }
+
+
+def rows_of(text):
+    return [line.partition("┤")[2] or line.partition("│")[2] for line in text.splitlines()]
+
+
+def test_a_band_has_dots_at_both_ends_and_fewer_than_its_curve():
+    y = [5.0] * 17
+    level = Series("", [float(k) for k in range(17)], y, band=([2.5] * 17, [7.5] * 17))
+    chart = Chart("", Axis("x"), Axis("y", limits=(0.0, 10.0)), [level])
+    found = dots(draw(chart, Style(80)))
+    by_row = {row: sum(r == row for r, _ in found) for row, _ in found}
+    (top, upper), (middle, own), (bottom, lower) = sorted(by_row.items())
+    steps = bottom - middle, middle - top
+    assert steps == pytest.approx((0.25 * 64, 0.25 * 64), abs=1)  # 64 dots for 10
+    assert upper == lower == pytest.approx(own / 3, rel=0.05)
+
+
+def test_the_bar_of_a_point_is_as_long_as_its_uncertainty():
+    point = Series("", [0.0, 1.0, 2.0], [5.0] * 3, POINTS, ([5.0, 2.5, 5.0], [5.0, 7.5, 5.0]))
+    chart = Chart("", Axis("x"), Axis("y", limits=(0.0, 10.0)), [point], note="bar: k = 1")
+    text = draw(chart, Style(80))
+    columns = [column for _, column in dots(text)]
+    longest = max(columns, key=columns.count)
+    assert columns.count(longest) == pytest.approx(0.5 * 62, abs=2)  # 62 of 64 rows for 10
+    assert text.splitlines()[-1] == "bar: k = 1"
+
+
+def test_a_point_at_an_end_of_the_axes_is_whole():
+    corner = Series("", [0.0, 1.0], [10.0, 0.0], POINTS)
+    found = dots(draw(Chart("", Axis("x"), Axis("y"), [corner]), Style(80)))
+    assert len(found) == 10  # two crosses of 5 dots
+
+
+# -- plans -----------------------------------------------------------------------------------------
+
+
+def plan(wide, high, steps=12):
+    xs = [wide * k / steps for k in range(steps + 1)]
+    ys = [high * k / steps for k in range(steps + 1)]
+    # the greatest value is at x = 0, y = high: on the left at the back
+    rows = [[y / high - x / wide for x in xs] for y in ys]
+    marks = [Mark("lamp", 0.0, 0.9 * high)]
+    return Field("plan", Axis("x", "m"), Axis("y", "m"), Axis("E", "lx"), xs, ys, rows, marks)
+
+
+def place_of(text, word):
+    """The column after the axis and the row of a word."""
+    return next((row.index(word), k) for k, row in enumerate(rows_of(text)) if word in row)
+
+
+@pytest.mark.parametrize("width", [60, 80, 120])
+@pytest.mark.parametrize("size", [(6, 9), (9, 6), (3, 9), (20, 4)])
+def test_a_plan_fills_the_width_to_scale(size, width):
+    lines = draw(plan(*size), Style(width)).splitlines()
+    rule = next(line for line in lines if "└" in line)
+    columns = len(rule) - rule.index("└") - 1
+    rows = sum("┤" in line or "│" in line for line in lines)
+    if width < 120 or max(size) > 2 * min(size):
+        assert columns > 0.85 * width
+    long, short = max(size), min(size)
+    assert rows == pytest.approx(columns * short / long / 2, abs=1)  # characters are 2:1
+    assert rows <= 32
+
+
+def test_a_high_plan_is_turned_clockwise():
+    text = draw(plan(6, 9), Style(80))
+    lines = text.splitlines()
+    assert lines[1].strip() == "x downwards [m]"
+    assert lines[-2].strip() == "y [m]"
+    assert [line.split("┤")[0].strip() for line in lines if "┤" in line] == ["0", "2", "4", "6"]
+    column, row = place_of(text, "+lamp")
+    assert (column / 76, row) == (pytest.approx(0.9, abs=0.02), 2)  # x = 0 is in the first row
+    wide = draw(plan(9, 6), Style(80)).splitlines()
+    assert wide[1].strip() == "y [m]"
+    upright = draw(plan(6, 6), Style(80)).splitlines()
+    assert upright[1].strip() == "y [m]"
+
+
+def test_a_high_terminal_has_a_higher_plan_and_a_larger_circle():
+    for picture in (plan(6, 6), CIRCLE, DOME):
+        unknown, small, large = (
+            len(draw(picture, Style(120, height=height)).splitlines()) for height in (0, 24, 60)
+        )
+        assert small <= unknown < large <= 60
+
+
+def test_labels_of_marks_do_not_cover_each_other():
+    near = SLOPE._replace(marks=[Mark(f"lamp{k}", 2.0 + 0.1 * k, 1.0) for k in range(3)])
+    text = draw(near, Style(80))
+    assert all(f"lamp{k}" in text for k in range(3))
+    assert text.count("+") == 3
+
+
+# -- images ----------------------------------------------------------------------------------------
+
+
+def image(value):
+    rows = [[value(x, y) for x in PLACES] for y in PLACES]
+    return DOME._replace(rows=rows, marks=(), is_image=True)
+
+
+def share_of_dots(text, column, row):
+    return (ord(text.splitlines()[row][column]) - 0x2800).bit_count() / 8
+
+
+def test_a_softbox_is_brighter_than_its_room():
+    """A source of 200 in a room of 1, over a thousandth of the picture."""
+    softbox = image(lambda x, y: 200.0 if math.hypot(x - 0.5, y) < 0.06 else 1.0)
+    text = draw(softbox, Style(80))
+    assert text.splitlines()[-1].strip() == (
+        "luminance [cd/m2], log scale: no dots at 1, all at 200"
+    )
+    bright = [cell for cell in inner(text) if share_of_dots(text, *cell)]
+    middle = 39.5 + 20 * 0.5  # 20 columns from the middle to the rim
+    assert bright
+    assert all(abs(column - middle) <= 2 and abs(row - 11.5) <= 2 for column, row in bright)
+
+
+def inner(text):
+    """The cells of the image within the rim."""
+    for row, line in enumerate(text.splitlines()):
+        for column, letter in enumerate(line):
+            if BRAILLE.match(letter) and math.hypot((column - 39.5) / 20, (row - 11.5) / 10) < 0.9:
+                yield column, row
+
+
+def test_a_sun_of_1e9_leaves_the_sky_its_contrast():
+    sky = image(lambda x, y: 1e9 if (x, y) == (0.5, 0.0) else 3000.0 + 1000.0 * x)
+    text = draw(sky, Style(80))
+    caption = text.splitlines()[-1].strip()
+    assert caption == "luminance [cd/m2], linear scale: no dots at 2000, all at 4000 or more"
+    by_column = [
+        [share_of_dots(text, *cell) for cell in inner(text) if cell[0] == column]
+        for column in (25, 32, 40, 48, 55)
+    ]
+    shares = [sum(one) / len(one) for one in by_column]
+    expected = [0.5 + (column - 39.5) / 40 for column in (25, 32, 40, 48, 55)]
+    assert shares == pytest.approx(expected, abs=0.15)
+
+
+@pytest.mark.parametrize(("value", "share"), [(5.0, 1.0), (0.0, 0.0)])
+def test_an_even_image_is_even_and_states_its_value(value, share):
+    text = draw(image(lambda x, y: value), Style(80))
+    assert text.splitlines()[-1].strip() == f"luminance [cd/m2], {value:g} everywhere"
+    assert {share_of_dots(text, *cell) for cell in inner(text)} == ({share} if share else set())
+
+
+def test_zeros_of_an_image_have_no_dots():
+    half = image(lambda x, y: 500.0 if x > 0 else 0.0)
+    text = draw(half, Style(80))
+    assert "no dots at 0, all at 500" in text
+    assert {share_of_dots(text, *cell) for cell in inner(text) if cell[0] > 41} == {1.0}
+    assert not [cell for cell in inner(text) if cell[0] < 38]
+
+
+# -- wide letters ----------------------------------------------------------------------------------
+
+WORDS = ["灯台の光", "조명 기구", "ｆｕｌｌ", "cafe\u0301", "ไฟส่อง", "e\u0301" * 5, "日本" * 60]
+
+
+@pytest.mark.parametrize("word", [*WORDS, *"aé中ｱ가ก\u0301"])
+def test_letters_are_as_wide_as_another_program_counts_them(word):
+    assert columns_of(word) == cell_len(word)
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 120])
+@pytest.mark.parametrize("word", WORDS)
+@pytest.mark.parametrize("picture", EACH, ids=IDS)
+def test_wide_letters_stay_within_the_terminal(picture, word, width):
+    named = picture._replace(title=word)
+    if isinstance(picture, Chart):
+        series = [one._replace(label=word) for one in picture.series]
+        named = named._replace(series=series, marks=[(word, 2.0)], note=word)
+    elif isinstance(picture, Polar):
+        named = named._replace(planes=[one._replace(label=word) for one in picture.planes])
+    else:
+        named = named._replace(marks=[Mark(word, mark.x, mark.y) for mark in picture.marks])
+    lines = draw(named, Style(width)).splitlines()
+    assert max(map(cell_len, lines)) <= width
+    assert word in "".join(line.strip() for line in lines) or " " in word
+    plain = draw(picture, Style(width)).splitlines()
+    if isinstance(picture, Field):  # each row of the plan keeps its width
+        assert all(cell_len(line) <= width for line in lines[: len(plain)])
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "utf-8"])
+def test_the_frame_of_a_plan_does_not_move_for_wide_letters(encoding):
+    style = Style(80, ascii=encoding == "ascii")
+    even = SLOPE._replace(rows=[[5.0] * 5] * 3)
+    plain, wide = (
+        draw(even._replace(marks=[Mark(name, 1.0, 1.0), Mark("end", 3.5, 1.0)]), style)
+        for name in ("lamp", "灯e\u0301灯")
+    )
+    ends = [
+        cell_len(line.partition("+end")[0])
+        for text in (plain, wide)
+        for line in text.splitlines()
+        if "+end" in line
+    ]
+    assert ends[0] == ends[1]
+    assert ("灯e\u0301灯" in wide) is (encoding == "utf-8")
+    assert ("\\u706fe\\u0301\\u706f" in wide) is (encoding == "ascii")
+
+
+def test_half_of_a_wide_letter_is_not_drawn():
+    sheet = Sheet(10, 1, (0.0, 1.0), (0.0, 1.0))
+    sheet.write(0, 0, "光光光光光")
+    sheet.write(3, 0, "ab")
+    sheet.write(9, 0, "光")
+    (line,) = sheet.lines(Style(10))
+    assert line == "光 ab 光光"
+    assert cell_len(line) == 10
+
+
+@pytest.mark.parametrize(
+    ("text", "width", "expected"),
+    [
+        ("日本語の照明", 6, ["日本語", "の照明"]),
+        ("a 日本語 b", 6, ["a", "日本語", "b"]),
+        ("ab cd", 2, ["ab", "cd"]),
+        ("日本", 1, ["日", "本"]),
+    ],
+)
+def test_a_line_of_wide_letters_is_folded(text, width, expected):
+    assert fold(text, width) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "width", "expected"),
+    [("abcdef", 6, "abcdef"), ("abcdefg", 6, "abc..."), ("日本語の", 7, "日本...")],
+)
+def test_a_text_is_cut_at_whole_letters(text, width, expected):
+    assert cut(text, width) == expected
