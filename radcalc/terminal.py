@@ -30,11 +30,9 @@ COLORS = {
     "likely:": MAGENTA,
     "or:": MAGENTA,
 }
-WIDE, MARKS = (
-    ("W", "F"),
-    ("Mn", "Me", "Mc"),
-)  # classes of Unicode: widths of two columns, and of none
-MEDIALS = frozenset(map(chr, range(0x1160, 0x1200)))  # of Hangul, drawn within the letter before
+WIDE = "W", "F"  # classes of Unicode for letters of two columns
+MARKS = "Mn", "Me", "Mc"  # and for marks without a column
+MEDIALS = "\u1160", "\u11ff"  # first and last letters of Hangul that join the letter before
 DOTS = "..."
 CALLS = "try: radcalc ", "or:  radcalc ", "read as: radcalc "  # lines to paste: not folded
 _chosen = AUTO
@@ -216,12 +214,8 @@ def columns_of(text: str) -> int:
         return len(text)
     from unicodedata import category, east_asian_width
 
-    return sum(
-        0
-        if category(letter) in MARKS or letter in MEDIALS
-        else 1 + (east_asian_width(letter) in WIDE)
-        for letter in text
-    )
+    own = [x for x in text if category(x) not in MARKS and not MEDIALS[0] <= x <= MEDIALS[1]]
+    return len(own) + sum(east_asian_width(letter) in WIDE for letter in own)
 
 
 def cut(text: str, width: int) -> str:

@@ -74,7 +74,7 @@ class Chart(NamedTuple):
 
     @property
     def is_crowd(self) -> bool:
-        """Whether there are too many curves to name each; their colours then follow their order."""
+        """True if there are too many curves to name each; their colours then follow their order."""
         return len(self.curves) > MANY
 
     @property

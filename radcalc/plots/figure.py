@@ -204,7 +204,7 @@ def _chart(chart: Chart, drawing: Any) -> None:
 
 
 def _legend(chart: Chart, drawn: Sequence[Any], axes: Any) -> None:
-    """Name the curves: a few in the chart, more of them beside it."""
+    """Name the curves: a few in the chart, more of them on its right."""
     named = chart.named
     handles = [drawn[k] for k in named]
     labels = [_safe(chart.series[k].label, LABEL) for k in named]

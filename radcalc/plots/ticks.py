@@ -8,9 +8,7 @@ STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 FAR = 20.0  # ratio of the ends above which contours are not evenly spaced
 ROUNDED = 1e-12  # of the greatest value: smaller values are shown as 0
 NEGLIGIBLE = 1e-9  # of the greatest value: smaller values are rounding errors of 0
-SPAN = (
-    1000.0  # ratio of an image's brightest part to its darkest shade, and of its peak to that part
-)
+SPAN = 1000.0  # ratio of an image's brightest part to its darkest shade, and of a sun to that part
 PART = 0.005  # of an image, which may be brighter by more than the span: the sun
 EVEN = 1.05  # ratio of the brightest to the darkest below which an image without it is even
 GLOW = 2.0  # ratio to the brightest of the rest below which a value still belongs to it
