@@ -1,13 +1,14 @@
 """Bring the commands of docs/validation.md up to date: python docs/validation.py.
 
-A row has a published value, its source and a command.  The answer of the `radcalc` on the PATH and
-its deviation from the published value follow; a deviation that the printed digits do not explain
+A row has a published value, its source and a command.  The answer of the `radcalc` next to this
+Python and its deviation from the published value follow; a deviation that the printed digits do not explain
 is bold.
 """
 
 import re
 import shlex
 import subprocess
+import sys
 from collections.abc import Callable
 from decimal import Decimal
 from pathlib import Path
@@ -18,8 +19,8 @@ ROW = re.compile(r"^(\| (\S+)[^|]*\|[^|]*\| `radcalc ([^|`]*)` \|).*$", re.M)
 
 def ask(words: list[str]) -> str:
     """Return what radcalc prints."""
-    done = subprocess.run(["radcalc", *words], capture_output=True, text=True, check=True)
-    return done.stdout
+    program = Path(sys.executable).with_name("radcalc")
+    return subprocess.run([program, *words], capture_output=True, text=True, check=True).stdout
 
 
 def current(page: str, ask: Callable[[list[str]], str]) -> str:
