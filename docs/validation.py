@@ -1,8 +1,8 @@
 """Bring the commands of docs/validation.md up to date: python docs/validation.py.
 
 A row has a published value, its source and a command.  The answer of the `radcalc` next to this
-Python and its deviation from the published value follow; a deviation that the printed digits do not explain
-is bold.
+Python and its deviation from the published value follow; a deviation that the printed digits do
+not explain is bold.
 """
 
 import re

@@ -1,4 +1,4 @@
-"""The page of the validation: its commands are answered as it says."""
+"""The page of the validation: its commands have the answers that it shows."""
 
 import re
 import runpy
