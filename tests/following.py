@@ -104,7 +104,7 @@ def unlike(words: Words, answer: str, lines: bytes) -> str:
 
 
 def is_prose(outcome: Outcome) -> bool:
-    """Return whether a call is refused with a sentence in place of a call."""
+    """Return whether a call is refused with a sentence instead of a call."""
     return outcome.error is not None and not any(outcome.proposed)
 
 

@@ -47,7 +47,7 @@ def saved(tmp_path, text, name="file.txt"):
 @pytest.mark.parametrize(("text", "kind"), KINDS.items())
 @pytest.mark.parametrize("name", ["file.csv", "file.ies", "file"])
 def test_a_file_is_what_it_contains_whatever_its_name(text, kind, name, tmp_path):
-    is_damaged = kind == TABLE and name.endswith(".ies")  # whose reader says what is wrong
+    is_damaged = kind == TABLE and name.endswith(".ies")  # whose reader names the error
     assert kind_of(saved(tmp_path, text, name)) == (LUMINAIRE if is_damaged else kind)
 
 

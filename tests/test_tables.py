@@ -153,7 +153,7 @@ def test_the_unit_given_for_a_spectrum_wins_over_its_title_and_is_said(tmp_path)
 
 
 def spectrum_of(text, *words):
-    """Return x, the illuminance or nothing, and what is said."""
+    """Return x, the illuminance or nothing, and the messages."""
     done = run("spectrum", "-", "-g", "x", *words, input=text)
     return done.stdout.strip(), done.stderr
 
@@ -204,7 +204,7 @@ def test_no_column_is_guessed_among_several_of_light_or_none(titles):
 
 
 def dose_of(text, *words):
-    """Return the exposure in lx h, and what is said."""
+    """Return the exposure in lx h, and the messages."""
     done = run("dose", "-", "-g", "exposure:lx.h", *words, input=text)
     return done.stdout.strip(), done.stderr
 

@@ -57,7 +57,7 @@ OF = {IRRADIANCE: ("exposure", "maximum-irradiance"),
       FLUX: ("energy", "maximum-flux")}  # fmt: skip
 MEANS, PEAKS = ("mean-irradiance", "mean-flux"), ("maximum-irradiance", "maximum-flux")
 # Problem and hint for a period without samples.
-EMPTY = "no time is covered", mention("a longer {max-gap}, or all results, in which it is empty")
+EMPTY = "no time is covered", mention("a longer {max-gap}, or all results (it is empty there)")
 PAGE = Page(
     "a dose",
     ("receiver-area",),

@@ -160,7 +160,7 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
     """Return the assumptions of the scales in requested results, NAME:SCALE."""
     assumptions = []
     for name, _, text in [result.partition(":") for result in wanted]:
-        if not text or text in COHERENT.values():  # which are no scales
+        if not text or text in COHERENT.values():  # not a scale
             continue
         from radcalc.units.scales import find
 

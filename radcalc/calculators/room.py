@@ -124,7 +124,7 @@ def room(given: Inputs) -> Answer:
     if "luminaires" in given and any_true(given["luminaires"].value % 1 != 0):
         raise ConditionError(
             f"{option('luminaires', quote(given['luminaires'].text))} is not a whole number",
-            "a whole number, or what it follows from",
+            "a whole number, or the quantities that give it",
         )
     if sheet.lit.values:
         new = mention("new and clean luminaires: a maintenance factor of 1 ({maintenance})")

@@ -164,7 +164,7 @@ def _stream(
 
     def check(unit: Unit) -> None:
         if unit.dimension not in SYMBOLS[name].dimensions:
-            read(name, f"1 {unit.text}")  # its error says what it takes
+            read(name, f"1 {unit.text}")  # its error names the units that fit
 
     if unit:
         from radcalc.units.scales import resolve_given

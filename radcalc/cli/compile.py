@@ -63,7 +63,7 @@ EXAMPLE = re.compile(r"^ +radcalc (.*)$", re.MULTILINE)
 RESULT, CLAIM = "result", "claim"
 FIGURE = "figure"  # an option with an optional file
 Row = tuple[Any, ...]
-Results = Mapping[str, tuple[bool, tuple[str, ...]]]  # of one kind of light; what it measures
+Results = Mapping[str, tuple[bool, tuple[str, ...]]]  # of one kind of light; quantities measured
 
 
 class Compiler:

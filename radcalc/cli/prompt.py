@@ -122,7 +122,7 @@ def _converse(session: Session) -> int:
             continue
         except EOFError:
             return terminal.ANSWERED
-        for line in text.replace("\\\n", " ").splitlines():  # of what was pasted
+        for line in text.replace("\\\n", " ").splitlines():  # of a pasted text
             try:
                 if session.answer(line) == terminal.INTERRUPTED:
                     terminal.say([""])  # after the ^C of the terminal

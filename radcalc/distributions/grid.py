@@ -14,7 +14,7 @@ from radcalc.maths import Number, in_chunks
 SLACK = 1e-9  # [rad] rounding beyond the ends of a table, and the closest of its angles
 SEAM = 0.02  # of the peak: largest accepted difference of two values in one direction
 NARROW = 0.1  # [rad] half a cell: up to this, four terms of the series are exact
-MANY = 9  # azimuths, of which half still show the shape
+MANY = 9  # azimuths; half of them still show the shape
 ACCURACY = 1e-4  # [1] of the flux through a part that cuts across a table's cells
 # Indices, among the source's coordinates x, y, z, of the table's: its azimuth goes from the first
 # to the second, and its polar angle starts at the third.

@@ -26,7 +26,7 @@ OTHERS = {
 # Formats of luminaires, which are modules of radcalc.distributions.
 IES, EULUMDAT = "ies", "eulumdat"
 IES_LINE = re.compile(r"\s*(?:TILT\s*=|IES(?:NA)?\s*(?::|\d))", re.IGNORECASE)
-EULUMDAT_HEAD = 26  # lines, of which the names of the luminaire are text
+EULUMDAT_HEAD = 26  # lines; the names of the luminaire are text
 
 
 def of_picture(head: bytes) -> str:

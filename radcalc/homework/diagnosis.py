@@ -16,7 +16,7 @@ from radcalc.homework.question import Question
 
 MOST = 5  # diagnoses
 COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake
-LEAST_DIGITS = 3  # of an answer in which two mistakes together are looked for
+LEAST_DIGITS = 3  # of an answer that may have two mistakes
 WHOLE = ("other-quantity", "other-lamp")  # not with another mistake
 VERY_COMMON = 3.5  # the last rank for a pair of mistakes in laws
 COMMON = 4  # the last rank that is common enough for a pair with a slip
@@ -170,7 +170,7 @@ def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
     return sorted(combined, key=_rank)
 
 
-OF_PI = (  # mistakes in one constant, of which nobody makes two
+OF_PI = (  # mistakes in one constant: nobody makes two of them
     *("pi-forgotten", "two-pi-for-pi", "wrong-sphere", "pi-upside-down", "pi-twice"),
     *("half-azimuth", "whole-for-half", "azimuth-forgotten"),
 )

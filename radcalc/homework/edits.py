@@ -100,7 +100,7 @@ def find(p: Problem) -> Iterator[Candidate]:
     has_pi = p.lists("all around") or not p.chain.symbols.isdisjoint(SKIES)
     for law, target in p.chain.steps:
         if "scale" in law.names:
-            continue  # the definition of a distribution, in which nobody forgets a factor
+            continue  # the definition of a distribution: nobody forgets a factor in it
         yield from _powers(p, law, target) if isinstance(law, Law) else _numbers(p, law, target)
         number, power = _constant(law)
         has_pi |= power != 0

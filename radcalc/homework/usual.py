@@ -110,7 +110,7 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "cosine-added": (2, "the function was multiplied by cos(theta)",
         "cos(theta) belongs to an irradiance on a plane, not to a flux or a solid angle"),
     "integrand-without-cosine": (2, "cos(theta) was left out of the function",
-        "the function is integrated as it is given, with its cos(theta)"),
+        "the function is integrated as given, including its cos(theta)"),
     "whole-for-half": (2, "the integral was taken over the sphere, not over a half of it, or vice "
         "versa", "a hemisphere ends at theta = 90 deg, the sphere at 180 deg"),
     "wrong-limits": (3, "the integral was taken over the whole hemisphere",
@@ -136,7 +136,7 @@ USUAL: dict[str, tuple[float, str, str]] = {
         "a uniform cone has Omega = 2 pi (1 - cos(alpha)); a lobe has 2 pi/(n + 1)"),
     "rounded-early": (2, "the cosine was rounded before it was subtracted from 1",
         "keep all digits on the way: 1 - cos(alpha) loses the first digits of the cosine"),
-    "tangent-for-angle": (3, "the arc tangent was left out, or another function was used for it",
+    "tangent-for-angle": (3, "the arc tangent was forgotten, or another function was used",
         "the solid angle of a rectangle is an arc tangent, not a tangent"),
     "cone-for-lobe": (3, "the beam angle was used as the edge of a uniform cone",
         "at the beam angle the intensity is half the peak: the lobe has more flux than the cone"),

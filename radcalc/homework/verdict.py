@@ -38,7 +38,7 @@ REMARKS = ("error",)  # results that are error estimates of others
 # Approximations and relatives of results with the same unit, which count only if they are named.
 RELATIVES = ("far-field-", "projected-", "scotopic-", "saturation-")
 ASKED = {"sky": ("irradiance",)}  # by command: preferred among results with the same unit
-# Numbers that are logarithms, with the scales of what they stand for.
+# Numbers that are logarithms, with their scales.
 LOGARITHMS = {"ev": "stops", "ev100": "stops", "stops": "stops", "nd": "OD"}
 WAYS = 4  # unambiguous answers in a hint
 
@@ -46,10 +46,10 @@ WAYS = 4  # unambiguous answers in a hint
 class Verdict(NamedTuple):
     """The verdict on an answer.
 
-    `name` is that of the result in the kind of its unit, `result` that of the calculator.  `value`
-    is the right value; `ratio` is the answer divided by it, if it is not 0.  The standard
-    uncertainties are those of the right value and of the answer.  `is_chosen` marks a result that
-    the answer fits, of several with its dimension.
+    `name` is that of the result in the kind of its unit, `result` that of the calculator, and
+    `label` the quantity.  `value` is the right value; `ratio` is the answer divided by it, if it is
+    not 0.  The standard uncertainties are those of the right value and of the answer.  `is_chosen`
+    marks a result that the answer fits, of several with its dimension.
     """
 
     right: bool
@@ -65,6 +65,7 @@ class Verdict(NamedTuple):
     uncertainty: float = 0.0
     claimed_uncertainty: float = 0.0
     result: str = ""
+    label: str = ""
     is_chosen: bool = False
 
 
@@ -190,6 +191,7 @@ def _judged(
         off / reading.slope(right),
         claim.uncertainty,
         target.name,
+        of_kind(target, unit)[0],
     )
     claim = _turned(claim, reading)
     if not asked_tolerance and not off and reading.spans(claim):
@@ -288,9 +290,8 @@ def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagno
         return (Diagnosis(ROUNDED, "as marked on cameras", "whole and third stops are exact"),)
     if not is_rounded(claim, reading.right):
         return ()
-    done = Said(
-        "to the digit given" if claim.digits == 1 else "to the {0} digits given", claim.digits
-    )
+    few = "to the digit given" if claim.digits == 1 else "to the {0:digit|digits} given"
+    done = Said(few, claim.digits)
     nearer = Said("{0} is nearer", f"{reading.right:.{max(3, claim.digits + 1)}g}")
     return (Diagnosis(ROUNDED, done, nearer),)
 
@@ -302,9 +303,8 @@ def _zeros(claim: Claim, reading: Reading) -> Diagnosis | None:
         return None
     for digits in range(len(typed.rstrip("0")), claim.digits):
         if is_rounded(claim._replace(digits=digits), reading.right):
-            few = "to {0} digit" if digits == 1 else "to {0} digits"
             number, power = f"{claim.value:.{digits - 1}e}".split("e")
-            done = Said(few + ", but typed with {1}", digits, claim.digits)
+            done = Said("to {0:digit|digits}, but typed with {1}", digits, claim.digits)
             return Diagnosis(ROUNDED, done, Said("write {0}", f"{number}e{int(power)}"))
     return None
 

@@ -370,7 +370,7 @@ VALUES = (
         "7e6", "cd/m2", NITS, also=BULB,
     ),
     Typical(
-        ("LED bulb in place of 60 W", "LED žárovka místo 60 W", "светодиодная лампа вместо 60 Вт"),
+        ("LED bulb replacing 60 W", "LED žárovka místo 60 W", "светодиодная лампа вместо 60 Вт"),
         "800", "lm", BULBS, also=BULB,
     ),
     Typical(

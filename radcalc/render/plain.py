@@ -64,7 +64,7 @@ def omitted(rows: "Sequence[Row]") -> tuple[str, ...]:
         if (row.uncertainty or row.ends) and needed not in names:
             size = uncertain(row.value, row.uncertainty, ends=row.ends)
             text = f"{row.quantity or 'the result'}: {size}{unit_behind(row.unit)}"
-            notes.append(f"{text}, of which the number alone is printed")
+            notes.append(f"{text}; only the number is printed")
     return tuple(notes)
 
 
@@ -127,16 +127,18 @@ def fields(records: "Records") -> list[list[str]]:
 def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str:
     """Return whether an answer is right, and the most likely mistakes."""
     from radcalc.homework.words import Said, in_language
+    from radcalc.quantities.language import ENGLISH
 
     if style.bare:
         refuse_verdict()
     verdict = judgement.verdict
     digits = style.precision or digits
+    name = verdict.name if style.language == ENGLISH else verdict.label
     size = uncertain(verdict.value, verdict.uncertainty, style.precision, digits)
     right = f"{size}{unit_behind(verdict.unit)}"
     if verdict.right:
-        word = Said("right, as {0}", verdict.name) if verdict.is_chosen else "right"
-        said = Said("{0} ({1}): {2} is {3}", word, verdict.tolerance, verdict.name, right)
+        word = Said("right, as {0}", name) if verdict.is_chosen else "right"
+        said = Said("{0} ({1}): {2} is {3}", word, verdict.tolerance, name, right)
         for diagnosis in verdict.diagnoses:
             said = Said("{0}; {1}", said, diagnosis.right)
         return in_language(said, style.language) + "\n"
@@ -145,7 +147,7 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     if verdict.claimed_uncertainty:
         claimed += f" ± {number(verdict.claimed_uncertainty, digits)}"
     claimed += unit_behind(verdict.claimed_unit)
-    parts = "wrong", verdict.tolerance, verdict.name, right, claimed
+    parts = "wrong", verdict.tolerance, name, right, claimed
     said = Said("{0} ({1}): {2} is {3}, not {4}", *parts)
     if times != "1":
         said = Said("{0} ({1} times the right value)", said, times)

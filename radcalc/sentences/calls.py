@@ -203,7 +203,9 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     goal = _goal_of(sentence)
     has_filter = any(fact.symbols == (FILTER,) for fact in sentence.facts)
     if has_filter and not METERS.isdisjoint(word.lower() for word in sentence.ignored):
-        raise UsageError("a meter may be before the filter, or behind it", "the light without it")
+        raise UsageError(
+            "the meter may be in front of the filter or behind it", "the light without it"
+        )
     has_beam = any(map(is_lamp, sentence.facts)) or not DIRECTED.isdisjoint(sentence.ignored)
     sentence = _without_lamp(_with_led(sentence), goal)
     readings = _readings(sentence)

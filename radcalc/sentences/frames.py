@@ -71,7 +71,7 @@ FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("spectrum", "spectrum", "", False),
 )
 OPERANDS = {"photon": "wavelength", "spectrum": "spectrum"}  # facts that are words of a call
-# What is asked for without a target, by the value and its condition.
+# The result of a sentence without a target, by the value and its condition.
 USUAL_GOALS = {
     **dict.fromkeys((("flux", "area"), ("flux", "diameter"), ("flux", "radius")), "irradiance"),
     ("irradiance", "area"): "flux",
@@ -81,7 +81,7 @@ USUAL_GOALS = {
 }
 # The full angles of beams, which for a solid angle is that of a cone.
 ANGLES, ANGLE_OF_CONE = ("field-angle", "beam-angle"), "apex-angle"
-WAVES = ("frequency", "wavenumber", "photon-energy")  # given in place of a wavelength
+WAVES = ("frequency", "wavenumber", "photon-energy")  # given instead of a wavelength
 TIMES_OF_FILTERS = {"time", "unfiltered-time", "stops", "nd"}
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")

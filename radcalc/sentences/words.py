@@ -201,7 +201,7 @@ def _operand(words: "list[Word]", start: int) -> Amount | None:
         end += 1
     amount = _read(text, end)
     if text[:2] == "1/" and words[end : end + 1] and words[end].text.upper() == "EV":
-        return amount  # a shutter, of which the EV is asked for
+        return amount  # a shutter, whose EV is asked for
     if amount and amount.dimension == NUMBER and "%" not in text:
         for last in range(min(len(words), end + LONGEST_UNIT), end, -1):
             whole = joined(words[start:last])

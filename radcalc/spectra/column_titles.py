@@ -237,7 +237,7 @@ def of_remark(lines: Sequence[str]) -> Meaning | None:
         return None
     meaning = typed("umol/m2/s/nm")
     return meaning._replace(
-        said="in umol/m2/s/nm, as its remark (QNTM) says, photons turned into watts"
+        said="in umol/m2/s/nm, by its remark (QNTM); photons are converted to watts"
     )
 
 

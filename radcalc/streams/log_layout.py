@@ -49,7 +49,7 @@ SECONDS = resolve("s")
 PARTS = ("year", "month", "day", "hour", "minute", "second")  # titles of the parts of times
 FORMATS = ("%Y", "%m", "%d", "%H", "%M", "%S")  # of the parts
 LEAST_PARTS = 3  # a date; with an hour, it is a time
-PAR_ALSO = " (meters give PAR in W/m2, too: its unit in the title, PAR [W/m2], tells)"
+PAR_ALSO = " (some meters give PAR in W/m2; a unit in the title decides: PAR [W/m2])"
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b|^t$")
 
 NumberedLine = tuple[int, str]
@@ -256,8 +256,8 @@ class FirstRows:
         return self.error(
             number,
             f"{count} titles over {width} columns",
-            "a title for each column; quotation marks around what has a delimiter in it, and "
-            "1000 in place of 1,000",
+            "a title for each column; quotation marks around a text with a delimiter, and "
+            "1000 for 1,000",
         )
 
     def _unit_in(self, texts: list[str]) -> Unit | None:

@@ -110,7 +110,7 @@ class Quantities:
         if amount.is_uncertain:
             raise NumberError(
                 f"'{quote(amount.text)}' has an uncertainty, which a stream does not carry",
-                f"the value alone, or a call of its own: {command('convert', quote(amount.text))}",
+                f"the value alone, or a separate call: {command('convert', quote(amount.text))}",
             )
         return self._plan(self.unit_of(amount) or amount.unit), amount.typed[0]
 

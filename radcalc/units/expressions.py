@@ -133,7 +133,7 @@ class Calculator(Scanner):
             )
         if rest.startswith("±"):
             self.is_arithmetic = True
-            return self.wrong("has an uncertainty", "a value of its own for it: 100±3 lx")
+            return self.wrong("has an uncertainty", "a separate value with it: 100±3 lx")
         return self.wrong(f"cannot be read from '{quote(rest)}' on")
 
     def sum(self) -> Value:
@@ -154,7 +154,7 @@ class Calculator(Scanner):
             self.skip_blanks()
             if self.peek() and self.peek() in SIGNS:
                 signs = quote(self.text[self.at - 1 :])
-                hint = "brackets, or for an uncertainty a value of its own: 100±3 lx"
+                hint = "brackets, or a separate value for an uncertainty: 100±3 lx"
                 raise self.wrong(f"has two signs in a row at '{signs}'", hint)
             before = start
             start = self.at

@@ -130,7 +130,7 @@ def _with_units(text: str, series: Sequence[str]) -> Hint:
     """Propose one unit for all values, if only one is typed."""
     units = {_unit_in(value) for value in series} - {""}
     if len(units) > 1 or ":" in text:
-        return "a unit behind each, or one last"
+        return "a unit after each value, or one at the end"
     (unit,) = units
     return correct(text, ",".join([value if _unit_in(value) else value + unit for value in series]))
 

@@ -182,7 +182,7 @@ def _peak(
         value = at(t)
         return -math.inf if value is None else sign * value
 
-    if middle in (left, right):  # an end, from which it may rise before it falls
+    if middle in (left, right):  # an end: from there it may rise before it falls
         aside = middle + NEARER[0] * (left + right - 2 * middle)
         if height(aside) <= height(middle):
             return middle

@@ -77,7 +77,7 @@ class Value:
             a, b, rounding, blur = 0, 0, 0.0, 0.0
         if blur > KEPT:
             problem = "a difference in the expression cancels too many digits of its terms"
-            raise ExpressionError(problem, "terms that are less alike")
+            raise ExpressionError(problem, "terms that differ more")
         had_units = self.had_units or other.had_units
         bottom = self.bottom * other.bottom
         return Value(a + b, bottom, self.dimension, self.units, rounding, had_units, blur)

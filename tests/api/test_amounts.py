@@ -1,4 +1,4 @@
-"""Quantities without keywords: the unit of each decides what it is."""
+"""Quantities without keywords: the unit of each decides its symbol."""
 
 import re
 from contextlib import suppress
@@ -18,7 +18,7 @@ from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 Q = radcalc.Quantity
 PAGES = ["calorimeter", "etendue", "ev", "lambertian", "laser", "mesopic", "point-source",
          "refraction", "room", "screen", "sensor"]  # fmt: skip
-# What an input without its keyword is, where it is not itself: any length is a distance.
+# The symbol of an input without its keyword, where it is not itself: any length is a distance.
 MEANT = {"mesopic-luminance": "luminance", "refraction-angle": "incidence"}
 
 

@@ -25,7 +25,7 @@ LAMP = str(ROOT / "examples" / "downlight.ies")
 CASES = [
     ("convert 800 lm cd", 1300),
     ("convert 800 lm lx --isotropic --distance 2m", 500),
-    (DISC, 802),  # two of them to compare what is given twice
+    (DISC, 802),  # two of them to compare inputs that are given twice
 ]
 TRACES = [
     "convert 800 lm cd --isotropic",

@@ -589,7 +589,7 @@ def test_a_range_in_every_format():
         (("--format", "table"), "16 (15 to 17)"),
         (("--format", "csv"), "16.0,15.0,17.0"),
         (("--precision", "2", "--json"), '"value": 16.0, "unit": "1", "low": 15.0, "high": 17.0'),
-        ((), "note: luminaires to install: 16 (15 to 17), of which the number alone"),
+        ((), "note: luminaires to install: 16 (15 to 17); only the number is printed"),
     ):
         done = run(*words.split(), "3600+-200lm", *wanted, *options, together=True)
         assert expected in done.stdout
@@ -617,4 +617,4 @@ def test_an_uncertainty_is_printed_with_two_digits_at_any_precision():
     ("ev --luminance 4096+-100cd/m2 --time 1/60s -g time", False),
 ])  # fmt: skip
 def test_a_bare_number_says_that_its_uncertainty_is_omitted(words, has_note):
-    assert ("of which the number alone is printed" in run(*words.split()).stderr) == has_note
+    assert ("only the number is printed" in run(*words.split()).stderr) == has_note

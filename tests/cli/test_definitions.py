@@ -1,6 +1,6 @@
 """Units, constants, reflectances and spectra of one's own, from a file of definitions.
 
-Each call is a process of its own: definitions change the tables of a process.
+Each call is a separate process: definitions change the tables of a process.
 """
 
 import json
@@ -26,7 +26,7 @@ SPECTRUM = "wavelength,W\n500,1\n600,1\n"
 
 @pytest.fixture
 def home(tmp_path, monkeypatch):
-    """Return a folder with a configuration and a cache of its own."""
+    """Return a folder with its own configuration and cache."""
     folder = tmp_path / "config" / "radcalc"
     folder.mkdir(parents=True)
     (folder / "definitions.txt").write_text(FILE, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Tasks of `radcalc examples`: what they have, how they are found, and numbers from outside."""
+"""Tasks of `radcalc examples`: their parts, how they are found, and numbers from outside."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""`radcalc help WORD ...`: what is found, in which order, and that the commands answer."""
+"""`radcalc help WORD ...`: the findings and their order, and that the commands answer."""
 
 import json
 import re
@@ -43,7 +43,7 @@ def test_several_commands_are_refused_with_both():
     assert calls == ["convert --help", "ev --help"]
 
 
-# What each word is: the definition of the unit, the quantity that it measures, its misnomer.
+# The kind of each word: the definition of the unit, the quantity that it measures, its misnomer.
 @pytest.mark.parametrize(
     ("words", "kind", "name"),
     [

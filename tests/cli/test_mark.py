@@ -245,7 +245,7 @@ def test_a_decimal_comma_makes_a_point_of_thousands_ambiguous(tmp_path):
     assert verdicts == {("Ann", "right"), ("Ann", "not readable"), ("Bob", "right")}
 
 
-# Calls that are no questions, and a part of the refusal.
+# Calls that are not questions, and a part of the refusal.
 HOSTILE = {
     "environment m.hdr --unit W/m2/sr --save x.hdr": "--save cannot be used in a question",
     "sky overcast --zenith-luminance 1kcd/m2 --plot x.svg": "--plot cannot be used in a question",

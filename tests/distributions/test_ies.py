@@ -311,7 +311,7 @@ def test_assumptions_and_notes():
     assert flux(short) == pytest.approx(200 * math.pi * (1 - math.cos(75 * DEGREE)))
 
 
-# What is refused ---------------------------------------------------------------------------------
+# Refusals -----------------------------------------------------------------------------------------
 
 
 def refused(lines):

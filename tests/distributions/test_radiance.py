@@ -1,7 +1,7 @@
 """Illuminances under photometric files, compared with Radiance.
 
-Radiance's ies2rad reads the files by itself; rtrace then interpolates between their angles.  It is
-told the lamp type "default", so that no lamp table takes a share away.
+Radiance's ies2rad reads the files by itself; rtrace then interpolates between their angles.  It
+gets the lamp type "default", so that no lamp table takes a share away.
 """
 
 import math

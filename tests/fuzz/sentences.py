@@ -1,6 +1,6 @@
 """Sentences in random words: the value of a formula, the value of their command, or a refusal.
 
-A third of the sentences state a problem of which this module knows the value, in a random order
+A third of the sentences state a problem whose value this module knows, in a random order
 and with random fillers, words that change it, phrases too many and too few.  The others are
 phrases and names of the vocabulary in random order, and the same with letters changed.
 """

@@ -62,6 +62,21 @@ def test_a_mistake_is_said_in_another_language(language, words):
     assert in_language(done, "en") == done
 
 
+@pytest.mark.parametrize(
+    ("language", "verdict"),
+    [  # 500 lx on 54 m2 of 3600 lm and 0.6: 12.5
+        ("en", "right (to the 2 digits given): luminaires is 12.5"),
+        ("cs", "správně (na 2 uvedené číslice): počet svítidel je 12.5"),
+        ("ru", "верно (до 2 указанных цифр): число светильников = 12.5"),
+    ],
+)
+def test_numbers_of_digits_and_results_are_in_the_language(monkeypatch, language, verdict):
+    monkeypatch.setenv("LC_ALL", language)
+    room = "room --width 6m --length 9m --illuminance 500lx --flux 3600lm --utilance 0.6"
+    words = f"{room} --check luminaires=13 -q --format table"
+    assert run(*words.split()).stdout.startswith(verdict)
+
+
 def test_a_formula_is_not_translated():
     assert in_language("E = (130 cd) (1) sr / 2.3 m = 56.5 lx", "ru").startswith("E = (130 cd)")
 

@@ -1,4 +1,4 @@
-"""What polar diagrams, discs and integrands plot, against what is known of the light."""
+"""Polar diagrams, discs and integrands, against the known light."""
 
 import math
 import re

@@ -1,4 +1,4 @@
-"""Figures: files that can be read, that say what is drawn, and are the same every time."""
+"""Figures: files that can be read, that name their parts, and are the same every time."""
 
 import math
 import struct

@@ -1,4 +1,4 @@
-"""What pictures of spectra plot, against the tables of the CIE and Planck's law by hand."""
+"""Pictures of spectra, against the tables of the CIE and Planck's law by hand."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""How pictures stand in characters: within the width, at their places, with colour or without."""
+"""Pictures in characters: within the width, at their places, with colour or without."""
 
 import math
 import re

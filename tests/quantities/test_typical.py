@@ -260,7 +260,7 @@ def test_the_values_nearest_to_an_amount_come_first(text, first):
 def test_values_named_after_an_amount_come_before_those_near_it():
     found = search("60W")
     assert [value.what for value in found[:3]] == [
-        "incandescent bulb, 60 W", "incandescent bulb, 60 W, 1 m away", "LED bulb in place of 60 W"
+        "incandescent bulb, 60 W", "incandescent bulb, 60 W, 1 m away", "LED bulb replacing 60 W"
     ]  # fmt: skip
     assert {value.quantity for value in found[3:]} == {"radiant flux"}
     assert {value.quantity for value in search("dBm")} == {"radiant flux"}

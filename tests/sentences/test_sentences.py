@@ -1,4 +1,4 @@
-"""Sentences: what they answer, what they mean, and which are refused."""
+"""Sentences: their answers and meanings, and refusals."""
 
 import math
 import re
@@ -189,7 +189,7 @@ REFUSED = [
     ("1000 cd at 45 deg beam at 3 m to lx", "not understood: at 45 deg beam", ""),
     ("1000 cd lens 50 mm lx", "", ""),
     ("square 3 m wide pool 500 lm to lx", "not understood: square", ""),
-    ("meter reads 500 lx through od 2 filter to lx", "a meter may be before the filter", ""),
+    ("meter reads 500 lx through od 2 filter to lx", "the meter may be in front of the filter", ""),
     ("10 W 450 nm led to lm", "electrical or of its light", "--wavelength 450nm"),
     ("1000 W/m2 sun at 30 deg to W/m2", "the sun's height", ""),
     ("45.3 lx 425kcd 10klx illumination", "given twice", ""),
@@ -210,7 +210,7 @@ def test_a_sentence_with_several_readings_or_none_is_refused(sentence, message, 
     assert hint in done.stderr
 
 
-# Words that change an amount, or its meaning, besides those of the table.
+# Words that change an amount, or its meaning, in addition to those of the table.
 MORE = "mean average peak maximum minimum total incident"
 
 

@@ -68,7 +68,7 @@ def _leads(quantity: Quantity) -> Iterator[str]:
             if len(error.missing) == 1 and _is_one_step(quantity, other):
                 by_condition.setdefault(next(iter(error.missing)), []).append(other.name(ENGLISH))
         except RadcalcError:
-            continue  # no condition leads there, or the quantity has no unit of its own
+            continue  # no condition leads there, or the quantity lacks a unit
     for what, names in by_condition.items():
         yield f"with {what}: {', '.join(names)}"
 

@@ -50,7 +50,7 @@ def test_order_2_of_a_polynomial(projection):
     true += math.pi / 4 * (x * y + 0.7 * (z * z - 1 / 3))
     found = irradiances_of_order_2(around, normals)[:, 0]
     assert found == pytest.approx(true, rel=2e-3)
-    # of the pixels as they are, by the exact sum
+    # of the unchanged pixels, by the exact sum
     assert found == pytest.approx(around.irradiances(normals), rel=2e-4)
 
 
@@ -64,7 +64,7 @@ def test_order_2_of_a_small_sun():
     around = RadianceMap(sun, "latlong")
     found = irradiance_map(around, 64, 32, 2)
     exact = irradiance_map(around, 64, 32).pixels
-    # of 128 directions, of which none is just at 90 degrees, where the difference has its peak, and
+    # of 128 directions: none is exactly at 90 degrees, where the difference has its peak, and
     # one 5 degrees off the sun, where the exact sum has its own
     assert 3 / 32 - 0.006 < found.largest < 3 / 32 + 0.001
     cosine = exact.max() * 17 / 16

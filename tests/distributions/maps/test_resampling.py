@@ -78,7 +78,7 @@ def test_the_same_projection_gives_the_same_pixels(projection):
     around = RadianceMap(values, projection, weights=(1, 1, 1))
     found = reproject(around, projection, width, height)
     found, values = found.reshape(-1, 3), values.reshape(-1, 3)
-    if projection != "latlong":  # next to the rim a pixel is wide, and its parts are no rectangles
+    if projection != "latlong":  # next to the rim a pixel is wide, and its parts are not rectangles
         u = (numpy.arange(width) + 0.5) * 2 / width - 1
         inside = (numpy.hypot(u[:, None], u) < 0.95).ravel()
         found, values = found[inside], values[inside]
