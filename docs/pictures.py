@@ -19,13 +19,25 @@ from rich.text import Text
 
 HERE = Path(__file__).parent
 WIDTH, HEIGHT = 80, 50
-SESSION = (
-    "radcalc 800 lm cd",
-    "radcalc 800 lm lx --isotropic --distance 2m",
-    "radcalc 500 lx ppfd --spectrum LED-B3",
-    "radcalc point-source --flux 500lm --beam-angle 30deg --distance 1m,2m,5m \\\n"
-    "    -g irradiance:lx -g beam-diameter:m --format table",
-)
+SESSIONS = {
+    "session": (
+        "radcalc 800 lm cd",
+        "radcalc 800 lm lx --isotropic --distance 2m",
+        "radcalc 500 lx ppfd --spectrum LED-B3",
+        "radcalc point-source --flux 500lm --beam-angle 30deg --distance 1m,2m,5m \\\n"
+        "    -g irradiance:lx -g beam-diameter:m --format table",
+    ),
+    "homework": (
+        "radcalc 500 lx cd/m2 --reflectance 0.8 --check 400 --steps",
+        "radcalc solid-angle cone --half-angle 30deg --check 0.842sr -q",
+        "radcalc 100 cd at 2 m to lx --check 0,025klx -q",
+    ),
+    "spectra": (
+        "radcalc spectrum D65 LED-B3 HPS -g cct -g cri -g luminous-efficacy:lm/W \\\n"
+        "    -g lux-per-ppfd -q",
+        "radcalc spectrum LED-B3 --plot -g peak-wavelength:nm -q",
+    ),
+}
 DOWNLIGHT = "radcalc point-source --distribution examples/downlight.ies --plot {}"
 
 
@@ -51,18 +63,19 @@ def run(command: str) -> str:
     return written.decode().replace("\r\n", "\n")
 
 
-def session(path: Path) -> None:
-    """Draw a terminal with the commands of SESSION and their output."""
+def session(name: str, path: Path) -> None:
+    """Draw a terminal with the commands of a session and their output."""
     console = Console(record=True, width=WIDTH, file=io.StringIO(), force_terminal=True)
-    for command in SESSION:
+    for command in SESSIONS[name]:
         console.print(Text.assemble(("$ ", "green"), command))
         console.print(Text.from_ansi(run(command)))
-    path.write_text(console.export_svg(title="radcalc", unique_id="session"), encoding="utf-8")
+    path.write_text(console.export_svg(title="radcalc", unique_id=name), encoding="utf-8")
 
 
 def main(folder: Path = HERE) -> None:
     """Write all pictures."""
-    session(folder / "session.svg")
+    for name in SESSIONS:
+        session(name, folder / f"{name}.svg")
     path = folder / "downlight.svg"
     path.unlink(missing_ok=True)
     run(DOWNLIGHT.format(shlex.quote(str(path.resolve()))))

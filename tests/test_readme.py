@@ -80,10 +80,12 @@ def _own_radcalc(monkeypatch):
 
 
 @pytest.mark.usefixtures("_own_radcalc")
-def test_the_session_shows_the_outputs_of_the_commands(tmp_path):
-    PICTURES["session"](tmp_path / "session.svg")
-    assert shown(ROOT / "docs" / "session.svg") == shown(tmp_path / "session.svg")
-    assert "$ radcalc 800 lm cd" in shown(tmp_path / "session.svg")
+@pytest.mark.parametrize("name", PICTURES["SESSIONS"])
+def test_a_session_shows_the_outputs_of_its_commands(tmp_path, name):
+    PICTURES["session"](name, tmp_path / "drawn.svg")
+    assert shown(ROOT / "docs" / f"{name}.svg") == shown(tmp_path / "drawn.svg")
+    first, *_ = PICTURES["SESSIONS"][name][0].split(" \\\n")
+    assert f"$ {first}" in shown(tmp_path / "drawn.svg")
 
 
 @pytest.mark.usefixtures("_own_radcalc")
