@@ -1,4 +1,4 @@
-"""`radcalc examples [WORD ...]`: tasks with their commands, answers and how to read them."""
+"""`radcalc examples [WORD ...]`: tasks with their commands, answers and explanations."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
@@ -29,7 +29,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
       radcalc examples museum          the tasks of a trade, complete
       radcalc examples ppfd spectrum   the tasks that mention both words
 
-    A complete task has its question, its commands, what they print, and how to read it.
+    A complete task has a question, commands with their answers, and an explanation.
     """
     refuse_number_options(output, "examples")
     text = " ".join(words)

@@ -95,7 +95,7 @@ def commands() -> None:
 
     \b
     Examples:
-      radcalc 100 lx fc                   (convert may be left out)
+      radcalc 100 lx fc                   (the word convert is optional)
       radcalc 20000 cd at 8 m to lx       (a sentence)
       radcalc lamp.ies at 3 m             (a luminaire: .ies, .ldt)
       radcalc log.csv                     (any file: a CSV, .hdr, .exr ...)

@@ -9,7 +9,7 @@ COMMANDS = {
     "units": "Units, their definitions and sources.",
     "quantities": "Names of quantities in three languages.",
     "typical": "Typical values: sun, sky, rooms, lamps, screens.",
-    "examples": "Tasks with their commands, answers and how to read them.",
+    "examples": "Tasks with their commands, answers and explanations.",
     "manual": "Pages of the manual.",
     "help": "Help for a command, or a search for words.",
     "prompt": "Interactive prompt, with ans and variables.",

@@ -94,7 +94,7 @@ def call_of(sentence: Sentence) -> list[str]:
         return list(calls[0])
     if not calls:
         parts = [fact.typed for fact in sentence.facts]
-        wanted = f" and asks for {quote(sentence.goals[0].text)}" if sentence.goals else ""
+        wanted = f" and gives {quote(sentence.goals[0].text)}" if sentence.goals else ""
         what = ", ".join(map(quote, parts)) or "these words"
         raise UsageError(f"no command takes {what}{wanted}", manual("convert"))
     tries = [Try(words=tuple(call)) for call in calls[:MOST]]

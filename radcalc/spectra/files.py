@@ -289,7 +289,7 @@ class _Reader:
         titles, text = _titles(line, delimiter, width), columns.plain(line)
         is_sentence = delimiter is None and not column_titles.is_wavelength(text)
         if not is_sentence and sum(map(bool, titles)) > 1:
-            problem = f"{len(titles)} titles over {width} columns"
+            problem = f"{len(titles)} titles for {width} columns"
             raise self.error(number, problem, "a title for each column, or no titles")
         if column_titles.NO_LIGHT.search(text) and ":" not in line:
             raise self.error(number, f"'{quote(line.strip())}' is not light", column_titles.KNOWN)

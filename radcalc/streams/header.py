@@ -192,7 +192,7 @@ class Header:
             if self.source is None:
                 if title.unit is None or not is_same(title.unit, first.unit):
                     raise UsageError(
-                        f"'{quote(first.text)}' and '{quote(title.text)}' have not the same unit",
+                        f"'{quote(first.text)}' and '{quote(title.text)}' have different units",
                         "a call for each unit",
                     )
             elif title.unit and not is_same(title.unit, self.source):

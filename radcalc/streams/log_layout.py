@@ -255,7 +255,7 @@ class FirstRows:
         count = len(columns.cells(line, delimiter))
         return self.error(
             number,
-            f"{count} titles over {width} columns",
+            f"{count} titles for {width} columns",
             "a title for each column; quotation marks around a text with a delimiter, and "
             "1000 for 1,000",
         )

@@ -150,8 +150,8 @@ def test_lines_before_a_table_are_taken_into_account(head, message, tmp_path):
 @pytest.mark.parametrize(
     ("head", "message"),
     [
-        ("wavelength of the leaf", "4 titles over 2 columns"),
-        ("nm absorbance of it", "4 titles over 2 columns"),
+        ("wavelength of the leaf", "4 titles for 2 columns"),
+        ("nm absorbance of it", "4 titles for 2 columns"),
         ("reflectance after cleaning", "is not light"),
         ("flux of photons per nm", "may mean that the values are photons"),
     ],
@@ -391,7 +391,7 @@ def test_a_unit_of_light_that_is_not_per_wavelength_is_refused_without_brackets(
 def test_titles_that_do_not_fit_the_columns_are_refused(tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text("nm,E,umol/m2/s/nm\n400,1\n500,3\n", encoding="utf-8")
-    with pytest.raises(RadcalcError, match="3 titles over 2 columns"):
+    with pytest.raises(RadcalcError, match="3 titles for 2 columns"):
         read_file(str(path))
 
 
