@@ -68,7 +68,7 @@ EXAMPLES = {Shell.command(name, *example_of(name)).removeprefix("radcalc ") for 
 CALLS, STREAMS = sorted({*calls(), *MORE, *EXAMPLES}), sorted({*piped("convert -")})
 LOGS = sorted({*piped("dose -")})
 # Sentences among the calls, which may mean any command.
-SENTENCES = {text for text in CALLS if " at " in text or text.startswith("f/")}
+SENTENCES = {text for text in CALLS if " at " in text or text.startswith(("f/", "EV "))}
 ANSWERS = [text for text in CALLS if not text.startswith(LISTS)]
 
 
