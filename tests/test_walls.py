@@ -316,9 +316,23 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich():
     done = python(PROBE_OF_ALL, json.dumps(calls))
     loaded = json.loads(done.stderr.splitlines()[-1])
     assert len(loaded) == len(calls) > 40
-    assert "click" in loaded[0]
+    assert "click" in loaded[-1]
     for words, modules in zip(calls, loaded, strict=True):
         assert not HEAVY & {*modules} - {"click"}, words
+
+
+@for_each(
+    [
+        "point-source --intensity 100cd --distance 2m",
+        "laser --flux 5mW --diameter 1mm -g irradiance",
+        "ev --f-number 16 --time 1/100s --json",
+        "photon 555nm",
+        "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm",
+        "convert 800 lm cd --isotropic",
+    ]
+)
+def test_a_plain_call_of_a_calculator_into_a_pipe_does_not_load_click(call):
+    assert not HEAVY & loaded_by(*call.split())
 
 
 @for_each(["20000 cd at 8 m to lx", "1200 lm isotropic to cd", "ev100 12 to nits"])

@@ -7,7 +7,14 @@ from typing import Any, NoReturn
 
 from radcalc.errors import UsageError, corrections, nearest, quote
 from radcalc.quantities.light import KINDS
-from radcalc.quantities.symbols import QUANTITY, SYMBOLS, WORD, Symbol
+from radcalc.quantities.symbols import (
+    QUANTITY,
+    SPECIFIC,
+    SYMBOLS,
+    WORD,
+    Symbol,
+    names_of_kinds,
+)
 from radcalc.tuples import NamedTuple
 
 # Forms of operands, in addition to those of symbols.
@@ -102,6 +109,18 @@ class Page(NamedTuple):
                 dimensions=other.dimensions, geometry=other.geometry, generic=other.generic
             )
         return symbol
+
+    def kinds_of(self, name: str) -> list[str]:
+        """Return the symbols of a light quantity for each kind of light that this page has."""
+        if self.symbol(name).generic != name:
+            return []
+        return [other for other in names_of_kinds(name) if SPECIFIC[other][1] in self.kinds]
+
+    def accepts(self, name: str) -> bool:
+        """Return whether a call may give a symbol: of a section, or for one kind of light."""
+        generic, _ = SPECIFIC.get(name, (name, ""))
+        is_listed = any(generic in section for section in self.sections.values())
+        return is_listed and (generic == name or name in self.kinds_of(generic))
 
     @property
     def paragraphs(self) -> list[str]:

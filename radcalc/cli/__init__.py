@@ -1,11 +1,13 @@
 """The command line: one module per command.
 
-Click is loaded for calls with options, for help and for errors; a sentence does without it.
+Click is loaded for help, for errors and for options that are not of a calculator; a sentence and a
+plain call of a calculator do without it.
 """
 
 import os
 
 from radcalc import terminal
+from radcalc.calculators.pages import SUMMARIES
 from radcalc.cli import habits
 from radcalc.cli.names import COMMANDS, EXPLAIN
 from radcalc.errors import RadcalcError
@@ -33,6 +35,10 @@ def run(words: list[str]) -> int:
         from radcalc.cli import lane
 
         status = lane.answer(words)
+    elif words and words[0] in SUMMARIES:
+        from radcalc.cli import plain_call
+
+        status = plain_call.answer(words)
     if status is None:
         from radcalc.cli import boundary
 

@@ -1,6 +1,7 @@
 """Steps common to all calculators: inputs, --get, --check and answers."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from importlib import import_module
 from typing import Any
 
@@ -13,6 +14,7 @@ from radcalc.calculators.task import Task
 from radcalc.cli import check, line_options
 from radcalc.cli.answers import every_answer, show, with_notes
 from radcalc.cli.cases import Case, at_points, cases
+from radcalc.cli.names import own_module
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import Hint, RadcalcError, Try, UsageError, add, command, leave_out, option
@@ -25,12 +27,22 @@ from radcalc.units.ranges import MOST
 BLOCK = 100_000  # values of a long range in one calculation
 
 
+def answerer(name: str) -> Callable[..., int] | None:
+    """Return the function that answers a calculator; None if its command has further options.
+
+    The function has the parameters of `calculate` after the name.
+    """
+    if module := own_module(name):
+        return getattr(module, "answer", None)
+    return partial(calculate, name)
+
+
 def calculate(
     name: str,
-    words: Sequence[str],
     typed: dict[str, Any],
     request: Request,
     output: Output,
+    words: Sequence[str] = (),
 ) -> int:
     """Answer a call of a calculator, of its operands and its typed inputs.
 

@@ -17,11 +17,9 @@ from radcalc.errors import Try, UsageError, add, mention, quote
 from radcalc.quantities.symbols import (
     CHOICE,
     FLAG,
-    SPECIFIC,
     SYMBOLS,
     Symbol,
     light_unit,
-    names_of_kinds,
 )
 
 GET = click.Option(
@@ -118,16 +116,11 @@ def define(
 @cache
 def of_page(name: str) -> "SectionedCommand":
     """Make a command of a calculator's page."""
-    page = page_of(name)
+    from radcalc.cli.calculator import answerer
 
-    def answer(
-        typed: dict[str, Any], request: Any, output: Output, words: Sequence[str] = ()
-    ) -> int:
-        from radcalc.cli.calculator import calculate
-
-        return calculate(name, words, typed, request, output)
-
-    return define(name, page)(answer)
+    answer = answerer(name)
+    assert answer is not None
+    return define(name, page_of(name))(answer)
 
 
 class SymbolOption(click.Option):
@@ -153,7 +146,7 @@ def _options(member: Member, page: Page) -> list[click.Option]:
     symbol = page.symbol(member)
     if member != symbol.generic:
         return [_option(symbol)]
-    other_names = [n for n in names_of_kinds(member) if SPECIFIC[n][1] in page.kinds]
+    other_names = page.kinds_of(member)
     if other_names:
         text = symbol.help.rstrip(".")
         start = f"{text[:-1]}; " if text.endswith(")") else f"{text} ("

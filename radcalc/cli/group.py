@@ -4,7 +4,7 @@ import click
 
 from radcalc import terminal
 from radcalc.cli.help import Helped
-from radcalc.cli.names import COMMANDS, EXPLAIN, GROUPS, HELP_NAMES
+from radcalc.cli.names import COMMANDS, EXPLAIN, GROUPS, HELP_NAMES, own_module
 from radcalc.errors import MINUS, UsageError, quote
 from radcalc.units.numbers import is_sentence
 
@@ -37,15 +37,9 @@ class Commands(Helped, click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in COMMANDS:
             return None
-        from importlib import import_module
-
-        module_name = f"radcalc.cli.{OTHERWISE.get(cmd_name, cmd_name).replace('-', '_')}"
-        command: click.Command
-        try:
-            command = import_module(module_name).command
-        except ModuleNotFoundError as error:
-            if error.name != module_name:
-                raise
+        module = own_module(OTHERWISE.get(cmd_name, cmd_name))
+        command: click.Command | None = getattr(module, "command", None)
+        if command is None:
             from radcalc.cli.command import of_page
 
             command = of_page(cmd_name)

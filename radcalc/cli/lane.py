@@ -1,12 +1,12 @@
 """Sentences that are answered without Click: they have no options, and nothing is refused."""
 
-from importlib.util import find_spec
+from contextlib import suppress
 
 from radcalc import terminal
 from radcalc.cli.files import begins_with_file, say
 from radcalc.cli.heard import Heard, Listener
 from radcalc.cli.output import decide
-from radcalc.cli.request import Request
+from radcalc.cli.plain_call import work_out
 from radcalc.cli.spelling import typed
 from radcalc.errors import ExpressionError, RadcalcError, TooManyWords
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
@@ -96,19 +96,7 @@ def _results(call: "Sequence[str]") -> "Sequence[Result]":
         elif equals:
             return ()
     listener = Listener()
-    output = decide(command=name, listener=listener)
-    try:
-        if name == "convert":
-            from radcalc.calculators.convert import PAGE
-            from radcalc.cli.cases import cases
-            from radcalc.cli.conversions import conversions, show
-
-            show(conversions(operands, cases(given, False, bare=PAGE.bare)), given, False, output)
-        elif find_spec(f"radcalc.cli.{name.replace('-', '_')}") is None:
-            from radcalc.cli.calculator import calculate
-
-            calculate(name, operands, given, Request(tuple(wanted)), output)
-    except Heard:
-        pass
+    with suppress(Heard):
+        work_out(name, operands, given, wanted, decide(command=name, listener=listener))
     results = listener.results
     return [result._replace(named=False) for result in results] if wanted else results

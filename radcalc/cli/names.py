@@ -2,6 +2,10 @@
 
 from radcalc.calculators.pages import SUMMARIES
 
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from types import ModuleType
+
 COMMANDS = {
     **SUMMARIES,
     "mark": "Marks and points for the answers of students to a sheet.",
@@ -41,3 +45,12 @@ GROUPS = {
 }
 HELP_NAMES = SHORT_HELP, COMPLETE_HELP = "-h", "--help"
 EXPLAIN = "--explain"
+
+
+def own_module(name: str) -> "ModuleType | None":
+    """Import the module of a command; None for a calculator that its page describes alone."""
+    from importlib import import_module
+    from importlib.util import find_spec
+
+    module_name = f"radcalc.cli.{name.replace('-', '_')}"
+    return import_module(module_name) if find_spec(module_name) else None

@@ -3,11 +3,10 @@
 from collections.abc import Callable
 from typing import TypeVar
 
-from radcalc.calculators.photon import PAGE, named, photon
+from radcalc.calculators.photon import named, photon
 from radcalc.calculators.task import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
-from radcalc.cli.command import define
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.cli.spelling import Shell
@@ -16,8 +15,9 @@ from radcalc.errors import RadcalcError, UsageError, call, mentioned, spell
 T = TypeVar("T")
 
 
-@define("photon", PAGE)
-def command(words: tuple[str, ...], typed: dict[str, str], request: Request, output: Output) -> int:
+def answer(
+    typed: dict[str, str], request: Request, output: Output, words: tuple[str, ...] = ()
+) -> int:
     """Answer for a wavelength, or a quantity given instead."""
     if not words:
         raise UsageError("a wavelength is missing", call("photon", "555nm"))

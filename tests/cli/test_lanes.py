@@ -1,8 +1,15 @@
-"""The quick lane prints the same bytes as Click, or leaves the call to Click."""
+"""The lanes without Click print the same bytes as Click, or leave the call to Click."""
+
+import shlex
 
 import pytest
+from conftest import ROOT
 
 from radcalc import __main__, cli
+from radcalc.calculators.page import words_of
+from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.cli import boundary, plain_call
+from radcalc.cli.spelling import Shell
 from radcalc.units.numbers import is_sentence
 
 ANSWERED = [
@@ -94,3 +101,68 @@ def test_the_quick_lane_is_for_convert_only(words, piped):
 def test_the_quick_lane_leaves_a_terminal_to_click(piped, monkeypatch):
     monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: True)
     assert __main__.quick_lane(["convert", "100", "lx", "fc"]) is None
+
+
+def examples(command):
+    """Return the calls in the examples of a calculator, as words of the shell."""
+    of_page = [words_of(example)[0] for example in page_of(command).examples]
+    return [shlex.split(Shell.command(command, *words))[1:] for words in of_page]
+
+
+OUTPUT = [[], ["--json"], ["-q"], ["-n"], ["--get", "flux"], ["-g", "irradiance:lx", "--number"]]
+
+
+@pytest.mark.parametrize("command", [name for name in SUMMARIES if page_of(name).examples])
+def test_an_example_of_a_page_has_the_same_answer_without_click(command, piped, monkeypatch):
+    monkeypatch.chdir(ROOT / "examples")
+    for words in examples(command):
+        for more in OUTPUT:
+            call = [*words, *more]
+            status = plain_call.answer(call)
+            plain = piped()
+            if status is None:
+                assert plain == ("", ""), call
+            else:
+                assert (boundary.run(call), piped()) == (status, plain), call
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "point-source --intensity 100cd --distance 2m",
+        "photon 555nm",
+        "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm",
+        "convert 800 lm cd --isotropic",
+        "laser --flux 5mW --diameter 1mm --receiver-diameter 7mm -g received-flux:mW",
+        "solid-angle cone --half-angle 30deg --json",
+    ],
+)
+def test_a_plain_call_is_answered_without_click(call, piped):
+    assert plain_call.answer(call.split()) == 0
+    assert piped().out
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "point-source --intensity 100cd --distance",
+        "point-source --intensity 100cd --distance ''",
+        "point-source --intensity 100cd --distance '- m'",
+        "point-source --intensity=100cd --distance=2m",
+        "point-source --intens 100cd --distance 2m",
+        "point-source --intensity 100cd --intensity 200cd",
+        "point-source --intensity 100cd --distance 2m 3m",
+        "point-source --intensity 100cd --distance 2m --check irradiance=25lx",
+        "point-source --intensity 100cd --steps",
+        "point-source --intensity 100cd --area 1m2",
+        "point-source --intensity -100cd",
+        "point-source -h",
+        "convert 100 lx fc -g irradiance",
+        "convert - lx fc",
+        "units lx",
+        "sky overcast --zenith-luminance 9000cd/m2",
+    ],
+)
+def test_a_plain_call_leaves_the_rest_to_click(call, piped):
+    assert plain_call.answer(shlex.split(call)) is None
+    assert piped() == ("", "")
