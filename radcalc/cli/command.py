@@ -10,7 +10,7 @@ from radcalc.calculators.page import Page, words_of
 from radcalc.calculators.pages import page_of
 from radcalc.cli import options
 from radcalc.cli.help import HELPS, Helped
-from radcalc.cli.output import Output, decide
+from radcalc.cli.output import decide
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
 from radcalc.errors import Try, UsageError, add, mention, quote
