@@ -32,7 +32,7 @@ class Bulk:
     def __init__(self, plan: Plan, precision: int) -> None:
         self.plan = plan
         self.factor = plan.factor
-        self.line = b"%%.%dg\n" % precision
+        self.form = b"%%.%dg" % precision
         able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
         self.singly = not plan.is_linear or any(link.check for link, _ in plan.links)
         self.able = able or not plan.is_linear
@@ -52,39 +52,38 @@ class Bulk:
         self.low = divide(over * bottom - top * under, under * bottom)
 
     def lines(self, block: bytes) -> bytes | None:
-        """Convert lines of one decimal number each; return None if any is unusual.
+        """Convert lines of one decimal number each; return None if any is unusual."""
+        values = self.values(block)
+        return None if values is None else (self.form + b"\n") * len(values) % tuple(values)
+
+    def values(self, block: bytes) -> list[float] | None:
+        """Return the results of lines of one decimal number each; None if any is unusual.
 
         The grammar must read unusual lines: blanks, an empty line, `1/3`, a number out of range.
         """
         shape = shape_of(block)
         if shape is None or not self.able:
             return None
-        texts = block.split(b"\n")
-        texts.pop()
-        exponents = b"e" in shape
         try:
-            if self.plan.links and b"-" in block and min(map(float, texts)) < 0:
-                return None
-            if exponents and not _in_range(texts):
+            typed = floats(block, shape)
+            if typed is None or (self.plan.links and b"-" in block and min(typed) < 0):
                 return None
             if self.singly:
-                values = [self.plan.apply(value) for value in map(float, texts)]
+                values = [self.plan.apply(value) for value in typed]
             elif b"0" * (self.digits + 1) not in shape:
                 factor = self.factor
-                values = [value * factor for value in map(float, texts)]
+                values = [value * factor for value in typed]
             else:
-                values = self.exact(texts)
+                values = self.exact(typed)
         except (ValueError, RadcalcError):
             return None
-        if b"-" in block:
-            values = [value + 0.0 for value in values]  # no -0
-        return self.line * len(values) % tuple(values)
+        return [value + 0.0 for value in values] if b"-" in block else values  # no -0
 
-    def exact(self, texts: list[bytes]) -> list[float]:
-        """Return the product with the exact fraction, rounded once."""
+    def exact(self, values: list[float]) -> list[float]:
+        """Return the products with the exact fraction, rounded once."""
         high, low, factor, splitter, lost = self.high, self.low, self.factor, SPLITTER, LOST
         answers = []
-        for value in map(float, texts):
+        for value in values:
             scaled = splitter * value
             head = scaled - (scaled - value)
             product = head * high
@@ -104,6 +103,17 @@ def shape_of(block: bytes) -> bytes | None:
     return None if is_other else shape
 
 
+def floats(block: bytes, shape: bytes) -> list[float] | None:
+    """Return the numbers of lines; None if one with an exponent may be out of range."""
+    texts = block.split(b"\n")
+    texts.pop()
+    values = list(map(float, texts))
+    if b"e" not in shape:
+        return values
+    sizes = list(map(abs, values))
+    return values if min(sizes) > SMALL and max(sizes) < LARGE else None
+
+
 def numbers(texts: list[bytes]) -> list[float] | None:
     """Return decimal numbers as the grammar reads them, or None for other texts or -0."""
     block = b"\n".join(texts) + b"\n"
@@ -111,17 +121,10 @@ def numbers(texts: list[bytes]) -> list[float] | None:
     if shape is None:
         return None
     try:
-        if b"e" in shape and not _in_range(texts):
-            return None
-        values = list(map(float, texts))
+        values = floats(block, shape)
     except ValueError:
         return None
-    return None if b"-" in block and 0.0 in values else values
-
-
-def _in_range(texts: list[bytes]) -> bool:
-    sizes = list(map(abs, map(float, texts)))
-    return max(sizes) < LARGE and min(sizes) > SMALL
+    return None if values and b"-" in block and 0.0 in values else values
 
 
 def plain_digits(over: int, under: int, precision: int) -> int:

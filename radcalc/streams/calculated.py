@@ -57,7 +57,8 @@ class Calculated:
         self.hear = hear
         self.precision = precision
         self.mark = mark
-        self.form = "\t".join([f"%.{precision or DIGITS}g"] * len(self.wanted)).encode()
+        self.each = "\t".join([f"%.{precision or DIGITS}g"] * len(self.wanted)).encode()
+        self.form = self.each if mark == POINT else b""
         self.units: dict[bytes, Input] = {}  # the first of each unit
         self.fewest = FIRST
 
@@ -116,12 +117,17 @@ class Calculated:
             if POINT in block:
                 return None
             texts = block.replace(self.mark, POINT).split(b"\n")
+        values = self.values(texts)
+        if values is None:
+            return None
+        lines = b"\n".join([self.each] * len(texts)) % tuple(values)
+        return lines if self.mark == POINT else lines.replace(POINT, self.mark)
+
+    def values(self, texts: list[bytes]) -> list[float] | None:
         columns = self._columns(texts)
         if columns is None:
             return None
-        flat = columns[0] if len(columns) == 1 else chain(*zip(*columns, strict=True))
-        lines = b"\n".join([self.form] * len(texts)) % tuple(flat)
-        return lines if self.mark == POINT else lines.replace(POINT, self.mark)
+        return columns[0] if len(columns) == 1 else [*chain(*zip(*columns, strict=True))]
 
     def _columns(self, texts: list[bytes]) -> "list[list[float]] | None":
         if len(texts) < self.fewest:

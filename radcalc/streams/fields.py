@@ -16,6 +16,10 @@ from radcalc.errors import (
     quote,
 )
 
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from radcalc.streams.readers import Texts
+
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
 MOST = 1_000_000  # the greatest number of a field
@@ -169,7 +173,7 @@ class Cut:
         return field
 
     def convert(
-        self, block: bytes, fields: Fields, convert: Convert, width: int = 0, adds: bool = False
+        self, block: bytes, fields: Fields, texts: "Texts", width: int = 0, adds: bool = False
     ) -> bytes | None:
         """Convert the fields of a block of lines, all lines at once.
 
@@ -181,12 +185,12 @@ class Cut:
         if self.delimiter and b'"' in block:
             mark = b""
         if mark and b"#" not in block:
-            converted = self._table(block, mark, fields, convert, width, adds)
-        return converted or self._matched(block, fields, convert, width, adds)
+            converted = self._table(block, mark, fields, texts, width, adds)
+        return converted or self._matched(block, fields, texts.column, width, adds)
 
     @staticmethod
     def _table(
-        block: bytes, mark: bytes, fields: Fields, convert: Convert, expected: int, adds: bool
+        block: bytes, mark: bytes, fields: Fields, texts: "Texts", expected: int, adds: bool
     ) -> bytes | None:
         """Convert column by column, if all lines have the same number of fields."""
         rows = block.count(b"\n")
@@ -198,8 +202,20 @@ class Cut:
         regular = len(cells) == rows * (width + 1) - 1 and ends.count(b"\n") == rows - 1
         if not regular or width < fields.last or expected not in (0, width):
             return None
+        if texts.form and fields.is_one and b"%" not in block:
+            # the results are written at once into the lines, which are their form
+            place = slice(fields.last - 1, None, width + 1)
+            values = texts.values(cells[place])
+            if values is None:
+                return None
+            if adds:
+                form = block.replace(b"\n", mark + texts.form + b"\n")
+            else:
+                cells[place] = [texts.form] * rows
+                form = mark.join(cells).replace(end, b"\n") + b"\n"
+            return form % tuple(values)
         for index in fields.of(width):
-            column = convert(cells[index :: width + 1])
+            column = texts.column(cells[index :: width + 1])
             if column is None:
                 return None
             if adds:

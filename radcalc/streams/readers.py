@@ -22,9 +22,13 @@ POINTED = re.compile(r"\.\d|\d\.(?!\w)")  # a number with a point; W.m-2 has ano
 
 
 class Texts(Protocol):
-    """The reader of the texts in the lines of a stream; `line` is the current one."""
+    """The reader of the texts in the lines of a stream; `line` is the current one.
+
+    `form` is the form of one result where all have it, and else empty.
+    """
 
     line: int
+    form: bytes
 
     def read(self, text: bytes) -> tuple[Any, Any]:
         """Return the value of one text; raise RadcalcError if it has none."""
@@ -37,6 +41,9 @@ class Texts(Protocol):
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
         """Convert many texts; return None if any is unusual."""
+
+    def values(self, texts: list[bytes]) -> list[float] | None:
+        """Return the results of many texts, one for each `form`; None if any is unusual."""
 
 
 class Numbers:
@@ -51,6 +58,7 @@ class Numbers:
         self.precision = precision
         self.mark = mark
         self.bulk = Bulk(plan, precision or DIGITS)
+        self.form = self.bulk.form if mark == POINT else b""
 
     def read(self, text: bytes) -> tuple[Plan, float]:
         try:
@@ -73,9 +81,14 @@ class Numbers:
         lines = self.lines(b"\n".join(texts) + b"\n")
         return None if lines is None else lines[:-1].split(b"\n")
 
+    def values(self, texts: list[bytes]) -> list[float] | None:
+        return self.bulk.values(b"\n".join(texts) + b"\n")
+
 
 class Quantities:
     """Texts with their own units, and a plan for each unit."""
+
+    form = b""
 
     def __init__(
         self,
@@ -152,6 +165,9 @@ class Quantities:
             for place, value in zip(having, numbers.split(b"\n"), strict=False):
                 converted[place] = value + self.unit
         return converted
+
+    def values(self, texts: list[bytes]) -> None:
+        """Return None: the results have units."""
 
     def _bulk(self, unit: bytes, text: bytes) -> Bulk | None:
         """Return the converter of numbers followed by this text of a unit.

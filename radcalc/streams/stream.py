@@ -85,8 +85,7 @@ class Stream:
         if self.is_counted and not self.width:
             return None  # the first lines are read one by one
         if self.cut:
-            column = self.texts.column
-            converted = self.cut.convert(block, self.fields, column, self.width, self.adds)
+            converted = self.cut.convert(block, self.fields, self.texts, self.width, self.adds)
         else:
             converted = self.texts.lines(block)
             if converted and self.adds:

@@ -22,7 +22,7 @@ SOURCES = [("lx", "fc"), ("fc", "lx"), ("lx", "klx"), ("klx", "lx"), ("fL", "nit
 def test_the_product_in_two_parts_is_exact(units, values):
     made = plan(*map(resolve, units))
     texts = [repr(value).encode() for value in values if value == 0 or abs(value) > 1e-99]
-    assert Bulk(made, 12).exact(texts) == [made.apply(float(text)) for text in texts]
+    assert Bulk(made, 12).exact([*map(float, texts)]) == [made.apply(float(text)) for text in texts]
 
 
 @settings(max_examples=200)
