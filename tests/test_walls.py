@@ -327,6 +327,7 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich():
         "laser --flux 5mW --diameter 1mm -g irradiance",
         "ev --f-number 16 --time 1/100s --json",
         "photon 555nm",
+        "mesopic --luminance 0.1cd/m2 --spectrum LED-B3",
         "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm",
         "convert 800 lm cd --isotropic",
     ]

@@ -118,9 +118,9 @@ class Page(NamedTuple):
 
     def accepts(self, name: str) -> bool:
         """Return whether a call may give a symbol: of a section, or for one kind of light."""
-        generic, _ = SPECIFIC.get(name, (name, ""))
-        is_listed = any(generic in section for section in self.sections.values())
-        return is_listed and (generic == name or name in self.kinds_of(generic))
+        listed = [other for section in self.sections.values() for other in section]
+        generic, _ = SPECIFIC.get(name, ("", ""))
+        return name in listed or (generic in listed and name in self.kinds_of(generic))
 
     @property
     def paragraphs(self) -> list[str]:

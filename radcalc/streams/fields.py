@@ -202,18 +202,12 @@ class Cut:
         regular = len(cells) == rows * (width + 1) - 1 and ends.count(b"\n") == rows - 1
         if not regular or width < fields.last or expected not in (0, width):
             return None
-        if texts.form and fields.is_one and b"%" not in block:
-            # the results are written at once into the lines, which are their form
-            place = slice(fields.last - 1, None, width + 1)
-            values = texts.values(cells[place])
+        if adds and texts.form and b"%" not in block:
+            # the lines are the form of their results, which are written at once
+            values = texts.values(cells[fields.last - 1 :: width + 1])
             if values is None:
                 return None
-            if adds:
-                form = block.replace(b"\n", mark + texts.form + b"\n")
-            else:
-                cells[place] = [texts.form] * rows
-                form = mark.join(cells).replace(end, b"\n") + b"\n"
-            return form % tuple(values)
+            return block.replace(b"\n", mark + texts.form + b"\n") % tuple(values)
         for index in fields.of(width):
             column = texts.column(cells[index :: width + 1])
             if column is None:

@@ -13,6 +13,8 @@ from radcalc.distributions.grid import Grid
 from radcalc.distributions.pose import Pose
 
 NUMPY = "import click, numpy"
+# The numbers of the same file, read into an array and nothing else.
+READING = "import click, numpy; numpy.fromstring(open({!r}).read().split('\\n', 2)[2], sep=' ')"
 LAMPS, SIDE = 100, 317  # rows of a scene, and points along each side of its grid: 1e5 points
 MEGABYTES = 60
 
@@ -79,6 +81,8 @@ def main() -> int:
         ours = command(RADCALC, "point-source", "--distribution", str(path))
         theirs = command(sys.executable, "-c", NUMPY)
         met &= report(f"an IES file of 1 MB / {NUMPY}", ours, theirs, 1.6, 20)
+        reading = command(sys.executable, "-c", READING.format(str(path)))
+        met &= report("the same / reading its numbers with NumPy", ours, reading, 1.3, 20)
     met &= many_points()
     return 0 if met else 1
 

@@ -41,7 +41,8 @@ def one(path: str) -> bool:
     def theirs() -> float:
         return float((read_picture(path).pixels @ weights).sum(1) @ sines)
 
-    name = f"{WIDTH}x{HEIGHT} .hdr to an irradiance / reading and a weighted sum"
+    kind = Path(path).suffix
+    name = f"{WIDTH}x{HEIGHT} {kind} to an irradiance / reading and a weighted sum"
     return report(name, ours, theirs, 1.5, 9)
 
 
@@ -64,9 +65,11 @@ def main() -> int:
     cost("irradiance map 64x32", lambda: irradiance_map(around, 64, 32))
     cost("mirror ball of 1024x1024", lambda: reproject(around, "mirror-ball", 1024, 1024))
     with tempfile.TemporaryDirectory() as folder:
-        path = str(Path(folder) / "map.hdr")
-        write_picture(path, pixels)
-        met = one(path)
+        met = True
+        for extension in ("hdr", "exr", "pfm"):
+            path = str(Path(folder) / f"map.{extension}")
+            write_picture(path, pixels)
+            met &= one(path)
     return 0 if met else 1
 
 

@@ -32,10 +32,16 @@ CALCULATORS = [
     "ev --ev100 15",
     "calorimeter --mass 10g --specific-heat 385J/kg/K --temperature-rise 2K --time 30s",
     "photon 555nm",
+    "point-source --intensity 100cd --distance 2m",
+    "laser --flux 5mW --diameter 1mm --receiver-diameter 7mm",
+    "ev --f-number 16 --time 1/100s",
+    "sensor --luminance 100cd/m2 --f-number 2.8 --wavelength 550nm",
+    "mesopic --luminance 0.1cd/m2 --spectrum LED-B3",
+    "sky overcast --zenith-luminance 9000cd/m2 --tilt 90deg",
 ]
 LIST = "point-source --flux 800lm --distance 1m:20m:1m"
 CASES = [
-    ("plain conversion / python -c pass", "convert 100 lx fc", PASS, 1.2),
+    ("plain conversion / python -c pass", "convert 100 lx fc", PASS, 1.1),
     ("plain conversion / qalc", "convert 100 lx fc", QALC, 0.4),
     ("sentence / convert", "100 lx fc", (RADCALC, "convert", "100", "lx", "fc"), 1.05),
     ("expression / import click", "500lx*20m2/(0.6*0.8) klm", CLICK, 1.3),
@@ -43,15 +49,17 @@ CASES = [
     ("--isotropic / import click", "convert 800 lm cd --isotropic", CLICK, 1.2),
     ("--json / import click", "convert 100 lx fc --json", CLICK, 1.2),
     ("refusal / import click", "convert 800 lm cd", CLICK, 1.2),
+    ("a sentence's refusal / import click", "800 lm cd", CLICK, 1.5),
     *((f"{words} / import click", words, CLICK, 1.2) for words in CALCULATORS),
     ("--help / import click", "--help", CLICK, 1.3),
     ("-h / import click", "-h", CLICK, 1.2),
-    ("convert -h / import click", "convert -h", CLICK, 1.3),
+    ("convert -h / import click", "convert -h", CLICK, 1.2),
+    ("point-source -h / import click", "point-source -h", CLICK, 1.2),
     ("--plot / the same without", "spectrum LED-B3 --plot", (RADCALC, "spectrum", "LED-B3"), 1.3),
     ("--plot FILE / a line of Matplotlib", f"spectrum LED-B3 --plot {FILE}", FIGURE, 1.3),
     ("convert --help / import click", "convert --help", CLICK, 1.4),
-    ("a table / import click, rich.table", "100 lx fc --format table", RICH, 1.3),
-    ("a list's table / import click, rich.table", f"{LIST} --format table", RICH, 1.3),
+    ("a table / import click, rich.table", "100 lx fc --format table", RICH, 1.2),
+    ("a list's table / import click, rich.table", f"{LIST} --format table", RICH, 1.2),
 ]
 
 
