@@ -6,7 +6,7 @@ completion does not load the commands or Click.
 
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -202,7 +202,11 @@ def main_options() -> list[click.Option]:
 
 
 def results_of(command: SectionedCommand) -> list[str]:
-    """Return the names of a calculator's results, which the error about an unknown name has."""
+    """Return the names of a calculator's results, which the error about an unknown name has.
+
+    Those on request are not calculated: the packages that they need are missing where a wheel is
+    built.
+    """
     names = [
         option.opts[-1].removeprefix("--")
         for group in command.sections.values()
@@ -211,17 +215,27 @@ def results_of(command: SectionedCommand) -> list[str]:
     ]
     for words in examples_of(command):
         try:
-            with commands.make_context("radcalc", [*words, "-g", "?"]) as call_context:
+            call = [*_without_results(words), "-g", "?"]
+            with commands.make_context("radcalc", call) as call_context:
                 commands.invoke(call_context)
         except UnknownResult as error:
             names += error.names
         except (RadcalcError, click.ClickException):
             continue  # the file is missing here
+    names += command.page.on_request
     kinds = [name for generic in names for name in names_of_kinds(generic)]
     return [
         name
         for name in dict.fromkeys([*names, *kinds])
         if name in SYMBOLS and SYMBOLS[name].dimensions
+    ]
+
+
+def _without_results(words: Sequence[str]) -> list[str]:
+    return [
+        word
+        for before, word in zip(("", *words), words, strict=False)
+        if "-g" not in (before, word)
     ]
 
 

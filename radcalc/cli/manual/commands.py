@@ -117,7 +117,9 @@ def sections_of(of: str) -> Sections:
 def results(of: str) -> Iterator[str]:
     """Yield the results by their names for --get, with letter and unit."""
     command = command_of(of)
-    names = [name for name in results_of(command) if of == "photon" or name not in LINKS]
+    page = command.page  # whose results on request are described by hand
+    hidden = {*page.on_request, *(LINKS if of != "photon" else ())}
+    names = [name for name in results_of(command) if name not in hidden]
     kinds, (rows, _) = _kinds(command), _heard(of)
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
     for name in names:
