@@ -194,7 +194,7 @@ def broadcast(work_out: Callable[[], T]) -> T:
 
 
 def one_of(word: object, names: Sequence[str] | Mapping[str, Any], what: str) -> str:
-    """Return a word that is one of several names."""
-    if not isinstance(word, str) or word not in names:
+    """Return a word that is one of several names, in any case."""
+    if not isinstance(word, str) or word.lower() not in names:
         raise ConditionError(f"unknown {what} '{quote(str(word))}'", ", ".join(names))
-    return word
+    return word.lower()

@@ -10,6 +10,7 @@ from radcalc.api.keywords import Diffuse, Points
 from radcalc.api.pages import of_page
 from radcalc.api.reading import one_of
 from radcalc.api.result import Result
+from radcalc.calculators.lambertian import OPERAND
 from radcalc.calculators.lambertian import lambertian as of_surface
 from radcalc.calculators.point_source import point_source as of_point
 from radcalc.calculators.shapes import SHAPES
@@ -42,20 +43,21 @@ def point_source(*, any_incidence: bool = False, **given: Any) -> Result:
 
 
 @of_page("lambertian", amounts=True)
-def lambertian(shape: Diffuse = "patch", **given: Any) -> Result:
+def lambertian(shape: Diffuse | None = None, **given: Any) -> Result:
     """
     Parameters
     ----------
-    shape : {"patch", "disc", "sphere", "rectangle", "plane", "hemisphere"}
-        The shape of the source.
+    shape : {"patch", "disc", "sphere", "rectangle", "plane", "hemisphere"}, optional
+        The shape of the source (default: a patch, a flat surface; a radius needs a shape).
 
     Examples
     --------
     >>> print(lambertian(luminance="100 cd/m2", area="0.1 m2").flux.round(3))
     31.416 lumen
     """
-    name = one_of(shape, SHAPES, "shape")
-    return calculate("lambertian", given, partial(of_surface, name), {"shape": name})
+    name = "" if shape is None else one_of(shape, SHAPES, "shape")
+    operands = {"shape": name or OPERAND.default}
+    return calculate("lambertian", given, partial(of_surface, name), operands)
 
 
 @of_page("uberlight", amounts=True)

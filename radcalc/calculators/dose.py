@@ -36,6 +36,9 @@ READINGS = {
     "one before a gap, lasts as long as the step before it",
 }
 LONG = 10  # times the mean of the others: longer steps are noted
+HOLE, WITHIN = 1.8, 1.5  # times the usual step: longer ones lack samples; as long or as short ones
+REGULAR = 2 / 3  # share of steps that are as long as the usual one
+ENOUGH = 100  # steps that show the usual one
 MOST = 100_000  # periods: 11 years of hours
 SLACK = 1e-9  # of a number of units
 ROUNDED = 1e-3  # of a gap's limit: times in a log are rounded, as 600.05 s for 10 min in days
@@ -99,6 +102,47 @@ class SampleStep(NamedTuple):
 
 
 NO_STEP = SampleStep(0, 0, 0)
+
+
+class Steps:
+    """The number of bridged steps [ticks] that are as long as the usual one, or longer.
+
+    The usual step is the median of the first steps.
+    """
+
+    def __init__(self) -> None:
+        self.usual = 0.0
+        self.count = self.alike = self.longer = 0
+        self._first: list[Any] = []
+
+    @property
+    def has_holes(self) -> bool:
+        """Return whether the steps are regular but for some longer ones."""
+        return bool(self.longer) and self.alike >= REGULAR * self.count
+
+    def take(self, steps: list[Any]) -> None:
+        if self.usual:
+            self._count(steps)
+            return
+        self._first += steps
+        if len(self._first) >= ENOUGH:
+            self.settle()
+
+    def settle(self) -> None:
+        """Find the usual step among those that were taken."""
+        if not self.usual and self._first:
+            self.usual = sorted(self._first)[(len(self._first) - 1) // 2]
+            self._count(self._first)
+            self._first = []
+
+    def _count(self, steps: list[Any]) -> None:
+        self.count += len(steps)
+        least, most = self.usual / WITHIN, self.usual * WITHIN
+        if min(steps) >= least and max(steps) <= most:
+            self.alike += len(steps)
+        else:
+            self.alike += sum(least <= step <= most for step in steps)
+            self.longer += sum(step > self.usual * HOLE for step in steps)
 
 
 class Period:
@@ -174,6 +218,7 @@ class Dose:
         self.peak, self.peak_at = -inf, 0.0
         self.gaps, self.gap_time, self.widest = 0, 0.0, NO_STEP
         self.step = NO_STEP  # the longest bridged step
+        self.steps = Steps()
         self.negative, self.below, self.least, self.least_at = 0, 0.0, 0.0, 0.0
 
     def interrupt(self) -> None:
@@ -211,7 +256,8 @@ class Dose:
                 self.least, self.least_at = low, times[values.index(low)]
 
     def finish(self) -> None:
-        """End the last mean."""
+        """End the last mean, and the search for the usual step."""
+        self.steps.settle()
         if self.of_means and self.usual:
             self.time = self._hold(self.value, self.time, self.time + self.usual)
 
@@ -241,6 +287,7 @@ class Dose:
         """Add samples without gaps, split at the ends of periods."""
         if steps:
             self.usual = steps[-1]
+            self.steps.take(steps)
             longest = max(steps)
             if longest > self.step.length:
                 at = steps.index(longest)
@@ -336,17 +383,8 @@ class SummedLog(NamedTuple):
                 gap_time = _duration(self.seconds(dose.gap_time))
                 gap_text = f"{dose.gaps} gaps of {gap_time} in all; the longest, {longest}"
             notes.append(f"not bridged: {gap_text}")
-        if other_steps := dose.count - dose.gaps - 2:
-            bridged = dose.time - dose.first - dose.gap_time
-            mean = (bridged - dose.step.length) / other_steps
-            if other_steps > 0 and dose.step.length > LONG * mean:
-                between = self._between(mean, dose.step.length)
-                how = "one mean" if dose.of_means else "interpolated linearly"
-                notes.append(
-                    f"{how}: a step of {self._describe(dose.step)}; the "
-                    f"others have {_duration(self.seconds(mean))} on average "
-                    f"({option('max-gap', between)} would leave it out)"
-                )
+        if bridged := self._on_bridged():
+            notes.append(f"{'one mean' if dose.of_means else 'interpolated linearly'}: {bridged}")
         if dose.negative:
             below = format_number(_exact(dose.below, self.tick))
             count = "a sample" if dose.negative == 1 else f"{dose.negative} samples"
@@ -356,8 +394,32 @@ class SummedLog(NamedTuple):
             )
         return notes
 
-    def _between(self, mean: float, longest: float) -> str:
-        return _duration_text(self.seconds(mean) ** 0.5 * self.seconds(longest) ** 0.5)
+    def _on_bridged(self) -> str:
+        """Return a remark on steps that lack samples, or on one that is much longer than others."""
+        dose = self.dose
+        longest = self._describe(dose.step)
+        if dose.steps.has_holes:
+            usual, count = self.seconds(dose.steps.usual), dose.steps.longer
+            which = f"a step of {longest}"
+            if count > 1:
+                which = f"{count} long steps; the longest, {longest}"
+            cut = option("max-gap", _duration_text(WITHIN * usual))
+            them = "it" if count == 1 else "them"
+            return f"{which}; the usual step has {_duration(usual)} ({cut} would leave {them} out)"
+        others = dose.count - dose.gaps - 2
+        if others <= 0:
+            return ""
+        mean = (dose.time - dose.first - dose.gap_time - dose.step.length) / others
+        if dose.step.length <= LONG * mean:
+            return ""
+        mean = self.seconds(mean)
+        between = option(
+            "max-gap", _duration_text(mean**0.5 * self.seconds(dose.step.length) ** 0.5)
+        )
+        return (
+            f"a step of {longest}; the others have {_duration(mean)} on average "
+            f"({between} would leave it out)"
+        )
 
     def _describe(self, step: SampleStep) -> str:
         length = _duration(self.seconds(step.length))

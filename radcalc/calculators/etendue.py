@@ -6,7 +6,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.page import Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
-from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
+from radcalc.calculators.worksheet import Placed, Worksheet, facing, place, worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import (
     ConditionError,
@@ -178,6 +178,7 @@ def _with_receiver(sheet: Worksheet) -> Placed:
     else:
         placed.add("cosine-of-source", cones.facing(tilt))
         placed.add("cosine", cones.facing(incidence))
+        placed.assume(*facing(given))
         placed.laws.append(laws_of.PATCHES)
     placed.use("tilt", "incidence")
     return placed

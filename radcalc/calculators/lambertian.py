@@ -24,6 +24,7 @@ from radcalc.errors import (
     RadcalcError,
     TooNear,
     UsageError,
+    call,
     command,
     correct,
     mention,
@@ -31,7 +32,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry import far_field
-from radcalc.inputs.given import Input, Inputs, angle_of, offset_of
+from radcalc.inputs.given import Input, Inputs, angle_of, offset_of, split_by_light
 from radcalc.inputs.reading import read
 from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
 from radcalc.maths import Number, acos, any_true, chosen, is_array, piecewise
@@ -101,7 +102,8 @@ PAGE = Page(
     \b
     SHAPE is one of:
       patch (default)  a small flat surface: {area} or another size, with {distance} (optionally
-                       {tilt}, {incidence}), or with {height} and {offset}
+                       {tilt}, {incidence}), or with {height} and {offset}; name the shape
+                       with a {radius} or {diameter}
       disc             {radius} or {diameter}; {height} (or, on the axis, {distance}); optionally
                        {offset}
       sphere           {radius} or {diameter}, and {distance} to its centre
@@ -131,6 +133,8 @@ PAGE = Page(
     mistakes=("flat source", "projected cone"),
 )
 ENDLESS = ("plane", "hemisphere")
+ON_SHAPE = ("area", "flux", "energy", "intensity", "irradiance", "exposure")  # depend on the shape
+ONE_SIDE = "a flat surface that emits on one side (a patch)"  # assumed without a shape
 
 
 def task(words: Sequence[str], wants: Wants) -> Task:
@@ -143,13 +147,19 @@ def task(words: Sequence[str], wants: Wants) -> Task:
     if more_words:
         ways = [correct(word) for word in words[::-1]]
         raise UsageError(f"unexpected argument '{quote(more_words[0])}'", "one shape", ways)
-    return Task("lambertian", partial(lambertian, shape), texts_of({"shape": shape}), shape)
+    work_out = partial(lambertian, shape if words else "")
+    return Task("lambertian", work_out, texts_of({"shape": shape}), shape)
 
 
 def lambertian(shape: str, given: Inputs) -> Answer:
-    """Return the answer for a Lambertian source of a shape of `SHAPES`."""
+    """Return the answer for a Lambertian source of a shape of `SHAPES`.
+
+    Without a shape (''), the source is a patch, unless its size may be that of a sphere.
+    """
+    if not shape:
+        _refuse_round(given)
     try:
-        return _answer(shape, SHAPES[shape].place, given)
+        return _answer(shape, SHAPES[shape or OPERAND.default].place, given)
     except (TooNear, HorizonCuts) as error:
         raise error.reworded(hint=_exact_call(given)) from None
     except Idle as error:
@@ -169,9 +179,24 @@ def lambertian(shape: str, given: Inputs) -> Answer:
             raise error from None
 
 
-def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> Answer:
-    accepts = (*SHAPES[shape].takes, "reflectance", "time")
-    sheet = worksheet(PAGE._replace(title=f"a {shape}"), given, accepts=accepts)
+def _refuse_round(given: Inputs) -> None:
+    """Refuse a radius without a shape if the other inputs fit a sphere as well as a disc."""
+    sizes = [name for name in ("radius", "diameter") if name in given]
+    _, _, rest = split_by_light(given)
+    if sizes and {*rest} <= {*_inputs_of("sphere")}:
+        texts = {name: quote(item.text) for name, item in given.items()}
+        ways = [call("lambertian", shape, **texts) for shape in ("disc", "sphere")]
+        size = option(sizes[0], quote(given[sizes[0]].text))
+        raise MissingInput(f"the shape is missing: {size} fits a disc and a sphere", ways)
+
+
+def _inputs_of(shape: str) -> tuple[str, ...]:
+    return (*SHAPES[shape].takes, "reflectance", "time")
+
+
+def _answer(named: str, find: Callable[[Worksheet], Placed], given: Inputs) -> Answer:
+    shape = named or OPERAND.default
+    sheet = worksheet(PAGE._replace(title=f"a {shape}"), given, accepts=_inputs_of(shape))
     _refuse_dark(given, sheet.lit)
     if shape in ENDLESS:
         _refuse_whole(shape, sheet.lit)
@@ -185,6 +210,8 @@ def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> A
     answers = []
     for solved in solutions:
         solved.assume(*assumed)
+        if not named and solved.has(*ON_SHAPE):
+            solved.assumptions.insert(0, ONE_SIDE)
         _judge(solved)
         answers.append(solved.answer())
     return answers[0]._replace(more=tuple(answers[1:]))

@@ -13,6 +13,7 @@ from radcalc.calculators.point_laws import (
     DIRECTED,
     FLAGS,
     LYING,
+    ON_AXIS,
     POSITION,
     QUANTITIES,
     RECEIVER,
@@ -45,7 +46,7 @@ from radcalc.geometry import far_field
 from radcalc.inputs.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.point import CONICAL, COSINE_BELOW, LAWS, LOBED
+from radcalc.laws.point import CONICAL, COSINE_BELOW, ISOTROPIC, LAWS, LOBED
 from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
@@ -376,6 +377,9 @@ class _Luminaire:
     def _with_remarks(self, solved: Solved) -> Answer:
         solved.assumptions = [*self._of_source(solved), *solved.assumptions]
         solved.notes += self.photometry.notes
+        is_on_axis = not self.is_aside and {"toward", "aim"}.isdisjoint(self.given)
+        if is_on_axis and self.photometry.format != ISOTROPIC and solved.has("irradiance"):
+            solved.assume(ON_AXIS)
         if solved.lit.links and not self.of_shape:
             solved.assume("the same spectrum in every direction")
         solved.note_behind()

@@ -38,6 +38,7 @@ ASSUMED = {
     CONICAL: "the same intensity everywhere in the cone, none outside",
     LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
 }
+ON_AXIS = "the receiver is on the source's axis"
 LYING = "the receiver lies in a plane perpendicular to the source's axis"
 TURNED = "the receiver is turned to that incidence"
 

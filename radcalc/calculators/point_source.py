@@ -13,6 +13,7 @@ from radcalc.calculators.point_laws import (
     FLAGS,
     LOBE,
     LYING,
+    ON_AXIS,
     POSITION,
     QUANTITIES,
     RECEIVER,
@@ -220,6 +221,9 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
     if is_aside:
         require_height(solutions[0])
+    for solved in solutions:
+        if shape == LOBED and not is_aside and solved.has("irradiance"):
+            solved.assume(ON_AXIS)
     answers = [_with_remarks(solved, shape) for solved in solutions]
     return answers[0]._replace(more=tuple(answers[1:]))
 

@@ -237,6 +237,8 @@ def _place_lens(sheet: Worksheet, placed: Placed, laws: list[AnyLaw]) -> None:
     given = sheet.given
     if "off-axis-angle" in given:
         placed.assume("off the axis: the fourth power of the cosine, without vignetting")
+    else:
+        placed.assume(mention("on the axis of the lens ({off-axis-angle})"))
     placed.merge(place(sheet, _off_axis))
     placed.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)")
     if "working-f-number" not in given:

@@ -5,7 +5,13 @@ from collections.abc import Callable
 from functools import reduce
 from typing import Any
 
-from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, refuse_slant_for_height
+from radcalc.calculators.worksheet import (
+    OFFSETS,
+    Placed,
+    Worksheet,
+    facing,
+    refuse_slant_for_height,
+)
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import Exclusive, HorizonCuts, MissingInput, add, leave_out, mention, option
 from radcalc.geometry import cones, far_field, projected, solid, spheres
@@ -168,12 +174,12 @@ def _patch_toward(placed: Seen) -> None:
     placed.add("cosine", cones.facing(incidence))
     placed.add("cosine-of-source", cones.facing(tilt))
     placed.use("incidence", "tilt")
-    placed.face()
+    placed.assume(*facing(given))
     if "distance" in given and any_true(_is_cut(given, given["distance"].value)):
         if not _is_sized(given) or any_true(tilt != 0):
             raise cut_by_horizon(given, _reach(given), given["distance"].value)
         placed.add("incidence", incidence, given["incidence"])
-        placed.assume("a disc that faces the receiver, partly cut by the horizon")
+        placed.assume("a disc, partly cut by the horizon")
         placed.laws.append(CUT_DISC)
     else:
         placed.laws += _small(given)

@@ -389,6 +389,8 @@ def _patch(sheet: Worksheet) -> Placed:
         any_of(given, "the size of the patch", "area", *ROUND)
         one_of(given, "the distance", "distance")
     placed.use("tilt")
+    if "tilt" not in given:
+        placed.assume("the patch faces the viewpoint")
     placed.merge(place(sheet, _tilted))
     solved = solve(sheet, placed.laws, placed)
     if solved.has("area") and solved.has("distance"):

@@ -261,6 +261,14 @@ def _refuse_disparate(given: Inputs) -> None:
         raise ConditionError(f"{option_texts} are too far apart", "less extreme values")
 
 
+def facing(given: Inputs) -> tuple[str, ...]:
+    """Return the assumption for two small surfaces without an incidence, a tilt or both."""
+    if "incidence" not in given:
+        one = "the receiver faces the source"
+        return (one if "tilt" in given else "source and receiver face each other",)
+    return () if "tilt" in given else ("the source faces the receiver",)
+
+
 def refuse_slant_for_height(distance: Input) -> None:
     """Refuse a distance that is not the height above a flat source."""
     raise ConditionError(

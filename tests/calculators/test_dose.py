@@ -244,3 +244,38 @@ def test_a_mean_lasts_until_the_next_sample(rows, size, day, has_limit):
     sums = {int(period.label): period.total + period.low for period in dose.periods}
     assert {k: v for k, v in sums.items() if v} == {k: v for k, v in expected.items() if v}
     assert sum(period.count for period in dose.periods) == len(rows)
+
+
+def notes_of(times, values, size=1 << 20, of_means=False, **told):
+    dose = summed(times, values, size, of_means=of_means, **told)
+    dose.finish()
+    return " ".join(SummedLog(dose, resolve("lx"), (1, 1), str).remarks())
+
+
+# Rows that are taken out of a regular log, and the steps that then lack samples.
+@pytest.mark.parametrize("size", [1, 7, 1000])
+@pytest.mark.parametrize("of_means", [False, True])
+@pytest.mark.parametrize(
+    ("out", "count", "longest"),
+    [({10}, 1, 120), ({10, 50, 51}, 2, 180), ({3, 5, 70, 71, 72}, 3, 240), ({1}, 1, 120)],
+)
+def test_missing_rows_of_a_regular_log_are_noted(out, count, longest, of_means, size):
+    rows = [(60 * k + k % 3, 100.0) for k in range(300) if k not in out]  # the times jitter
+    times, values = map(list, zip(*rows, strict=True))
+    notes = notes_of(times, values, size, of_means)
+    assert (f"{count} long steps" if count > 1 else "a step of ") in notes
+    steps = [b - a for a, b in pairwise(times)]
+    assert max(steps) == pytest.approx(longest, abs=3)
+    assert "the usual step has 1 min" in notes or "the usual step has 1.0" in notes
+    cut = float(notes.partition("max-gap")[2].partition("min")[0].lstrip("\ue001 "))
+    split = summed(times, values, size, longest=60 * cut)
+    assert split.gaps == count
+    assert "the usual step" not in notes_of(times, values, size, longest=60 * cut)
+
+
+@pytest.mark.parametrize(
+    "steps", [[60] * 200, [60, 61, 59] * 70, [1, 7, 30, 100, 3, 400] * 30, [60, 600] * 50]
+)
+def test_a_log_without_missing_rows_or_without_regular_steps_has_no_such_note(steps):
+    times = [0, *accumulate(steps)]
+    assert "the usual step" not in notes_of(times, [1.0] * len(times))

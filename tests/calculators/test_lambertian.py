@@ -363,3 +363,60 @@ def test_a_thin_rectangle_is_a_strip():
         "rectangle", radiance="1W/m2/sr", width="1e-12m", length="1e12m", irradiance="1e-9W/m2"
     )
     assert number(found, "height", "m") == pytest.approx(PI * 1e-12 / 2 / 1e-9, rel=1e-9)
+
+
+# A flux of 1600 lm over pi R^2 or 4 pi R^2, divided by pi sr: ISO 80000-7, exitance and radiance.
+@pytest.mark.parametrize(
+    ("shape", "circles"), [("disc", 1), ("DISC", 1), ("sphere", 4), ("Sphere", 4)]
+)
+def test_a_disc_and_a_sphere_of_one_radius_differ_by_four(shape, circles):
+    found = lambertian(shape, flux="1600 lm", radius="3 cm")
+    expected = 1600 / (circles * PI * 0.03**2) / PI
+    assert number(found, "luminance", "cd/m2") == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("size", ["radius", "diameter"])
+@pytest.mark.parametrize(
+    "light", [{"flux": "1600 lm"}, {"luminance": "9 cd/m2", "distance": "2 m"}]
+)
+def test_a_radius_without_a_shape_is_refused_with_a_call_for_each(size, light):
+    with pytest.raises(RadcalcError, match="the shape is missing") as caught:
+        lambertian(**light, **{size: "3 cm"})
+    for shape in ("disc", "sphere"):
+        assert f'radcalc.lambertian("{shape}", ' in caught.value.hint
+    if "flux" in light and size == "radius":  # the values of the test above
+        assert "180127 " in caught.value.hint
+        assert "45031.6 " in caught.value.hint
+
+
+@pytest.mark.parametrize(
+    ("given", "is_assumed"),
+    [
+        ({"flux": "1600 lm", "area": "2 m2"}, True),
+        ({"flux": "1600 lm"}, True),
+        ({"luminance": "9 cd/m2", "width": "1 m", "length": "2 m"}, True),
+        ({"luminance": "9 cd/m2", "radius": "3 cm", "height": "2 m", "offset": "1 m"}, True),
+        ({"luminance": "9 cd/m2"}, False),
+        ({"incident_illuminance": "500 lx", "reflectance": "0.8"}, False),
+    ],
+)
+def test_a_patch_is_assumed_where_the_shape_matters(given, is_assumed):
+    first = lambertian(**given).assumptions[0]
+    assert ("a flat surface that emits on one side" in first) == is_assumed
+    assert "flat surface" not in " ".join(lambertian("patch", **given).assumptions)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({}, "source and receiver face each other"),
+        ({"tilt": "10 deg"}, "the receiver faces the source"),
+        ({"incidence": "10 deg"}, "the source faces the receiver"),
+    ],
+)
+def test_an_angle_that_is_not_given_is_an_assumption(given, said):
+    assert (
+        said in lambertian(luminance="9 cd/m2", area="1 cm2", distance="2 m", **given).assumptions
+    )
+    between = {"area": "1 cm2", "receiver_area": "1 cm2", "distance": "2 m"}
+    assert said in radcalc.etendue(**between, **given).assumptions
