@@ -5,7 +5,7 @@ A step that is longer than `max-gap`, or that lacks a sample, is a gap: it adds 
 reports it.
 """
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator
 from math import ceil, floor, fsum, inf, log10
 from operator import add, mul, sub
@@ -120,9 +120,9 @@ class Steps:
         """Return whether the steps are regular but for some longer ones."""
         return bool(self.longer) and self.alike >= REGULAR * self.count
 
-    def take(self, steps: list[Any]) -> None:
+    def take(self, steps: list[Any], longest: Any) -> None:
         if self.usual:
-            self._count(steps)
+            self._count(steps, longest)
             return
         self._first += steps
         if len(self._first) >= ENOUGH:
@@ -132,17 +132,18 @@ class Steps:
         """Find the usual step among those that were taken."""
         if not self.usual and self._first:
             self.usual = sorted(self._first)[(len(self._first) - 1) // 2]
-            self._count(self._first)
+            self._count(self._first, max(self._first))
             self._first = []
 
-    def _count(self, steps: list[Any]) -> None:
+    def _count(self, steps: list[Any], longest: Any) -> None:
         self.count += len(steps)
         least, most = self.usual / WITHIN, self.usual * WITHIN
-        if min(steps) >= least and max(steps) <= most:
+        if longest <= most and min(steps) >= least:  # the usual case
             self.alike += len(steps)
-        else:
-            self.alike += sum(least <= step <= most for step in steps)
-            self.longer += sum(step > self.usual * HOLE for step in steps)
+            return
+        ordered = sorted(steps)
+        self.alike += bisect_right(ordered, most) - bisect_left(ordered, least)
+        self.longer += len(ordered) - bisect_right(ordered, self.usual * HOLE)
 
 
 class Period:
@@ -287,8 +288,8 @@ class Dose:
         """Add samples without gaps, split at the ends of periods."""
         if steps:
             self.usual = steps[-1]
-            self.steps.take(steps)
             longest = max(steps)
+            self.steps.take(steps, longest)
             if longest > self.step.length:
                 at = steps.index(longest)
                 self.step = SampleStep(longest, times[at], times[at + 1])
