@@ -71,6 +71,7 @@ class Compiler:
 
     def __init__(self) -> None:
         self.units: dict[str, tuple[tuple[str, str], ...]] = {}
+        self.results: dict[str, dict[str, tuple[str, ...]]] = {}
         for name in ("distance", "temperature"):  # the parameters of spectra
             self.quantities(SYMBOLS[name])
 
@@ -93,6 +94,7 @@ class Compiler:
             f"    {name!r}: {description!r},\n"
             for name, description in listing.described(listing.search())
         )
+        found = "".join(f"    {name!r}: {calls!r},\n" for name, calls in self.results.items())
         return (
             f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own_rows)})\n\n"
             f"# units of the quantities, with their names\n"
@@ -102,6 +104,8 @@ class Compiler:
             f"NAMES = {{\n{quantities}}}\n"
             f"# endings of files, by the form of the value\nENDINGS = {ENDINGS}\n"
             f"# the named spectra\nSPECTRA = {{\n{spectra}}}\n"
+            "# results: the commands that have them, each with the words of a call that shows it\n"
+            f"RESULTS = {{\n{found}}}\n"
         )
 
     def _light_first(self) -> list[tuple[str, tuple[tuple[str, str], ...]]]:
@@ -120,10 +124,16 @@ class Compiler:
     def _options(self, command: SectionedCommand) -> list[Row]:
         results = {}
         if GET in command.params:
-            symbols = [command.page.symbol(name) for name in results_of(command)]
+            calls, waiting = results_of(command), command.page.on_request
+            example = next(iter(examples_of(command)), [])
+            calls |= dict.fromkeys(waiting, example)
             results = {
-                symbol.name: (bool(symbol.kind), self.quantities(symbol)) for symbol in symbols
+                symbol.name: (bool(symbol.kind) or symbol.name in waiting, self.quantities(symbol))
+                for symbol in map(command.page.symbol, calls)
             }
+            for name, words in calls.items():
+                if words:
+                    self.results.setdefault(name, {})[words[0]] = (*words, "-g", name)
         listed = [option for group in command.sections.values() for option in group]
         return [self._option(option, results) for option in (*listed, *HELPS)]
 
@@ -201,41 +211,42 @@ def main_options() -> list[click.Option]:
     ]
 
 
-def results_of(command: SectionedCommand) -> list[str]:
-    """Return the names of a calculator's results, which the error about an unknown name has.
+def results_of(command: SectionedCommand) -> dict[str, list[str]]:
+    """Return the results of a calculator, each with an example that has it, by names.
 
-    Those on request are not calculated: the packages that they need are missing where a wheel is
-    built.
+    The error about an unknown name has those of an example.  Inputs have no example here, and
+    neither have names for one kind of light.  Results on request are not calculated: the packages
+    that they need are missing where a wheel is built.
     """
-    names = [
-        option.opts[-1].removeprefix("--")
+    calls: dict[str, list[str]] = {
+        option.opts[-1].removeprefix("--"): []
         for group in command.sections.values()
         for option in group
         if isinstance(option, SymbolOption) and not option.hidden
-    ]
+    }
     for words in examples_of(command):
         try:
-            call = [*_without_results(words), "-g", "?"]
-            with commands.make_context("radcalc", call) as call_context:
+            call = _without_results(words)
+            with commands.make_context("radcalc", [*call, "-g", "?"]) as call_context:
                 commands.invoke(call_context)
         except UnknownResult as error:
-            names += error.names
+            for name in error.names:
+                calls.setdefault(name, call)
         except (RadcalcError, click.ClickException):
             continue  # the file is missing here
-    names += command.page.on_request
-    kinds = [name for generic in names for name in names_of_kinds(generic)]
-    return [
-        name
-        for name in dict.fromkeys([*names, *kinds])
-        if name in SYMBOLS and SYMBOLS[name].dimensions
-    ]
+    for name in [name for generic in calls for name in names_of_kinds(generic)]:
+        calls.setdefault(name, [])
+    return {
+        name: call for name, call in calls.items() if name in SYMBOLS and SYMBOLS[name].dimensions
+    }
 
 
-def _without_results(words: Sequence[str]) -> list[str]:
+def _without_results(words: list[str]) -> list[str]:
+    """Return the words of a call without the results that it asks for."""
     return [
         word
-        for before, word in zip(("", *words), words, strict=False)
-        if "-g" not in (before, word)
+        for word, before in zip(words, ["", *words], strict=False)
+        if "-g" not in (word, before)
     ]
 
 

@@ -1,7 +1,7 @@
 """Whatever has some words in its name or text: the search of `radcalc help`.
 
-The commands and their options come from the table of completion; quantities, units, spectra and
-typical values from the searches of their own commands.
+The commands, their options and results come from the table of completion; quantities, units,
+spectra and typical values from the searches of their own commands.
 """
 
 import re
@@ -16,7 +16,9 @@ from radcalc.errors import RadcalcError, nearest
 from radcalc.quantities import entries, search, typical
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import QUANTITIES
-from radcalc.quantities.search import comparable, matching
+from radcalc.quantities.search import comparable, matching, names_elsewhere
+from radcalc.quantities.symbols import SYMBOLS
+from radcalc.quantities.synonyms import SYNONYMS
 from radcalc.spectra import listing
 from radcalc.spectra.kinds import FORMS
 from radcalc.spectra.sources import MEANT as INSTEAD
@@ -80,6 +82,7 @@ def near(text: str, count: int) -> list[str]:
 def _names() -> Iterator[str]:
     yield from COMMANDS
     yield from (name.lstrip("-") for name in _rows())
+    yield from table.RESULTS
     yield from (name for q in QUANTITIES for code in LANGUAGES for name in q.names(code))
     yield from UNITS
     yield from TAKEN
@@ -122,14 +125,34 @@ def _options(are_hidden: bool) -> Iterator[Finding]:
         if are_hidden == bool(shown):
             continue
         helps = shown or {command: help_text for command, help_text, _ in rows}
-        first, *others = helps
-        where = ", ".join([*helps][:NAMED])
-        if len(helps) == len(COMMANDS):
-            where = "every command"
-        elif len(others) >= NAMED:
-            where += f" and {len(helps) - NAMED} more"
+        first = next(iter(helps))
+        where = "every command" if len(helps) == len(COMMANDS) else _listed([*helps])
         what = f"{_sentence(OTHER_NAMES.sub('', helps[first]))} ({where})"
-        yield Finding("option", name, what, (first, "--help"), (name,), " ".join(helps.values()))
+        synonyms = SYNONYMS.get(name.lstrip("-"), "")
+        words = " ".join([*helps.values(), synonyms])
+        yield Finding("option", name, what, (first, "--help"), (name,), words)
+
+
+def _of_results(text: str) -> Iterable[Finding]:
+    """Return the results of commands that are not options, by any of their names."""
+    options = _rows()
+    every = [_result(*row) for row in table.RESULTS.items() if f"--{row[0]}" not in options]
+    return matching(text, every, _all_words)
+
+
+def _result(name: str, calls: dict[str, tuple[str, ...]]) -> Finding:
+    symbol = SYMBOLS[name]
+    letter = symbol.letter.replace("_", "")
+    names = (name, symbol.label, letter, *names_elsewhere(symbol.label))
+    what = f"{symbol.label} ({_listed([*calls])})"
+    return Finding("result", name, what, next(iter(calls.values())), names, SYNONYMS.get(name, ""))
+
+
+def _listed(commands: Sequence[str]) -> str:
+    """Return the first names of commands, and the number of the others."""
+    more = len(commands) - NAMED
+    listing = ", ".join(commands[:NAMED])
+    return f"{listing} and {more} more" if more > 0 else listing
 
 
 def _rows() -> dict[str, list[tuple[str, str, bool]]]:
@@ -203,6 +226,7 @@ def _sentence(text: str) -> str:
 # In the order of the kinds in an answer.
 SEARCHES: Sequence[Callable[[str], Iterable[Finding]]] = (
     _of_commands,
+    _of_results,
     _of_quantities,
     _of_units,
     _of_spectra,

@@ -18,6 +18,7 @@ MOST, OF_A_KIND = 20, 5  # findings shown, and of one kind unless they have the 
 # The kinds with their plurals, and the commands that list all of one kind.
 KINDS = {
     "command": ("commands", ()),
+    "result": ("results", ()),
     "quantity": ("quantities", ("quantities",)),
     "unit": ("units", ("units",)),
     "spectrum": ("spectra", ("spectrum", "--list")),
@@ -37,8 +38,8 @@ def command(words: tuple[str, ...], output: Output) -> None:
       radcalc help lux                 a unit, its quantity, typical values
       radcalc help sunlight            spectra and typical values
 
-    The search covers commands, options, quantities, units, spectra and typical values.  Exact names
-    come first, then names that begin so, then words of names and of texts.
+    The search covers commands, options, results, quantities, units, spectra and typical values.
+    Exact names come first, then names that begin so, then words of names and of texts.
     """
     refuse_number_options(output, "help")
     text = " ".join(words)

@@ -1,4 +1,4 @@
-"""The table of completion: the commands with their options and results, units, names, spectra.
+"""The table of completion: commands with their options, units, names, spectra and results.
 
 A wheel brings it as the module `built`.  Sources keep the one that `radcalc.cli.compile` made of
 them; after a change of the sources the table is empty until it is made again.
@@ -15,12 +15,13 @@ UNITS: "dict[str, Any]" = {}
 NAMES: "dict[str, Any]" = {}
 ENDINGS: "dict[str, Any]" = {}
 SPECTRA: "dict[str, Any]" = {}
+RESULTS: "dict[str, Any]" = {}
 
 
 def fill(values: "Mapping[str, Any]") -> None:
     """Fill the table, whose parts other modules have imported."""
     RADCALC[:] = values["RADCALC"]
-    for name in ("COMMANDS", "UNITS", "NAMES", "ENDINGS", "SPECTRA"):
+    for name in ("COMMANDS", "UNITS", "NAMES", "ENDINGS", "SPECTRA", "RESULTS"):
         globals()[name].update(values[name])
 
 

@@ -147,18 +147,18 @@ def _other_quantities() -> Iterator[Other]:
     """Return the quantities of `name_of` that are not in the vocabulary, and the wavelength."""
     for dimension, (name, _) in OTHERS.items():
         if dimension != NUMBER:
-            yield Other(_named(name), Unit("", 1, 1, dimension, ()))
+            yield Other((name, *names_elsewhere(name)), Unit("", 1, 1, dimension, ()))
     for kind, geometry in product(KIND_NAMES, GEOMETRIES):
         for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
             name = Reading(kind, *geometry, axis).name.partition(" (")[0]
             yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
-    yield Other(_named("wavelength"), Unit("", 1, 1, LENGTH, ()))
+    yield Other(("wavelength", *names_elsewhere("wavelength")), Unit("", 1, 1, LENGTH, ()))
 
 
-def _named(label: str) -> tuple[str, ...]:
-    """Return a label with its other names: in Czech, in Russian, and for searches."""
+def names_elsewhere(label: str) -> tuple[str, ...]:
+    """Return the other names of a label: in Czech, in Russian, and for searches."""
     others = OTHER_NAMES.get(label)
-    return (label, *LABELS.get(label, ()), *(others.split(", ") if others else ()))
+    return (*LABELS.get(label, ()), *(others.split(", ") if others else ()))
 
 
 def called(text: str) -> list[Found]:

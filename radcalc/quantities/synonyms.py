@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 # Symbols, and names of options, with other words for them.
 SYNONYMS = {
-    "distance": "dist range separation",
+    "distance": "dist range separation throw",
     "f-number": "aperture f-stop fstop stop",
     "limit": "mpe el",
     "time": "shutter shutter-speed exposure-time duration hours photoperiod daylength",
@@ -50,6 +50,9 @@ SYNONYMS = {
     "height": "mounting-height",
     "fwhm": "linewidth bandwidth",
     "divergence": "full-divergence spread",
+    "beam-diameter": "pool spot-size",
+    "rf": "tm-30 tm30 fidelity",
+    "rg": "tm-30 tm30 gamut",
 }
 
 

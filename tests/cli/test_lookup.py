@@ -135,7 +135,7 @@ def test_a_misspelt_name_is_proposed(typed, name):
 
 def test_every_search_finds_something():
     for search in SEARCHES:
-        assert any([*search(word)] for word in ("light", "sun", "D65", "illuminance"))
+        assert any([*search(word)] for word in ("light", "sun", "D65", "illuminance", "cri"))
 
 
 @for_each(THINGS[::3])
@@ -156,3 +156,32 @@ def test_a_table_keeps_each_command_on_one_line():
     assert "command to type" in text
     for *_, command in rows("beam", "angle"):
         assert command in text
+
+
+# The names of CIE 13.3, ANSI/IES TM-30 and SMPTE ST 2122, and those that people use for them.
+@for_each(
+    [
+        ("cri", "cri"),
+        ("Ra", "cri"),
+        ("colour rendering", "cri"),
+        ("index podání barev", "cri"),
+        ("R9", "r9"),
+        ("SSI", "ssi"),
+        ("spectral similarity", "ssi"),
+        ("TM-30", "rf"),
+        ("fidelity", "rf"),
+        ("gamut", "rg"),
+        ("beam diameter", "beam-diameter"),
+        ("pool", "beam-diameter"),
+        ("rcs-h5", "rcs-h5"),
+    ]
+)
+def test_a_result_is_found_first_with_a_call_that_shows_it(text, name):
+    first = find(text)[0]
+    assert (first.kind, first.name) == ("result", name)
+    if not name.startswith("r"):  # those of colour-science take long
+        assert run(*first.call, "-q").stdout.strip().replace("\n", "").replace(".", "").isdigit()
+
+
+def test_the_distance_is_found_by_the_word_of_the_stage():
+    assert find("throw")[0].name == "--distance"

@@ -117,9 +117,7 @@ def sections_of(of: str) -> Sections:
 def results(of: str) -> Iterator[str]:
     """Yield the results by their names for --get, with letter and unit."""
     command = command_of(of)
-    page = command.page  # whose results on request are described by hand
-    hidden = {*page.on_request, *(LINKS if of != "photon" else ())}
-    names = [name for name in results_of(command) if name not in hidden]
+    names = [name for name in results_of(command) if of == "photon" or name not in LINKS]
     kinds, (rows, _) = _kinds(command), _heard(of)
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
     for name in names:
