@@ -1,7 +1,7 @@
 """Results of functions: quantities by name, with assumptions, notes and steps."""
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,6 +16,9 @@ from radcalc.calculators.results import in_unit, name_in, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.inputs.given import Inputs
 from radcalc.maths import frozen, is_column
+from radcalc.quantities.language import ENGLISH
+from radcalc.quantities.search import called as quantities_called
+from radcalc.quantities.synonyms import meant
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
 from radcalc.units.table import unit_of as unit_of_text
@@ -33,6 +36,15 @@ class Undrawn(NamedTuple):
 
     problem: str
     hint: str
+
+
+def _alike(name: str, names: Iterable[str]) -> list[str]:
+    """Return the results that an unknown name may mean: ppfd, lux, R9."""
+    known = [*map(symbol_name, names)]
+    word = symbol_name(name.lower())
+    called = [q.name(ENGLISH).replace(" ", "-") for q, _ in quantities_called(word)]
+    found = [one for one in called if one in known] or meant(word, known)
+    return [*map(keyword, found or nearest(word, known, 3))]
 
 
 class MissingResult(RadcalcError, KeyError, AttributeError):
@@ -95,7 +107,8 @@ class Result(Mapping[str, Quantity]):
         if called in self._later and called not in self._every:
             self._every[called] = self._later[called]()
         if called not in self._every:
-            near = self._in_unit(str(name)) or nearest(called, self._every, 3) or self._names
+            names = [*self._every, *self._later]
+            near = self._in_unit(str(name)) or _alike(called, names) or self._names
             raise MissingResult(f"unknown result '{quote(str(name))}'", ", ".join(near))
         return self._every[called]  # type: ignore[no-any-return]
 

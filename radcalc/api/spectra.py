@@ -5,15 +5,20 @@ from __future__ import annotations
 import os
 from typing import Any
 
+import numpy
+
 from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Amount, Path
 from radcalc.api.pages import of_page
+from radcalc.api.quantity import is_quantity, magnitude_of, unit_of
+from radcalc.api.reading import library_of
 from radcalc.api.result import Result
 from radcalc.calculators.photon import named
 from radcalc.calculators.photon import photon as of_photon
 from radcalc.calculators.spectrum import spectrum as of_spectrum
 from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.inputs.given import Inputs
+from radcalc.spectra.files import read_text
 
 
 @of_page("photon")
@@ -35,34 +40,74 @@ def photon(wavelength: Amount, **given: Any) -> Result:
 
 @of_page("spectrum")
 def spectrum(
-    source: Path, *, column: str | int | None = None, unit: str = "", **given: Any
+    source: Path | Any, *, column: str | int | None = None, unit: str = "", **given: Any
 ) -> Result:
     """Compute the peak, width, efficacies, photons and colour of a spectrum.
 
     Parameters
     ----------
-    source : str or path
+    source : str, path, data frame, series, or pair of arrays
         A name (``"D65"``, ``"LED-B3"``), ``"blackbody:2856K"``, ``"line:632.8nm"``, a file ...
+        A data frame of pandas or Polars is read like a file with its titles; a series of pandas
+        has the wavelengths as its index; a pair has the wavelengths and the values, each as
+        numbers or as a quantity.
     column : str or int, optional
-        The column of a file's values, by title or number.
+        The column of the values of a file or a data frame, by title or number.
     unit : str, optional
-        The unit of a file's values: ``"W/m2/nm"`` ..., ``"relative"`` or ``"photons"``.
+        The unit of the values: ``"W/m2/nm"`` ..., ``"relative"`` or ``"photons"``.
 
     Examples
     --------
     >>> found = spectrum("D65")
     >>> print(found.x.round(4), found.y.round(4))
     0.3127 dimensionless 0.329 dimensionless
+    >>> lamp = spectrum(([400, 500, 600, 700], [1, 2, 2, 1]), unit="W/m2/nm")
+    >>> print(lamp.irradiance)
+    500.0 watt / metre ** 2
     """
-    if not isinstance(source, (str, os.PathLike)):
-        raise ConditionError(f"a spectrum is a text, not a {type(source).__name__}", '"D65"')
-    text = os.fspath(source)
     texts = {"column": "" if column is None else str(column), "unit": unit}
     operands = {name: chosen for name, chosen in texts.items() if chosen}
-    chosen = (text, *texts.values()) if operands else text
+    if isinstance(source, (str, os.PathLike)):
+        text = os.fspath(source)
+        chosen: Any = (text, *texts.values()) if operands else text
+    else:
+        chosen = read_text(*_table(source), *texts.values())
     requested = ("ssi",) if given.get("reference") else ()  # which it is for
     symbols = {"spectrum": chosen, **given}
     return calculate("spectrum", symbols, of_spectrum, operands, requested=requested)
+
+
+def _table(source: Any) -> tuple[str, str]:
+    """Return the kind of a table in memory, and its text, with a line for each wavelength."""
+    name = type(source).__name__
+    columns: Any = None
+    if isinstance(source, (tuple, list)) and len(source) == 2:
+        name = "arrays"
+        columns = dict(zip(map(_title, source, ("wavelength", "value")), source, strict=True))
+    elif library_of(source) and name == "Series" and hasattr(source, "index"):
+        columns = {source.index.name or "wavelength": source.index, source.name or "value": source}
+    elif library_of(source) and name == "DataFrame":
+        if hasattr(source, "index") and (source.index.name or len(source.columns) == 1):
+            source = source.reset_index()
+        columns = {title: source[title] for title in source.columns}
+    if columns is None:
+        hint = (
+            'radcalc.spectrum("D65"), radcalc.spectrum("FILE") or '
+            'radcalc.spectrum((wavelengths, values), unit="W/m2/nm")'
+        )
+        raise ConditionError(f"a spectrum is a text or a table, not of type {name}", hint)
+    arrays = [numpy.asarray(magnitude_of(values)) for values in columns.values()]
+    if any(array.shape != arrays[0].shape[:1] for array in arrays):
+        shapes = " and ".join(str(array.shape) for array in arrays)
+        raise ConditionError(
+            f"the wavelengths and the values have the shapes {shapes}", "arrays of one length"
+        )
+    rows = [columns, *zip(*(array.tolist() for array in arrays), strict=True)]
+    return name, "".join("\t".join(" ".join(str(c).split()) for c in row) + "\n" for row in rows)
+
+
+def _title(values: Any, name: str) -> str:
+    return f"{name} [{unit_of(values).text}]" if is_quantity(values) else name
 
 
 def _named(inputs: Inputs) -> Inputs:

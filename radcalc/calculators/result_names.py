@@ -20,13 +20,13 @@ def meant(
 ) -> tuple[str, str]:
     """Return the result, and its unit or '', that a symbol or a foreign name means.
 
-    `dimension` is that of the unit that is asked for.  Both are '' if the name means no result, or
-    none of that dimension.  Raises UsageError if it means several.
+    `dimension` is that of the unit that is asked for.  The result may be absent.  Both are '' if
+    the name means no result, or none of that dimension.  Raises UsageError if it means several.
     """
     if name in SPECIFIC or name in SYMBOLS:
         return "", ""
     present = [value for value in values if not value.is_absent]
-    found = _by_letter(name, present) or _by_name(name, present)
+    found = _by_letter(name, present) or _by_name(name, present) or _by_name(name, values)
     if dimension:
         found = [way for way in found if _measures(way[1], dimension)]
     if len(found) > 1:
@@ -70,11 +70,15 @@ def _by_name(name: str, values: Sequence[Value]) -> list[tuple[str, str]]:
 def _of_light(quantities: Sequence[Quantity], values: Sequence[Value]) -> list[tuple[str, str]]:
     """Return the results that are one of the quantities, in its unit; those at hand if any are."""
     found = {}
+    by_name = {value.name: value for value in values}
     for quantity in quantities:
         name = quantity.name("en").replace(" ", "-")
         reading = read(resolve(quantity.unit))
         generic, kind = SPECIFIC.get(name, (name, reading.kind if reading else ""))
-        value = next((value for value in values if value.name == generic), None)
+        if name in by_name:
+            found[name, ""] = True
+            continue
+        value = by_name.get(generic)
         if value is None:
             continue
         unit = light_unit(generic, kind) if kind and not (reading and reading.axis) else ""
@@ -84,4 +88,4 @@ def _of_light(quantities: Sequence[Quantity], values: Sequence[Value]) -> list[t
 
 
 def _distinct(values: Sequence[Value]) -> list[tuple[str, str]]:
-    return list(dict.fromkeys((value.name, value.units[0]) for value in values))
+    return list(dict.fromkeys((value.name, "".join(value.units[:1])) for value in values))

@@ -29,6 +29,7 @@ from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, light_unit, specific_name
+from radcalc.quantities.synonyms import meant
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import Dimension, Unit
@@ -261,11 +262,15 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 label, letter = of_kind(value, unit)
         row = Row(label, letter, number, text, case, name, is_given, 0.0, value.form, ends)
         return _apart(row)
-    from radcalc.calculators.result_names import meant
+    from radcalc.calculators import result_names
 
-    other, unit_text = meant(name, values, measured_in(text).dimension if text else None)
+    dimension = measured_in(text).dimension if text else None
+    other, unit_text = result_names.meant(name, values, dimension)
     if other:
-        return pick(values, f"{other}:{text or unit_text}", case)
+        try:
+            return pick(values, f"{other}:{text or unit_text}", case)
+        except RadcalcError as error:
+            raise _as_typed(error, name, other) from None
     names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
     linked = _of_kind(name, generic, values) if generic in names and not text else []
@@ -275,6 +280,15 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     few = names if len(names) <= MOST_OF_A_UNIT else []
     hint = linked or corrections(name, *(right_names(name, values) or few))
     raise UnknownResult(f"{of_case}unknown result '{quote(name)}'", names, hint)
+
+
+def _as_typed(error: RadcalcError, typed: str, name: str) -> RadcalcError:
+    """Return the error of a result whose hint replaces the name as the user typed it."""
+    tries = [
+        correct(typed, *one.instead[1:], remark=one.remark) if one.instead[:1] == (name,) else one
+        for one in error.tries
+    ]
+    return error.reworded(tries=tries)
 
 
 def _of_kind(name: str, generic: str, values: Sequence[Value]) -> list[Try]:
@@ -342,7 +356,12 @@ def right_names(name: str, values: Sequence[Value]) -> Sequence[str]:
     if word in (*names, *(v.also for v in present if v.also)):
         return [word]
     lettered = [name for name in names if name in SYMBOLS and letter_of(name).lower() == word]
-    return [*dict.fromkeys(lettered)] or nearest(word, names) or _related(word, present)
+    return (
+        [*dict.fromkeys(lettered)]
+        or meant(word, names)
+        or nearest(word, names)
+        or _related(word, present)
+    )
 
 
 def _related(name: str, values: Sequence[Value]) -> list[str]:

@@ -182,7 +182,7 @@ def _photons(counts: Counts) -> list[Value]:
 
 
 def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
-    """Return irradiance and illuminance of an absolute source, or a black body's radiation.
+    """Return the light of an absolute source in each kind, or a black body's radiation.
 
     `amounts` are its watts, lumens and photons; each result has all three kinds.
     """
@@ -197,7 +197,7 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
             value("temperature", source.temperature),
         ]
     if source.absolute:
-        return [_of_light(source.absolute, kind, amounts) for kind in (RADIANT, LUMINOUS)]
+        return [_of_light(source.absolute, kind, amounts) for kind in amounts]
     hint = command("convert", "VALUE", "UNIT", "UNIT", spectrum=source.label)
     return [absent(name, RELATIVE, hint, *others) for name, *others in INSTEAD]
 

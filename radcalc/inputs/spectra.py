@@ -16,9 +16,11 @@ RANGE = re.compile(r"(\d+\.?\d*)\s*(?:nm|um|µm)?\s*(?:[-:,–]|to|\.\.)\s*(\d+\
 
 
 def spectrum_input(symbol: Symbol, value: Any) -> Input:
-    """Read a spectrum: a text, or the path, column and unit of a file."""
-    from radcalc.spectra.sources import spectrum, uncertain_parameter
+    """Read a spectrum: a text, the path, column and unit of a file, or a spectrum."""
+    from radcalc.spectra.sources import Spectrum, spectrum, uncertain_parameter
 
+    if isinstance(value, Spectrum):
+        return Input(symbol, value.label, value)
     if isinstance(value, tuple):  # a file, its column and its unit
         return Input(symbol, value[0], spectrum(*value))
     text = str(value).strip()

@@ -6,6 +6,7 @@ Unambiguous files are read, with notes; anything else is an error with its line.
 import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from io import BytesIO
 from itertools import chain, islice, pairwise
 from operator import lt
 from typing import Any, NamedTuple
@@ -50,6 +51,12 @@ def read_file(path: str, column: str = "", unit: str = "") -> Table:
     with reading(path, "a file with a spectrum") as (name, read):
         typed = column_titles.typed(unit) if unit else None
         return _Reader(name, read, column, typed, path).table()
+
+
+def read_text(name: str, text: str, column: str = "", unit: str = "") -> Table:
+    """Read a spectrum from the text of a table, as `read_file` reads it from a file."""
+    typed = column_titles.typed(unit) if unit else None
+    return _Reader(name, BytesIO(text.encode()).read, column, typed).table()
 
 
 def is_spectrum(lines: Lines) -> bool:
