@@ -16,7 +16,7 @@ from radcalc.api.spelling import in_words, keyword
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer as answer_of
 from radcalc.conversion.plan import plan, source_of, target_of
-from radcalc.errors import ConditionError, ConversionError, UnitError, option, quote
+from radcalc.errors import ConditionError, ConversionError, NumberError, UnitError, option, quote
 from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe, result_name
@@ -70,6 +70,10 @@ def convert(value: Number, target: str, to: str | None = None, **conditions: Any
     >>> convert("10 mW", "dBm"), str(convert("-30 dBm", "uW"))
     (10.0, '1.0 microwatt')
     """
+    if isinstance(value, float) and value != value:
+        units = ", ".join(f'"{unit}"' for unit in (target, to) if unit)
+        hint = f"radcalc.convert(np.array([np.nan]), {units}), which passes it on"
+        raise NumberError("the value is NaN, not a number", hint)
     value, target = _with_unit(value, target, to)
     columns, arrays = take_columns({"value": value, **conditions})
     if columns:

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 else:
     Quantity = light_registry().Quantity
 
+SHOWN = 3  # elements of an array in a message
+
 
 def is_quantity(value: Any) -> bool:
     """Return whether a value is a quantity; refuse one of another registry."""
@@ -69,12 +71,15 @@ def typed(value: Any) -> str:
 
 
 def in_short(value: Any) -> str:
-    """Return a number, a quantity, or several solutions in short, for a message."""
+    """Return a number, a quantity, several solutions or an array in short, for a message."""
     if is_quantity(value):
         number, unit = plain(value)
         return f"{in_short(number)} {unit.text}"
     numbers = value.ravel().tolist() if hasattr(value, "ravel") else [value]
-    return " or ".join(dict.fromkeys([f"{number:.6g}" for number in numbers]))
+    texts = [f"{number:.6g}" for number in numbers[: SHOWN + 1]]
+    if len(texts) > SHOWN:
+        return f"{', '.join(texts[:SHOWN])} ..."
+    return " or ".join(dict.fromkeys(texts))
 
 
 class OtherQuantity(ConversionError, Dimensionality):

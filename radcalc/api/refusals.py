@@ -1,5 +1,6 @@
 """Errors in Python's spelling, with the calls that their hints propose."""
 
+import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
@@ -7,9 +8,20 @@ from functools import wraps
 from inspect import Parameter, signature
 from typing import Any, ParamSpec, TypeVar
 
-from radcalc.api.quantity import in_short, is_quantity
+import numpy
+
+from radcalc.api.quantity import (
+    Quantity,
+    in_short,
+    is_lazy,
+    is_quantity,
+    magnitude_of,
+    unit_of,
+)
+from radcalc.api.reading import is_absent, library_of
 from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
 from radcalc.calculators.missing import on_page
+from radcalc.calculators.page import Page
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import MOST, RadcalcError, Try, nearest, spell, with_correction
 from radcalc.quantities.symbols import FLAG, SYMBOLS
@@ -17,6 +29,7 @@ from radcalc.quantities.synonyms import meant
 
 P = ParamSpec("P")
 T = TypeVar("T")
+QUICK, LISTED = 1000, 6  # elements of an array in a call that is made, and that are shown
 SIMPLE = (str, int, float, bool, type(None))
 
 
@@ -46,29 +59,49 @@ def spelled(
 
 
 def misspelt(function: Callable[..., Any], args: tuple[Any, ...], kwargs: Mapping[str, Any]) -> str:
-    """Return the hint for a keyword that a function does not have, or ''."""
+    """Return the hint for a keyword that a function does not have, or ''.
+
+    It is a similar keyword, a choice of the operand (`sphere=True`), or a result (`rgb=True`).
+    """
     parameters = signature(function).parameters
     wrong = next((name for name in kwargs if name not in parameters), "")
     typed, known = symbol_name(wrong), [*map(symbol_name, parameters)]
     names = wrong and (meant(typed, known) or nearest(typed, known, cutoff=0.7))
+    corrected = [
+        {name if key == wrong else key: value for key, value in kwargs.items()}
+        for name in map(keyword, names[:MOST])
+    ]
+    rest = {key: value for key, value in kwargs.items() if key != wrong}
+    page = _page(function)
+    if page.operand and typed in page.operand.choices and page.operand.name in parameters:
+        corrected.insert(0, {page.operand.name: typed, **rest})
     hints = []
-    for name in map(keyword, names[:MOST]):
-        arguments = {name if key == wrong else key: value for key, value in kwargs.items()}
-        if not all(isinstance(value, SIMPLE) for value in (*args, *arguments.values())):
-            hints.append(name)
+    for arguments in corrected:
+        if not all(map(_is_quick, (*args, *arguments.values()))):
             continue
         with suppress(RadcalcError, TypeError):
             answer = function(*args, **arguments)
             hints.append(with_answer(_call(function, args, arguments), answer))
-    return "\ntry: " + "\nor:  ".join(hints or names) if names else ""
+    results = [
+        f"{_call(function, args, rest)}.{keyword(name)}"
+        for name in (*page.light, *page.others, *page.on_request)
+        if typed and typed in name
+    ]
+    hints = hints or [*map(keyword, names)] or results[:MOST]
+    return "\ntry: " + "\nor:  ".join(hints) if hints else ""
+
+
+def _page(function: Callable[..., Any]) -> Page:
+    command = symbol_name(function.__name__)
+    return page_of(command if command in SUMMARIES else "convert")
 
 
 def calls(error: RadcalcError, function: Callable[..., Any], given: Mapping[str, Any]) -> str:
     """Return the calls that an error's hint proposes, each with its answer below it.
 
-    Return '' if none is answered, or if the user's call has arrays, which may take long.
+    Return '' if none is answered, or if the user's call may take long.
     """
-    if not all(isinstance(value, SIMPLE) for value in given.values()):
+    if not all(map(_is_quick, given.values())):
         return ""
     texts = []
     for proposal in error.tries[:MOST]:
@@ -89,19 +122,24 @@ def _changed(
     proposal: Try, function: Callable[..., Any], given: Mapping[str, Any]
 ) -> tuple[str, Any]:
     """Make the user's call with a change; return it as a text, and its answer."""
-    command = symbol_name(function.__name__)
-    page = page_of(command if command in SUMMARIES else "convert")
-    arguments = {name: value for name, value in given.items() if value not in (None, False)}
+    page = _page(function)
+    arguments = {name: value for name, value in given.items() if not is_absent(value)}
     if proposal.instead:
         typed, correction = proposal.instead[0], " ".join(proposal.instead[1:])
         (name,) = [name for name, value in arguments.items() if typed in str(value)]
         arguments[name] = with_correction(str(arguments[name]), typed, correction)
-    for symbol in (*proposal.without, *(symbol for symbol, _ in proposal.inputs)):
+    if not (proposal.instead or proposal.without or proposal.inputs):
+        raise LookupError
+    for symbol in proposal.without:
         arguments.pop(keyword(symbol), None)
     for symbol, value in proposal.inputs:
         is_flag = symbol in SYMBOLS and SYMBOLS[symbol].form == FLAG
-        arguments[keyword(symbol)] = is_flag or value or page.symbol(symbol).example
-    if arguments == given:
+        numbers = arguments.pop(keyword(symbol), None)
+        if isinstance(numbers, (list, tuple, numpy.ndarray)):  # the value is their unit
+            arguments[keyword(symbol)] = Quantity(numpy.asarray(numbers), value)
+        else:
+            arguments[keyword(symbol)] = is_flag or value or page.symbol(symbol).example
+    if all(isinstance(value, SIMPLE) for value in given.values()) and arguments == given:
         raise LookupError
     operands = [
         parameter.name
@@ -149,8 +187,25 @@ def with_answer(call: str, answer: Any, remark: str = "") -> str:
     return f"{call}\n     {', '.join(filter(None, [_text(answer), remark]))}"
 
 
+def _is_quick(value: Any) -> bool:
+    """Return whether a call with a value does not take long."""
+    if isinstance(value, SIMPLE):
+        return True
+    is_known = isinstance(value, (list, tuple, numpy.ndarray, Quantity)) or library_of(value)
+    return bool(is_known) and not is_lazy(value) and numpy.size(magnitude_of(value)) <= QUICK
+
+
 def _literal(value: Any) -> str:
-    return repr(value) if not isinstance(value, str) else '"' + value.replace('"', '\\"') + '"'
+    """Return a value as it is typed; a long array or a column by the name of its kind."""
+    if isinstance(value, str):
+        return '"' + value.replace('"', '\\"') + '"'
+    if isinstance(value, Quantity):
+        return f'radcalc.Quantity({_literal(value.magnitude)}, "{unit_of(value).text}")'
+    if library_of(value) or (not isinstance(value, SIMPLE) and numpy.size(value) > LISTED):
+        return type(value).__name__.lower().removeprefix("nd")
+    text = repr(value.tolist() if isinstance(value, numpy.ndarray) else value)
+    text = re.sub(r"\bnan\b", "np.nan", text)
+    return f"np.array({text})" if isinstance(value, numpy.ndarray) else text
 
 
 def _text(answer: Any) -> str:

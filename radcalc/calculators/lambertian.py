@@ -24,7 +24,7 @@ from radcalc.errors import (
     RadcalcError,
     TooNear,
     UsageError,
-    call,
+    add,
     command,
     correct,
     mention,
@@ -184,8 +184,7 @@ def _refuse_round(given: Inputs) -> None:
     sizes = [name for name in ("radius", "diameter") if name in given]
     _, _, rest = split_by_light(given)
     if sizes and {*rest} <= {*_inputs_of("sphere")}:
-        texts = {name: quote(item.text) for name, item in given.items()}
-        ways = [call("lambertian", shape, **texts) for shape in ("disc", "sphere")]
+        ways = [add(OPERAND.name, shape) for shape in ("disc", "sphere")]
         size = option(sizes[0], quote(given[sizes[0]].text))
         raise MissingInput(f"the shape is missing: {size} fits a disc and a sphere", ways)
 

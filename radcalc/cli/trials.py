@@ -218,7 +218,11 @@ def changed(words: Words, proposal: Try) -> Words | None:
     known = {name: p for p in parameters(command) for name in p.opts}
     for name in proposal.without:
         call, _ = _without(call, f"--{name}", known)
+    operand = page_of(command).operand if command in SUMMARIES else None
     for name, value in proposal.inputs:
+        if operand and operand.name == name and call[:1] == [command]:
+            call.insert(1, value)
+            continue
         option = known.get(f"--{name}")
         added = ["-g" if name == "get" else f"--{name}"]
         if name == "number":
