@@ -24,6 +24,7 @@ from radcalc.laws.law import law
 from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
+from radcalc.units.table import resolve
 from radcalc.units.unit import Unit, divide
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
@@ -35,6 +36,7 @@ READINGS = {
     MEANS_OF_STEPS: "each sample is the mean from its time to that of the next; the last one, or "
     "one before a gap, lasts as long as the step before it",
 }
+SHORT = 3600  # s: a log that is shown in seconds, and not in hours
 LONG = 10  # times the mean of the others: longer steps are noted
 HOLE, WITHIN = 1.8, 1.5  # times the usual step: longer ones lack samples; as long or as short ones
 REGULAR = 2 / 3  # share of steps that are as long as the usual one
@@ -59,6 +61,7 @@ SUM = {
 OF = {IRRADIANCE: ("exposure", "maximum-irradiance"),
       FLUX: ("energy", "maximum-flux")}  # fmt: skip
 MEANS, PEAKS = ("mean-irradiance", "mean-flux"), ("maximum-irradiance", "maximum-flux")
+OF_SAMPLES = (*MEANS, *PEAKS)
 # Problem and hint for a period without samples.
 EMPTY = "no time is covered", mention("a longer {max-gap}, or all results (it is empty there)")
 PAGE = Page(
@@ -437,10 +440,11 @@ class SummedLog(NamedTuple):
         period = dose.periods[0]
         period.end = dose.time
         answer = self._answer(period, given)
+        units = _times_in(self.seconds(period.end - period.start))
         gaps = [
             value("gaps", float(dose.gaps)),
-            value("gap-time", self.seconds(dose.gap_time)),
-            value("longest-gap", self.seconds(dose.widest.length)),
+            value("gap-time", self.seconds(dose.gap_time), *units),
+            value("longest-gap", self.seconds(dose.widest.length), *units),
         ]
         return answer._replace(
             values=[*answer.values, *gaps], notes=[*answer.notes, *self.remarks()]
@@ -490,12 +494,13 @@ class SummedLog(NamedTuple):
         laws = [MEAN[geometry], RECEIVED] if covered else [RECEIVED]
         answer = solve(sheet, laws, placed).answer()
         duration = self.seconds(period.end - period.start)
+        units = _times_in(duration)
         times = [
-            value("time-of-maximum", self.seconds(period.when - period.start))
+            value("time-of-maximum", self.seconds(period.when - period.start), *units)
             if period.peak > -inf
             else absent("time-of-maximum", *EMPTY),
-            value("duration", duration),
-            value("covered-time", covered),
+            value("duration", duration, *units),
+            value("covered-time", covered, *units),
             value("coverage", covered / duration, label="covered share of the time"),
             value("samples", float(period.count)),
         ]
@@ -503,10 +508,19 @@ class SummedLog(NamedTuple):
         results = [
             absent(row.name, *EMPTY)._replace(also=row.also)
             if row.name in lacking
-            else _customary(row)
+            else self._in_own_unit(row)
+            if row.name in OF_SAMPLES
+            else _customary(row, duration)
             for row in answer.values
         ]
         return answer._replace(values=[*results, *times])
+
+    def _in_own_unit(self, result: Value) -> Value:
+        """Return a result of the samples in the unit of the log too, as in mW."""
+        is_own = self.unit.dimension in result.dimensions and result.given is None
+        if not is_own or self.unit.factor == resolve(result.units[0]).factor:
+            return result
+        return result._replace(units=(self.unit.text,))
 
 
 def _sum(starts: list[float], ends: list[float], steps: list[Any]) -> float:
@@ -524,7 +538,14 @@ def _area_below(first: float, second: float, step: float) -> float:
     return (low + high) / 2 * step if high <= 0 else low * (low / (low - high)) / 2 * step
 
 
-def _customary(result: Value) -> Value:
+def _times_in(duration: float) -> tuple[str, ...]:
+    """Return the unit of the times of a log or a period, if it is not that of their symbols."""
+    return ("s",) if duration < SHORT else ()
+
+
+def _customary(result: Value, duration: float) -> Value:
+    if duration < SHORT:
+        return result
     also = CUSTOMARY_UNITS.get(result.units[0]) if result.units else None
     return result._replace(units=(also, *result.units)) if also else result
 

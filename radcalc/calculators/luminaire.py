@@ -467,8 +467,9 @@ class _Luminaire:
         yield from self._declared(solved)
 
     def _error(self, solved: Solved, flux: "Integral") -> Value:
-        kind = solved.lit.kind
+        kind, label = solved.lit.kind, "estimate of the flux's error"
         if zonal := getattr(self.source, "zonal_flux", None):
+            label += " by the table's steps"
             part = zonal() / flux.value
             if not is_array(solved.value("flux")):
                 size = format_value(solved.value("flux") * part, light_unit("flux", kind))
@@ -477,7 +478,7 @@ class _Luminaire:
                     f"angles; the zonal method gives {size} ({100 * (part - 1):+.2g} %)"
                 )
         return value("error", solved.value("flux") * flux.error / flux.value)._replace(
-            label="estimate of the flux's error",
+            label=label,
             dimensions=(kinds.dimension("flux", kind),),
             units=(light_unit("flux", kind),),
         )

@@ -53,13 +53,20 @@ def show(
         first, *others = _spread(answers)
         refuse_bare(output, first)
         output.show([result(answered) for answered in (first, *others)])
-    elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
+    elif (output.is_bare and not _has_derivation(request, output)) or (
+        output.format == CSV and _are_arrays(inputs)
+    ):
         hint = [leave_out("auto"), add("format", TABLE)]
         output.refuse_auto("--get prints bare numbers", hint)
         _show_columns(_picked(answers, request.wanted, in_columns=True), output, inputs)
     else:
         picked = _picked(_spread(answers), request.wanted)
         output.show([result(answered, chosen) for answered, chosen in picked])
+
+
+def _has_derivation(request: Request, output: Output) -> bool:
+    """Return whether a derivation for people to read ends in the results, with their names."""
+    return request.steps and output.format == TABLE and not output.style.bare
 
 
 def _are_arrays(inputs: Sequence[Sequence[ShownInput]]) -> bool:

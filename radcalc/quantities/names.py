@@ -175,6 +175,7 @@ LABELS = {
     "angle of refraction": ("úhel lomu", "угол преломления"),
     "Brewster's angle": ("Brewsterův úhel", "угол Брюстера"),
     "critical angle": ("mezní úhel", "предельный угол"),
+    "reciprocal temperature": ("převrácená teplota", "обратная температура"),
     "reflectance, s-polarised": ("činitel odrazu, s-polarizace", "коэффициент отражения, s"),
     "reflectance, p-polarised": ("činitel odrazu, p-polarizace", "коэффициент отражения, p"),
     "transmittance of a slab": ("činitel prostupu desky", "коэффициент пропускания пластины"),
@@ -329,6 +330,9 @@ LABELS = {
     "integral": ("integrál", "интеграл"),
     "estimate of the error": ("odhad chyby", "оценка погрешности"),
     "estimate of the flux's error": ("odhad chyby toku", "оценка погрешности потока"),
+    "estimate of the flux's error by the table's steps": (
+        "odhad chyby toku kroky tabulky", "оценка погрешности потока от шагов таблицы"
+    ),
 }
 # Words before, inside or after the name of a quantity: mean illuminance, luminous flux within.
 PARTS = {
