@@ -407,7 +407,7 @@ def irradiance_map(
     order: Literal[2] | None = None,
 ) -> Quantity: ...
 def lambertian(
-    shape: Diffuse = "patch",
+    shape: Diffuse | None = None,
     *amounts: Unnamed,
     radiance: Amount = None,
     luminance: Amount = None,
@@ -771,7 +771,7 @@ def solid_angle(
     projection: Projection | None = None,
 ) -> Result: ...
 def spectrum(
-    source: Path,
+    source: Path | Any,
     *,
     observer: Observer | None = None,
     range: Text = None,

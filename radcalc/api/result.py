@@ -18,7 +18,7 @@ from radcalc.inputs.given import Inputs
 from radcalc.maths import frozen, is_column
 from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.search import called as quantities_called
-from radcalc.quantities.synonyms import meant
+from radcalc.quantities.synonyms import SYNONYMS, meant
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
 from radcalc.units.table import unit_of as unit_of_text
@@ -43,8 +43,9 @@ def _alike(name: str, names: Iterable[str]) -> list[str]:
     known = [*map(symbol_name, names)]
     word = symbol_name(name.lower())
     called = [q.name(ENGLISH).replace(" ", "-") for q, _ in quantities_called(word)]
-    found = [one for one in called if one in known] or meant(word, known)
-    return [*map(keyword, found or nearest(word, known, 3))]
+    found = [one for one in called if one in known]
+    found += [one for one in known if word in SYNONYMS.get(one, "").split()]
+    return [*map(keyword, found or meant(word, known) or nearest(word, known, 3))]
 
 
 class MissingResult(RadcalcError, KeyError, AttributeError):

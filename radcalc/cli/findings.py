@@ -226,8 +226,8 @@ def _sentence(text: str) -> str:
 # In the order of the kinds in an answer.
 SEARCHES: Sequence[Callable[[str], Iterable[Finding]]] = (
     _of_commands,
-    _of_results,
     _of_quantities,
+    _of_results,
     _of_units,
     _of_spectra,
     _of_typical_values,

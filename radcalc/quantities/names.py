@@ -331,7 +331,8 @@ LABELS = {
     "estimate of the error": ("odhad chyby", "оценка погрешности"),
     "estimate of the flux's error": ("odhad chyby toku", "оценка погрешности потока"),
     "estimate of the flux's error by the table's steps": (
-        "odhad chyby toku kroky tabulky", "оценка погрешности потока от шагов таблицы"
+        "odhad chyby toku kroky tabulky",
+        "оценка погрешности потока от шагов таблицы",
     ),
 }
 # Words before, inside or after the name of a quantity: mean illuminance, luminous flux within.

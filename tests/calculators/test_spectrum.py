@@ -317,3 +317,19 @@ def test_absent_results_of_several_spectra_are_noted_with_their_names():
 def test_a_range_of_one_wavelength_is_refused():
     error = call(["spectrum", "D65", "--range", "400nm:0.4um"]).error
     assert "is a single wavelength" in error.message
+
+
+@pytest.mark.parametrize(
+    ("name", "label", "way"),
+    [
+        ("ppfd", "photon irradiance", "-g photon-efficacy"),
+        ("photon-irradiance", "photon irradiance", "-g photon-efficacy"),
+        ("osvětlenost", "illuminance", "-g luminous-efficacy"),
+    ],
+)
+def test_another_name_of_an_absent_result_gives_its_reason(name, label, way, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text("nm,value\n400,1\n500,2\n600,2\n700,1\n")
+    done = run("spectrum", str(path), "-g", name)
+    assert f"there is no {label}: the spectrum is relative" in done.stderr
+    assert way in done.stderr

@@ -1,0 +1,116 @@
+"""Spectra from data frames, series and arrays, and hints that are calls with arrays."""
+
+import re
+
+import numpy as np
+import pandas as pd
+import polars as pl
+import pytest
+from helpers import for_each
+
+import radcalc
+from radcalc import Quantity, RadcalcError
+
+# Watts at equal steps, linear in between, and the constants of the SI.
+GRID, WATTS = np.array([400.0, 500.0, 600.0, 700.0]), np.array([0.01, 0.02, 0.02, 0.01])
+PLANCK, LIGHT, AVOGADRO = 6.62607015e-34, 299792458.0, 6.02214076e23
+TITLES = "wavelength (nm)", "E (W/m2/nm)"
+FRAME = {TITLES[0]: GRID, TITLES[1]: WATTS}
+UNIT = {"unit": "W/m2/nm"}
+
+
+def trapezoids(values, grid):
+    return float(np.sum((values[1:] + values[:-1]) / 2 * np.diff(grid)))
+
+
+@for_each(
+    [
+        ((GRID, WATTS), UNIT),
+        ((GRID.tolist(), WATTS.tolist()), UNIT),
+        ((Quantity(GRID / 1000, "um"), Quantity(WATTS, "W/m2/nm")), {}),
+        (pd.DataFrame(FRAME), {}),
+        (pd.DataFrame(FRAME).set_index(TITLES[0]), {}),
+        (pd.DataFrame({TITLES[1]: WATTS}, index=GRID), {}),
+        (pd.DataFrame({**FRAME, "other": 1.0}), {"column": TITLES[1]}),
+        (pd.Series(WATTS, index=GRID, name=TITLES[1]), {}),
+        (pd.Series(WATTS, index=GRID), UNIT),
+        (pl.DataFrame(FRAME), {}),
+    ]
+)
+def test_a_table_in_memory_is_a_spectrum(source, told):
+    found = radcalc.spectrum(source, **told)
+    assert found.irradiance.to("W/m2").magnitude == pytest.approx(trapezoids(WATTS, GRID))
+    fine = np.linspace(400, 700, 300_001)
+    photons = np.interp(fine, GRID, WATTS) * fine * 1e-9 / (PLANCK * LIGHT * AVOGADRO) * 1e6
+    ppfd = found.photon_irradiance.to("umol/m2/s").magnitude
+    assert ppfd == pytest.approx(trapezoids(photons, fine), rel=1e-9)
+
+
+@for_each(
+    [
+        (5, "not of type int"),
+        (WATTS, "not of type ndarray"),
+        (pl.Series("E", WATTS), "not of type Series"),
+        ((GRID, WATTS[:-1]), r"the shapes \(4,\) and \(3,\)"),
+        ((GRID, [0.01, float("nan"), 0.02, 0.01]), "arrays, line 3: 'nan' is not a number"),
+    ]
+)
+def test_what_is_not_a_spectrum_is_refused(source, said):
+    with pytest.raises(RadcalcError, match=said) as caught:
+        radcalc.spectrum(source, **UNIT)
+    if "type" in said:
+        assert 'radcalc.spectrum("D65")' in caught.value.hint
+
+
+@for_each(
+    [
+        (lambda: radcalc.convert(300, "cd", "lx", distance=np.array([1.0, 2.0])), "300 or 75 lx"),
+        (lambda: radcalc.convert(300, "cd", "lx", distance=[1.0, 2.0]), "300 or 75 lx"),
+        (lambda: radcalc.convert(np.array([np.pi, np.nan]), "lx", "cd/m2"), "0.5 or nan cd"),
+        (
+            lambda: radcalc.lambertian(flux=Quantity(np.array([1600.0]), "lm"), radius="3cm"),
+            "180127 cd/m2",
+        ),
+    ]
+)
+def test_a_hint_for_arrays_is_a_call_with_its_answer(work_out, answer):
+    """I/d^2, rho E/pi with rho 0.5, and a flux over pi times the area of a disc."""
+    with pytest.raises(RadcalcError) as caught:
+        work_out()
+    call, shown = caught.value.hint.splitlines()[:2]
+    assert answer in shown
+    assert eval(call, {"radcalc": radcalc, "np": np}) is not None
+
+
+def test_a_long_array_of_a_hint_is_not_spelled():
+    with pytest.raises(RadcalcError) as caught:
+        radcalc.point_source(flux="800 lm", distance=np.linspace(1, 2, 100))
+    assert 'distance=radcalc.Quantity(array, "m")' in caught.value.hint
+
+
+@for_each(
+    [
+        (lambda: radcalc.lambertian(sphere=True, flux="1600lm", radius="3cm"), "45031.6 cd/m2"),
+        (lambda: radcalc.spectrum("A", rgb=True), 'radcalc.spectrum("A").srgb_red'),
+    ]
+)
+def test_a_keyword_that_is_a_shape_or_a_result_is_explained(work_out, said):
+    with pytest.raises(TypeError, match=re.escape(said)):
+        work_out()
+
+
+@for_each([("lux", "illuminance"), ("ppfd", "photon_irradiance"), ("R9", "r9"), ("Ra", "")])
+def test_another_name_of_a_result_is_proposed(name, proposed):
+    found = radcalc.spectrum((GRID, WATTS), **UNIT)
+    with pytest.raises(KeyError) as caught:
+        found[name]
+    hint = caught.value.hint
+    assert hint == proposed if name in ("ppfd", "R9") else proposed in hint
+
+
+def test_a_number_that_is_not_one_is_refused_with_the_call_that_keeps_it():
+    with pytest.raises(RadcalcError) as caught:
+        radcalc.convert(float("nan"), "lx", "fc")
+    call = caught.value.hint.partition(", which")[0]
+    kept = eval(call, {"radcalc": radcalc, "np": np})
+    assert np.isnan(kept.magnitude).all()
