@@ -191,15 +191,15 @@ def _is_quick(value: Any) -> bool:
     """Return whether a call with a value does not take long."""
     if isinstance(value, SIMPLE):
         return True
-    is_known = isinstance(value, (list, tuple, numpy.ndarray, Quantity)) or library_of(value)
-    return bool(is_known) and not is_lazy(value) and numpy.size(magnitude_of(value)) <= QUICK
+    is_known = isinstance(value, (list, tuple, numpy.ndarray)) or hasattr(value, "magnitude")
+    return (is_known or bool(library_of(value))) and not is_lazy(value) and numpy.size(magnitude_of(value)) <= QUICK
 
 
 def _literal(value: Any) -> str:
     """Return a value as it is typed; a long array or a column by the name of its kind."""
     if isinstance(value, str):
         return '"' + value.replace('"', '\\"') + '"'
-    if isinstance(value, Quantity):
+    if hasattr(value, "magnitude"):
         return f'radcalc.Quantity({_literal(value.magnitude)}, "{unit_of(value).text}")'
     if library_of(value) or (not isinstance(value, SIMPLE) and numpy.size(value) > LISTED):
         return type(value).__name__.lower().removeprefix("nd")

@@ -168,8 +168,8 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
     name, unit = symbol.name, amount.unit
     if unit is None and maths.is_array(amount.number):
         problem = f"{option(name)} has numbers without a unit"
-        hint = "an array with its unit, a radcalc.Quantity"
-        return ConditionError(problem, hint, [add(name, symbol.unit)])
+        words = "an array with its unit, a radcalc.Quantity"
+        return ConditionError(problem, words, [add(name, symbol.unit)])
     if unit is None:
         is_expression = amount.rounding is not None
         number = f"({quote(text)})" if is_expression else quote(text)

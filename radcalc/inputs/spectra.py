@@ -17,7 +17,8 @@ RANGE = re.compile(r"(\d+\.?\d*)\s*(?:nm|um|µm)?\s*(?:[-:,–]|to|\.\.)\s*(\d+\
 
 def spectrum_input(symbol: Symbol, value: Any) -> Input:
     """Read a spectrum: a text, the path, column and unit of a file, or a spectrum."""
-    from radcalc.spectra.sources import Spectrum, spectrum, uncertain_parameter
+    from radcalc.spectra.sources import spectrum, uncertain_parameter
+    from radcalc.spectra.spectrum import Spectrum
 
     if isinstance(value, Spectrum):
         return Input(symbol, value.label, value)
