@@ -150,7 +150,7 @@ MEANT = [
     ("sky overcast --illuminance 4klx", "--horizontal-illuminance 4klx"),
     ("spectrum D65 -g luminance", "-g luminous-efficacy"),
     ("spectrum D65 -g illuminance", "-g luminous-efficacy"),
-    ("spectrum AM1.5G -g photon-irradiance", "-g irradiance:umol/m2/s"),
+    ("spectrum blackbody:5000K -g photon-radiance", "-g radiance:umol/m2/s/sr"),
     ("spectrum gaussian:530nm,30nm -g cct", "-g x -g y"),
     # a half angle of 0.5 mrad is a full one of 1 mrad
     ("laser --flux 5mW --diameter 1mm --half-divergence 0.5mrad --distance 10m", "--divergence 1m"),

@@ -191,8 +191,12 @@ def _is_quick(value: Any) -> bool:
     """Return whether a call with a value does not take long."""
     if isinstance(value, SIMPLE):
         return True
-    is_known = isinstance(value, (list, tuple, numpy.ndarray)) or hasattr(value, "magnitude")
-    return (is_known or bool(library_of(value))) and not is_lazy(value) and numpy.size(magnitude_of(value)) <= QUICK
+    if isinstance(value, (list, tuple)):
+        return len(value) <= QUICK and all(map(_is_quick, value))
+    is_array = isinstance(value, numpy.ndarray) or hasattr(value, "magnitude")
+    if is_lazy(value) or not (is_array or library_of(value)):
+        return False
+    return int(numpy.size(magnitude_of(value))) <= QUICK
 
 
 def _literal(value: Any) -> str:

@@ -75,7 +75,7 @@ def _of_light(quantities: Sequence[Quantity], values: Sequence[Value]) -> list[t
         name = quantity.name("en").replace(" ", "-")
         reading = read(resolve(quantity.unit))
         generic, kind = SPECIFIC.get(name, (name, reading.kind if reading else ""))
-        if name in by_name:
+        if name in SPECIFIC and name in by_name:
             found[name, ""] = True
             continue
         value = by_name.get(generic)

@@ -90,7 +90,7 @@ MESSAGES = [
     "convert 800 lm cd",
     "convert 100 lux furlong",
     "lambertian --luminance 100cd/m2 --check exitance=628lm/m2",
-    "point-source --flux 800lm --distance 2m -g illuminance --steps",
+    "point-source --flux 800lm --distance 2m -g illuminance --steps -n",
     "convert 5 mW lm --wavelength 632.8nm -n",
 ]
 
