@@ -247,6 +247,16 @@ def call(*words: str, remark: str = "", **inputs: str) -> Try:
     return Try(words=(*words, *given), remark=remark)
 
 
+def input_of(word: str) -> tuple[str, str]:
+    """Return the name and the value of NAME=VALUE in a proposed call, and ("", word) for others.
+
+    The name of a flag has an empty value.  A path is not a pair: `call_of_file` gives it a slash.
+    """
+    name, equals, value = word.partition("=")
+    is_name = bool(equals) and name.replace("-", "").isalnum()
+    return (name, value) if is_name else ("", word)
+
+
 def with_correction(text: str, typed: str, correction: str) -> str:
     """Return a text with a correction: of whole words and numbers, or else of parts of them."""
     import re

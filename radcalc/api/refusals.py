@@ -23,7 +23,7 @@ from radcalc.api.spelling import Python, PythonHint, keyword, symbol_name
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.errors import MOST, RadcalcError, Try, nearest, spell, with_correction
+from radcalc.errors import MOST, RadcalcError, Try, input_of, nearest, spell, with_correction
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.quantities.synonyms import meant
 
@@ -163,8 +163,9 @@ def other_call(proposal: Try, in_core: bool = True) -> tuple[str, Any]:
     Its error is that of the core, or that of Python with the calls that its hint proposes.
     """
     command, *words = proposal.words
-    operands = [word for word in words if "=" not in word]
-    inputs = dict(word.split("=", 1) for word in words if "=" in word)
+    pairs = [input_of(word) for word in words]
+    operands = [text for name, text in pairs if not name]
+    inputs = {name: text for name, text in pairs if name}
     wanted = inputs.pop("get", "")
     arguments = {
         keyword(name): value or SYMBOLS[name].form == FLAG or page_of(command).symbol(name).example

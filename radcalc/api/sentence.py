@@ -5,7 +5,7 @@ from __future__ import annotations
 from radcalc.api.quantity import Quantity
 from radcalc.api.refusals import in_python, other_call
 from radcalc.api.result import Result
-from radcalc.errors import Try, UsageError
+from radcalc.errors import Try, UsageError, input_of
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read
 from radcalc.units.reading import read_operands
@@ -39,7 +39,7 @@ def ask(sentence: str) -> Result | Quantity:
     found = read([sentence])
     command, *words = call_of(found)
     if command == "convert":
-        operands = [word for word in words if "=" not in word]
+        operands = [text for name, text in map(input_of, words) if not name]
         amount, target = read_operands(operands)
         unit = amount.unit.text if amount.unit else "1"
         words = [amount.text, target or unit, *words[len(operands) :]]

@@ -1,6 +1,6 @@
 """Python's spelling of messages: keywords instead of options."""
 
-from radcalc.errors import NumberError, spell
+from radcalc.errors import NumberError, input_of, spell
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.units.numbers import read_number
@@ -38,16 +38,16 @@ class Python:
     def command(*words: str) -> str:
         """Return `radcalc.lambertian("disc")`, or the shell's command if there is no function."""
         function = keyword(words[0])
-        pairs = [word.partition("=") for word in words[1:]]
-        if words[0] in AT_A_SHELL or any(key == "list" for key, *_ in pairs):
-            call = " ".join(word for word in words if "=" not in word)
+        pairs = [input_of(word) for word in words[1:]]
+        if words[0] in AT_A_SHELL or any(key == "list" for key, _ in pairs):
+            call = " ".join([words[0], *[text for key, text in pairs if not key]])
             return f"`radcalc {call}` at a shell"
         arguments = [
-            PythonHint.option(key, value) if eq else f'"{_apart(key)}"'
-            for key, eq, value in pairs
+            PythonHint.option(key, value) if key else f'"{_apart(value)}"'
+            for key, value in pairs
             if key != "get"
         ]
-        result_calls = "".join(Python.result(value) for key, _, value in pairs if key == "get")
+        result_calls = "".join(Python.result(value) for key, value in pairs if key == "get")
         return f"radcalc.{function}({', '.join(arguments)}){result_calls}"
 
     @staticmethod

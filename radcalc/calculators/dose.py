@@ -17,7 +17,7 @@ from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import Formula, coherent_unit_of, format_number, format_value, letter_of
-from radcalc.errors import ConditionError, NumberError, TooMany, mention, option
+from radcalc.errors import ConditionError, NumberError, TooMany, Try, mention, option
 from radcalc.files.text import ENDINGS
 from radcalc.inputs.given import Inputs
 from radcalc.laws.law import law
@@ -28,7 +28,8 @@ from radcalc.units.table import resolve
 from radcalc.units.unit import Unit, divide
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
-WHOLE = (3600, 86400)  # seconds of an hour, and of a day without a clock change
+DAY = 86400  # s
+WHOLE = (3600, DAY)  # seconds of an hour, and of a day without a clock change
 NOISE = 0.05  # of the peak: smaller negative readings are a meter's offset
 POINTS, MEANS_OF_STEPS = "points", "means"  # what samples are
 READINGS = {
@@ -373,6 +374,14 @@ class SummedLog(NamedTuple):
                 f"too far below 0 for a meter's offset (the peak is {format_number(dose.peak)})",
                 "a column of light, without marks such as -99 for missing values",
             )
+
+    def refuse_dli(self, by: str, is_check: bool) -> None:
+        """Refuse a DLI, which is the sum of one day, of each hour or of more than a day."""
+        duration = self.seconds(self.dose.time - self.dose.first)
+        if by or duration > DAY * (1 + SLACK):
+            of = f"an {by}" if by else _duration(duration)
+            by_day = Try((("by", "day"), *((("get", "DLI"),) * is_check)), ("check",) * is_check)
+            raise ConditionError(f"a DLI is the sum of one day, not of {of}", by_day)
 
     def remarks(self) -> list[str]:
         dose, unit = self.dose, self.unit.text

@@ -126,12 +126,13 @@ def _show_columns(
 
         units = csv.units_of_varied(inputs)
     texts: list[str] = []
+    heard: list[Result] = []
     remarks: dict[tuple[Any, ...], Result] = {}
     for answered, chosen in picked:
-        output.hear([result(answered, chosen)])
+        heard.append(result(answered, chosen))
         columns = [row.value for row in chosen]
         if output.format == CSV:
-            texts.append(csv.block(result(answered, chosen), units, output.style, not texts))
+            texts.append(csv.block(heard[-1], units, output.style, not texts))
         else:
             count = len(answered.long.value) if answered.long else 1
             from radcalc.render.columns import lines
@@ -142,6 +143,7 @@ def _show_columns(
         if output.is_bare:
             remark = remark._replace(notes=(*remark.notes, *omitted(chosen)))
         remarks[remark if remark.steps else remark[1:3]] = remark
+    output.hear(heard)
     for text in texts:
         terminal.write(text)
     output.remark(list(remarks.values()))

@@ -21,7 +21,8 @@ from radcalc.errors import UsageError, quote
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
-from radcalc.streams.clocks import PERIODS, TimeSettings
+from radcalc.quantities.names import DLI
+from radcalc.streams.clocks import PER_DAY, PERIODS, TimeSettings
 from radcalc.streams.dose import EXPECTED, LogDose, longest_step
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import LogSettings
@@ -147,6 +148,8 @@ def command(
     with reading(path, EXPECTED) as (name, read):
         log = Log(name, read, settings, complain)
         summed = LogDose(log, gap, by or "", samples == page.MEANS_OF_STEPS)
+    if by != PER_DAY and _asks_for_dli(request):
+        summed.summed.refuse_dli(by or "", request.check is not None)
     typed_here = {
         "file": path,
         "column": column,
@@ -184,6 +187,12 @@ def _show_periods(
         for label, answer in summed.periods(given)
     ]
     show(answers, request, output, [answered.inputs for answered in answers])
+
+
+def _asks_for_dli(request: Request) -> bool:
+    """Return whether a result is a DLI: DLI, exposure:DLI, or --check 20DLI."""
+    parts = [part for asked in (*request.wanted, request.check or "") for part in asked.split(":")]
+    return any(part.strip().lower().endswith(DLI) for part in parts)
 
 
 def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:

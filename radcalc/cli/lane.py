@@ -8,7 +8,7 @@ from radcalc.cli.heard import Heard, Listener
 from radcalc.cli.output import decide
 from radcalc.cli.plain_call import work_out
 from radcalc.cli.spelling import typed
-from radcalc.errors import ExpressionError, RadcalcError, TooManyWords
+from radcalc.errors import ExpressionError, RadcalcError, TooManyWords, input_of
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read
@@ -82,18 +82,17 @@ def plain(words: "Sequence[str]") -> str:
 def _results(call: "Sequence[str]") -> "Sequence[Result]":
     """Return the answers to a call of a calculator or of `convert`; none for other commands."""
     name, *words = call
-    operands = [word for word in words if "=" not in word]
+    operands = [text for symbol, text in map(input_of, words) if not symbol]
     given: dict[str, Any] = {}
     wanted: list[str] = []
-    for word in words:
-        symbol, equals, text = word.partition("=")
-        if equals and symbol == "get":
+    for symbol, text in map(input_of, words):
+        if symbol == "get":
             wanted.append(text)
         elif symbol in given:  # refused by the command
             return ()
-        elif equals and SYMBOLS[symbol].form != CHOICE:
+        elif symbol and SYMBOLS[symbol].form != CHOICE:
             given[symbol] = SYMBOLS[symbol].form == FLAG or text
-        elif equals:
+        elif symbol:
             return ()
     listener = Listener()
     with suppress(Heard):

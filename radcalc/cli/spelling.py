@@ -1,6 +1,6 @@
 """The shell's spelling of symbols and commands in messages."""
 
-from radcalc.errors import MINUS, UsageError, spell
+from radcalc.errors import MINUS, UsageError, input_of, spell
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -24,11 +24,9 @@ class Shell:
     def command(*words: str) -> str:
         """Return `radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
         typed = []
-        for word in words:
-            name, equals, value = word.partition("=")
-            text = value if equals else word
+        for name, text in map(input_of, words):
             quoted = f"'{text}'" if NEED_QUOTES.intersection(text) else text
-            typed.append(Shell.option(name, text) if equals else quoted)
+            typed.append(Shell.option(name, text) if name else quoted)
         return " ".join(["radcalc", *typed])
 
     @staticmethod
@@ -85,10 +83,9 @@ def spelled(text: str) -> str:
 
 def typed(words: "Sequence[str]") -> "Iterator[str]":
     """Yield the words of a mention as they are typed: NAME=VALUE is an option."""
-    for word in words:
-        name, equals, value = word.partition("=")
-        if not equals:
-            yield word
+    for name, value in map(input_of, words):
+        if not name:
+            yield value
             continue
         yield "-g" if name == "get" else f"--{name}"
         if value:

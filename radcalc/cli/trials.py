@@ -36,13 +36,13 @@ from radcalc.units.ranges import size_of
 Words = list[str]
 ANSWERS = 100  # of a call that is made
 SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
-# Commands that read files or long expressions.
-LONG = ("dose", "scene")
+LONG = ("scene",)  # commands with many answers
+LARGEST = 1 << 20  # bytes of the files of a call that is made
 NUMERIC = "0123456789.,:"  # characters of numbers, lists and ranges
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 # Options of calls that write, draw or list.
 WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--reproject", "--list")
-UNTRIED = ("--auto", "--check", *WITH_EFFECTS)
+UNTRIED = ("--auto", "--check", "--invalid", *WITH_EFFECTS)
 
 
 class Trial(NamedTuple):
@@ -295,7 +295,7 @@ def _example(command: str, name: str) -> str:
 def _is_short(words: Words) -> bool:
     """Return whether a call can be tried; raise Click's error if its options are wrong.
 
-    A call that reads standard input or a file, or writes one, or works long, is not tried.
+    A call that reads standard input or a large file, or writes one, or works long, is not tried.
     """
     command = called_in(words)
     options = [word.partition("=")[0] for word in words]
@@ -312,7 +312,8 @@ def _is_short(words: Words) -> bool:
         if found:
             found.make_context(name, rest, parent=top)
         return False
-    return not any(map(_is_file, words))
+    paths = {path for word in words for path in _paths(word) if os.path.exists(path)}
+    return all(map(os.path.isfile, paths)) and sum(map(os.path.getsize, paths)) <= LARGEST
 
 
 def refuse_effects(words: Words) -> None:
@@ -349,13 +350,8 @@ def is_long(words: Words) -> bool:
     return math.prod([size_of(word.rpartition("=")[2]) for word in words]) > ANSWERS
 
 
-def _is_file(word: str) -> bool:
-    """Return whether a word is a file, or has one: --spectrum=FILE, FILE:COLUMN."""
-    return any(map(os.path.exists, _paths(word)))
-
-
 def _paths(word: str) -> Words:
-    """Return the parts of a word that may be a path."""
+    """Return the parts of a word that may be a path: --spectrum=FILE, FILE:COLUMN."""
     value = word.partition("=")[2]
     texts = [word, value, word.rpartition(":")[0], value.rpartition(":")[0]]
     return list(filter(None, texts))

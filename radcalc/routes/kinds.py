@@ -198,6 +198,8 @@ def _is_log(lines: list[str], name: str, rows: FirstRows | None) -> bool:
 def call_of_file(kind: str, path: str) -> tuple[str, str]:
     """Return the command for a file of a kind, and the file as its operand or NAME=VALUE."""
     command, symbol = COMMANDS[kind]
+    if "=" in path and "/" not in path.partition("=")[0]:  # which is not NAME=VALUE
+        path = f"./{path}"
     return command, f"{symbol}={path}" if symbol else path
 
 

@@ -10,6 +10,7 @@ from radcalc.errors import (
     call,
     correct,
     corrections,
+    input_of,
     listed,
     manual,
     quote,
@@ -44,6 +45,8 @@ from radcalc.sentences.phrases import (
     MEANINGFUL,
     METERS,
     OF_LIGHT,
+    PER_DAY,
+    PERIOD,
 )
 from radcalc.sentences.products import moved, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
@@ -57,7 +60,7 @@ from radcalc.units.dimensions import (
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest, unit_of
-from radcalc.units.unit import NUMBER
+from radcalc.units.unit import NUMBER, Daily
 
 SUNNY = frozenset(["sun", "sunlight", "sky", "roof", "dni"])
 MOST = 3  # readings to show
@@ -201,6 +204,8 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if sentence.files:
         return _of_file(sentence)
     goal = _goal_of(sentence)
+    if goal and isinstance(goal.unit, Daily):  # 16 h per day
+        sentence = sentence._replace(facts=_periods(sentence)[1])
     has_filter = any(fact.symbols == (FILTER,) for fact in sentence.facts)
     if has_filter and not METERS.isdisjoint(word.lower() for word in sentence.ignored):
         raise UsageError(
@@ -239,7 +244,7 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
 def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence[str]]) -> None:
     """Refuse the flux of a source with a beam as if it lit all directions alike."""
     directed = [word for word in sentence.ignored if word.lower() in DIRECTED]
-    names = {word.partition("=")[0] for call in calls[:1] for word in call}
+    names = {input_of(word)[0] for call in calls[:1] for word in call}
     asked = {*goal.names} if goal else set()
     is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})
     has_unit = goal and goal.unit and goal.unit.dimension in SYMBOLS["flux"].dimensions
@@ -275,25 +280,29 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
 
     The file of a spectrum beside an amount of light is the spectrum of that light.
     """
-    from radcalc.routes.kinds import LUMINAIRE, MAP, SPECTRUM, call_of_file, is_relative, kind_of
+    from radcalc.routes import kinds
+    from radcalc.routes.kinds import LOG, LUMINAIRE, MAP, SPECTRUM
 
     path, *others = sentence.files
     if others:
         listed = " and ".join(map(quote_path, sentence.files))
         raise UsageError(f"the sentence has several files: {listed}", "a call for each of them")
-    kind = kind_of(path)
+    kind = kinds.kind_of(path)
     if kind == SPECTRUM and any(map(is_light, sentence.facts)):
         with_file = (*sentence.facts, Fact(("spectrum",), path, path))
         return _calls_of(sentence._replace(files=(), facts=with_file))
     facts = tuple(map(_toward, sentence.facts)) if kind == LUMINAIRE else sentence.facts
-    command, *operands = call_of_file(kind, path)
+    command, *operands = kinds.call_of_file(kind, path)
     if command not in SUMMARIES:  # a table, which has no results
         if sentence.facts or sentence.goals:
             raise UsageError(f"{quote_path(path)} is a table", call(command, *operands))
         return [(command, *operands)]
     words = [command, *operands]
-    if kind == MAP and is_relative(path):
+    if kind == MAP and kinds.is_relative(path):
         words.append("unit=1")
+    if kind == LOG:
+        periods, facts = _periods(sentence._replace(facts=facts))
+        words += [f"{PERIOD}={fact.text}" for fact in periods]
     found = []
     goals = sentence.goals if len(sentence.goals) > 1 else [_goal_of(sentence)]
     for given in _readings(sentence._replace(facts=facts)):
@@ -303,6 +312,14 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
         elif all(of_goals):  # several results of one file
             found.append([*of_goals[0][0], *[calls[0][-1] for calls in of_goals[1:]]])
     return list(dict.fromkeys(map(tuple, found)))
+
+
+def _periods(sentence: Sentence) -> tuple[list[Fact], tuple[Fact, ...]]:
+    """Return the period of the answers to a log, by default a day for a DLI, and other facts."""
+    periods = [fact for fact in sentence.facts if fact.symbols == (PERIOD,)]
+    if not periods and any(isinstance(goal.unit, Daily) for goal in sentence.goals):
+        periods = [Fact((PERIOD,), PER_DAY, "")]
+    return periods, tuple([fact for fact in sentence.facts if fact.symbols != (PERIOD,)])
 
 
 def _toward(fact: Fact) -> Fact:

@@ -309,7 +309,7 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     if not page.light and not page.others:  # the results depend on the inputs
         angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
         return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
-    options = (*page.light, *page.others, *listed_by(page))
+    options = (*page.light, *page.others, *page.takes)
     listed = [name for name in dict.fromkeys(options) if name not in given]
     if not any(map(is_light, given.values())):  # ISO 100 is assumed, not found
         listed = [name for name in listed if "(default" not in page.symbol(name).help]

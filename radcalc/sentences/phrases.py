@@ -38,6 +38,7 @@ AMOUNTS = {
 }
 # Places that are not symbols; an unknown phrase is refused.
 SHAPE, FILTER, TARGET, UNKNOWN = "shape", "filter", "target", "unknown"
+PERIOD, PER_DAY = "by", "day"  # of the answers to a log: each day, or each hour
 
 FROM_SURFACE = "90deg-{}"  # the incidence is measured from the normal
 
@@ -175,6 +176,10 @@ PHRASES = (
         ("for|over|during|in|after {time}", "time"),
         ("{time} of light", "time"),
         ("{time} photoperiod|exposure|pulse|day", "time"),
+        ("by|per|each|every day", PERIOD, PER_DAY),
+        ("daily", PERIOD, PER_DAY),
+        ("by|per|each|every hour", PERIOD, "hour"),
+        ("hourly", PERIOD, "hour"),
     ),
     *_group(
         "camera",

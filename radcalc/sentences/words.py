@@ -26,7 +26,7 @@ F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a 
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"average": "mean", "avg": "mean"}
-OF_AMOUNTS = ("mean", "average", "par")  # add nothing to an amount before them
+OF_AMOUNTS = ("mean", "average")  # add nothing to an amount before them
 LARGEST_DLI = 100  # mol/m2; outdoors it is at most 70
 TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
 MARKS_IN_WORDS = {"=>": " to ", "=?": " to ", "@": " at ", "klux": "klx"}
