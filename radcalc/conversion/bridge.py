@@ -33,7 +33,7 @@ from radcalc.errors import (
 from radcalc.inputs.given import Input
 from radcalc.quantities.light import PHOTON, Reading, coherent_text, describe, read
 from radcalc.tuples import NamedTuple
-from radcalc.units.unit import Unit
+from radcalc.units.unit import Daily, Unit
 
 Links = list[tuple[Factor, int]]
 KIND, AXIS, PER_LENGTH, PROJECTED = "kind", "axis", "per length", "projected solid angle"
@@ -195,11 +195,23 @@ class Bridge:
             message += f"; {useless} {'does' if len(unused) == 1 else 'do'} not apply"
         hint = f"{'; and '.join(hints)} (see {manual('convert')})"
         missing = {wanted.phrase: mentioned(wanted.hint) for wanted in self.lacking.values()}
-        tries = together(choices, tuple(unused))
+        tries = [*self._as_ppfd(), *together(choices, tuple(unused))]
         if PER_LENGTH in self.lacking and not unused:
             product = f"{self.number} {quote(self.source.text)} * 1 m"
             tries = [call("convert", product, quote(self.target.text), remark="over 1 m")]
         return MissingCondition(message, hint, self.source.text, self.target.text, missing, tries)
+
+
+    def _as_ppfd(self) -> list[Try]:
+        """Propose PPFD for a number of photons in umol, as growers say it."""
+        for unit, other in ((self.source, self.target), (self.target, self.source)):
+            own, on_area = read(unit), read(other)
+            is_number = own and own.kind == PHOTON and own.geometry == (1, 0, 0)
+            if is_number and on_area and on_area.geometry[1:] == (1, 0):
+                hours = [("photoperiod", "16h")] if isinstance(other, Daily) else []
+                remark = "PPFD: umol/m2/s"
+                return [Try(tuple(hours), instead=(quote(unit.text), "ppfd"), remark=remark)]
+        return []
 
 
 def joined(number: str, unit: str) -> str:

@@ -431,6 +431,7 @@ def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
         return [(kind_factor(of, end.kind, start.kind), 1)]
     given = bridge.conditions.use(LINK)
     if given is None:
+        _refinements(bridge, start, end)  # of the spectrum that is missing
         bridge.want("kind")
         return []
     if given.name == "spectrum":
@@ -459,15 +460,14 @@ def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -
             f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
             Try((("wavelength", ""),), ("spectrum",)),
         )
+    return spectral_factor(given, end.kind, start.kind, *_refinements(bridge, start, end))
+
+
+def _refinements(bridge: "Bridge", start: Reading, end: Reading) -> list[Input | None]:
+    """Return the ranges of watts and photons, and the observer, marked as used."""
     both, use = {start.kind, end.kind}, bridge.conditions.use
-    return spectral_factor(
-        given,
-        end.kind,
-        start.kind,
-        use("range") if RADIANT in both else None,
-        use("photon-range") if PHOTON in both else None,
-        use("observer") if LUMINOUS in both else None,
-    )
+    needed = (("range", RADIANT), ("photon-range", PHOTON), ("observer", LUMINOUS))
+    return [use(name) if kind in both else None for name, kind in needed]
 
 
 def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":

@@ -55,7 +55,11 @@ FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("ev", "f-number iso ev ev100 guide-number stops nd"),
     _frame("room", "luminaires utilance maintenance", results="room-index"),
     _frame("screen", "diagonal aspect gain"),
-    _frame("laser", "divergence spot-diameter hazard-distance receiver-diameter profile"),
+    _frame(
+        "laser",
+        "divergence spot-diameter hazard-distance receiver-diameter profile",
+        results="peak-irradiance",
+    ),
     _frame("etendue", "na etendue"),
     _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
     _frame("refraction", "index"),
@@ -307,6 +311,9 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     if goal is None:
         return []
     if not page.light and not page.others:  # the results depend on the inputs
+        if goal.unit:
+            own = result_name(goal.unit)
+            return [f"{SPECIFIC.get(own, (own,))[0]}:{goal.text}"]
         angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
         return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
     options = (*page.light, *page.others, *page.takes)

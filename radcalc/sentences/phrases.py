@@ -233,6 +233,7 @@ PHRASES = (
         ("exposure|irradiation time", TARGET, "time"),
         ("color|colour temperature", TARGET, "cct"),
         ("peak wavelength", TARGET, "peak-wavelength"),
+        ("fraction|share of? light? in|over|between?", TARGET, "range-fraction"),
         ("stefan boltzmann|boltzmann's", TARGET, "radiant-exitance"),
     ),
 )

@@ -2,10 +2,13 @@
 
 import os
 import re
+from functools import cached_property
 from itertools import pairwise
 
 from radcalc.errors import UsageError
 from radcalc.quantities.language import LANGUAGES
+from radcalc.quantities.light import RADIANT
+from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
 from radcalc.sentences.phrases import (
@@ -22,11 +25,18 @@ from radcalc.sentences.phrases import (
 from radcalc.sentences.vocabulary import ENGLISH_ALONE, literals, names, patterns, symbols_of
 from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, unit_in, words_of
 from radcalc.tuples import NamedTuple
+from radcalc.units import horticulture
 from radcalc.units.dimensions import AREA, LENGTH
 from radcalc.units.unit import NUMBER, Unit
 
 LONGEST_NAME = 5  # words
 LONGEST = 2000  # characters
+LONGEST_RANGE = 6  # words: from 380 nm to 780 nm
+NUMBER_OF_RANGE = r"(\d+(?:\.\d+)?)"
+RANGE = re.compile(
+    f"(?:from |between )?{NUMBER_OF_RANGE} ?(nm|[uµμ]m)? ?(?:-|–|:|to|and|\\.\\.\\.?) ?"
+    f"{NUMBER_OF_RANGE} ?(nm|[uµμ]m)"
+)
 GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
 MEAN = ("mean", "average")
@@ -187,17 +197,39 @@ class _Reading:
     def longest(self, at: int) -> Found:
         """Return the longest phrase at a place; of two of one length, the first."""
         ways = (
-            self._phrases(at), self._named(at), self._spectrum(at), self._goal(at),
+            self._range(at), self._phrases(at), self._named(at), self._spectrum(at), self._goal(at),
             self._alone(at), self._file(at), self._aspect(at), self._filler(at),
         )  # fmt: skip
         found = [one for way in ways for one in way]
         return max(found, key=lambda one: one[0]) if found else (at + 1, "")
+
+    def _range(self, at: int) -> list[Found]:
+        """Find a range of wavelengths: `380-780 nm`, `400 nm to 500 nm`, PAR next to watts."""
+        if self.words[at].folded in horticulture.AMBIGUOUS and self._has_watts:
+            return [(at + 1, Fact(("range",), horticulture.PAR_RANGE, self.words[at].text))]
+        for end in range(min(len(self.words), at + LONGEST_RANGE), at, -1):
+            if match := RANGE.fullmatch(self.text(at, end)):
+                low, unit, high, last = match.groups()
+                text = f"{low}{unit or last}:{high}{last}"
+                return [(end, Fact(("range",), text, self.text(at, end)))]
+        return []
+
+    @cached_property
+    def _has_watts(self) -> bool:
+        """Return whether an amount or a target is in a radiant unit, such as W/m2."""
+        amounts = filter(None, map(self.amount, range(len(self.words))))
+        units = [amount.unit for amount in amounts]
+        units += filter(None, [unit_in([word.text]) for word in self.words])
+        readings = filter(None, map(read_light, units))
+        return any(reading.kind == RADIANT for reading in readings)
 
     def _phrases(self, at: int) -> list[Found]:
         found: list[Found] = []
         for phrase, parts in patterns():
             if match := self._match(parts, at):
                 end, amount = match
+                if amount and amount.is_wavelength and self._has_own(parts, end):
+                    continue
                 text = phrase.form.format(_joined(amount.text) if amount else "")
                 if phrase.fills == (TARGET,):
                     found.append((end, Goal(text, None, (text,))))
@@ -223,6 +255,13 @@ class _Reading:
             elif part[-1] != "?":
                 return None
         return at, amount
+
+    def _has_own(self, parts: tuple[str, ...], end: int) -> bool:
+        """Return whether the words of a phrase have their amount after it: 532 nm diameter 2 mm."""
+        following = self.amount(end)
+        if parts[0] != "{size}" or not following or following.is_wavelength:
+            return False
+        return fits(following, "size")
 
     def _named(self, at: int) -> list[Found]:
         """Find a name with its amount, before or after it: `radius 6 cm`, `1 mrad divergence`."""
@@ -333,7 +372,8 @@ class _Reading:
         amount = self.amount(at + 1) if is_letter else None
         if amount and (amount.is_wavelength or amount.dimension in AMOUNTS["wavelength"][1:]):
             return [(at + 1, None)]
-        ends = [end for end in (at + 1, at + 2) if self.folded(at, end) in FILLERS | MARKS]
+        last = min(at + 2, len(self.words))
+        ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in FILLERS | MARKS]
         return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]
 
     def _is_last_unit(self, at: int) -> bool:

@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from contextlib import suppress
 
 from radcalc.errors import RadcalcError, UsageError, ambiguous, call
+from radcalc.quantities.light import PHOTON
+from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI, PPF, PPFD
 from radcalc.quantities.search import comparable
 from radcalc.tuples import NamedTuple
@@ -122,8 +124,11 @@ def _plain_words(text: str) -> list[str]:
 def _adds_nothing(text: str, words: Sequence[Word]) -> bool:
     """Return whether a word adds nothing to an amount: 5 W average; mean luminance is a result."""
     has_number = any(word.text[0].isdigit() for word in words[-2:])
-    is_after_unit = has_number and unit_in([words[-1].text]) is not None
-    return text.lower() == ANSI or (text.lower() in OF_AMOUNTS and is_after_unit)
+    unit = unit_in([words[-1].text]) if has_number else None
+    light = read_light(unit) if unit else None
+    is_of_photons = light is not None and light.kind == PHOTON
+    nothing = (*OF_AMOUNTS, *horticulture.AMBIGUOUS * is_of_photons)
+    return text.lower() == ANSI or (text.lower() in nothing and unit is not None)
 
 
 def _reordered(parts: list[str]) -> list[str]:

@@ -19,12 +19,13 @@ WORDS: "dict[str, tuple[str, type[Photosynthetic], str]]" = {
 
 
 AMBIGUOUS = ("par",)
+PAR_RANGE = "400nm:700nm"  # of watts of PAR
 
 
 def refuse(text: str) -> None:
     """Raise for PAR, which is a range of wavelengths and is measured in photons or in watts."""
     if text.strip().lower() in AMBIGUOUS:
-        watts = Try((("range", "400nm:700nm"),), instead=(text, "W/m2"), remark="the watts")
+        watts = Try((("range", PAR_RANGE),), instead=(text, "W/m2"), remark="the watts")
         raise UnitError(
             ambiguous(text, "photons (PPFD, in umol/m2/s) or watts (W/m2) from 400 nm to 700 nm"),
             [*corrections(text, "ppfd", remark="the photons"), watts],
