@@ -201,7 +201,6 @@ class Bridge:
             tries = [call("convert", product, quote(self.target.text), remark="over 1 m")]
         return MissingCondition(message, hint, self.source.text, self.target.text, missing, tries)
 
-
     def _as_ppfd(self) -> list[Try]:
         """Propose PPFD for a number of photons in umol, as growers say it."""
         for unit, other in ((self.source, self.target), (self.target, self.source)):

@@ -13,9 +13,11 @@ from radcalc.errors import (
     input_of,
     listed,
     manual,
+    mention,
     quote,
     quote_path,
 )
+from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import (
@@ -37,21 +39,25 @@ from radcalc.sentences.facts import (
 )
 from radcalc.sentences.frames import calls_of, on_page, taken_by
 from radcalc.sentences.phrases import (
+    BEAM,
     BESIDE,
-    DIRECTED,
+    COMMAND,
     FILLERS,
     FILTER,
-    LAMPS,
+    LAMP,
+    LASER,
+    LIGHT,
     MEANINGFUL,
-    METERS,
-    OF_LIGHT,
+    METER,
+    MORE_NEEDED,
     PER_DAY,
     PERIOD,
+    SUN,
 )
-from radcalc.sentences.products import moved, quotients
+from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.vocabulary import near_words
-from radcalc.sentences.words import Amount
+from radcalc.sentences.words import Amount, amount_of
 from radcalc.units.dimensions import (
     ANGLE,
     LENGTH,
@@ -62,16 +68,19 @@ from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest, unit_of
 from radcalc.units.unit import NUMBER, Daily
 
-SUNNY = frozenset(["sun", "sunlight", "sky", "roof", "dni"])
 MOST = 3  # readings to show
 SHORTEST = 4  # letters of a word with a misspelling
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
+PLAIN_FLUX = ((), ("flux",))
+OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}
+# Examples of the efficacy of a lamp.
+EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.1  # of a temperature
 # Directions of light, and examples of them.
-OF_BEAMS = {"isotropic", "hemisphere", "solid-angle", "exponent"}
-OF_BEAMS |= {"half-angle", "apex-angle", "beam-angle"}
+DIRECTIONS = {"isotropic", "hemisphere", "solid-angle", "exponent"}
+DIRECTIONS |= {"half-angle", "apex-angle", "beam-angle"}
 EXAMPLES_OF_BEAMS = (
     ("apex-angle", "30deg", "evenly in a cone of 30 deg, an example"),
     ("isotropic", "", "the same in all directions"),
@@ -85,11 +94,11 @@ def call_of(sentence: Sentence) -> list[str]:
     """
     if sentence.unknown:
         raise _not_understood(sentence)
-    sentence = _with_values(sentence)
+    sentence = _of_efficacy(_with_values(sentence))
     _refuse_height_of_sun(sentence)
+    if watts := _watts_of_lamp(sentence):
+        raise _electrical(sentence, watts, _goal_of(sentence))
     for fact in sentence.facts:
-        if fact.symbols == ELECTRICAL or _is_of_lamp(fact, sentence):
-            raise _electrical(sentence, fact, _goal_of(sentence))
         if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
             raise _without_value(sentence, fact, _goal_of(sentence))
     calls = _calls_of(sentence)
@@ -99,22 +108,55 @@ def call_of(sentence: Sentence) -> list[str]:
         parts = [fact.typed for fact in sentence.facts]
         wanted = f" and gives {quote(sentence.goals[0].text)}" if sentence.goals else ""
         what = ", ".join(map(quote, parts)) or "these words"
-        raise UsageError(f"no command takes {what}{wanted}", manual("convert"))
-    tries = [Try(words=tuple(call)) for call in calls[:MOST]]
-    raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", tries)
+        raise UsageError(
+            f"no command takes {what}{wanted}", lambda: _with_less(sentence) or manual("convert")
+        )
+    raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", _explained(calls))
 
 
-def _words_of(sentence: Sentence) -> set[str]:
-    """Return the words that were typed, without marks and capitals."""
-    return {word.strip(".,;:?!").lower() for word in sentence.text.split()}
+def _with_less(sentence: Sentence) -> list[Try]:
+    """Propose the calls of a sentence without one of its phrases."""
+    facts, goals = sentence.facts, sentence.goals
+    is_short = not sentence.files and len(facts) + len(goals) < 3  # an amount alone
+    if is_short or any(map(is_bare, facts)):
+        return []
+    shorter = [
+        (fact.typed, sentence._replace(facts=tuple([one for one in facts if one is not fact])))
+        for fact in facts
+    ]
+    shorter += [
+        (goal.text, sentence._replace(goals=tuple([one for one in goals if one is not goal])))
+        for goal in goals
+    ]
+    return [
+        Try(words=calls[0], remark=f"without '{quote(text)}'")
+        for text, less in shorter
+        if len(calls := _answerable(less)) == 1
+    ]
+
+
+def _explained(calls: Sequence[tuple[str, ...]]) -> list[Try]:
+    """Propose the calls of several readings, each with the meaning of what only it has."""
+    in_all = set.intersection(*[{input_of(word)[0] for word in call[1:]} for call in calls])
+    tries = []
+    for command, *words in calls[:MOST]:
+        page, pairs = page_of(command), [input_of(word) for word in words]
+        own = [name for name, _ in pairs if name and name not in in_all]
+        if not own:  # another command, or another result
+            own = [text.partition(":")[0] for name, text in pairs if name == "get"]
+        symbols = [page.symbol(name) for name in own if name in SYMBOLS]
+        texts = [symbol.help.partition(". ")[0].rstrip(".") or symbol.label for symbol in symbols]
+        remark = mention("; ".join([f"{text[:1].lower()}{text[1:]}" for text in texts]))
+        tries.append(Try(words=(command, *words), remark=remark))
+    return tries
 
 
 def _refuse_height_of_sun(sentence: Sentence) -> None:
     """Refuse `at 30 deg` of the sun, which is its height or the angle from the normal."""
-    named = _words_of(sentence)
     for fact in sentence.facts:
         is_plain = fact.symbols == ("incidence",) and "incidence" not in fact.typed
-        if is_plain and "normal" not in fact.typed and fact.text[:6] != "90deg-" and named & SUNNY:
+        is_given = "normal" in fact.typed or fact.text[:6] == "90deg-"
+        if is_plain and not is_given and sentence.has(SUN):
             height = fact._replace(text=f"90deg-{fact.text}")
             tries = [
                 Try(words=call, remark=remark)
@@ -125,15 +167,28 @@ def _refuse_height_of_sun(sentence: Sentence) -> None:
             raise UsageError(problem, tries)
 
 
-def _is_of_lamp(fact: Fact, sentence: Sentence) -> bool:
-    """Return whether a fact is the watts of a lamp, as `400 W HPS`, which may be electrical."""
-    is_watts = fact.amount is not None and fact.amount.dimension == POWER
-    named = _words_of(sentence)
-    lamps = [one.text.lower() for one in sentence.facts if is_lamp(one)]
-    is_lit = bool(named & LAMPS) or any(lamp not in DAYS for lamp in lamps)
-    has_efficacy = any("efficacy" in one.symbols or is_efficacy(one) for one in sentence.facts)
-    is_told = has_efficacy or not named.isdisjoint(OF_LIGHT)
-    return is_watts and is_lit and not is_told and fact.symbols in ((), ("flux",))
+def _of_efficacy(sentence: Sentence) -> Sentence:
+    """Return a sentence whose watts of a lamp are those of its efficacy: 240 W LED, 2.7 umol/J."""
+    if not any("efficacy" in fact.symbols or is_efficacy(fact) for fact in sentence.facts):
+        return sentence
+    facts = [
+        fact._replace(symbols=()) if fact.symbols == ELECTRICAL else fact for fact in sentence.facts
+    ]
+    return sentence._replace(facts=tuple(facts))
+
+
+def _watts_of_lamp(sentence: Sentence) -> Fact | None:
+    """Return the watts of a lamp, as `400 W HPS`, which may be electrical or of its light."""
+    facts = sentence.facts
+    if any("efficacy" in fact.symbols or is_efficacy(fact) for fact in facts):
+        return None
+    is_lit = sentence.has(LAMP) or any(is_lamp(f) and f.text.lower() not in DAYS for f in facts)
+    is_of_lamp = is_lit and not sentence.has(LIGHT)
+    for fact in facts:
+        is_watts = fact.amount is not None and fact.amount.dimension == POWER
+        if fact.symbols == ELECTRICAL or (is_watts and is_of_lamp and fact.symbols in PLAIN_FLUX):
+            return fact
+    return None
 
 
 def _with_values(sentence: Sentence) -> Sentence:
@@ -196,7 +251,8 @@ def _without(sentence: Sentence) -> list[Try]:
     except UsageError as error:
         tries = [one for one in error.tries if one.is_call]
     remark = "without " + " and ".join([f"'{word}'" for word in unknown])
-    return [Try(words=one.words, remark=one.remark or remark) for one in tries]
+    remarks = [", ".join(filter(None, [remark, one.remark])) for one in tries]
+    return [Try(words=one.words, remark=text) for one, text in zip(tries, remarks, strict=True)]
 
 
 def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
@@ -207,21 +263,28 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if goal and isinstance(goal.unit, Daily):  # 16 h per day
         sentence = sentence._replace(facts=_periods(sentence)[1])
     has_filter = any(fact.symbols == (FILTER,) for fact in sentence.facts)
-    if has_filter and not METERS.isdisjoint(word.lower() for word in sentence.ignored):
+    if has_filter and sentence.has(METER):
         raise UsageError(
             "the meter may be in front of the filter or behind it", "the light without it"
         )
-    has_beam = any(map(is_lamp, sentence.facts)) or not DIRECTED.isdisjoint(sentence.ignored)
+    has_beam = any(map(is_lamp, sentence.facts)) or sentence.has(BEAM)
     sentence = _without_lamp(_with_led(sentence), goal)
     readings = _readings(sentence)
-    found = [call for facts in readings for call in calls_of(facts, goal)]
+    found = []
+    if goal is None and sentence.has(LASER):  # both the mean and the peak of its spot
+        found = [call for facts in readings for call in calls_of({**facts, **OF_LASER}, goal)]
+    found = found or [call for facts in readings for call in calls_of(facts, goal)]
     found = found or quotients(sentence.facts, goal)
     if not found and not has_beam:
         found = moved(sentence.facts, goal)
     _refuse_wide(sentence, goal, found)
     if not found and not readings:
         texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
-        raise UsageError(f"two of these fill one place: {texts}", "a call for each of them")
+        tries = [] if has_beam else moved_either_way(sentence.facts, goal)
+        raise UsageError(
+            f"two of these fill one place: {texts}",
+            lambda: tries or _with_less(sentence) or "a call for each of them",
+        )
     return list(dict.fromkeys(map(tuple, found)))
 
 
@@ -243,12 +306,12 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
 
 def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence[str]]) -> None:
     """Refuse the flux of a source with a beam as if it lit all directions alike."""
-    directed = [word for word in sentence.ignored if word.lower() in DIRECTED]
+    directed = [word for word in sentence.ignored if word.lower() in MORE_NEEDED[BEAM]]
     names = {input_of(word)[0] for call in calls[:1] for word in call}
     asked = {*goal.names} if goal else set()
     is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})
     has_unit = goal and goal.unit and goal.unit.dimension in SYMBOLS["flux"].dimensions
-    is_point = bool(calls) and calls[0][0] == "point-source" and names.isdisjoint(OF_BEAMS)
+    is_point = bool(calls) and calls[0][0] == "point-source" and names.isdisjoint(DIRECTIONS)
     if directed and is_point and (is_flux or has_unit):
         tries = [
             Try(words=(*calls[0], f"{name}={value}"), remark=remark)
@@ -331,14 +394,30 @@ def _toward(fact: Fact) -> Fact:
 
 def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
     """Return the error for the watts of a lamp, which may be electrical or those of its light."""
-    radiant = fact._replace(symbols=("flux",))
-    electrical = radiant._replace(text=f"{fact.text}*100lm/W")
+    kind = PHOTON if goal and _is_of_photons(goal) else LUMINOUS
+    efficacy = EXAMPLES_OF_LAMPS[kind]
+    text = f"{fact.text}*{efficacy}"
+    electrical = Fact(("flux",), text, fact.typed, amount_of(text, 0))
+    radiant = _with_fact(sentence, fact, fact._replace(symbols=("flux",)))
+    if "led" in fact.typed.lower().split():
+        radiant = radiant._replace(facts=(*radiant.facts, Fact(("spectrum",), "LED", "LED")))
+    ways = (
+        (radiant, "watts of light"),
+        (_with_fact(sentence, fact, electrical), f"electrical watts, {efficacy} as an example"),
+    )
     tries = [
-        *_with(sentence, fact, radiant, goal, "watts of light"),
-        *_with(sentence, fact, electrical, goal, "electrical watts of a lamp of 100 lm/W"),
+        Try(words=call, remark=remark) for way, remark in ways for call in _answerable(way)[:1]
     ]
     problem = f"'{quote(fact.typed)}': the watts of a lamp are electrical or of its light"
     return UsageError(problem, tries or "its flux in lm, or its radiant flux")
+
+
+def _is_of_photons(goal: Goal) -> bool:
+    """Return whether a goal is a unit, or the name, of photons."""
+    light = read_light(goal.unit) if goal.unit else None
+    return bool(light and light.kind == PHOTON) or any(
+        SYMBOLS[name].kind == PHOTON for name in goal.names
+    )
 
 
 def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:

@@ -16,7 +16,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.quantities.targets import is_name
 from radcalc.sentences.facts import LIGHT, VALUE, Facts, generic, is_light, light_of, meant
-from radcalc.sentences.phrases import FILTER, SHAPE
+from radcalc.sentences.phrases import COMMAND, FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
@@ -50,6 +50,7 @@ def _frame(
     return Frame(command, needed, operand, light, tuple(names.items()), called_for)
 
 
+SENSOR = _frame("sensor", "f-number pixel-pitch quantum-efficiency responsivity")
 FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("ev", "stops nd", time="unfiltered-time"),
     _frame("ev", "f-number iso ev ev100 guide-number stops nd"),
@@ -61,7 +62,7 @@ FRAMES = (  # the first that takes all facts of a sentence counts
         results="peak-irradiance",
     ),
     _frame("etendue", "na etendue"),
-    _frame("sensor", "pixel-pitch quantum-efficiency responsivity"),
+    SENSOR,
     _frame("refraction", "index"),
     _frame("point-source", "", light=False, results="beam-diameter diameter"),
     _frame("convert", " ".join((VALUE, *LIGHT, "wavelength", "fwhm"))),
@@ -102,27 +103,46 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the calls of the first frame that takes all facts."""
     if len(facts) == 1 and goal and goal.unit and (same := _same(next(iter(facts.values())), goal)):
         return [same]
-    if goal and ("room-index" in goal.names or _is_solid_angle(goal)):
-        facts = _with_sides(facts)
     if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
         return [["convert", *facts[FILTER].text.split(), "%"]]
-    if (
-        not {"stops", "nd"}.isdisjoint(facts)
-        and goal
-        and not TIMES_OF_FILTERS & {*goal.names, goal.text}
-    ):
-        return []  # the time may be with the filter, or without
-    if FILTER in facts:
-        if not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}:
-            return []  # the light may be before the filter, or after it
-        facts = _filtered(facts)
-    results = {*goal.names} if goal else set()
+    if _is_of_unknown_side(facts, goal):
+        return []
+    commands = {fact.text for name, fact in facts.items() if name == COMMAND}
+    facts = {name: fact for name, fact in facts.items() if name != COMMAND}
+    if goal and ("room-index" in goal.names or _is_solid_angle(goal)):
+        facts = _with_sides(facts)
+    facts = _filtered(facts) if FILTER in facts else facts
+    called_for, results = {*_generic_names(facts)}, {*goal.names} if goal else set()
     for frame in FRAMES:
+        if commands and frame.command not in commands:
+            continue
         of_frame = _conversions if frame.command == "convert" else _calculations
-        is_called_for = frame.needs & {*_generic_names(facts)} or frame.results & results
+        is_called_for = frame.needs & called_for or frame.results & results
         if is_called_for and (calls := of_frame(frame, facts, goal)):
-            return calls
+            return [*calls, *([] if commands else _on_sensor(frame, facts, goal))]
     return []
+
+
+def _is_of_unknown_side(facts: Facts, goal: Goal | None) -> bool:
+    """Return whether the time or the light may be that before a filter, or that after it."""
+    if not {"stops", "nd"}.isdisjoint(facts) and goal:
+        return TIMES_OF_FILTERS.isdisjoint((*goal.names, goal.text))
+    return FILTER in facts and not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}
+
+
+def _on_sensor(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
+    """Return the call for the light on a sensor, where a light meter gives that on the scene."""
+    is_of_lens = frame.command == "ev" and any(map(is_light, facts.values()))
+    if goal is None or not is_of_lens or not is_irradiance(goal):
+        return []
+    return _calculations(SENSOR, facts, goal)
+
+
+def is_irradiance(goal: Goal) -> bool:
+    """Return whether a goal is a unit, or the name, of light on a surface."""
+    if goal.unit:
+        return goal.unit.dimension in SYMBOLS["irradiance"].dimensions
+    return any(SPECIFIC.get(name, (name,))[0] == "irradiance" for name in goal.names)
 
 
 def _is_solid_angle(goal: Goal) -> bool:
@@ -313,7 +333,8 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     if not page.light and not page.others:  # the results depend on the inputs
         if goal.unit:
             own = result_name(goal.unit)
-            return [f"{SPECIFIC.get(own, (own,))[0]}:{goal.text}"]
+            is_result = _is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
+            return [f"{SPECIFIC.get(own, (own,))[0]}:{goal.text}"] if is_result else []
         angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
         return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
     options = (*page.light, *page.others, *page.takes)

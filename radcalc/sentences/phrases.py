@@ -38,6 +38,7 @@ AMOUNTS = {
 }
 # Places that are not symbols; an unknown phrase is refused.
 SHAPE, FILTER, TARGET, UNKNOWN = "shape", "filter", "target", "unknown"
+COMMAND = "command"  # of a thing: the light on a sensor
 PERIOD, PER_DAY = "by", "day"  # of the answers to a log: each day, or each hour
 
 FROM_SURFACE = "90deg-{}"  # the incidence is measured from the normal
@@ -85,6 +86,7 @@ PHRASES = (
         ("at|under an? angle of {angle}", "incidence"),
         ("angle {angle}", "incidence or half-angle or apex-angle"),
         ("incidence angle {angle}", "incidence"),
+        ("tilted|inclined by? {angle}", "incidence"),
         ("angle of incidence {angle}", "incidence"),
         ("{angle} incidence|from-normal", "incidence"),
         ("{angle} off|from the? normal", "incidence"),
@@ -184,6 +186,7 @@ PHRASES = (
     *_group(
         "camera",
         ("f/ {number}", "f-number"),
+        ("on|at the? sensor|film|chip", COMMAND, "sensor"),
         ("iso {number}", "iso"),
         ("nd {ratio} filter", "nd"),
         ("ev {number}", "ev100 or ev"),
@@ -250,12 +253,13 @@ SOURCES = """
     projection projector pulse pulses radiation ray searchlight single small source source-four
     spot spotlight star torch
 """
+# Things whose words ask for more: see MORE_NEEDED.
+BEAM, LAMP, LIGHT, METER, SUN, LASER = "beam", "lamp", "light", "meter", "sun", "laser"
 OF_BEAMS = """
     beam collimated downlight flashlight flood floodlight focused focussed followspot fresnel
     headlamp headlight laser moving-head pointer profile projector searchlight sky spot spotlight
     sun torch лазер лазера
 """
-DIRECTED = frozenset(OF_BEAMS.split())
 # Things that are lit: a length next to one of these may be its size, not a distance.
 OBJECTS = """
     lens optics globe softbox air aisle array backdrop backlight band bandgap band-gap bar basil
@@ -292,12 +296,30 @@ OTHERS = """
     источник точечный экран стол бумага
 """  # Czech; Russian
 IGNORED = f"{QUESTIONS}{SOURCES}{OBJECTS}{OTHERS}"
-# The watts of these are electrical or of their light, unless these words are there.
-LAMP_WORDS = "led lamp bulb fixture luminaire halogen tungsten žárovka lampa лампа"
-LAMPS = frozenset(LAMP_WORDS.split())
-OF_LIGHT = frozenset(["laser", "light", "optical", "radiant", "radiated", "emits", "efficacy"])
-# Words for a meter, whose reading may be behind a filter.
-METERS = frozenset(["meter", "metre", "measured", "reads", "read", "reading"])
+# Words of things that need more than a sentence without them has: the angle of a beam; whether
+# watts of a lamp are electrical, unless they are of light; whether a meter is before a filter or
+# behind it; whether an angle of the sun is its height.
+MORE_NEEDED = {
+    BEAM: frozenset(OF_BEAMS.split()),
+    LAMP: frozenset(
+        [
+            "led",
+            "lamp",
+            "bulb",
+            "fixture",
+            "luminaire",
+            "halogen",
+            "tungsten",
+            "žárovka",
+            "lampa",
+            "лампа",
+        ]
+    ),
+    LIGHT: frozenset(["laser", "light", "optical", "radiant", "radiated", "emits", "efficacy"]),
+    METER: frozenset(["meter", "metre", "measured", "reads", "read", "reading"]),
+    SUN: frozenset(["sun", "sunlight", "sky", "roof", "dni"]),
+    LASER: frozenset(["laser", "лазер", "лазера"]),
+}
 # Words that change an amount, or its meaning: without one, a sentence means something else.
 CHANGES = """
     absorbed absorbs centre center square round absorption after away back behind before both

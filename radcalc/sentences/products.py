@@ -3,13 +3,15 @@
 from collections.abc import Sequence
 from functools import reduce
 
+from radcalc.errors import Try, quote
+from radcalc.quantities.light import PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import (
-    SPECIFIC,
     SYMBOLS,
     light_unit,
 )
 from radcalc.sentences.facts import generic, is_number, size_of
+from radcalc.sentences.frames import is_irradiance
 from radcalc.sentences.reader import Fact, Goal
 from radcalc.sentences.words import Amount
 from radcalc.units.dimensions import (
@@ -19,7 +21,9 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     times,
 )
-from radcalc.units.unit import NUMBER
+from radcalc.units.unit import NUMBER, Unit
+
+PPFD = "umol/m2/s"  # which is a unit in expressions
 
 
 def quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
@@ -75,17 +79,13 @@ def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     Both distances have `at`, and the light comes from a small lamp: it is not the sun's, nor a
     laser's.  The distance that is known stands after its light.
     """
-    lights = [fact for fact in facts if fact.amount and generic(fact.amount) == "irradiance"]
-    places = [fact for fact in facts if fact.symbols == ("distance",)]
-    if len(facts) != 3 or len(lights) + len(places) != 3 or facts[0] not in lights:
+    lights, places = _lights_and_places(facts)
+    if len(facts) != 3 or facts[0] not in lights:
         return []
     if len({fact.typed.split()[0] for fact in places}) > 1:  # from one to another
         return []
-    if len(places) == 2 and (goal is None or _is_irradiance(goal)):
-        (light,), (here, there) = lights, places
-        text = light.text.replace("ppfd", "umol/m2/s")  # which is a unit in expressions
-        value = f"({text}) * ({here.text})^2 / ({there.text})^2"
-        return [["convert", value, goal.text if goal else _unit_text(light)]]
+    if len(places) == 2 and (goal is None or is_irradiance(goal) or is_micromoles(goal.unit)):
+        return [_moved(lights[0], *places, goal)]
     if len(lights) == 2 and places and goal and "distance" in goal.names:
         known = facts[facts.index(places[0]) - 1]
         wanted = next(light for light in lights if light is not known)
@@ -94,13 +94,44 @@ def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     return []
 
 
+def moved_either_way(facts: Sequence[Fact], goal: Goal | None) -> list[Try]:
+    """Propose the light at one distance from that at another, where either may be known."""
+    lights, places = _lights_and_places(facts)
+    if (len(lights), len(places), len(facts)) != (1, 2, 3) or not (
+        goal is None or is_irradiance(goal) or is_micromoles(goal.unit)
+    ):
+        return []
+    return [
+        Try(
+            words=tuple(_moved(lights[0], here, there, goal)),
+            remark=f"from {quote(here.text)} to {quote(there.text)}, by the inverse square law",
+        )
+        for here, there in (places, places[::-1])
+    ]
+
+
+def _lights_and_places(facts: Sequence[Fact]) -> tuple[list[Fact], list[Fact]]:
+    """Return the facts of light on a surface, as growers say umol for PPFD, and the distances."""
+    amounts = [(fact, fact.amount) for fact in facts if fact.amount]
+    lights = [f for f, a in amounts if generic(a) == "irradiance" or is_micromoles(a.unit)]
+    return lights, [f for f, a in amounts if a.dimension == LENGTH and not a.is_wavelength]
+
+
+def _moved(light: Fact, here: Fact, there: Fact, goal: Goal | None) -> list[str]:
+    unit = _unit_text(light)
+    texts = [light.text, goal.text if goal else unit]
+    if is_micromoles(light.amount and light.amount.unit):
+        texts = [text.replace(unit, PPFD) for text in texts]
+    value = f"({texts[0].replace('ppfd', PPFD)}) * ({here.text})^2 / ({there.text})^2"
+    return ["convert", value, texts[1]]
+
+
+def is_micromoles(unit: Unit | None) -> bool:
+    """Return whether a unit is that of a number of photons."""
+    light = read_light(unit) if unit else None
+    return light is not None and (light.kind, light.geometry) == (PHOTON, (1, 0, 0))
+
+
 def _unit_text(fact: Fact) -> str:
     assert fact.amount is not None
     return fact.amount.unit.text
-
-
-def _is_irradiance(goal: Goal) -> bool:
-    """Return whether a goal is a unit, or the name, of light on a surface."""
-    if goal.unit:
-        return goal.unit.dimension in SYMBOLS["irradiance"].dimensions
-    return any(SPECIFIC.get(name, (name,))[0] == "irradiance" for name in goal.names)

@@ -17,6 +17,7 @@ from radcalc.sentences.phrases import (
     FILLERS,
     LONE,
     MARKS,
+    MORE_NEEDED,
     NOUNS,
     TARGET,
     THINGS,
@@ -66,7 +67,7 @@ class Goal(NamedTuple):
 class Sentence(NamedTuple):
     """A sentence that was read: its facts, its goals, its files and the words not understood.
 
-    `ignored` are the words that add nothing.
+    `ignored` are the words that add nothing, and `named` the things of `MORE_NEEDED`.
     """
 
     facts: tuple[Fact, ...]
@@ -75,6 +76,11 @@ class Sentence(NamedTuple):
     unknown: tuple[str, ...]
     text: str
     ignored: tuple[str, ...] = ()
+    named: frozenset[str] = frozenset()
+
+    def has(self, thing: str) -> bool:
+        """Return whether a word of a thing that needs more was typed."""
+        return thing in self.named
 
 
 Found = tuple[int, "Fact | Goal | str | None"]  # the place after a phrase, and what it fills
@@ -151,7 +157,13 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         ignored += [word for word in unknown if word in MEAN]
         unknown = [word for word in unknown if word not in MEAN]
     found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
-    return Sentence(*found, text, tuple(ignored))
+    return Sentence(*found, text, tuple(ignored), _named_in(text))
+
+
+def _named_in(text: str) -> frozenset[str]:
+    """Return the things that need more, by the words for them in a text."""
+    words = {word.strip(".,;:?!").lower() for word in text.split()}
+    return frozenset([thing for thing in MORE_NEEDED if not MORE_NEEDED[thing].isdisjoint(words)])
 
 
 def _is_same_light(first: Fact, second: Fact) -> bool:

@@ -192,7 +192,7 @@ def amount_at(words: "list[Word]", start: int) -> Amount | None:
     if end == amount.end:
         return amount
     texts = ["*" if word.folded in TIMES else word.text for word in words[start:end]]
-    return _read(" ".join(texts), end) or amount
+    return amount_of(" ".join(texts), end) or amount
 
 
 def _operand(words: "list[Word]", start: int) -> Amount | None:
@@ -204,7 +204,7 @@ def _operand(words: "list[Word]", start: int) -> Amount | None:
     while text.count("(") > text.count(")") and end < len(words):
         text += f" {words[end].text}"
         end += 1
-    amount = _read(text, end)
+    amount = amount_of(text, end)
     if text[:2] == "1/" and words[end : end + 1] and words[end].text.upper() == "EV":
         return amount  # a shutter, whose EV is asked for
     if amount and amount.dimension == NUMBER and "%" not in text:
@@ -242,10 +242,11 @@ def _sides(words: "list[Word]", first: Amount) -> Amount | None:
     if second is None or second.dimension != LENGTH_ALONE:
         return None
     unit = "" if first.dimension == LENGTH_ALONE else second.unit.text
-    return _read(f"{first.text}{unit}*{second.text}".replace(" ", ""), second.end)
+    return amount_of(f"{first.text}{unit}*{second.text}".replace(" ", ""), second.end)
 
 
-def _read(text: str, end: int) -> Amount | None:
+def amount_of(text: str, end: int) -> Amount | None:
+    """Return the amount of a text, or None; `end` is the place after it."""
     try:
         amount = read_amount(text)
     except RadcalcError:
