@@ -451,6 +451,10 @@ class TooManyWords(UsageError):
     """A conversion with more words than a value and two units; it may be a sentence."""
 
 
+class SeveralReadings(UsageError):
+    """A sentence that several calls may mean."""
+
+
 class UnknownResult(UsageError):
     """The name of a result that the answer does not have; `names` are those that it has."""
 

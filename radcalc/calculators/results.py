@@ -101,6 +101,9 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     if unit.dimension in value.dimensions:
         amount = value.amount
     if amount is None:
+        for other in among:  # the same light in another kind
+            if other.because and unit.dimension in other.dimensions:
+                raise other.because
         own_grid, wanted_grid = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
         is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
         if is_other_kind and not _results_in(unit.text, among):

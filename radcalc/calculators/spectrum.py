@@ -8,14 +8,22 @@ from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nan
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent, on_request, value
 from radcalc.derivation import Formula
-from radcalc.errors import ConditionError, add, command, leave_out, option
+from radcalc.errors import (
+    ConditionError,
+    Try,
+    UsageError,
+    add,
+    command,
+    leave_out,
+    option,
+)
 from radcalc.inputs.given import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
 from radcalc.spectra.counts import Counts
 from radcalc.spectra.observers import OBSERVERS, TRAPEZOIDS
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Spectrum
+from radcalc.spectra.spectrum import PAR, WHOLE, BlackBody, Lines, Spectrum, range_text
 
 PAGE = Page(
     about="Describe a spectrum: peak, width, efficacies, photons, colour; or compare several.",
@@ -66,6 +74,8 @@ INSTEAD = (
     ("illuminance", "luminous-efficacy"),
     ("photon-irradiance", "photon-efficacy", "lux-per-ppfd"),
 )
+OF_BLACK_BODY = ("exitance", "radiance")
+SAME = 1e-9  # relative difference of equal sums
 
 
 def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
@@ -90,13 +100,16 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
         unused = f"{option('reference')} does not apply without a spectral similarity index"
         raise ConditionError(unused, [leave_out("reference"), add("get", "ssi")])
     colour = colours(light, requested, reference)
+    uncounted = _without_photons(source, counts)
+    kinds = (RADIANT, LUMINOUS) if uncounted else (RADIANT, LUMINOUS, PHOTON)
     values = [
         *_shape(counts, source.total()),
         *_efficacies(counts, Counts(light, night, *ranges)),
         *_photons(counts),
         *colour.values,
         *[on_request(name) for name in ON_REQUEST if name not in requested],
-        *_absolute(source, {kind: counts.amount(kind) for kind in (RADIANT, LUMINOUS, PHOTON)}),
+        *_absolute(source, {kind: counts.amount(kind) for kind in kinds}),
+        *uncounted,
     ]
     shares = f"; range-fraction is relative to {whole.known}, all of the data" if known else ""
     watts = f"watts counted over {counts.over(RADIANT)}, photons"
@@ -181,10 +194,38 @@ def _photons(counts: Counts) -> list[Value]:
     ]
 
 
+def _without_photons(source: Spectrum, counts: Counts) -> list[Value]:
+    """Return the photons of an absolute source as absent, if its range has others than are counted.
+
+    With a range alone they may be all its photons, or the PPFD from 400 nm to 700 nm.
+    """
+    chosen, also = counts.given[RADIANT], counts.given[PHOTON]
+    names = OF_BLACK_BODY if isinstance(source, BlackBody) else (source.absolute,)
+    if not chosen or also or not any(names):
+        return []
+    every, counted = counts.source.photons(counts.ranges[RADIANT]), counts.amount(PHOTON)
+    if math.isclose(every, counted, rel_tol=SAME):
+        return []
+    ranges = {"all photons of the range": chosen, "the PPFD": PAR} if counted else {"": chosen}
+    tries = [
+        add("photon-range", f"{low:g}nm:{high:g}nm", remark)
+        for remark, (low, high) in ranges.items()
+    ]
+    text = range_text(chosen)
+    why = f"{text} has photons that are not in {counts.over(PHOTON)}, where they are counted"
+    return [_absent_photons(name, why, tries) for name in names]
+
+
+def _absent_photons(name: str, why: str, tries: list[Try]) -> Value:
+    symbol = SYMBOLS[specific_name(name, PHOTON)]
+    error = UsageError(f"the photons of {symbol.label} are ambiguous: {why}", tries)
+    return value(symbol.name, 0.0)._replace(units=(), because=error)
+
+
 def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
     """Return the light of an absolute source in each kind, or a black body's radiation.
 
-    `amounts` are its watts, lumens and photons; each result has all three kinds.
+    `amounts` are its watts, lumens and photons; each result has all these kinds.
     """
     if isinstance(source, BlackBody):
         leaving = {kind: amount / math.pi for kind, amount in amounts.items()}

@@ -21,6 +21,7 @@ from radcalc.errors import (
     MissingCondition,
     MissingInput,
     RadcalcError,
+    SeveralReadings,
     TooManyWords,
     UsageError,
 )
@@ -122,6 +123,7 @@ def meant(
         has_readings = any(one.is_call for one in problem.tries)
         is_free = asked[0] not in COMMANDS and (understood or has_readings)
         is_long = isinstance(error, UsageError) and len(" ".join(asked).split()) > LONG
+        is_long |= isinstance(problem, SeveralReadings)
         is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
         raise (problem if is_better else error) from None
     if not is_other(call, asked, error):

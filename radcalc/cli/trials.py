@@ -23,6 +23,7 @@ from radcalc.errors import (
     Exclusive,
     OutputError,
     RadcalcError,
+    SeveralReadings,
     Try,
     UsageError,
     drop,
@@ -154,9 +155,12 @@ def has_answers(error: RadcalcError, words: Words) -> bool:
 
 def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
     """Return a refused call with what it lacks, if it is answered then."""
-    has_readings = isinstance(further, UsageError) and "readings" in further.message
     is_sentence = called_in(trial.words) in ("", "convert")
-    if is_sentence and has_readings and all(one.words for one in further.tries):
+    if (
+        is_sentence
+        and isinstance(further, SeveralReadings)
+        and all(one.words for one in further.tries)
+    ):
         readings = []
         for one in further.tries[:MOST]:
             with suppress(RadcalcError):

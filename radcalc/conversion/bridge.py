@@ -207,9 +207,11 @@ class Bridge:
             own, on_area = read(unit), read(other)
             is_number = own and own.kind == PHOTON and own.geometry == (1, 0, 0)
             if is_number and on_area and on_area.geometry[1:] == (1, 0):
-                hours = [("photoperiod", "16h")] if isinstance(other, Daily) else []
-                remark = "PPFD: umol/m2/s"
-                return [Try(tuple(hours), instead=(quote(unit.text), "ppfd"), remark=remark)]
+                light = WANTED[KIND].choices[:1] if KIND in self.lacking else ()
+                inputs = [given for choice in light for given in choice.inputs]
+                inputs += [("photoperiod", "16h")] if isinstance(other, Daily) else []
+                remark = ", ".join(["PPFD: umol/m2/s", *[choice.remark for choice in light]])
+                return [Try(tuple(inputs), instead=(quote(unit.text), "ppfd"), remark=remark)]
         return []
 
 

@@ -2,8 +2,10 @@
 
 from collections.abc import Sequence
 
+from radcalc.calculators.page import Page
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import (
+    SeveralReadings,
     Try,
     UnitError,
     UsageError,
@@ -22,6 +24,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import (
     FLAG,
+    SPECIFIC,
     SYMBOLS,
 )
 from radcalc.sentences.facts import (
@@ -111,14 +114,14 @@ def call_of(sentence: Sentence) -> list[str]:
         raise UsageError(
             f"no command takes {what}{wanted}", lambda: _with_less(sentence) or manual("convert")
         )
-    raise UsageError(f"'{quote(sentence.text)}' has {len(calls)} readings", _explained(calls))
+    problem = f"'{quote(sentence.text)}' has {len(calls)} readings"
+    raise SeveralReadings(problem, _explained(calls))
 
 
 def _with_less(sentence: Sentence) -> list[Try]:
     """Propose the calls of a sentence without one of its phrases."""
     facts, goals = sentence.facts, sentence.goals
-    is_short = not sentence.files and len(facts) + len(goals) < 3  # an amount alone
-    if is_short or any(map(is_bare, facts)):
+    if any(map(is_bare, facts)):
         return []
     shorter = [
         (fact.typed, sentence._replace(facts=tuple([one for one in facts if one is not fact])))
@@ -131,8 +134,14 @@ def _with_less(sentence: Sentence) -> list[Try]:
     return [
         Try(words=calls[0], remark=f"without '{quote(text)}'")
         for text, less in shorter
-        if len(calls := _answerable(less)) == 1
+        if not _is_amount_alone(less) and len(calls := _answerable(less)) == 1
     ]
+
+
+def _is_amount_alone(sentence: Sentence) -> bool:
+    """Return whether a sentence is nothing, or an amount that is not part of a phrase."""
+    is_short = len(sentence.facts) + len(sentence.goals) < 2 and not sentence.files
+    return is_short and not any(fact.symbols for fact in sentence.facts)
 
 
 def _explained(calls: Sequence[tuple[str, ...]]) -> list[Try]:
@@ -144,11 +153,16 @@ def _explained(calls: Sequence[tuple[str, ...]]) -> list[Try]:
         own = [name for name, _ in pairs if name and name not in in_all]
         if not own:  # another command, or another result
             own = [text.partition(":")[0] for name, text in pairs if name == "get"]
-        symbols = [page.symbol(name) for name in own if name in SYMBOLS]
-        texts = [symbol.help.partition(". ")[0].rstrip(".") or symbol.label for symbol in symbols]
-        remark = mention("; ".join([f"{text[:1].lower()}{text[1:]}" for text in texts]))
-        tries.append(Try(words=(command, *words), remark=remark))
+        texts = [_meaning(page, name) for name in own if name in SYMBOLS]
+        tries.append(Try(words=(command, *words), remark="; ".join(texts)))
     return tries
+
+
+def _meaning(page: Page, name: str) -> str:
+    """Return the first clause of the help of an input or a result, or its label."""
+    symbol = page.symbol(name if name in page.texts else SPECIFIC.get(name, (name,))[0])
+    text = symbol.help.partition("; ")[0].partition(". ")[0].rstrip(".")
+    return mention(text[:1].lower() + text[1:]) if text else SYMBOLS[name].label
 
 
 def _refuse_height_of_sun(sentence: Sentence) -> None:
@@ -271,8 +285,9 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     sentence = _without_lamp(_with_led(sentence), goal)
     readings = _readings(sentence)
     found = []
-    if goal is None and sentence.has(LASER):  # both the mean and the peak of its spot
-        found = [call for facts in readings for call in calls_of({**facts, **OF_LASER}, goal)]
+    if sentence.has(LASER):  # its spot has a mean and a peak
+        spots = [{**facts, **OF_LASER} for facts in readings if "diameter" in facts]
+        found = [call for facts in spots for call in calls_of(facts, goal)]
     found = found or [call for facts in readings for call in calls_of(facts, goal)]
     found = found or quotients(sentence.facts, goal)
     if not found and not has_beam:
@@ -330,12 +345,16 @@ def _with_led(sentence: Sentence) -> Sentence:
         return sentence
     assert colours[0].amount is not None
     temperature = size_of(colours[0].amount)
-    name = min(LEDS, key=lambda led: abs(LEDS[led] - temperature))
-    if abs(LEDS[name] - temperature) > NEAR * temperature:
-        return sentence
-    led = leds[0]._replace(text=name)
-    others = [led if fact is leds[0] else fact for fact in facts if fact is not colours[0]]
-    return sentence._replace(facts=tuple(others))
+    first, second = sorted(LEDS, key=lambda led: abs(LEDS[led] - temperature))[:2]
+    others = sentence._replace(facts=tuple([fact for fact in facts if fact is not colours[0]]))
+    if abs(LEDS[first] - temperature) <= NEAR * temperature:
+        return _with_fact(others, leds[0], leds[0]._replace(text=first))
+    tries = [
+        Try(words=call, remark=f"an LED of {LEDS[name]} K")
+        for name in (first, second)
+        for call in _answerable(_with_fact(others, leds[0], leds[0]._replace(text=name)))[:1]
+    ]
+    raise UsageError(f"no LED of the CIE has about {quote(colours[0].typed)}", tries or first)
 
 
 def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:

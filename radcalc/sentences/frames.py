@@ -117,7 +117,7 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
         if commands and frame.command not in commands:
             continue
         of_frame = _conversions if frame.command == "convert" else _calculations
-        is_called_for = frame.needs & called_for or frame.results & results
+        is_called_for = commands or frame.needs & called_for or frame.results & results
         if is_called_for and (calls := of_frame(frame, facts, goal)):
             return [*calls, *([] if commands else _on_sensor(frame, facts, goal))]
     return []
