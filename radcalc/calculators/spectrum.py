@@ -206,7 +206,9 @@ def _without_photons(source: Spectrum, counts: Counts) -> list[Value]:
     every, counted = counts.source.photons(counts.ranges[RADIANT]), counts.amount(PHOTON)
     if math.isclose(every, counted, rel_tol=SAME):
         return []
-    ranges = {"all photons of the range": chosen, "the PPFD": PAR} if counted else {"": chosen}
+    ranges = {"all photons of the range": chosen, "those of PAR": PAR}
+    if not counted:
+        ranges = {"all photons of the range, none of which is PAR": chosen}
     tries = [
         add("photon-range", f"{low:g}nm:{high:g}nm", remark)
         for remark, (low, high) in ranges.items()
@@ -218,7 +220,7 @@ def _without_photons(source: Spectrum, counts: Counts) -> list[Value]:
 
 def _absent_photons(name: str, why: str, tries: list[Try]) -> Value:
     symbol = SYMBOLS[specific_name(name, PHOTON)]
-    error = UsageError(f"the photons of {symbol.label} are ambiguous: {why}", tries)
+    error = UsageError(f"the {symbol.label} is ambiguous: {why}", tries)
     return value(symbol.name, 0.0)._replace(units=(), because=error)
 
 

@@ -39,7 +39,8 @@ SHORT = 3  # words of a call that is rather a command with a mistake
 OF_OUTPUT = (*OPTIONS, STEPS)
 OF_SENTENCES = (*OF_OUTPUT, *OF_CHECKS)
 CHECKS = tuple([option.name or "" for option in OF_CHECKS])
-PLAIN_OPTIONS = {"precision", "quiet", "color", "auto"}  # with a value and its unit
+# With a value and its unit.
+PLAIN_OPTIONS = {"precision", "quiet", "color", "auto", STEPS.name}
 
 
 class Gate(NamedTuple):
@@ -155,7 +156,7 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
     if values["check"] is not None and "-g" in call:
         call, options = _for_check(call, options, values["check"])
     if "-g" in call and _has_unit(values):
-        results = hear(call)
+        results = hear([*call, *STEPS.opts[:1]] if values[STEPS.name or ""] else call)
         output = decide(**{name: values[name] for name in NAMES}, listener=gate.listener)
         output.show([result._replace(named=False) for result in results])
         status = terminal.ANSWERED

@@ -81,6 +81,12 @@ EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.1  # of a temperature
+# Usual fluorescent lamps of the CIE, with their colour temperatures as `spectrum` gives them.
+FLUORESCENT = {
+    "FL2": "cool white, 4225 K",
+    "FL4": "warm white, 2940 K",
+    "FL11": "three bands, 4000 K",
+}
 # Directions of light, and examples of them.
 DIRECTIONS = {"isotropic", "hemisphere", "solid-angle", "exponent"}
 DIRECTIONS |= {"half-angle", "apex-angle", "beam-angle"}
@@ -107,6 +113,9 @@ def call_of(sentence: Sentence) -> list[str]:
     calls = _calls_of(sentence)
     if len(calls) == 1:
         return list(calls[0])
+    if not calls and not sentence.facts and len(sentence.goals) == 1 and not sentence.files:
+        asked = quote(sentence.goals[0].text)
+        raise UsageError(f"{asked} of what?", call("help", *asked.split()))
     if not calls:
         parts = [fact.typed for fact in sentence.facts]
         wanted = f" and gives {quote(sentence.goals[0].text)}" if sentence.goals else ""
@@ -441,6 +450,14 @@ def _is_of_photons(goal: Goal) -> bool:
 
 def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
     """Return the error for a place without its value, as the reflectance of white paper."""
+    if fact.symbols == ("spectrum",):
+        ways = {name: _with_fact(sentence, fact, fact._replace(text=name)) for name in FLUORESCENT}
+        tries = [
+            Try(words=call, remark=FLUORESCENT[name])
+            for name, way in ways.items()
+            for call in _answerable(way)[:1]
+        ]
+        return UsageError(f"'{quote(fact.typed)}': lamps of this kind differ", tries or "FL2")
     symbol = SYMBOLS[fact.symbols[0]]
     tries = _with(sentence, fact, fact._replace(text=symbol.example), goal, "an example")
     return UsageError(f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number")

@@ -5,6 +5,7 @@ import re
 from functools import cached_property
 from itertools import pairwise
 
+from radcalc.calculators.pages import SUMMARIES
 from radcalc.errors import UsageError
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import RADIANT
@@ -14,6 +15,7 @@ from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
 from radcalc.sentences.phrases import (
     AMOUNTS,
     COLOURS,
+    COMMAND,
     FILLERS,
     LONE,
     MARKS,
@@ -210,7 +212,7 @@ class _Reading:
         """Return the longest phrase at a place; of two of one length, the first."""
         ways = (
             self._range(at), self._phrases(at), self._named(at), self._spectrum(at), self._goal(at),
-            self._alone(at), self._file(at), self._aspect(at), self._filler(at),
+            self._alone(at), self._file(at), self._aspect(at), self._filler(at), self._command(at),
         )  # fmt: skip
         found = [one for way in ways for one in way]
         return max(found, key=lambda one: one[0]) if found else (at + 1, "")
@@ -387,6 +389,11 @@ class _Reading:
         last = min(at + 2, len(self.words))
         ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in FILLERS | MARKS]
         return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]
+
+    def _command(self, at: int) -> list[Found]:
+        """Find the name of a calculator before a sentence: lambertian disc ..."""
+        text = self.words[at].text
+        return [(at + 1, Fact((COMMAND,), text, text))] if at == 0 and text in SUMMARIES else []
 
     def _is_last_unit(self, at: int) -> bool:
         """Return whether a word is the last, and a unit, not a preposition: s, in, a."""

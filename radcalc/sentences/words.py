@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from contextlib import suppress
 
-from radcalc.errors import RadcalcError, UsageError, ambiguous, call
+from radcalc.errors import RadcalcError, UsageError, ambiguous, call, quote
 from radcalc.quantities.light import PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI, PPF, PPFD
@@ -24,7 +24,8 @@ NOT_AFTER_UNITS = {"in", "as", "a", "at", "to", "d"}  # words that are also unit
 TIMES = ("x", "×", "by")  # between the sides of an area
 SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
 BARE_SIDES = re.compile(r"(\d[\d.]*)[x×](\d[\d.]*)")  # before their unit: 4x4 ft
-F_NUMBER = re.compile(r"(?:[fFtT]/|[fT])(\d+(?:\.\d+)?)")  # f/5.6, and T4 of a lens of the cinema
+# f/5.6, and T4 of a lens of the cinema; T5 and T12 are tubes of fluorescent lamps.
+F_NUMBER = re.compile(r"(?:[fFtT]/|f|T(?!5$|12$))(\d+(?:\.\d+)?)")
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"average": "mean", "avg": "mean"}
@@ -156,8 +157,11 @@ def _reordered(parts: list[str]) -> list[str]:
 
 
 def _refuse_small(parts: list[str]) -> None:
-    """Refuse a number after DLI that may be the DLI itself: dli 43.2 12h."""
+    """Refuse a number after DLI that may be the DLI itself, and one without a unit: dli 600 16."""
     _, number, *rest = parts
+    if rest and rest[0].rstrip(ENDS).isdigit() and not unit_in(rest[1:2]):
+        hours = call("convert", f"{number} ppfd", "dli", time=f"{rest[0].rstrip(ENDS)}h")
+        raise UsageError(f"the unit of {quote(rest[0])} is missing", [hours])
     with suppress(ValueError):
         if float(number) <= LARGEST_DLI and rest:
             days = [call("convert", f"{number} dli", "ppfd", time=rest[0])]
@@ -191,8 +195,13 @@ def amount_at(words: "list[Word]", start: int) -> Amount | None:
         end = following.end
     if end == amount.end:
         return amount
-    texts = ["*" if word.folded in TIMES else word.text for word in words[start:end]]
+    texts = ["*" if w.folded in TIMES else _in_arithmetic(w.text) for w in words[start:end]]
     return amount_of(" ".join(texts), end) or amount
+
+
+def _in_arithmetic(text: str) -> str:
+    """Return a word of an expression: the unit that ppfd stands for."""
+    return horticulture.WORDS.get(text.lower(), (text,))[0]
 
 
 def _operand(words: "list[Word]", start: int) -> Amount | None:
@@ -224,7 +233,8 @@ def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
     unit = unit_of(text) or find(text) or (None if is_par else horticulture.find(text))
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
         return None
-    if any(part[0].isdigit() for part in parts):
+    is_share = "per" in parts and unit.dimension == NUMBER  # 16 h per day of light
+    if is_share or any(part[0].isdigit() for part in parts):
         return None
     if len(parts) > 1 and len(unit.atoms) != 1 and not all(map(PART_OF_UNIT.fullmatch, parts[1:])):
         last = unit_of(parts[-1])
