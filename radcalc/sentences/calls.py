@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from radcalc.calculators.page import Page
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import (
+    MOST,
     SeveralReadings,
     Try,
     UnitError,
@@ -15,7 +15,6 @@ from radcalc.errors import (
     input_of,
     listed,
     manual,
-    mention,
     quote,
     quote_path,
 )
@@ -24,26 +23,20 @@ from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import (
     FLAG,
-    SPECIFIC,
     SYMBOLS,
 )
 from radcalc.sentences.facts import (
     DAYS,
-    OF_DIMENSION,
-    VALUE,
     Facts,
     is_bare,
     is_efficacy,
     is_lamp,
     is_light,
-    light_of,
-    meant,
     size_of,
 )
-from radcalc.sentences.frames import calls_of, on_page, taken_by
+from radcalc.sentences.frames import calls_of, on_page
 from radcalc.sentences.phrases import (
     BEAM,
-    BESIDE,
     COMMAND,
     FILLERS,
     FILTER,
@@ -59,19 +52,17 @@ from radcalc.sentences.phrases import (
 )
 from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
+from radcalc.sentences.readings import explained, readings_of
 from radcalc.sentences.vocabulary import near_words
-from radcalc.sentences.words import Amount, amount_of
+from radcalc.sentences.words import amount_of
 from radcalc.units.dimensions import (
-    ANGLE,
-    LENGTH,
     POWER,
     TEMPERATURE,
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest, unit_of
-from radcalc.units.unit import NUMBER, Daily
+from radcalc.units.unit import Daily
 
-MOST = 3  # readings to show
 SHORTEST = 4  # letters of a word with a misspelling
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
 PLAIN_FLUX = ((), ("flux",))
@@ -124,7 +115,7 @@ def call_of(sentence: Sentence) -> list[str]:
             f"no command takes {what}{wanted}", lambda: _with_less(sentence) or manual("convert")
         )
     problem = f"'{quote(sentence.text)}' has {len(calls)} readings"
-    raise SeveralReadings(problem, _explained(calls))
+    raise SeveralReadings(problem, explained(calls))
 
 
 def _with_less(sentence: Sentence) -> list[Try]:
@@ -151,27 +142,6 @@ def _is_amount_alone(sentence: Sentence) -> bool:
     """Return whether a sentence is nothing, or an amount that is not part of a phrase."""
     is_short = len(sentence.facts) + len(sentence.goals) < 2 and not sentence.files
     return is_short and not any(fact.symbols for fact in sentence.facts)
-
-
-def _explained(calls: Sequence[tuple[str, ...]]) -> list[Try]:
-    """Propose the calls of several readings, each with the meaning of what only it has."""
-    in_all = set.intersection(*[{input_of(word)[0] for word in call[1:]} for call in calls])
-    tries = []
-    for command, *words in calls[:MOST]:
-        page, pairs = page_of(command), [input_of(word) for word in words]
-        own = [name for name, _ in pairs if name and name not in in_all]
-        if not own:  # another command, or another result
-            own = [text.partition(":")[0] for name, text in pairs if name == "get"]
-        texts = [_meaning(page, name) for name in own if name in SYMBOLS]
-        tries.append(Try(words=(command, *words), remark="; ".join(texts)))
-    return tries
-
-
-def _meaning(page: Page, name: str) -> str:
-    """Return the first clause of the help of an input or a result, or its label."""
-    symbol = page.symbol(name if name in page.texts else SPECIFIC.get(name, (name,))[0])
-    text = symbol.help.partition("; ")[0].partition(". ")[0].rstrip(".")
-    return mention(text[:1].lower() + text[1:]) if text else SYMBOLS[name].label
 
 
 def _refuse_height_of_sun(sentence: Sentence) -> None:
@@ -292,13 +262,8 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
         )
     has_beam = any(map(is_lamp, sentence.facts)) or sentence.has(BEAM)
     sentence = _without_lamp(_with_led(sentence), goal)
-    readings = _readings(sentence)
-    found = []
-    if sentence.has(LASER):  # its spot has a mean and a peak
-        spots = [{**facts, **OF_LASER} for facts in readings if "diameter" in facts]
-        found = [call for facts in spots for call in calls_of(facts, goal)]
-    found = found or [call for facts in readings for call in calls_of(facts, goal)]
-    found = found or quotients(sentence.facts, goal)
+    readings = readings_of(sentence)
+    found = _in_frames(sentence, readings, goal) or quotients(sentence.facts, goal)
     if not found and not has_beam:
         found = moved(sentence.facts, goal)
     _refuse_wide(sentence, goal, found)
@@ -310,6 +275,13 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
             lambda: tries or _with_less(sentence) or "a call for each of them",
         )
     return list(dict.fromkeys(map(tuple, found)))
+
+
+def _in_frames(sentence: Sentence, readings: Sequence[Facts], goal: Goal | None) -> list[list[str]]:
+    """Return the calls of commands for all readings; the spot of a laser has a mean and a peak."""
+    spots = [{**facts, **OF_LASER} for facts in readings if "diameter" in facts]
+    found = [call for facts in spots for call in calls_of(facts, goal)] * sentence.has(LASER)
+    return found or [call for facts in readings for call in calls_of(facts, goal)]
 
 
 def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
@@ -396,7 +368,7 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
         words += [f"{PERIOD}={fact.text}" for fact in periods]
     found = []
     goals = sentence.goals if len(sentence.goals) > 1 else [_goal_of(sentence)]
-    for given in _readings(sentence._replace(facts=facts)):
+    for given in readings_of(sentence._replace(facts=facts)):
         of_goals = [on_page(words, page_of(command), given, goal) for goal in goals]
         if len(goals) == 1:
             found += of_goals[0]
@@ -471,7 +443,7 @@ def _with_fact(sentence: Sentence, fact: Fact, other: Fact) -> Sentence:
 
 def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark: str) -> list[Try]:
     """Return the first call of a sentence with another fact in place of one."""
-    readings = _readings(_with_fact(sentence, fact, other))
+    readings = readings_of(_with_fact(sentence, fact, other))
     calls = [call for reading in readings[:1] for call in calls_of(reading, goal)[:1]]
     return [Try(words=tuple(call), remark=remark) for call in calls]
 
@@ -513,59 +485,3 @@ def _answerable(sentence: Sentence) -> list[tuple[str, ...]]:
         return _calls_of(sentence)
     except UsageError:
         return []
-
-
-def _readings(sentence: Sentence) -> list[Facts]:
-    """Return the facts by their symbols, for every choice among the symbols of each phrase."""
-    readings: list[Facts] = [{}]
-    for fact in sentence.facts:
-        names = _choices(fact, sentence)
-        readings = [
-            {**given, name: fact} for given in readings for name in names if name not in given
-        ]
-    return readings
-
-
-def _choices(fact: Fact, sentence: Sentence) -> tuple[str, ...]:
-    """Return the symbols that a fact may fill in a sentence."""
-    is_alone = [one.symbols for one in sentence.facts].count(("incidence",)) == 1
-    is_plain = fact.symbols == ("incidence",) and "incidence" not in fact.typed
-    if is_plain and is_alone and _has_beam(sentence):
-        return ("incidence", "toward")  # of the receiver, or off the axis of the beam
-    if len(fact.symbols) < 2:
-        return fact.symbols or _places(fact.amount, sentence)
-    others = {name: other.text for other in sentence.facts for name in other.symbols}
-    left_out = [
-        name
-        for name, (beside, value) in BESIDE.items()
-        if name in fact.symbols and others.get(beside, value) == value
-    ]
-    return tuple([name for name in fact.symbols if name not in left_out])
-
-
-def _has_beam(sentence: Sentence) -> bool:
-    beams = {"beam-angle", "exponent", "half-angle", "apex-angle"}
-    return any(beams & {*fact.symbols} for fact in sentence.facts)
-
-
-def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
-    """Return the symbols that an amount alone may fill."""
-    assert amount is not None
-    if light_of(amount):
-        return meant(amount)
-    wanted = {name for goal in sentence.goals for name in goal.names}
-    if amount.dimension == ANGLE and wanted & {"hazard-distance", "spot-diameter"}:
-        return ("divergence",)
-    if amount.dimension == ANGLE and wanted & {"beam-diameter", "diameter"}:
-        return OF_DIMENSION[ANGLE]
-    alone = [fact.amount for fact in sentence.facts if not fact.symbols]
-    others = {name for fact in sentence.facts for name in fact.symbols}
-    is_first = alone[0] is amount and others <= taken_by(page_of("convert"))
-    if is_first and not any(is_light(fact) for fact in sentence.facts):
-        return (VALUE,)
-    is_shutter = amount.dimension == NUMBER and amount.text[:2] == "1/"
-    if is_shutter and any({"iso", "f-number"} & {*fact.symbols} for fact in sentence.facts):
-        return ("time",)
-    if "aspect" in others and amount.dimension == LENGTH and not amount.is_wavelength:
-        return ("diagonal",)  # of a screen
-    return meant(amount)

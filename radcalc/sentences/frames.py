@@ -107,19 +107,19 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
         return [["convert", *facts[FILTER].text.split(), "%"]]
     if _is_of_unknown_side(facts, goal):
         return []
-    commands = {fact.text for name, fact in facts.items() if name == COMMAND}
+    named = facts.get(COMMAND)
     facts = {name: fact for name, fact in facts.items() if name != COMMAND}
     if goal and ("room-index" in goal.names or _is_solid_angle(goal)):
         facts = _with_sides(facts)
     facts = _filtered(facts) if FILTER in facts else facts
     called_for, results = {*_generic_names(facts)}, {*goal.names} if goal else set()
     for frame in FRAMES:
-        if commands and frame.command not in commands:
-            continue
         of_frame = _conversions if frame.command == "convert" else _calculations
-        is_called_for = commands or frame.needs & called_for or frame.results & results
+        is_called_for = bool(frame.needs & called_for or frame.results & results)
+        if named:
+            is_called_for = frame.command == named.text
         if is_called_for and (calls := of_frame(frame, facts, goal)):
-            return [*calls, *([] if commands else _on_sensor(frame, facts, goal))]
+            return calls if named else [*calls, *_on_sensor(frame, facts, goal)]
     return []
 
 
@@ -330,13 +330,8 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     """Return the results of a page that a goal may mean, as `-g` takes them."""
     if goal is None:
         return []
-    if not page.light and not page.others:  # the results depend on the inputs
-        if goal.unit:
-            own = result_name(goal.unit)
-            is_result = _is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
-            return [f"{SPECIFIC.get(own, (own,))[0]}:{goal.text}"] if is_result else []
-        angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
-        return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
+    if not page.light and not page.others:
+        return _of_inputs(page, goal)
     options = (*page.light, *page.others, *page.takes)
     listed = [name for name in dict.fromkeys(options) if name not in given]
     if not any(map(is_light, given.values())):  # ISO 100 is assumed, not found
@@ -347,23 +342,41 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
         return [goal.text]
     if "diameter" in goal.names and "beam-diameter" in listed and "diameter" not in listed:
         return ["beam-diameter"]
-    if goal.names:
-        wanted = {*goal.names, *(SPECIFIC[name][0] for name in goal.names if name in SPECIFIC)}
-        dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
-        own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
-        wanted |= {name for name in own_results if dimensions & {*SYMBOLS[name].dimensions}}
-        found = [name for name in listed if name in wanted]
-    else:
-        assert goal.unit is not None
-        own = result_name(goal.unit)
-        wanted = {own, SPECIFIC.get(own, (own,))[0]}
-        fitting = [n for n in listed if goal.unit.dimension in SYMBOLS[n].dimensions]
-        own_results = {OF_INPUT[name] for name in given if name in OF_INPUT}
-        wanted = own_results & {*fitting} or wanted
-        found = [name for name in fitting if name in wanted] or fitting
+    own = {OF_INPUT[name] for name in given if name in OF_INPUT}
     if not goal.unit:
-        return found
-    names = [
-        own if SPECIFIC.get(own := result_name(goal.unit), ("",))[0] == n else n for n in found
-    ]
+        return _called(goal, listed, own)
+    result = result_name(goal.unit)
+    found = _called(goal, listed, own) if goal.names else _in_unit(goal.unit, listed, own)
+    names = [result if SPECIFIC.get(result, ("",))[0] == name else name for name in found]
     return [f"{name}:{goal.text}" for name in names]
+
+
+def _of_inputs(page: Page, goal: Goal) -> list[str]:
+    """Return the result of a page whose results depend on its inputs: by its name or its unit."""
+    if goal.unit:
+        own = result_name(goal.unit)
+        is_result = _is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
+        return [f"{_generic(own)}:{goal.text}"] if is_result else []
+    angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
+    return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
+
+
+def _called(goal: Goal, listed: list[str], own: set[str]) -> list[str]:
+    """Return the results with the names of a goal, or of its quantity if an input is for it."""
+    wanted = {*goal.names, *map(_generic, goal.names)}
+    dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
+    wanted |= {name for name in own if dimensions & {*SYMBOLS[name].dimensions}}
+    return [name for name in listed if name in wanted]
+
+
+def _in_unit(unit: Unit, listed: list[str], own: set[str]) -> list[str]:
+    """Return the results in a unit: those that an input is for, of its quantity, or all."""
+    fitting = [name for name in listed if unit.dimension in SYMBOLS[name].dimensions]
+    result = result_name(unit)
+    wanted = own & {*fitting} or {result, _generic(result)}
+    return [name for name in fitting if name in wanted] or fitting
+
+
+def _generic(name: str) -> str:
+    """Return the name for every kind of light of a result: irradiance for illuminance."""
+    return SPECIFIC.get(name, (name,))[0]

@@ -85,7 +85,7 @@ def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     if len({fact.typed.split()[0] for fact in places}) > 1:  # from one to another
         return []
     if len(places) == 2 and (goal is None or is_irradiance(goal) or is_micromoles(goal.unit)):
-        return [_moved(lights[0], *places, goal)]
+        return [_moved(lights[0], places, goal)]
     if len(lights) == 2 and places and goal and "distance" in goal.names:
         known = facts[facts.index(places[0]) - 1]
         wanted = next(light for light in lights if light is not known)
@@ -103,10 +103,12 @@ def moved_either_way(facts: Sequence[Fact], goal: Goal | None) -> list[Try]:
         return []
     return [
         Try(
-            words=tuple(_moved(lights[0], here, there, goal)),
-            remark=f"from {quote(here.text)} to {quote(there.text)}, by the inverse square law",
+            words=tuple(_moved(lights[0], both, goal)),
+            remark="from {} to {}, by the inverse square law".format(
+                *[quote(f.text) for f in both]
+            ),
         )
-        for here, there in (places, places[::-1])
+        for both in (places, places[::-1])
     ]
 
 
@@ -117,7 +119,9 @@ def _lights_and_places(facts: Sequence[Fact]) -> tuple[list[Fact], list[Fact]]:
     return lights, [f for f, a in amounts if a.dimension == LENGTH and not a.is_wavelength]
 
 
-def _moved(light: Fact, here: Fact, there: Fact, goal: Goal | None) -> list[str]:
+def _moved(light: Fact, places: Sequence[Fact], goal: Goal | None) -> list[str]:
+    """Return the conversion of light at the first place to that at the second."""
+    here, there = places
     unit = _unit_text(light)
     texts = [light.text, goal.text if goal else unit]
     if is_micromoles(light.amount and light.amount.unit):

@@ -32,6 +32,10 @@ from radcalc.units import horticulture
 from radcalc.units.dimensions import AREA, LENGTH
 from radcalc.units.unit import NUMBER, Unit
 
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from collections.abc import Callable, Container
+
 LONGEST_NAME = 5  # words
 LONGEST = 2000  # characters
 LONGEST_RANGE = 6  # words: from 380 nm to 780 nm
@@ -141,25 +145,58 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         else:
             ignored += [word.text for word in words[at:end]]
         at = end
+    found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
+    sentence = Sentence(*found, text, tuple(ignored), _named_in(text))
+    for tidied in (_with_one_light, _of_line, _of_cone, _of_area):
+        sentence = tidied(sentence)
+    return sentence
+
+
+def _with_one_light(sentence: Sentence) -> Sentence:
+    """Return a sentence without a second name of its light: AM1.5 sunlight, a white 3000 K led."""
+    facts = list(sentence.facts)
     spectra = [fact for fact in facts if fact.symbols == ("spectrum",) and ":" not in fact.text]
     for first, second in pairwise(spectra):
-        if _is_same_light(first, second):  # AM1.5 sunlight
+        if _is_same_light(first, second):
             facts.remove(second)
-    if any("wavelength" in fact.symbols for fact in facts) or any(_is_line(fact) for fact in facts):
-        lamps = [fact for fact in facts if fact.symbols == ("spectrum",) and fact.text.isalpha()]
-        ignored += [fact.typed for fact in lamps]  # a sodium lamp at 589 nm
-        facts = [fact for fact in facts if fact not in lamps]
-        ignored += [word for word in unknown if comparable(word) in COLOURS]
-        unknown = [word for word in unknown if comparable(word) not in COLOURS]
-    if any(fact.symbols == ("spectrum",) and fact.text.lower() == "led" for fact in facts):
-        unknown = [word for word in unknown if word.lower() != "white"]  # a white 3000 K led
-    if any({*fact.symbols} & {"half-angle", "apex-angle"} for fact in facts):  # of a cone
-        goals = [goal for goal in goals if goal.text != "cone"]
-    if any("area" in fact.symbols or _is_area(fact) for fact in facts):  # evenly over an area
-        ignored += [word for word in unknown if word in MEAN]
-        unknown = [word for word in unknown if word not in MEAN]
-    found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
-    return Sentence(*found, text, tuple(ignored), _named_in(text))
+    is_led = any(fact.text.lower() == "led" for fact in spectra)
+    unknown = [word for word in sentence.unknown if not is_led or word.lower() != "white"]
+    return sentence._replace(facts=tuple(facts), unknown=tuple(unknown))
+
+
+def _of_line(sentence: Sentence) -> Sentence:
+    """Return a sentence with a wavelength without the name or colour of its lamp: sodium, red."""
+    facts = sentence.facts
+    if not any("wavelength" in fact.symbols or _is_line(fact) for fact in facts):
+        return sentence
+    lamps = [fact for fact in facts if fact.symbols == ("spectrum",) and fact.text.isalpha()]
+    others = [fact for fact in facts if fact not in lamps]
+    without = _ignoring(sentence, COLOURS, comparable)
+    ignored = (*without.ignored, *[fact.typed for fact in lamps])
+    return without._replace(facts=tuple(others), ignored=ignored)
+
+
+def _of_cone(sentence: Sentence) -> Sentence:
+    """Return a sentence with the angle of a cone, which it does not ask for."""
+    if not any({*fact.symbols} & {"half-angle", "apex-angle"} for fact in sentence.facts):
+        return sentence
+    goals = [goal for goal in sentence.goals if goal.text != "cone"]
+    return sentence._replace(goals=tuple(goals))
+
+
+def _of_area(sentence: Sentence) -> Sentence:
+    """Return a sentence with an area, over which light is even: its mean."""
+    is_even = any("area" in fact.symbols or _is_area(fact) for fact in sentence.facts)
+    return _ignoring(sentence, MEAN) if is_even else sentence
+
+
+def _ignoring(
+    sentence: Sentence, words: "Container[str]", form: "Callable[[str], str]" = str
+) -> Sentence:
+    """Return a sentence in which some of the unknown words are ignored."""
+    ignored = [word for word in sentence.unknown if form(word) in words]
+    unknown = [word for word in sentence.unknown if form(word) not in words]
+    return sentence._replace(unknown=tuple(unknown), ignored=(*sentence.ignored, *ignored))
 
 
 def _named_in(text: str) -> frozenset[str]:

@@ -239,9 +239,10 @@ def test_the_last_word_is_not_a_preposition():
 @for_each([(phrase.pattern, phrase.fills) for phrase in PHRASES])
 def test_every_phrase_fills_symbols_that_exist(pattern, fills):
     from radcalc.quantities.symbols import SYMBOLS
-    from radcalc.sentences.phrases import FILTER, SHAPE, TARGET, UNKNOWN
+    from radcalc.sentences.phrases import COMMAND, FILTER, PERIOD, SHAPE, TARGET, UNKNOWN
 
-    assert {*fills} <= {*SYMBOLS, FILTER, SHAPE, TARGET, UNKNOWN}, pattern
+    places = {COMMAND, FILTER, PERIOD, SHAPE, TARGET, UNKNOWN}
+    assert {*fills} <= {*SYMBOLS, *places}, pattern
 
 
 def test_a_conversion_in_words_has_the_bytes_of_the_quick_lane():

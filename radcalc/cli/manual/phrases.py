@@ -7,7 +7,17 @@ from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.manual.mdoc import filled, plain, text
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.sentences.frames import FRAMES, taken_by
-from radcalc.sentences.phrases import FILTER, IGNORED, PHRASES, SHAPE, TARGET, UNKNOWN, Phrase
+from radcalc.sentences.phrases import (
+    COMMAND,
+    FILTER,
+    IGNORED,
+    PERIOD,
+    PHRASES,
+    SHAPE,
+    TARGET,
+    UNKNOWN,
+    Phrase,
+)
 
 LONG = 60  # characters of alternatives, which are then on several lines
 MISSING = "VALUE"  # of a phrase without an amount
@@ -58,6 +68,10 @@ def _place(phrase: Phrase) -> str:
     value = plain(phrase.form.format(*amounts))
     if phrase.fills == (SHAPE,):
         return f"Cm solid-angle {value}"
+    if phrase.fills == (COMMAND,):
+        return f"Cm {value}"
+    if phrase.fills == (PERIOD,):
+        return f"Cm dose Fl -by Cm {value}"
     if phrase.fills == (FILTER,):
         return f"Li * ({value})"
     if phrase.fills == (UNKNOWN,):
