@@ -1,5 +1,6 @@
 """The words of a sentence, and the amounts among them."""
 
+import os
 import re
 from collections.abc import Sequence
 from contextlib import suppress
@@ -92,7 +93,7 @@ def words_of(typed: "list[str]") -> list[Word]:
             first, unit, second, other = found.groups()
             sides = (first + (unit or other), "x", second + other)
             words += [Word(side, side) for side in sides]
-        elif found := SYMBOL.fullmatch(text):
+        elif (found := SYMBOL.fullmatch(text)) and not os.path.isfile(text):
             words += [Word(part, comparable(part)) for part in found.groups()]  # w=0.5mm
         elif text:
             is_value = before[:2] == "--" and text[0].isdigit()  # one word, as of an option
