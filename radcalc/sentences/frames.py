@@ -224,7 +224,10 @@ def _calculations(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[st
     taken = taken_by(page)
     given = {_taken(dict(frame.renamed).get(n, n), fact, taken): fact for n, fact in facts.items()}
     words = [frame.command]
-    if operand := OPERANDS.get(frame.command):
+    operand = OPERANDS.get(frame.command)
+    if operand and operand not in given:
+        return []
+    if operand:
         words.append(one_word(given.pop(operand)))
     elif SHAPE in given and frame.operand:
         words.append(given.pop(SHAPE).text)
