@@ -45,7 +45,6 @@ from radcalc.sentences.phrases import (
     LIGHT,
     MEANINGFUL,
     METER,
-    MORE_NEEDED,
     PER_DAY,
     PERIOD,
     SUN,
@@ -256,11 +255,11 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if goal and isinstance(goal.unit, Daily):  # 16 h per day
         sentence = sentence._replace(facts=_periods(sentence)[1])
     has_filter = any(fact.symbols == (FILTER,) for fact in sentence.facts)
-    if has_filter and sentence.has(METER):
+    if has_filter and sentence.fillers(METER):
         raise UsageError(
             "the meter may be in front of the filter or behind it", "the light without it"
         )
-    has_beam = any(map(is_lamp, sentence.facts)) or sentence.has(BEAM)
+    has_beam = any(map(is_lamp, sentence.facts)) or bool(sentence.fillers(BEAM))
     sentence = _without_lamp(_with_led(sentence), goal)
     readings = readings_of(sentence)
     found = _in_frames(sentence, readings, goal) or quotients(sentence.facts, goal)
@@ -302,7 +301,7 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
 
 def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence[str]]) -> None:
     """Refuse the flux of a source with a beam as if it lit all directions alike."""
-    directed = [word for word in sentence.ignored if word.lower() in MORE_NEEDED[BEAM]]
+    directed = sentence.fillers(BEAM)
     names = {input_of(word)[0] for call in calls[:1] for word in call}
     asked = {*goal.names} if goal else set()
     is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})

@@ -88,6 +88,10 @@ class Sentence(NamedTuple):
         """Return whether a word of a thing that needs more was typed."""
         return thing in self.named
 
+    def fillers(self, thing: str) -> list[str]:
+        """Return the words of a thing that needs more, without those of phrases: 3 metre."""
+        return [word for word in self.ignored if word.lower() in MORE_NEEDED[thing]]
+
 
 Found = tuple[int, "Fact | Goal | str | None"]  # the place after a phrase, and what it fills
 
