@@ -23,6 +23,7 @@ from conftest import run
 import radcalc
 from radcalc.cli.names import COMMANDS
 from radcalc.errors import RadcalcError
+from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.sentences.phrases import FILLERS, MARKS, PHRASES
 from radcalc.sentences.vocabulary import names
@@ -260,13 +261,19 @@ def target_of(draw: random.Random, problem: Problem) -> tuple[str, str, float]:
     return f"{mark}{unit}", unit, factor
 
 
+# Words that mean something alone, as a globe, and add nothing beside another word.
+PHRASES_OF_A_WORD = {
+    comparable(word) for p in PHRASES if " " not in p.pattern for word in p.pattern.split("|")
+}
+
+
 def shuffled(draw: random.Random, phrases: list[str]) -> str:
     """Return phrases in a random order, with a few fillers between them."""
     phrases = [phrase for phrase in phrases if phrase]
     draw.shuffle(phrases)
     at = draw.randint(0, len(phrases))
     if draw.random() < 0.3 and not (at and phrases[at - 1].isdigit()):  # 15 s is an amount
-        phrases.insert(at, draw.choice(sorted(FILLERS - MARKS)))
+        phrases.insert(at, draw.choice(sorted(FILLERS - MARKS - PHRASES_OF_A_WORD)))
     return " ".join(phrases)
 
 
