@@ -20,6 +20,7 @@ from radcalc.errors import (
 )
 from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.light import read as read_light
+from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import (
     FLAG,
@@ -252,7 +253,7 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if sentence.files:
         return _of_file(sentence)
     goal = _goal_of(sentence)
-    if goal and isinstance(goal.unit, Daily):  # 16 h per day
+    if goal and _is_daily(goal):  # 16 h per day
         sentence = sentence._replace(facts=_periods(sentence)[1])
     has_filter = any(fact.symbols == (FILTER,) for fact in sentence.facts)
     if has_filter and sentence.fillers(METER):
@@ -379,9 +380,14 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
 def _periods(sentence: Sentence) -> tuple[list[Fact], tuple[Fact, ...]]:
     """Return the period of the answers to a log, by default a day for a DLI, and other facts."""
     periods = [fact for fact in sentence.facts if fact.symbols == (PERIOD,)]
-    if not periods and any(isinstance(goal.unit, Daily) for goal in sentence.goals):
+    if not periods and any(map(_is_daily, sentence.goals)):
         periods = [Fact((PERIOD,), PER_DAY, "")]
     return periods, tuple([fact for fact in sentence.facts if fact.symbols != (PERIOD,)])
+
+
+def _is_daily(goal: Goal) -> bool:
+    """Return whether a goal is a DLI, by its unit or by its name."""
+    return isinstance(goal.unit, Daily) or goal.text.lower() in DLI
 
 
 def _toward(fact: Fact) -> Fact:

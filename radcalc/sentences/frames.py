@@ -142,7 +142,7 @@ def is_irradiance(goal: Goal) -> bool:
     """Return whether a goal is a unit, or the name, of light on a surface."""
     if goal.unit:
         return goal.unit.dimension in SYMBOLS["irradiance"].dimensions
-    return any(SPECIFIC.get(name, (name,))[0] == "irradiance" for name in goal.names)
+    return any(_generic(name) == "irradiance" for name in goal.names)
 
 
 def _is_solid_angle(goal: Goal) -> bool:

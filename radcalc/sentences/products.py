@@ -23,6 +23,7 @@ from radcalc.units.dimensions import (
 )
 from radcalc.units.unit import NUMBER, Unit
 
+DISTANCE = ("distance",)
 PPFD = "umol/m2/s"  # which is a unit in expressions
 
 
@@ -82,7 +83,8 @@ def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     lights, places = _lights_and_places(facts)
     if len(facts) != 3 or facts[0] not in lights:
         return []
-    if len({fact.typed.split()[0] for fact in places}) > 1:  # from one to another
+    starts = {fact.typed.split()[0] for fact in places}
+    if len(starts) > 1 or any(fact.symbols != DISTANCE for fact in places):  # from one to another
         return []
     if len(places) == 2 and (goal is None or is_irradiance(goal) or is_micromoles(goal.unit)):
         return [_moved(lights[0], places, goal)]
@@ -116,7 +118,8 @@ def _lights_and_places(facts: Sequence[Fact]) -> tuple[list[Fact], list[Fact]]:
     """Return the facts of light on a surface, as growers say umol for PPFD, and the distances."""
     amounts = [(fact, fact.amount) for fact in facts if fact.amount]
     lights = [f for f, a in amounts if generic(a) == "irradiance" or is_micromoles(a.unit)]
-    return lights, [f for f, a in amounts if a.dimension == LENGTH and not a.is_wavelength]
+    places = [f for f, a in amounts if a.dimension == LENGTH and not a.is_wavelength]
+    return lights, [fact for fact in places if fact.symbols in ((), DISTANCE)]
 
 
 def _moved(light: Fact, places: Sequence[Fact], goal: Goal | None) -> list[str]:

@@ -41,7 +41,7 @@ LONGEST = 2000  # characters
 LONGEST_RANGE = 6  # words: from 380 nm to 780 nm
 NUMBER_OF_RANGE = r"(\d+(?:\.\d+)?)"
 RANGE = re.compile(
-    f"(?:from |between )?{NUMBER_OF_RANGE} ?(nm|[uµμ]m)? ?(?:-|–|:|to|and|\\.\\.\\.?) ?"
+    f"(?:from )?{NUMBER_OF_RANGE} ?(nm|[uµμ]m)? ?(?:-|–|:|to|\\.\\.\\.?) ?"
     f"{NUMBER_OF_RANGE} ?(nm|[uµμ]m)"
 )
 GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")

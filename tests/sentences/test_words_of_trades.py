@@ -41,6 +41,7 @@ ANSWERED = [
     ("{flat} fraction 400-700 nm", 50, "%"),
     ("{days} to DLI", (23 * 100 + 75) * HOUR, "DLI"),  # the first of two days
     ("{days} by day to DLI", (23 * 100 + 75) * HOUR, "DLI"),
+    ("{days} to daily light integral", (23 * 100 + 75) * HOUR, "mol/m2"),
     ("{days} DLI per day", (23 * 100 + 75) * HOUR, "DLI"),
     ("{days} to mol/m2", (23 * 100 + 75 + 24 * 50) * HOUR, "mol/m2"),
 ]
