@@ -104,7 +104,8 @@ def call_of(sentence: Sentence) -> list[str]:
     calls = _calls_of(sentence)
     if len(calls) == 1:
         return list(calls[0])
-    if not calls and not sentence.facts and len(sentence.goals) == 1 and not sentence.files:
+    is_name = len(sentence.goals) == 1 and not (sentence.facts or sentence.files)
+    if not calls and is_name and sentence.ignored:  # what is a candela
         asked = quote(sentence.goals[0].text)
         raise UsageError(f"{asked} of what?", call("help", *asked.split()))
     if not calls:
