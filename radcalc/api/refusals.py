@@ -176,10 +176,10 @@ def other_call(proposal: Try, in_core: bool = True) -> tuple[str, Any]:
     if function is None:
         raise LookupError
     answer = function(*operands, **arguments)
-    if wanted:
-        name, _, unit = wanted.partition(":")
-        answer = getattr(answer, keyword(name))
-        answer = answer.to(unit) if unit else answer
+    if wanted and isinstance(answer, dict):  # an answer for each day
+        answer = {period: _result(one, wanted) for period, one in answer.items()}
+    elif wanted:
+        answer = _result(answer, wanted)
     return Python.command(*proposal.words), answer
 
 
@@ -198,6 +198,13 @@ def _is_quick(value: Any) -> bool:
     if is_lazy(value) or not (is_array or library_of(value)):
         return False
     return int(numpy.size(magnitude_of(value))) <= QUICK
+
+
+def _result(answer: Any, wanted: str) -> Any:
+    """Return a result NAME[:UNIT] of an answer."""
+    name, _, unit = wanted.partition(":")
+    found = getattr(answer, keyword(name))
+    return found.to(unit) if unit else found
 
 
 def _literal(value: Any) -> str:
