@@ -26,6 +26,7 @@ from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import MOST, RadcalcError, Try, input_of, nearest, spell, with_correction
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.quantities.synonyms import meant
+from radcalc.units import horticulture
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -204,6 +205,7 @@ def _result(answer: Any, wanted: str) -> Any:
     """Return a result NAME[:UNIT] of an answer."""
     name, _, unit = wanted.partition(":")
     found = getattr(answer, keyword(name))
+    unit, *_ = horticulture.WORDS.get(unit.lower(), (unit,))  # of ppfd and dli, which are names
     return found.to(unit) if unit else found
 
 

@@ -175,3 +175,9 @@ def test_a_derivation_has_the_name_and_the_unit_of_its_result():
     done = run(*sentence.split())
     number, unit = done.stdout.splitlines()[0].split("\t")
     assert (float(number), unit) == (pytest.approx(24 * math.cos(math.pi / 6)), "lux")
+
+
+def test_python_gives_a_daily_light_integral_for_each_day(files):
+    found = radcalc.ask(f"{files['days']} to DLI")
+    numbers = [quantity.to("mol/m2").magnitude for quantity in found.values()]
+    assert numbers == pytest.approx([(23 * 100 + 75) * HOUR, 24 * 50 * HOUR])
