@@ -359,7 +359,8 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
     if goal.unit:
         own = result_name(goal.unit)
         is_result = _is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
-        return [f"{_generic(own)}:{goal.text}"] if is_result else []
+        name = own if is_irradiance(goal) else _generic(own)  # a spectrum has all three kinds
+        return [f"{name}:{goal.text}"] if is_result else []
     angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
     return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
 
