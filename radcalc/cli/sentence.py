@@ -124,7 +124,8 @@ def meant(
         has_readings = any(one.is_call for one in problem.tries)
         is_free = asked[0] not in COMMANDS and (understood or has_readings)
         is_long = isinstance(error, UsageError) and len(" ".join(asked).split()) > LONG
-        is_long |= isinstance(problem, SeveralReadings)
+        has_option = any(word[:2] == "--" for word in asked)
+        is_long |= isinstance(problem, SeveralReadings) and not has_option
         is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
         raise (problem if is_better else error) from None
     if not is_other(call, asked, error):
