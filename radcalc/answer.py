@@ -1,12 +1,29 @@
 """Answers, independent of terminals and formats."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from radcalc.errors import RadcalcError
 from radcalc.maths import is_array
 from radcalc.tuples import NamedTuple
 from radcalc.units.unit import Dimension
+
+
+class Remark(str):
+    """An assumption or a note on some results; a plain text is one on all results.
+
+    `of` has what it comes from: symbols (light quantities by generic names), laws (by name) and
+    kinds of light (by letter).
+    """
+
+    __slots__ = ("of",)
+    of: frozenset[str]
+
+    def __new__(cls, text: str, of: Iterable[str]) -> "Remark":
+        """Return a text with what it comes from."""
+        remark = super().__new__(cls, text)
+        remark.of = frozenset(of)
+        return remark
 
 
 class Step(NamedTuple):
@@ -138,14 +155,59 @@ class Value(NamedTuple):
         return self.is_absent and self.lacking is None and self.because is None
 
 
+def itself(name: str, kind: str) -> Collection[str]:
+    """Return what a result comes from, where remarks state the results that they are on."""
+    return name, kind
+
+
 class Answer(NamedTuple):
-    """The answer of a calculator; `more` are further answers if several fit the inputs."""
+    """The answer of a calculator; `more` are further answers if several fit the inputs.
+
+    `origins` returns what a result (by its generic name) in a kind of light comes from: symbols,
+    laws and kinds of light, as in a `Remark`; None where that is not known.  A remark is on the
+    results that come from one of its own.
+    """
 
     values: Sequence[Value]
     assumptions: Sequence[str] = ()
     notes: Sequence[str] = ()
     steps: Sequence[Step] = ()
     more: "Sequence[Answer]" = ()
+    origins: Callable[[str, str], Collection[str] | None] = itself
+
+    def said(
+        self, results: Sequence[tuple[str, str]] | None = None
+    ) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Return the assumptions and the notes on all results, or on some of them.
+
+        A result is a generic name and a kind of light, which is empty for other quantities.
+        """
+        assumptions, notes = self.assumptions, self.notes
+        if results is not None:
+            origins = [self.origins(*result) for result in results]
+            assumptions, notes = _on(assumptions, origins), _on(notes, origins)
+        return _once(assumptions), tuple(dict.fromkeys(notes))
+
+
+def _on(remarks: Sequence[str], origins: Sequence[Collection[str] | None]) -> list[str]:
+    """Return the remarks on results with these origins."""
+    return [
+        remark
+        for remark in remarks
+        if not isinstance(remark, Remark)
+        or any(of is None or not remark.of.isdisjoint(of) for of in origins)
+    ]
+
+
+def _once(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return texts without the clauses of earlier ones."""
+    seen: dict[str, None] = {}
+    kept = []
+    for text in texts:
+        clauses = [clause for clause in text.split("; ") if clause not in seen]
+        seen.update(dict.fromkeys(clauses))
+        kept += ["; ".join(clauses)] if clauses else []
+    return tuple(kept)
 
 
 def varying(inputs: Sequence[Sequence[ShownInput]]) -> list[str]:

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import answer
@@ -360,10 +361,11 @@ def of_answer(
 
     def show() -> answer.Result:
         all_rows = _together([rows(part.values) for part in answers])
+        assumptions, notes = zip(*[part.said() for part in answers], strict=True)
         return answer.Result(
             tuple([row._replace(value=frozen(row.value)) for row in all_rows]),
-            tuple(dict.fromkeys(text for part in answers for text in part.assumptions)),
-            tuple(dict.fromkeys(text for part in answers for text in part.notes)),
+            tuple(dict.fromkeys(chain(*assumptions))),
+            tuple(dict.fromkeys(chain(*notes))),
             tuple(solution.steps),
             inputs,
         ).spelled(in_words)

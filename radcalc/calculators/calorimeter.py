@@ -48,7 +48,7 @@ def calorimeter(given: Inputs) -> Answer:
         hint = mention("{mass}, {specific-heat} and {temperature-rise}")
         raise MissingInput("the inputs are missing", hint)
     placed.default(sheet, LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed")
-    placed.assume("no heat is lost")
+    placed.assume("no heat is lost", of=["heat"])
     solved = solve(sheet, LAWS, placed)
     solved.refuse_impossible(
         "absorptance", because="the body gets more heat than light", hint="more light, or less heat"

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from radcalc.answer import Answer, Step, Value, texts_of
+from radcalc.answer import Answer, Remark, Step, Value, texts_of
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import solve
@@ -309,7 +309,8 @@ def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer
     if given:
         rows[:2] = [row._replace(given=row.si) for row in rows[:2]]
     return answer._replace(
-        values=[*answer.values, *rows], assumptions=[*answer.assumptions, BALL_AXES]
+        values=[*answer.values, *rows],
+        assumptions=[*answer.assumptions, Remark(BALL_AXES, [*ON_BALL])],
     )
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Answer, Step, Value
+from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators import kinds
 from radcalc.calculators.maps import RenderedMap
 from radcalc.calculators.page import ENVIRONMENT, Operand, Page
@@ -18,6 +18,7 @@ from radcalc.inputs.given import Inputs, at_most_one, split_by_light
 from radcalc.inputs.places import require_azimuth
 from radcalc.inputs.reading import read
 from radcalc.maths import is_array
+from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import (
     LATLONG,
     LINKS,
@@ -259,7 +260,7 @@ class _Surroundings:
         given, radiances = self.given, self.environment.radiances
         normal = given["normal"].value if "normal" in given else UP
         if "normal" not in given:
-            self.assumptions.append("the receiver faces up")
+            self.assumptions.append(Remark("the receiver faces up", ["irradiance"]))
         irradiance, mean, peak = self.source.figures(radiances, normal)
         amounts = {
             "irradiance": irradiance.value,
@@ -407,7 +408,8 @@ class _Surroundings:
                 f"a watt counts as {self.environment.efficacy:g} lm, as in Radiance "
                 f"({options(LINKS)} for another light)"
             )
-            return results._replace(assumptions=(assumption,), notes=())
+            others = [kind for kind in KINDS if kind != self.kind]
+            return results._replace(assumptions=(Remark(assumption, others),), notes=())
         return results
 
     def _format(self, name: str, amount: float) -> str:

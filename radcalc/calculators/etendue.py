@@ -37,6 +37,7 @@ ROUND = ("radius", "diameter")
 WITH_CONE = (*SOURCES, *CONES, "etendue")
 WITH_RECEIVER = (*SOURCES, *RECEIVERS, "distance", "tilt", "incidence", "etendue")
 FAR_FIELD = "A1 A2 / d^2"
+ON_BOTH = ("etendue", "projected-solid-angle")  # what a remark on source and receiver is on
 RESULTS = ("projected-solid-angle", "configuration-factor", "far-field-etendue")
 PAGE = Page(
     "",
@@ -133,16 +134,16 @@ def _with_cone(sheet: Worksheet) -> Placed:
     given = sheet.given
     placed = Placed(*_source(given))
     if sheet.has("area", "radius", "diameter", "width", *CONES):
-        placed.assume(
-            "every point of the source sends light into the same cone around the normal",
-            "in air: the numerical aperture is the sine of the half angle",
-        )
+        cone = "every point of the source sends light into the same cone around the normal"
+        placed.assume(cone, of=ON_BOTH)
+        placed.assume("in air: the numerical aperture is the sine of the half angle", of=["na"])
     for name in ("half-angle", "apex-angle"):
         if name in given:
             half_angle_of(given[name], 90)
     angles: list[AnyLaw] = [laws_of.NUMERICAL_APERTURE, APEX]
     if "f-number" in given:
-        placed.assume("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
+        lens = "a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)"
+        placed.assume(lens, of=["f-number"])
         angles = [laws_of.F_NUMBER, *angles]
     if "na" in given:
         placed.laws += [laws_of.APERTURE, *angles]
@@ -172,8 +173,9 @@ def _with_receiver(sheet: Worksheet) -> Placed:
     if receiver and is_disc and not tilt and not incidence:
         if CIRCLE not in placed.laws:
             placed.laws.append(CIRCLE)
-        placed.assume("two discs that face each other on one axis")
-        placed.assume("projected solid angle and configuration factor: means over the source")
+        placed.assume("two discs that face each other on one axis", of=ON_BOTH)
+        means = "projected solid angle and configuration factor: means over the source"
+        placed.assume(means, of=["projected-solid-angle"])
         placed.laws += [laws_of.DISCS, laws_of.FAR_FIELD]
     else:
         placed.add("cosine-of-source", cones.facing(tilt))
@@ -205,7 +207,8 @@ def _refuse_near(solved: Solved) -> None:
     off = far_field.error(source, away, tilt, incidence, bool(sides))
     off += far_field.error(receiver, away, incidence, tilt)
     good = far_field.percent(off)
-    solved.assume(f"patches small compared to their distance: A1 A2 cos cos / d^2 {good}")
+    small = f"patches small compared to their distance: A1 A2 cos cos / d^2 {good}"
+    solved.assume(small, of=ON_BOTH)
 
 
 def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:

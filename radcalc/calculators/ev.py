@@ -177,15 +177,15 @@ def _place_usual(given: Inputs, placed: Placed) -> None:
     """Add the usual constants of meters and sensitivity where none are given."""
     if "k" not in given:
         placed.add("k", K)
-        placed.assume(usual("k", settable=True))
+        placed.assume(usual("k", settable=True), of=["k"])
     if "c" not in given:
         placed.add("c", C)
-        placed.assume(usual("c", settable=True))
+        placed.assume(usual("c", settable=True), of=["c"])
     film_is_known = "ev" in given or {"f-number", "time"} <= set(given)
     light_is_known = bool(set(LIGHT) & set(given))
     if "iso" not in given and not (film_is_known and light_is_known):
         placed.add("iso", 100.0)
-        placed.assume("ISO 100")
+        placed.assume("ISO 100", of=["iso"])
 
 
 def _solve_reflectance(
@@ -215,16 +215,18 @@ def _flash(given: Inputs) -> Answer:
     sheet, placed = worksheet(FLASHING, given, with_light=False), Placed()
     if "iso" not in given and not {*OF_FLASH, "f-number"} <= set(given):
         placed.add("iso", 100.0)
-        placed.assume("ISO 100")
+        placed.assume("ISO 100", of=["iso"])
     placed.assume("direct flash, without other light")
     laws = FILTERED_FLASH if {"nd", "stops"} & set(given) else FLASH
     return solve(sheet, laws, placed).answer()
 
 
 def _assume_average(solved: Solved) -> None:
-    if {"luminance", "illuminance"} & set(solved.given):
+    others = {"luminance", "illuminance"} - set(solved.given)
+    if len(others) == 1:
         average = format_number(100 * math.pi * solved.value("k") / solved.value("c"), 3)
         solved.assume(
             "luminance and illuminance of a scene with the average reflectance pi K / C, "
-            f"{average} %"
+            f"{average} %",
+            of=others,
         )

@@ -8,7 +8,7 @@ from contextlib import suppress
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Step, Value
+from radcalc.answer import Remark, Step, Value
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
 from radcalc.derivation import format_number, format_value, letter_of
 from radcalc.errors import (
@@ -76,6 +76,12 @@ class LightInputs(NamedTuple):
     given_in_two_kinds: Inputs
     mixed: tuple[str, ...] = ()
 
+    @property
+    def linked(self) -> list[str]:
+        """What a link touches: the other kinds, and quantities given in them."""
+        names = [name for name, item in self.values.items() if kind_of(item) != self.kind]
+        return [*names, *(kind for kind in KINDS if kind != self.kind)]
+
 
 NO_LIGHT = LightInputs(RADIANT, {}, {}, {}, (), (), (), {})
 
@@ -104,8 +110,9 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
             if factor is None:
                 raise _unlinked(item, given[first], kind)
             amounts[name] = item.value * factor.value
-            assumptions.append(factor.assumption)
-            notes += factor.notes
+            if factor.assumption:
+                assumptions.append(Remark(factor.assumption, [name]))
+            notes += [Remark(note, [name]) for note in factor.notes]
             steps += factor.steps
     remarks = tuple(assumptions), tuple(notes), tuple(steps)
     mixed = tuple(kinds_given) if len(kinds_given) > 1 else ()
@@ -352,10 +359,13 @@ def show_light(lit: LightInputs, amounts: dict[str, Any]) -> LightResults:
         ]
     return LightResults(
         values,
-        tuple(dict.fromkeys([factor.assumption for factor in factors.values()])),
+        tuple([Remark(f.assumption, [kind]) for kind, f in factors.items() if f.assumption]),
         (
-            *[note for factor in factors.values() for note in factor.notes],
-            *[f"no {KIND_NAMES[kind]} results: {error.message}" for kind, error in refused.items()],
+            *[Remark(note, [kind]) for kind, factor in factors.items() for note in factor.notes],
+            *[
+                Remark(f"no {KIND_NAMES[kind]} results: {error.message}", [kind])
+                for kind, error in refused.items()
+            ],
         ),
         tuple([step for factor in factors.values() for step in factor.steps]),
     )

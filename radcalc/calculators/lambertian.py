@@ -8,10 +8,17 @@ import math
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from radcalc.answer import Answer, texts_of
+from radcalc.answer import Answer, Remark, texts_of
 from radcalc.calculators.kinds import LightInputs
 from radcalc.calculators.page import Operand, Page
-from radcalc.calculators.shapes import OTHERWISE, POSITION, SHAPES, SIZES, cut_by_horizon
+from radcalc.calculators.shapes import (
+    ON_RECEIVER,
+    OTHERWISE,
+    POSITION,
+    SHAPES,
+    SIZES,
+    cut_by_horizon,
+)
 from radcalc.calculators.solved import Solved, solve_all
 from radcalc.calculators.task import Task, Wants
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
@@ -132,6 +139,11 @@ PAGE = Page(
     """,
     mistakes=("flat source", "projected cone"),
 )
+# What needs the same radiance in all directions.
+EVEN = (
+    *("radiance", "intensity", "irradiance", "exposure", "far-field-irradiance"),
+    "configuration-factor",
+)
 ENDLESS = ("plane", "hemisphere")
 ON_SHAPE = ("area", "flux", "energy", "intensity", "irradiance", "exposure")  # depend on the shape
 ONE_SIDE = "a flat surface that emits on one side (a patch)"  # assumed without a shape
@@ -200,7 +212,7 @@ def _answer(named: str, find: Callable[[Worksheet], Placed], given: Inputs) -> A
     if shape in ENDLESS:
         _refuse_whole(shape, sheet.lit)
     placed = place(sheet, find)
-    placed.assume("Lambertian: the same radiance in all directions")
+    placed.assume("Lambertian: the same radiance in all directions", of=EVEN)
     laws = [*LAWS, *placed.laws]
     if "time" not in given:
         laws.append(SURFACE_ENERGY)
@@ -208,9 +220,9 @@ def _answer(named: str, find: Callable[[Worksheet], Placed], given: Inputs) -> A
     assumed = _check_far(solutions[0]) if shape == "patch" else ()
     answers = []
     for solved in solutions:
-        solved.assume(*assumed)
+        solved.assume(*assumed, of=ON_RECEIVER)
         if not named and solved.has(*ON_SHAPE):
-            solved.assumptions.insert(0, ONE_SIDE)
+            solved.assumptions.insert(0, Remark(ONE_SIDE, ON_SHAPE))
         _judge(solved)
         answers.append(solved.answer())
     return answers[0]._replace(more=tuple(answers[1:]))
@@ -256,16 +268,17 @@ def _compare(solved: Solved, far: Number, exact: Number) -> None:
     ratio = piecewise(exact == 0, lambda f, e: 1.0 + 0.0 * e, lambda f, e: f / e, far, exact)
     differs = (ratio < SHOWN_AS_1[0]) | (ratio > SHOWN_AS_1[1])
     law = "the inverse square law, applied at the centre,"
+    compared = ("irradiance", "far-field-irradiance")
     if any_true(differs & (far == 0)):
-        solved.note(f"{law} would give no light")
+        solved.note(f"{law} would give no light", of=compared)
     nearest, away = far_field.FAR * solved.value("extent"), solved.value("distance")
     if any_true(is_near := differs & (far != 0) & (away < nearest)):
         times, least = (format_number(chosen(x, is_near)) for x in (ratio, nearest))
         validity = f"it holds from {least} m (five times the size)"
-        solved.note(f"{law} would give {times} times this irradiance; {validity}")
+        solved.note(f"{law} would give {times} times this irradiance; {validity}", of=compared)
     if any_true(is_far := differs & (far != 0) & (away >= nearest)):
         times = format_number(chosen(ratio, is_far))
-        solved.note(f"{law} would give {times} times this irradiance")
+        solved.note(f"{law} would give {times} times this irradiance", of=compared)
 
 
 def _exact_call(given: Inputs) -> str:

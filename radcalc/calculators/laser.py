@@ -16,6 +16,8 @@ from radcalc.maths import any_true
 from radcalc.quantities.symbols import GAUSSIAN, LINKS, REFINEMENTS, UNIFORM
 
 BEAM = ("diameter", "divergence", "profile")
+# What a remark on the profile of the beam is on.
+PROFILED = ("spot-diameter", "divergence", "peak-irradiance", "limit", "received-flux")
 SPOT = ("distance", "spot-diameter", "time", "receiver-diameter")
 LIGHT = ("flux", "energy", "irradiance", "peak-irradiance", "exposure")
 PROFILES = {
@@ -84,7 +86,7 @@ def laser(given: Inputs) -> Answer:
     far = laws_of(profile, with_distance=True)
     is_far = DISTANCE in reached(far, set(sheet.known))
     at_exit = laws_of(profile, with_distance=False)
-    placed.assume(PROFILES[profile])
+    placed.assume(PROFILES[profile], of=PROFILED)
     is_at_exit = not is_far
     try:
         solved = solve(sheet, at_exit if is_at_exit else far, placed)
@@ -104,16 +106,21 @@ def laser(given: Inputs) -> Answer:
         raise MissingInput(f"{limit_text} alone is not enough for a hazard distance", hint)
     if solved.has("spot-diameter"):
         if is_at_exit:
-            solved.assume(mention("the spot is at the laser's exit (no {distance})"))
-        solved.assume("irradiance: the mean, the flux divided by the area of the spot")
+            solved.assume(
+                mention("the spot is at the laser's exit (no {distance})"), of=["spot-diameter"]
+            )
+        mean = "irradiance: the mean, the flux divided by the area of the spot"
+        solved.assume(mean, of=["irradiance", "exposure"])
     if solved.has("divergence"):
-        solved.assume("divergence: the full angle, far from the laser")
+        solved.assume("divergence: the full angle, far from the laser", of=["divergence"])
         _note_diffraction(solved, profile)
     if solved.has("received-flux"):
-        solved.assume("the receiver is round and centred on the beam's axis")
+        centred = "the receiver is round and centred on the beam's axis"
+        solved.assume(centred, of=["received-flux"])
     if solved.has("limit"):
         solved.assume(
-            "the limit, as given, applies to the peak irradiance; nothing absorbs on the way"
+            "the limit, as given, applies to the peak irradiance; nothing absorbs on the way",
+            of=["limit"],
         )
         if solved.has(HAZARD) and any_true(solved.value(HAZARD) == 0):
             solved.note("the peak irradiance is already below the limit at the laser's exit")

@@ -14,6 +14,8 @@ from radcalc.calculators.point_laws import (
     FLAGS,
     LYING,
     ON_AXIS,
+    ON_DIRECTION,
+    ON_RECEIVER,
     POSITION,
     QUANTITIES,
     RECEIVER,
@@ -52,7 +54,7 @@ from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, atan2, hypot, is_array, power
 from radcalc.quantities.light import LUMINOUS
-from radcalc.quantities.symbols import light_unit
+from radcalc.quantities.symbols import generic_name, light_unit
 
 if TYPE_CHECKING:
     from radcalc.distributions.beams import Beam
@@ -83,6 +85,12 @@ PAGE = Page(
 OF_DIRECTION = ("intensity-toward", "off-axis", "azimuth")  # shown if a direction is given
 HORIZONTAL = "the receiver is horizontal"
 EXPRESSION = "expression"  # a format of distributions
+# What a remark on the distribution of the light is on; the first has no further origin.
+DISTRIBUTION = (
+    *("weighted-solid-angle", "scale", "relative-intensity", "relative-axial-intensity"),
+    *("relative-peak-intensity", "part", "upward-part", "received-solid-angle"),
+)
+OF_FLUX = ("error", "output-ratio", "source-efficacy")
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))
 PLANES = (("", 0.0), ("-90", math.pi / 2))
 
@@ -331,19 +339,21 @@ class _Luminaire:
         if "aim" in given:
             placed.assume(
                 f"aimed at {quote(given['aim'].text)}; heights are vertical, and offsets are "
-                "measured from the vertical through the source"
+                "measured from the vertical through the source",
+                of=ON_DIRECTION,
             )
             if "incidence" not in given:
-                placed.assume(HORIZONTAL)
+                placed.assume(HORIZONTAL, of=ON_RECEIVER)
         else:
-            placed.assume("the source points straight down")
+            placed.assume("the source points straight down", of=ON_DIRECTION)
             if "incidence" not in given:
-                placed.assume(LYING)
+                placed.assume(LYING, of=ON_RECEIVER)
         if not self.source.is_axial or "rotate" in given:
             placed.assume(
                 mention("{offset} is towards C0, {offset-y} towards C90")
                 if not self.rotate
-                else f"C0 is turned by {format_angle(self.rotate)} from x towards y"
+                else f"C0 is turned by {format_angle(self.rotate)} from x towards y",
+                of=ON_DIRECTION,
             )
 
     @property
@@ -375,13 +385,17 @@ class _Luminaire:
     # -- remarks --------------------------------------------------------------------------------
 
     def _with_remarks(self, solved: Solved) -> Answer:
-        solved.assumptions = [*self._of_source(solved), *solved.assumptions]
+        receiver, solved.assumptions = solved.assumptions, []
+        solved.assume(*self._of_source(), of=DISTRIBUTION)
+        if self.is_scaled and self.source.kind:
+            solved.assume(*self._of_scale(solved), of=["scale"])
+        solved.assumptions += receiver
         solved.notes += self.photometry.notes
         is_on_axis = not self.is_aside and {"toward", "aim"}.isdisjoint(self.given)
         if is_on_axis and self.photometry.format != ISOTROPIC and solved.has("irradiance"):
-            solved.assume(ON_AXIS)
+            solved.assume(ON_AXIS, of=ON_RECEIVER)
         if solved.lit.links and not self.of_shape:
-            solved.assume("the same spectrum in every direction")
+            solved.assume("the same spectrum in every direction", of=solved.lit.linked)
         solved.note_behind()
         fall = solved.value("relative-intensity") if solved.has("relative-intensity") else 1.0
         if solved.has("irradiance") and any_true(fall == 0):
@@ -395,13 +409,16 @@ class _Luminaire:
                 "that distance the inverse square law does not hold"
             )
         facts = [*self._facts(solved)]
+        solved.derived = {
+            fact.name: ["flux"] if fact.name in OF_FLUX else DISTRIBUTION[:1] for fact in facts
+        }
         answer = solved.answer()
         lit = {name: k for k, name in enumerate(LIGHT)}
-        cut = sum(1 for row in answer.values if not row.is_absent and _generic(row) in lit)
+        cut = sum(1 for row in answer.values if not row.is_absent and generic_name(row.name) in lit)
         values = [*answer.values[:cut], *facts, *answer.values[cut:]]
         return answer._replace(values=values)
 
-    def _of_source(self, solved: Solved) -> Iterator[str]:
+    def _of_source(self) -> Iterator[str]:
         source = self.photometry
         if self.of_shape:
             yield ASSUMED[source.format].partition(";")[0]
@@ -410,8 +427,6 @@ class _Luminaire:
         else:
             yield f"distribution: {source.format}" + f": {quote(source.name)}" * bool(source.name)
         yield from source.assumptions
-        if self.is_scaled and self.source.kind:
-            yield from self._of_scale(solved)
 
     def _of_scale(self, solved: Solved) -> Iterator[str]:
         """Yield the factor of the distribution, and a remark on declared values."""
@@ -428,7 +443,7 @@ class _Luminaire:
             yield "the declared lamp flux and power do not apply to a scaled distribution"
 
     def _judge_receiver(self, solved: Solved) -> None:
-        solved.assume("the receiver is a disc of that area")
+        solved.assume("the receiver is a disc of that area", of=["received-solid-angle"])
         if self.is_turned:
             self._refuse_uneven(solved)
         compare_mean(solved)
@@ -447,7 +462,8 @@ class _Luminaire:
                 "the axis of its incidence is not known",
                 mention("a smaller {receiver-area}, or leave out {incidence}"),
             )
-        solved.assume(f"the light varies by {format_number(100 * uneven, 2)} % over the receiver")
+        varies = f"the light varies by {format_number(100 * uneven, 2)} % over the receiver"
+        solved.assume(varies, of=["received-solid-angle"])
 
     # -- facts about the source -----------------------------------------------------------------
 
@@ -475,7 +491,8 @@ class _Luminaire:
                 size = format_value(solved.value("flux") * part, light_unit("flux", kind))
                 solved.assume(
                     "the flux is exact for intensities that are linear between the table's "
-                    f"angles; the zonal method gives {size} ({100 * (part - 1):+.2g} %)"
+                    f"angles; the zonal method gives {size} ({100 * (part - 1):+.2g} %)",
+                    of=["weighted-solid-angle"],
                 )
         return value("error", solved.value("flux") * flux.error / flux.value)._replace(
             label=label,
@@ -495,7 +512,8 @@ class _Luminaire:
             )
         solved.assume(
             "beam and field angles: between the outermost directions in which the plane has a "
-            "half and a tenth of its greatest intensity"
+            "half and a tenth of its greatest intensity",
+            of=[beam + suffix for beam, *_ in BEAMS for suffix, _ in PLANES],
         )
         row = value(name, beam.outermost)
         if beam.is_ambiguous and not (azimuth and self.source.is_axial):
@@ -556,9 +574,3 @@ def _one_at_a_time(name: str) -> ConditionError:
 def _without(names: tuple[str, ...], *hidden_names: Any) -> tuple[str, ...]:
     hidden = set().union(*hidden_names)
     return tuple(name for name in names if name not in hidden)
-
-
-def _generic(row: Value) -> str:
-    from radcalc.quantities.symbols import SYMBOLS
-
-    return SYMBOLS[row.name].generic if row.name in SYMBOLS else row.name.removeprefix("radiant-")

@@ -43,15 +43,17 @@ def mesopic(given: Inputs) -> Answer:
     if "spectrum" in given:
         source = given["spectrum"].value
         placed.add("sp-ratio", _ratio_of(given["spectrum"]))
-        placed.assume(f"the S/P ratio of {source.described.removeprefix('spectrum ')}")
-        placed.note(*source.notes)
+        ratio = f"the S/P ratio of {source.described.removeprefix('spectrum ')}"
+        placed.assume(ratio, of=["sp-ratio"])
+        placed.note(*source.notes, of=["sp-ratio"])
     luminances = {"luminance", "mesopic-luminance", "scotopic-luminance"} & set(given)
     if not luminances:
         raise MissingInput("a luminance is missing", mention("{luminance=0.1cd/m2}"))
     if not {"sp-ratio", "spectrum"} & set(given) and len(luminances) < 2:
         hint = mention("{sp-ratio=2} or {spectrum=LED-B3}")
         raise MissingInput("the S/P ratio is missing", hint)
-    placed.assume("the recommended system of CIE 191:2010 (MES2)")
+    system = "the recommended system of CIE 191:2010 (MES2)"
+    placed.assume(system, of=["mesopic-luminance"])
     solved = solve(sheet, LAWS, placed)
     if solved.has("adaptation"):
         if any_true(solved.value("adaptation") == 1):

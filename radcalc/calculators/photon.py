@@ -3,7 +3,7 @@
 from functools import reduce
 from typing import Any
 
-from radcalc.answer import Answer, Value
+from radcalc.answer import Answer, Remark, Value
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
@@ -36,6 +36,10 @@ PAGE = Page(
     "energy is first converted to a wavelength in standard air.",
 )
 
+SEEN = (
+    *("luminous-efficiency", "luminous-efficacy"),
+    *("scotopic-luminous-efficiency", "scotopic-luminous-efficacy"),
+)
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}
 
 
@@ -70,7 +74,14 @@ def photon(given: Inputs) -> Answer:
     is_dark = reduce(larger, efficiencies) == 0
     if any_true(is_dark):
         notes.append(f"{wave.text_where(is_dark)} is invisible: it is outside the tables")
-    return Answer(values, _assumptions(light, wave), notes, Derivation(solution))
+    eyes = dict.fromkeys([light.observer, scotopic])
+    steps = [
+        spectral.efficacy_step(eye.maximum * luminous_efficiency(light.table, eye), eye)
+        for eye in eyes
+    ]
+    return Answer(
+        values, _assumptions(light, wave), notes, Derivation(solution, before=(), after=steps)
+    )
 
 
 def _visibility(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
@@ -82,9 +93,10 @@ def _visibility(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
 
 
 def _assumptions(light: spectral.Light, wave: Input) -> list[str]:
-    eyes = dict.fromkeys([light.observer.assumption, OBSERVERS["scotopic"].assumption])
+    vacuum = "the wavelength is that in vacuum"
+    tables = f"{wave.text} is {format_number(light.table * 1e9)} nm in standard air, as used in"
+    tables += " the tables of the eye"
     if wave.dimension == LENGTH:
-        taken = spectral.VACUUM.format(wave.text)
-        return [f"{taken}; the tables of the eye are used at this value", *eyes]
-    air = f"{wave.text} is {format_number(light.table * 1e9)} nm in standard air"
-    return [f"the wavelength is that in vacuum; {air}, as used in the tables of the eye", *eyes]
+        vacuum = spectral.VACUUM.format(wave.text)
+        tables = f"the tables of the eye are used at {wave.text}"
+    return [Remark(vacuum, PHOTON_NAMES.values()), Remark(tables, SEEN)]

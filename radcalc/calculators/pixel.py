@@ -2,7 +2,7 @@
 
 import math
 
-from radcalc.answer import Answer, Step, Value
+from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators.direction import CONVENTION
 from radcalc.calculators.results import absent, of_directions, value
 from radcalc.calculators.worksheet import refuse_foreign
@@ -73,7 +73,8 @@ def pixel(given: Inputs) -> Answer:
     if "projection" not in given:
         assumptions.insert(0, mention("a latlong map ({projection})"))
     if not is_outside(projection, u, v):
-        assumptions += [AXES[projection], f"direction of the pixel's middle: {CONVENTION}"]
+        middle = AXES[projection], f"direction of the pixel's middle: {CONVENTION}"
+        assumptions += [Remark(text, ["polar", "azimuth"]) for text in middle]
     notes = []
     if not omega:
         notes = ["the pixel shows nothing: it is outside the circle of the map"]

@@ -39,6 +39,10 @@ ASSUMED = {
     LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
 }
 ON_AXIS = "the receiver is on the source's axis"
+# What a remark on the place of a receiver, or on its turn, is on.
+ON_RECEIVER = ("incidence", "cosine", "received-solid-angle")
+# What a remark on the direction of a receiver from the source is on.
+ON_DIRECTION = ("height", "lateral", "off-axis", "relative-intensity", *ON_RECEIVER)
 LYING = "the receiver lies in a plane perpendicular to the source's axis"
 TURNED = "the receiver is turned to that incidence"
 
@@ -58,9 +62,10 @@ def place_at_incidence(given: Inputs, placed: Placed, lying: str = LYING) -> Non
     """Add the law and the meaning of an incidence below a source."""
     if lies_at_incidence(given):
         placed.laws.append(ASIDE)
-        placed.assume(mention(f"{lying}, and {{incidence}} is the light's angle to its normal"))
+        angle = mention("{incidence} is the light's angle to its normal")
+        placed.assume(f"{lying}, and {angle}", of=ON_DIRECTION)
     else:
-        placed.assume(TURNED)
+        placed.assume(TURNED, of=ON_RECEIVER)
 
 
 def require_height(solved: Solved) -> None:
@@ -90,7 +95,7 @@ def solve_facing(
     facing = Placed()
     facing.merge(placed)
     facing.add("incidence", 0.0)
-    facing.assume("light arrives along the receiver's normal")
+    facing.assume("light arrives along the receiver's normal", of=ON_RECEIVER)
     try:
         return solve_all(sheet, laws, facing)
     except ConditionError as error:
@@ -143,7 +148,7 @@ def place_hemisphere(given: Inputs, placed: Placed) -> None:
     """Add the half angle of a hemisphere."""
     if "hemisphere" in given:
         placed.add("half-angle", math.pi / 2)
-        placed.assume("uniform over 2 pi sr (a hemisphere)")
+        placed.assume("uniform over 2 pi sr (a hemisphere)", of=["half-angle"])
 
 
 def compare_mean(solved: Solved) -> None:
@@ -153,5 +158,6 @@ def compare_mean(solved: Solved) -> None:
         unit = coherent_unit_of("irradiance", solved.lit.kind)
         solved.note(
             "the irradiance is that at the receiver's centre; the mean over the receiver is "
-            f"{format_value(mean, unit)}"
+            f"{format_value(mean, unit)}",
+            of=["irradiance", "received-flux"],
         )

@@ -14,6 +14,8 @@ from radcalc.calculators.point_laws import (
     LOBE,
     LYING,
     ON_AXIS,
+    ON_DIRECTION,
+    ON_RECEIVER,
     POSITION,
     QUANTITIES,
     RECEIVER,
@@ -40,6 +42,7 @@ from radcalc.laws.point import (
     AXIS,
     CONICAL,
     COSINE_BELOW,
+    ENERGIES,
     FALL,
     FALL_BELOW,
     FLAT,
@@ -56,6 +59,7 @@ from radcalc.laws.point import (
     RECEIVER_FLAT,
     RECEIVER_ON_AXIS,
     RECEIVER_TURNED,
+    RECEIVERS,
     SPOT,
     WIDTHS,
     beam_of_cone,
@@ -214,16 +218,20 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     (_place_aside if is_aside else _place_on_axis)(sheet, placed, shape)
     away = "height" if is_aside or "height" in given else "distance"
     laws = [*placed.laws, *_beam(sheet, placed, shape, away)]
-    placed.assume(ASSUMED[shape])
+    even = [*LAWS[shape], *ENERGIES, *RECEIVERS[shape]]
+    if is_aside:
+        even += [INVERSE_SQUARE, INSIDE, FALL, FALL_BELOW, SPOT, *FLOOR[shape]]
+    placed.assume(ASSUMED[shape], of=even)
     is_explicit = not given.keys().isdisjoint(("distribution", "isotropic"))
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_explicit:
-        placed.note(mention("the source is taken as isotropic; for a beam, give {beam-angle}"))
+        beam = mention("the source is taken as isotropic; for a beam, give {beam-angle}")
+        placed.note(beam, of=even)
     solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
     if is_aside:
         require_height(solutions[0])
     for solved in solutions:
         if shape == LOBED and not is_aside and solved.has("irradiance"):
-            solved.assume(ON_AXIS)
+            solved.assume(ON_AXIS, of=ON_RECEIVER)
     answers = [_with_remarks(solved, shape) for solved in solutions]
     return answers[0]._replace(more=tuple(answers[1:]))
 
@@ -276,7 +284,7 @@ def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
         placed.add("lateral", 0.0)
         if "incidence" not in given:
             placed.add("incidence", 0.0)
-            placed.assume(LYING)
+            placed.assume(LYING, of=ON_RECEIVER)
     if "time" not in given:
         placed.laws.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else INVERSE_SQUARE_OF_ENERGY)
 
@@ -295,12 +303,12 @@ def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
         place_at_incidence(given, placed)
     else:
         laws.append(FLAT)
-        placed.assume(LYING)
+        placed.assume(LYING, of=ON_RECEIVER)
     laws.append((RECEIVER_FLAT if is_flat else RECEIVER_TURNED)[shape])
     if shape == ISOTROPIC:
         laws.append(INVERSE_SQUARE)
     else:
-        placed.assume("the source points straight down")
+        placed.assume("the source points straight down", of=ON_DIRECTION)
         laws += [OFF_AXIS, INSIDE if shape == CONICAL else FALL]
     if "time" not in given:
         laws.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else OFF_AXIS_OF_ENERGY)
@@ -313,7 +321,7 @@ def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
     if shape == LOBED and "exponent" not in known:
         laws.append(SPOT)
     if shape == CONICAL and "half-angle" not in known:
-        placed.assume("the receiver is inside the cone")
+        placed.assume("the receiver is inside the cone", of=["relative-intensity"])
         laws.remove(INSIDE)
         placed.add("relative-intensity", 1.0)
 
@@ -336,7 +344,7 @@ def _compare_cone(solved: Solved) -> None:
 
 
 def _judge_receiver(solved: Solved, shape: str) -> None:
-    solved.assume("the receiver is a disc of that area")
+    solved.assume("the receiver is a disc of that area", of=["received-solid-angle"])
     area, away, off = solved.value("receiver-area"), solved.value("distance"), 0.0
     if solved.has("off-axis"):
         off = solved.value("off-axis")
@@ -346,5 +354,6 @@ def _judge_receiver(solved: Solved, shape: str) -> None:
         uneven = receivers.unevenness(
             solved.value("exponent"), power(area / math.pi, 0.5), away, off
         )
-        solved.assume(f"the intensity varies by {format_number(100 * uneven)} % over the receiver")
+        varies = f"the intensity varies by {format_number(100 * uneven)} % over the receiver"
+        solved.assume(varies, of=["received-solid-angle"])
     compare_mean(solved)

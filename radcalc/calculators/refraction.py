@@ -69,7 +69,9 @@ def refraction(given: Inputs) -> Answer:
     else:
         solved = solve(sheet, [*LAWS, critical], placed)
     if solved.has("slab-transmittance"):
-        solved.assume("unpolarised light; a slab reflects at both faces, without interference")
+        solved.assume("unpolarised light", of=["reflectance", "slab-transmittance"])
+        slab = "a slab reflects at both faces, without interference"
+        solved.assume(slab, of=["slab-transmittance"])
     return solved.answer()
 
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
-from radcalc.answer import Ends, Row, Value
+from radcalc.answer import Answer, Ends, Row, Value
 from radcalc.conversion.linear import exact_ratio
 from radcalc.derivation import letter_of
 from radcalc.errors import (
@@ -28,7 +28,13 @@ from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
-from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, light_unit, specific_name
+from radcalc.quantities.symbols import (
+    SPECIFIC,
+    SYMBOLS,
+    generic_name,
+    light_unit,
+    specific_name,
+)
 from radcalc.quantities.synonyms import meant
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
@@ -300,6 +306,24 @@ def _of_kind(name: str, generic: str, values: Sequence[Value]) -> list[Try]:
     unit = light_unit(generic, kind)
     reach = next(value.reach for value in values if value.name == generic)
     return [correct(name, f"{generic}:{unit}")] if resolve(unit).dimension in reach else []
+
+
+def said_of(answer: Answer, rows: Sequence[Row]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the assumptions and the notes on the results that rows show."""
+    return answer.said([_in_its_kind(answer.values, row) for row in rows])
+
+
+def _in_its_kind(values: Sequence[Value], row: Row) -> tuple[str, str]:
+    """Return the generic name of a result, and the kind of light of its unit, if any."""
+    name = row.name
+    for suffix in (OF_UNCERTAINTY, *OF_ENDS):
+        name = name.removesuffix(suffix)
+    value = next(iter(_called(values, name, row.unit)), values[0])
+    unit = measured_in(row.unit, name)
+    if unit.is_scale:
+        unit = cast("ScaleUnit", unit).measures((*value.dimensions, *value.reach)).unit
+    place = GRID.get(unit.dimension)
+    return generic_name(value.name), place[0] if place else ""
 
 
 def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:

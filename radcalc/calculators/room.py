@@ -120,7 +120,7 @@ def room(given: Inputs) -> Answer:
     laws = LIT if "luminaires" in given else LAWS
     if given.keys() >= {"area", "room-index", "height"} and not given.keys() & {"width", "length"}:
         laws = [*laws, SIDES]
-        placed.assume("a rectangular room, whose width is the shorter side")
+        placed.assume("a rectangular room, whose width is the shorter side", of=[SIDES])
     if "luminaires" in given and any_true(given["luminaires"].value % 1 != 0):
         raise ConditionError(
             f"{option('luminaires', quote(given['luminaires'].text))} is not a whole number",
@@ -132,7 +132,9 @@ def room(given: Inputs) -> Answer:
     solved = solve(sheet, laws, placed)
     solved.refuse_impossible(*LOSSES)
     if solved.has("room-index"):
-        solved.assume("room index: the height is that of the luminaires above the working plane")
+        above = "room index: the height is that of the luminaires above the working plane"
+        solved.assume(above, of=["room-index"])
     if solved.has("luminaires", "irradiance"):
-        solved.assume("evenly distributed luminaires; illuminance: the mean over the working plane")
+        even = "evenly distributed luminaires; illuminance: the mean over the working plane"
+        solved.assume(even, of=["luminaires", "irradiance"])
     return solved.answer()

@@ -547,7 +547,8 @@ class Reader:
                 + MISSING_LINK,
                 LINKS_HINT,
             )
-        self.assumptions[factor.assumption] = None
+        if factor.assumption:
+            self.assumptions[factor.assumption] = None
         self.notes.update(dict.fromkeys(factor.notes))
         return float(factor.value)
 

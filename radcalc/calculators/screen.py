@@ -100,10 +100,11 @@ def screen(given: Inputs) -> Answer:
     if sheet.lit.values:
         white = mention("a matt white screen, with a gain of 1 ({gain})")
         placed.default(sheet, LAWS, "gain", 1.0, white)
-        placed.assume("the whole flux falls evenly on the picture, in a dark room")
+        even = "the whole flux falls evenly on the picture, in a dark room"
+        placed.assume(even, of=["flux", "irradiance", "radiance"])
     laws = LAWS
     known = reached(LAWS, set(sheet.known))
     if {"diagonal", "area"} <= known and not {"width", "height", "aspect"} & known:
-        placed.assume("the picture is at least as wide as it is high")
+        placed.assume("the picture is at least as wide as it is high", of=[ASPECT])
         laws = [*LAWS, ASPECT]
     return solve(sheet, laws, placed).answer()

@@ -151,6 +151,7 @@ PAGE = Page(
     "needs the number of photons: give {wavelength} or {spectrum}, or light in photon units.  Give "
     "the quantities that you know; radcalc calculates those that follow from them.",
 )
+APERTURE = ("f-number", "working-f-number")
 SILICON = 1200.0  # [nm]; silicon is transparent beyond
 
 
@@ -175,12 +176,14 @@ def sensor(given: Inputs) -> Answer:
     if solved.has("working-f-number") and solved.has("radiance", "etendue"):
         solved.use("off-axis-angle")
     if solved.has("electrons", "current"):
-        solved.assume("the whole area of a pixel collects light uniformly")
+        even = "the whole area of a pixel collects light uniformly"
+        solved.assume(even, of=["pixel-area", *DETECTOR])
         if "spectrum" in sheet.lit.links:
-            solved.assume("the same quantum efficiency for all counted photons")
+            same = "the same quantum efficiency for all counted photons"
+            solved.assume(same, of=DETECTOR)
             _note_infrared(solved)
     if solved.has("snr"):
-        solved.assume("signal-to-noise ratio: shot noise only")
+        solved.assume("signal-to-noise ratio: shot noise only", of=["snr"])
     answer = solved.answer()
     if kind != LUMINOUS:
         return answer
@@ -236,18 +239,20 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
 def _place_lens(sheet: Worksheet, placed: Placed, laws: list[AnyLaw]) -> None:
     given = sheet.given
     if "off-axis-angle" in given:
-        placed.assume("off the axis: the fourth power of the cosine, without vignetting")
+        fourth = "off the axis: the fourth power of the cosine, without vignetting"
+        placed.assume(fourth, of=["cosine-off-axis"])
     else:
-        placed.assume(mention("on the axis of the lens ({off-axis-angle})"))
+        on_axis = mention("on the axis of the lens ({off-axis-angle})")
+        placed.assume(on_axis, of=["cosine-off-axis"])
     placed.merge(place(sheet, _off_axis))
-    placed.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)")
+    placed.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)", of=APERTURE)
     if "working-f-number" not in given:
         far = mention("focused far away: a magnification of 0 ({magnification})")
         placed.default(sheet, laws, "magnification", 0.0, far)
     lossless = mention("a lens without losses: a transmittance of 1 ({transmittance})")
     placed.default(sheet, laws, "transmittance", 1.0, lossless)
     if "magnification" in given:
-        placed.assume("pupils of equal size: the working f-number is N (1 + m)")
+        placed.assume("pupils of equal size: the working f-number is N (1 + m)", of=APERTURE)
 
 
 def _off_axis(sheet: Worksheet) -> Placed:

@@ -67,6 +67,10 @@ class Shape(NamedTuple):
     place: Callable[[Worksheet], Placed]
 
 
+# What a remark on the place of a receiver, or on its turn, is on.
+ON_RECEIVER = ("irradiance", "exposure", "projected-solid-angle", "cosine", "cosine-of-source")
+
+
 class Seen(Placed):
     """Values and laws of a shape, seen by a receiver."""
 
@@ -90,15 +94,18 @@ class Seen(Placed):
         """Assume that the receiver faces the source, unless an incidence is given."""
         self.use("incidence")
         if "incidence" not in self.given:
-            self.assume("the receiver faces the source")
+            self.assume("the receiver faces the source", of=ON_RECEIVER)
 
     def centre(self, height: Any, lateral: Any, tilt: Any) -> None:
         """Add the position of the source's centre, seen by a receiver with this tilt."""
         self.use(*POSITION)
         if "incidence" in self.given:
-            self.assume("the incidence is measured from the line to the centre, away from the axis")
+            self.assume(
+                "the incidence is measured from the line to the centre, away from the axis",
+                of=ON_RECEIVER,
+            )
         else:
-            self.assume("the receiver faces the source's plane")
+            self.assume("the receiver faces the source's plane", of=ON_RECEIVER)
         distance = hypot(height, lateral)
         self.add("cosine", cones.facing(atan2(lateral, height) - tilt))
         self.add("cosine-of-source", height / distance)
@@ -107,7 +114,7 @@ class Seen(Placed):
 
     def stand_aside(self) -> None:
         """Add the laws of a disc off its axis with an unknown length."""
-        self.assume("the receiver faces the source's plane")
+        self.assume("the receiver faces the source's plane", of=ON_RECEIVER)
         self.laws += [DISC_ASIDE, OFFSET]
 
 
@@ -179,7 +186,7 @@ def _patch_toward(placed: Seen) -> None:
         if not _is_sized(given) or any_true(tilt != 0):
             raise cut_by_horizon(given, _reach(given), given["distance"].value)
         placed.add("incidence", incidence, given["incidence"])
-        placed.assume("a disc, partly cut by the horizon")
+        placed.assume("a disc, partly cut by the horizon", of=ON_RECEIVER)
         placed.laws.append(CUT_DISC)
     else:
         placed.laws += _small(given)
@@ -247,7 +254,7 @@ def _disc(sheet: Worksheet) -> Placed:
         placed.laws.append(DISC_FLUX_ASIDE)
         return placed
     if "irradiance" in sheet.lit.values:
-        placed.assume("the receiver is on the disc's axis and faces it")
+        placed.assume("the receiver is on the disc's axis and faces it", of=ON_RECEIVER)
     away = "height" if "height" in given else "distance"
     placed.laws += [disc_on_axis(away), disc_flux(away)]
     return placed
@@ -270,7 +277,9 @@ def _disc_seen(placed: Seen, height: Any) -> None:
 def _disc_off_axis(sheet: Worksheet) -> Placed:
     """Place a receiver off the disc's axis, at the offset that the irradiance gives."""
     placed = Seen(sheet.given, *round_sizes(sheet.given), CIRCLE, FLAT)
-    placed.assume("the receiver is off the disc's axis, at the offset that the light gives")
+    placed.assume(
+        "the receiver is off the disc's axis, at the offset that the light gives", of=ON_RECEIVER
+    )
     placed.stand_aside()
     return placed
 
@@ -313,10 +322,10 @@ def _rectangle(sheet: Worksheet) -> Placed:
         if elsewhere:
             raise _without_height(elsewhere[0])
         if {"irradiance", "exposure"} & set(sheet.lit.values):
-            placed.assume("the receiver is on the rectangle's axis and faces it")
+            placed.assume("the receiver is on the rectangle's axis and faces it", of=ON_RECEIVER)
         placed.laws.append(rectangle_on_axis("height"))
     elif not elsewhere and _lacks_side(sheet):
-        placed.assume("the receiver is on the rectangle's axis and faces it")
+        placed.assume("the receiver is on the rectangle's axis and faces it", of=ON_RECEIVER)
         placed.laws.append(rectangle_on_axis("height" if "height" in given else "distance"))
     else:
         _rectangle_seen(placed, height)
@@ -336,7 +345,7 @@ def _rectangle_seen(placed: Seen, height: Any) -> None:
     x, y = offset_of(given), offset_of(given, "offset-y")
     if "corner" in given:
         x, y = placed.corner(given, width, length)
-        placed.assume("below a corner of the rectangle")
+        placed.assume("below a corner of the rectangle", of=ON_RECEIVER)
     normal = (_sideways if "perpendicular" in given else _upward)(placed, height, x, y)
     heights = [
         normal[0] * (i * width / 2 - x) + normal[1] * (j * length / 2 - y) + normal[2] * height
@@ -371,7 +380,7 @@ def _upward(placed: Seen, height: Any, x: Any, y: Any) -> Any:
     over = 1.0 * (lateral == 0)  # above the centre the receiver is turned along the width
     away = (-x / (lateral + over) - over, -y / (lateral + over))
     if "incidence" in placed.given and any_true(lateral == 0):
-        placed.assume("the receiver is turned along the width")
+        placed.assume("the receiver is turned along the width", of=ON_RECEIVER)
     return sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt)
 
 
@@ -383,7 +392,7 @@ def _sideways(placed: Seen, height: Any, x: Any, y: Any) -> Any:
     placed.add("cosine", abs(y) / distance)
     placed.add("cosine-of-source", height / distance)
     placed.add("distance", distance)
-    placed.assume("the receiver's normal is parallel to the rectangle's length")
+    placed.assume("the receiver's normal is parallel to the rectangle's length", of=ON_RECEIVER)
     return 0.0, 1.0 - 2.0 * (y > 0), 0.0
 
 

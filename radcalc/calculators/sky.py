@@ -64,6 +64,8 @@ ISO = "ISO 80000-7, illuminance"
 OF_SUN = ("sun-irradiance", "sun-radiance", "global-irradiance")
 OF_PLACE = ("sun-elevation", "sun-azimuth", "sun-radius")
 ANGLES = ("sun-elevation", "sun-azimuth", "toward", "normal", "tilt", "azimuth")
+# What a remark on the sky is on: the ground, a plane, and a direction.
+ON_SKY = ("horizontal-sky", "plane-sky", "relative-radiance")
 LEAST = 1e-15  # a smaller cosine is a rounded 0
 GROUND = law(
     "irradiance of the ground", "{horizontal-irradiance} = {zenith-radiance} {horizontal-sky}", ISO
@@ -447,18 +449,20 @@ class _Sky:
     def _assume(self, solved: Solved) -> None:
         given, sky = self.given, self.type
         number = f"CIE type {sky.number}: " if sky.number else ""
-        solved.assume(f"{number}{sky.name}")
+        solved.assume(f"{number}{sky.name}", of=ON_SKY)
         if self.is_sunlit:
-            solved.assume("the sky does not include the sun's disc; planes get the light of both")
+            both = "the sky does not include the sun's disc; planes get the light of both"
+            solved.assume(both, of=[*ON_SKY, "global-irradiance", "irradiance"])
             if solved.lit.links:
-                solved.assume("the sun's light and the sky's have the same spectrum")
+                same = "the sun's light and the sky's have the same spectrum"
+                solved.assume(same, of=solved.lit.linked)
         elif sky.follows_sun:
-            solved.assume("the sky does not include the sun's disc")
+            solved.assume("the sky does not include the sun's disc", of=ON_SKY)
         below = "toward" in given and any_true(given["toward"].value[0] > math.pi / 2)
         if self.has_plane or below:
-            solved.assume("no light comes from below the horizon")
+            solved.assume("no light comes from below the horizon", of=ON_SKY[1:])
         if self.has_plane and self.is_sunlit:
-            solved.assume("the daylight share is for the sky alone")
+            solved.assume("the daylight share is for the sky alone", of=["daylight-share"])
         if "sun-azimuth" in given:
             is_vector = "normal" in given or (
                 "toward" in given and given["toward"].text.count(",") == 2
@@ -466,7 +470,8 @@ class _Sky:
             solved.assume(
                 "azimuths are measured from +x towards +y"
                 if is_vector
-                else "all azimuths are measured from the same direction and in the same sense"
+                else "all azimuths are measured from the same direction and in the same sense",
+                of=[*ON_SKY[1:], "cosine"],
             )
         if self.is_sunlit:
             self._say_disc(solved)
@@ -475,7 +480,8 @@ class _Sky:
         """Add the size of the sun to the assumptions, with notes on where it matters."""
         radius = solved.value("sun-radius")
         if "sun-radius" not in self.given:
-            solved.assume(f"the sun's disc has a radius of {format_angle(radius)}")
+            disc = f"the sun's disc has a radius of {format_angle(radius)}"
+            solved.assume(disc, of=["sun-radius"])
         cut = sin(self.given["sun-elevation"].value) < sin(radius)
         if self.has_plane:
             cosine = dot(_facing(self.given), cartesian(*place_of_sun(self.given)))

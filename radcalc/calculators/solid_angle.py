@@ -155,6 +155,8 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     half = solved.value("half-angle") if solved.has("half-angle") else cones.cone_of(omega)
     sizes = (omega, flat, omega / cones.FULL, half, 2 * half)
     results = [of_directions(given, name, size) for name, size in zip(RESULTS, sizes, strict=True)]
+    for result in results:
+        solved.derived.setdefault(result.name, ["solid-angle"])
     return _in_units_given(solved.answer(results), given)
 
 
@@ -189,7 +191,7 @@ def _missing_input(sheet: Worksheet) -> UsageError:
 def _onto(plane: str, *laws: AnyLaw) -> Placed:
     """Return a new `Placed` with the laws of a shape and its plane of projection."""
     placed = Placed(*laws)
-    placed.assume(f"projected onto {plane}")
+    placed.assume(f"projected onto {plane}", of=["projected-solid-angle"])
     return placed
 
 

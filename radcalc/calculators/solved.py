@@ -1,6 +1,6 @@
 """The solutions of a worksheet, and the answer that they give."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from functools import partial
 from typing import Any
 
@@ -15,7 +15,15 @@ from radcalc.laws import solver
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import TO_DIGITS, Derivation, Disagreement, Solution
 from radcalc.maths import any_true, is_array
-from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, in_kind, specific_name
+from radcalc.quantities.symbols import (
+    EFFICACIES,
+    INNER,
+    QUANTITY,
+    SYMBOLS,
+    article,
+    in_kind,
+    specific_name,
+)
 
 LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
 ROUNDING = 1e-9  # relative tolerance of limits of results
@@ -66,6 +74,7 @@ class Solved(Remarks):
         super().__init__()
         self.sheet, self.placed, self.laws, self.solution = sheet, placed, laws, solution
         self.given, self.lit = sheet.given, sheet.lit
+        self.derived: dict[str, Iterable[str]] = {}  # results of the page, with their symbols
         self.assume(*sheet.lit.assumptions, *placed.assumptions)
         self.note(*sheet.lit.notes, *placed.notes)
         if solution.limited or solution.agreed:
@@ -141,10 +150,26 @@ class Solved(Remarks):
         after = [step for step in light.steps if step not in before]
         return Answer(
             results,
-            _once([*self.assumptions, *light.assumptions]),
-            tuple(dict.fromkeys([*self.notes, *light.notes])),
+            (*self.assumptions, *light.assumptions),
+            (*self.notes, *light.notes),
             Derivation(self.solution, self.lit.kind, before, after),
+            origins=self.origins,
         )
+
+    def origins(self, name: str, kind: str) -> Set[str] | None:
+        """Return what a result comes from, as in an `Answer`.
+
+        Any result may come from an input outside the laws, and a value of the page from any input.
+        """
+        ratios = {ratio: {*pair} for ratio, *pair in EFFICACIES}
+        names = self.derived.get(name, (name,) if self.has(name) else ())
+        if not names and name not in ratios:
+            return None
+        found = {name, kind}.union(*map(self.solution.origins, names), ratios.get(name, ()))
+        given = self.given.keys() | self.lit.links.keys()
+        if self.placed.known.keys().isdisjoint(found):
+            given -= self.solution.values.keys()
+        return found | given
 
     def _others(self) -> list[Value]:
         values, page = self.solution.values, self.sheet.page
@@ -236,14 +261,3 @@ def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]
         error.given,
         error.implied,
     )
-
-
-def _once(texts: Iterable[str]) -> tuple[str, ...]:
-    """Return texts without the clauses of earlier ones."""
-    seen: dict[str, None] = {}
-    kept = []
-    for text in texts:
-        clauses = [clause for clause in text.split("; ") if clause not in seen]
-        seen.update(dict.fromkeys(clauses))
-        kept += ["; ".join(clauses)] if clauses else []
-    return tuple(kept)

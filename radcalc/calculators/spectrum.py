@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from radcalc.answer import Answer, Step, Value
+from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nanometres
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent, on_request, value
@@ -76,6 +76,12 @@ INSTEAD = (
 )
 OF_BLACK_BODY = ("exitance", "radiance")
 SAME = 1e-9  # relative difference of equal sums
+# The results that count watts, and those that count photons.
+OF_WATTS = (
+    *("centroid-wavelength", "range-start", "range-end", "range-fraction", "luminous-efficiency"),
+    *("luminous-efficacy", "scotopic-luminous-efficacy", "photon-efficacy", RADIANT),
+)
+OF_PHOTONS = ("photon-energy", "photon-efficacy", "lux-per-ppfd", PHOTON)
 
 
 def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
@@ -111,16 +117,23 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
         *_absolute(source, {kind: counts.amount(kind) for kind in kinds}),
         *uncounted,
     ]
-    shares = f"; range-fraction is relative to {whole.known}, all of the data" if known else ""
-    watts = f"watts counted over {counts.over(RADIANT)}, photons"
+    described = source.described
     if ranges[0]:
-        watts = f"all results are of the light in {counts.over(RADIANT)}; photons counted"
-        shares = shares or "; range-fraction is relative to all of the light"
-    assumptions = [
-        f"{source.described}; {watts} over {counts.over(PHOTON)}{shares}",
-        eye.assumption,
-        *colour.assumptions,
+        described += f"; all results are of the light in {counts.over(RADIANT)}"
+    whole_text = f"{whole.known}, all of the data" if known else "all of the light"
+    assumptions: list[str] = [
+        Remark(f"{described}; {text}", of)
+        for text, of in (
+            (f"watts counted over {counts.over(RADIANT)}", () if ranges[0] else OF_WATTS),
+            (f"photons counted over {counts.over(PHOTON)}", OF_PHOTONS),
+            (
+                f"range-fraction is relative to {whole_text}",
+                ["range-fraction"] if known or ranges[0] else (),
+            ),
+        )
+        if of
     ]
+    assumptions += [described, *colour.assumptions]
     clipped = (RADIANT,) if ranges[0] else (RADIANT, PHOTON)  # the photons also by the range
     notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *colour.notes]
     peak = light.peak()[0]
@@ -264,7 +277,7 @@ def _steps(counts: Counts) -> list[Step]:
     formula = Formula(
         "luminous efficacy of radiation",
         f"K = {eye.constant} int(S {weight} dlambda) / int(S dlambda)",
-        TRAPEZOIDS,
+        f"{TRAPEZOIDS}; {eye.described}",
     )
     if counts.impossible(LUMINOUS, RADIANT):
         return []

@@ -4,8 +4,9 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
-from radcalc.answer import Answer, ShownInput
+from radcalc.answer import Answer, Remark, ShownInput, itself
 from radcalc.inputs.given import Inputs, any_uncertain
+from radcalc.quantities.symbols import generic_name
 from radcalc.tuples import NamedTuple
 
 Wants = Callable[[str], bool]  # returns whether the result of a name is requested
@@ -38,9 +39,13 @@ class Task(NamedTuple):
 
 
 def _with_readings(answer: Answer, inputs: Inputs) -> Answer:
-    readings = dict.fromkeys([text for given in inputs.values() for text in given.assumptions])
+    readings: list[str] = []
+    for given in inputs.values():
+        readings += [Remark(text, [generic_name(given.name)]) for text in given.assumptions]
     if not readings:
         return answer
+    if answer.origins is itself:
+        readings = [*map(str, readings)]
     answers = (answer, *answer.more)
     first, *more = (
         alternative._replace(assumptions=(*readings, *alternative.assumptions))

@@ -208,7 +208,8 @@ def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
         placed.add("roundness", 1.0)
         placed.assume(mention("an ellipse, with a roundness of 1 ({roundness})"))
     if sheet.lit.values:
-        placed.assume("without attenuation, the irradiance is I / L^2 at the fall-off distance")
+        bare = "without attenuation, the irradiance is I / L^2 at the fall-off distance"
+        placed.assume(bare, of=["intensity", "irradiance"])
 
 
 def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
@@ -229,7 +230,7 @@ def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
         placed.add("incidence", atan2(across, dot(normal, to_light)))
     elif sheet.lit.values:
         placed.add("incidence", 0.0)
-        placed.assume("the receiver faces the light")
+        placed.assume("the receiver faces the light", of=["incidence", "irradiance"])
 
 
 def _attenuate(settings: Settings, sheet: Worksheet) -> Placed:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, partial
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer, Ends, Result, Step, Value
+from radcalc.answer import Answer, Ends, Remark, Result, Step, Value
 from radcalc.calculators.results import in_unit
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import plan
@@ -26,7 +26,7 @@ from radcalc.errors import (
 from radcalc.inputs.given import Input, Inputs, any_uncertain
 from radcalc.inputs.quantities import moved
 from radcalc.maths import is_array, is_uncertain
-from radcalc.quantities.symbols import ANY, Symbol
+from radcalc.quantities.symbols import ANY, Symbol, generic_name
 from radcalc.units.amount import Amount
 from radcalc.units.parts import Part, check_uncertainty
 from radcalc.units.slopes import at_jumps, is_broken, reach, slopes
@@ -103,12 +103,14 @@ def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> A
     for k, alternative in enumerate((answer, *answer.more)):
         values = [_uncertain(value, key, numbers, ends) for key, value in _keys(alternative, k)]
         notes = _notes(bends, dict(_keys(alternative, k)))
+        uncertain = [generic_name(v.name) for v in values if is_uncertain(v.si) or v.ends]
         answers.append(
             Answer(
                 values,
-                (*alternative.assumptions, _assumed(given)),
+                (*alternative.assumptions, Remark(_assumed(given), uncertain)),
                 (*alternative.notes, *notes),
                 _WithShares(alternative.steps, values),
+                origins=alternative.origins,
             )
         )
     return answers[0]._replace(more=tuple(answers[1:]))

@@ -6,7 +6,7 @@ from functools import partial
 from itertools import permutations
 from typing import Any
 
-from radcalc.answer import Step
+from radcalc.answer import Remark, Step
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
 from radcalc.errors import ConditionError, Try, Unused, leave_out, mention, option, quote
@@ -112,22 +112,31 @@ def _rounding(value: Any, inputs: Sequence[Input]) -> Any:
 
 
 class Remarks:
-    """Assumptions and notes of an answer, and the inputs used outside the laws."""
+    """Assumptions and notes of an answer, and the inputs used outside the laws.
+
+    A remark is on all results, or on those whose derivation has one `of` its symbols and laws.
+    """
 
     def __init__(self) -> None:
         self.assumptions: list[str] = []
         self.notes: list[str] = []
         self.used: set[str] = set()
 
-    def assume(self, *texts: str) -> None:
-        self.assumptions += texts
+    def assume(self, *texts: str, of: Iterable[str | AnyLaw] = ()) -> None:
+        self.assumptions += _of(of, texts)
 
-    def note(self, *texts: str) -> None:
-        self.notes += texts
+    def note(self, *texts: str, of: Iterable[str | AnyLaw] = ()) -> None:
+        self.notes += _of(of, texts)
 
     def use(self, *names: str) -> None:
         """Mark inputs as used that are not in any law."""
         self.used.update(names)
+
+
+def _of(origins: Iterable[str | AnyLaw], texts: Sequence[str]) -> Sequence[str]:
+    """Return texts as remarks of symbols and laws, if there are any."""
+    of = [origin if isinstance(origin, str) else origin.name for origin in origins]
+    return [Remark(text, of) for text in texts] if of else texts
 
 
 class Placed(Remarks):
@@ -169,7 +178,7 @@ class Placed(Remarks):
         """Add a value as an assumption, unless it is given or follows from the laws."""
         if name not in reached(laws, {*sheet.known, *self.known}):
             self.add(name, value)
-            self.assume(*texts)
+            self.assume(*texts, of=[name])
 
     def merge(self, other: "Placed") -> None:
         self.laws += other.laws

@@ -5,7 +5,7 @@ from typing import Any
 
 from radcalc import terminal
 from radcalc.answer import Answer, Result, Row, ShownInput
-from radcalc.calculators.results import LINKS_HINT, element, pick, rows, scales_of
+from radcalc.calculators.results import LINKS_HINT, element, pick, rows, said_of, scales_of
 from radcalc.cli.cases import Case, label
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request
@@ -93,10 +93,8 @@ def _picked(
         if scale_remarks is None:
             scale_remarks = scales_of(answered.answer.values, first)
         if scale_remarks:
-            assumptions = dict.fromkeys((*answered.answer.assumptions, *scale_remarks))
-            answered = answered._replace(
-                answer=answered.answer._replace(assumptions=tuple(assumptions))
-            )
+            assumptions = (*answered.answer.assumptions, *scale_remarks)
+            answered = answered._replace(answer=answered.answer._replace(assumptions=assumptions))
         yield answered, chosen
 
 
@@ -139,7 +137,7 @@ def _show_columns(
 
             texts.append(lines(columns, output.style.precision, count))
         steps = () if answered.long and texts[1:] else answered.answer.steps
-        remark = result(answered, ())._replace(steps=tuple(steps), inputs=())
+        remark = result(answered, chosen)._replace(rows=(), steps=tuple(steps), inputs=())
         if output.is_bare:
             remark = remark._replace(notes=(*remark.notes, *omitted(chosen)))
         remarks[remark if remark.steps else remark[1:3]] = remark
@@ -193,10 +191,10 @@ def _element(given: ShownInput, k: int) -> ShownInput:
 def result(answered: Answered, chosen: Sequence[Row] | None = None) -> Result:
     """Return an answer as rows: the chosen ones, or all of them."""
     answer = answered.answer
+    said = answer.said() if chosen is None else said_of(answer, chosen)
     return Result(
         tuple(rows(answer.values, answered.case) if chosen is None else chosen),
-        tuple(answer.assumptions),
-        tuple(answer.notes),
+        *said,
         tuple(answer.steps),
         answered.inputs,
     )

@@ -54,7 +54,7 @@ def judge(
 ) -> int:
     """Write whether an answer is right, or its likely mistake; return the exit status."""
     output.ask(question)
-    from radcalc.calculators.results import measured_in, of_kind
+    from radcalc.calculators.results import measured_in, of_kind, said_of
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
@@ -66,5 +66,5 @@ def judge(
     label = of_kind(right, measured_in(verdict.unit, right.name))
     is_given, off = right.given is not None, verdict.uncertainty
     row = Row(*label, verdict.value, verdict.unit, "", name, is_given, off)
-    output.judge(Judgement(verdict, row, inputs, answer.assumptions, answer.notes))
+    output.judge(Judgement(verdict, row, inputs, *said_of(answer, [row])))
     return terminal.ANSWERED if verdict.right else terminal.WRONG

@@ -8,6 +8,7 @@ import click
 from radcalc import terminal
 from radcalc.answer import Result, texts_of
 from radcalc.calculators.page import FILE, Operand, Page
+from radcalc.calculators.results import said_of
 from radcalc.cli import files, sentence, trials
 from radcalc.cli.command import define
 from radcalc.cli.heard import Asked, asked
@@ -172,7 +173,7 @@ def _assumptions(sheet: Sheet, keys: Sequence[Key]) -> list[str]:
     """Return the assumptions of the right answers, each with the lines of its questions."""
     lines: dict[str, list[str]] = {}
     for row, found in zip(sheet.rows, keys, strict=True):
-        for assumption in found.question.answer.assumptions:
+        for assumption in said_of(found.question.answer, [found.right])[0]:
             lines.setdefault(spelled(assumption), []).append(str(row.line))
     return [
         f"line{'s' if len(found) > 1 else ''} {listed(found)}: assumed: {assumption}"

@@ -266,13 +266,13 @@ class _Calculation(_Work):
         )
 
     def record(self, line: int, field: int | None, given: Input, line_answer: "LineAnswer") -> str:
-        from radcalc.calculators.results import rows
+        from radcalc.calculators.results import rows, said_of
 
         inputs = (*self.task.operands, *shown_inputs(self.case.of_line(given)))
         answer = line_answer.answer
         chosen = line_answer.rows if self.wanted else rows(answer.values)
-        remarks = tuple(answer.assumptions), tuple(answer.notes)
-        result = Result(tuple(chosen), *remarks, inputs=inputs)
+        said = said_of(answer, chosen) if self.wanted else answer.said()
+        result = Result(tuple(chosen), *said, inputs=inputs)
         return self.line_of(result, line, field)
 
     def _of_value(self, given: Input) -> Answer:

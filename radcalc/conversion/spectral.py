@@ -100,24 +100,14 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     efficacy: Any = None
     if LUMINOUS in (over, under):
         efficacy = luminous_efficacy(of.table, of.observer)
-        assumption = of.observer.assumption
         if not is_length:
-            assumption += f"; {given.text} is {format_number(of.table * 1e9)} nm in standard air"
+            assumption = f"{given.text} is {format_number(of.table * 1e9)} nm in standard air"
         if maths.any_true(efficacy == 0):
             notes = (
                 f"{given.text_where(efficacy == 0)} is invisible: the table spans "
                 f"{of.observer.start}-{of.observer.end} nm",
             )
-        share = format_number(efficacy / of.observer.maximum)
-        steps = (
-            Formula(
-                "luminous efficacy of one wavelength",
-                f"K = {of.observer.constant} {of.observer.label.split()[0]}",
-                "CIE 018:2019",
-            ).with_numbers(
-                f"K = {of.observer.maximum:g} lm/W * {share} = {format_number(efficacy)} lm/W"
-            ),
-        )
+        steps = (efficacy_step(efficacy, of.observer),)
     if PHOTON in (over, under):
         from radcalc.laws import photon
         from radcalc.spectra.spectrum import OUTSIDE, PAR
@@ -152,6 +142,16 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     return Factor(symbol, value, unit, assumption, steps, notes)
 
 
+def efficacy_step(efficacy: Any, observer: Observer) -> Step:
+    """Return the step of the luminous efficacy of one wavelength [lm/W]."""
+    share = format_number(efficacy / observer.maximum)
+    return Formula(
+        "luminous efficacy of one wavelength",
+        f"K = {observer.constant} {observer.label.split()[0]}",
+        f"CIE 018:2019; {observer.described}",
+    ).with_numbers(f"K = {observer.maximum:g} lm/W * {share} = {format_number(efficacy)} lm/W")
+
+
 def spectral_factor(
     given: Input,
     over: str,
@@ -173,9 +173,7 @@ def spectral_factor(
     )
     remarks = [source.described]
     for kind in (over, under):
-        if kind == LUMINOUS:
-            remarks.append(seen_by.assumption)
-        else:
+        if kind != LUMINOUS:
             remarks.append(f"{counts.NAMES[kind]} counted over {counted.over(kind)}")
     amounts = {kind: counted.amount(kind) for kind in (over, under)}
     if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
@@ -198,7 +196,7 @@ def spectral_factor(
     formula = Formula(
         f"{COUNTED[over]} per {COUNTED[under].removesuffix('s')} in a spectrum",
         f"K = {names[over]} / {below}",
-        TRAPEZOIDS,
+        f"{TRAPEZOIDS}; {seen_by.described}" if LUMINOUS in amounts else TRAPEZOIDS,
     )
     top, bottom = (over, under) if (over, under) in SHOWN else (under, over)
     ratio_text = counts.ratio_text(amounts[top] / amounts[bottom], top, bottom)

@@ -202,6 +202,7 @@ OFF_AXIS_OF_ENERGY = law(
     "inverse square law, of an energy, off the source's axis",
     "{exposure} = {energy} {relative-intensity} {cosine} Omega0 / ({solid-angle} {distance}^2)",
 )
+ENERGIES = (ISOTROPIC_ENERGY, INVERSE_SQUARE_OF_ENERGY, OFF_AXIS_OF_ENERGY)
 OFF_AXIS = law(
     "inverse square law, off the source's axis",
     "{irradiance} = {intensity} {relative-intensity} {cosine} Omega0 / {distance}^2",
@@ -457,3 +458,7 @@ RECEIVER_FLAT = {
     shape: _received(shape, shape != ISOTROPIC, shape == ISOTROPIC) for shape in _INTEGRANDS
 }
 RECEIVER_TURNED = {shape: _received(shape, shape != ISOTROPIC) for shape in _INTEGRANDS}
+RECEIVERS = {
+    shape: [of[shape] for of in (RECEIVER_ON_AXIS, RECEIVER_FLAT, RECEIVER_TURNED)]
+    for shape in _INTEGRANDS
+}

@@ -97,6 +97,29 @@ class Solution(NamedTuple):
     agreed: Sequence[Agreement] = ()
     limited: Set[str] = frozenset()
 
+    def origins(self, name: str) -> set[str]:
+        """Find what a value comes from.
+
+        Parameters
+        ----------
+        name : str
+            The symbol.
+
+        Returns
+        -------
+        set of str
+            The symbol, those of its derivation, and the names of the laws used there.
+
+        Examples
+        --------
+        >>> from radcalc.laws.sizes import CIRCLE, DIAMETER
+        >>> found = solve([CIRCLE, DIAMETER], {"diameter": Known(2.0)})
+        >>> sorted(found.origins("radius"))
+        ['diameter', 'diameter and radius', 'radius']
+        """
+        found = _behind([(target, law) for law, target in self.used], {name})
+        return found | {law.name for law, target in self.used if target in found}
+
 
 class Disagreement(ConditionError):
     """The error for two values of one symbol; a caller words it again, with units.
@@ -416,11 +439,17 @@ def _range(sheet: _Sheet, names: Set[str], result: Result) -> tuple[Any, Any]:
 
 def _needed(sheet: _Sheet, names: Set[str]) -> list[str]:
     """Return the symbols on which values depend, themselves included, in order of derivation."""
+    needed = _behind([*sheet.laws.items()], names)
+    return [name for name in sheet.values if name in needed]
+
+
+def _behind(derived: Sequence[tuple[str, AnyLaw]], names: Set[str]) -> set[str]:
+    """Return symbols with those that they depend on; `derived` has each with its law, in order."""
     needed = set(names)
-    for target, law in reversed(sheet.laws.items()):
+    for target, law in reversed(derived):
         if target in needed:
             needed.update(law.names)
-    return [name for name in sheet.values if name in needed]
+    return needed
 
 
 def _at_limit(

@@ -688,6 +688,12 @@ def specific_name(generic: str, kind: str) -> str:
     return pattern.format(names[KINDS.index(kind)].replace(" ", "-"))
 
 
+def generic_name(name: str) -> str:
+    """Return the generic name of a light quantity, which any other result has itself."""
+    symbol = SYMBOLS.get(name.removeprefix("radiant-"))
+    return symbol.generic or symbol.name if symbol else name
+
+
 _LIGHT_ROWS = {row[0]: row for row in _LIGHT}
 SYMBOLS: dict[str, Symbol] = {symbol.name: symbol for symbol in (*_ROWS, *_INNER)}
 # The intensity that corresponds to 1 in a relative distribution.

@@ -31,7 +31,8 @@ class Observer(NamedTuple):
         return self.start + len(self.values) - 1
 
     @property
-    def assumption(self) -> str:
+    def described(self) -> str:
+        """Its table and its constant, for derivations."""
         return (
             f"{self.label}, {self.constant} {self.maximum:g} lm/W, "
             "linear interpolation in the 1 nm table"

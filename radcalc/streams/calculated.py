@@ -10,7 +10,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Row
-from radcalc.calculators.results import pick
+from radcalc.calculators.results import pick, said_of
 from radcalc.errors import MissingUnit, NumberError, RadcalcError, UsageError, option, quote
 from radcalc.inputs.given import DigitsMatter, Input
 from radcalc.inputs.quantities import with_numbers
@@ -97,7 +97,7 @@ class Calculated:
         return LineAnswer(answer, rows)
 
     def show(self, given: Input, result: LineAnswer) -> bytes:
-        self.hear(remarks_of(result.answer), range(self.line, self.line + 1))
+        self.hear(remarks_of(result), range(self.line, self.line + 1))
         line = "\t".join([number(row.value, self.precision) for row in result.rows])
         return line.encode().replace(POINT, self.mark)
 
@@ -166,7 +166,7 @@ class Calculated:
                 result = self.find(with_numbers(given, numpy.array(values)))
         except (ArithmeticError, ValueError, DigitsMatter, RadcalcError):
             return None  # smaller parts show which of them fail
-        self.hear(remarks_of(result.answer), lines)
+        self.hear(remarks_of(result), lines)
         count = len(values)
         return [numpy.broadcast_to(row.value, count).tolist() for row in result.rows]
 
@@ -175,11 +175,11 @@ class Calculated:
             if len(self.units) >= MOST_UNITS:
                 self.units.clear()
             given, result = self.read(text.replace(POINT, self.mark))
-            self.hear(remarks_of(result.answer), range(line, line + 1))
+            self.hear(remarks_of(result), range(line, line + 1))
             self.units[unit] = given
         return self.units[unit]
 
 
-def remarks_of(answer: Answer) -> list[str]:
-    """Return assumptions and notes, a line each."""
-    return remarks(answer.assumptions, answer.notes)
+def remarks_of(result: LineAnswer) -> list[str]:
+    """Return the assumptions and notes on the requested results, a line each."""
+    return remarks(*said_of(result.answer, result.rows))
