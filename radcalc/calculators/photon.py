@@ -98,5 +98,5 @@ def _assumptions(light: spectral.Light, wave: Input) -> list[str]:
     tables += " the tables of the eye"
     if wave.dimension == LENGTH:
         vacuum = spectral.VACUUM.format(wave.text)
-        tables = f"the tables of the eye are used at {wave.text}"
+        tables = "the tables of the eye are used at this value"
     return [Remark(vacuum, PHOTON_NAMES.values()), Remark(tables, SEEN)]

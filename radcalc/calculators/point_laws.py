@@ -40,7 +40,7 @@ ASSUMED = {
 }
 ON_AXIS = "the receiver is on the source's axis"
 # What a remark on the place of a receiver, or on its turn, is on.
-ON_RECEIVER = ("incidence", "cosine", "received-solid-angle")
+ON_RECEIVER = ("irradiance", "exposure", "incidence", "cosine", "received-solid-angle")
 # What a remark on the direction of a receiver from the source is on.
 ON_DIRECTION = ("height", "lateral", "off-axis", "relative-intensity", *ON_RECEIVER)
 LYING = "the receiver lies in a plane perpendicular to the source's axis"

@@ -219,8 +219,10 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     away = "height" if is_aside or "height" in given else "distance"
     laws = [*placed.laws, *_beam(sheet, placed, shape, away)]
     even = [*LAWS[shape], *ENERGIES, *RECEIVERS[shape]]
-    if is_aside:
+    if is_aside:  # the light towards the receiver is not that on the axis
         even += [INVERSE_SQUARE, INSIDE, FALL, FALL_BELOW, SPOT, *FLOOR[shape]]
+    elif shape == LOBED:
+        even.append(INVERSE_SQUARE)
     placed.assume(ASSUMED[shape], of=even)
     is_explicit = not given.keys().isdisjoint(("distribution", "isotropic"))
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_explicit:

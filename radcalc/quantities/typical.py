@@ -22,7 +22,7 @@ from radcalc.units.unit import Unit
 
 THINGS = (
     *("sun", "sky", "overcast", "shade", "twilight", "moon", "starlight", "cloud", "UV"),
-    *("window", "office", "classroom", "corridor", "home", "street", "photo"),
+    *("office", "classroom", "corridor", "home", "street", "photo"),
     *("candle", "lamp", "bulb", "LED", "fluorescent", "headlight", "torch", "laser"),
     *("screen", "monitor", "cinema", "HDR", "plants", "lettuce", "tomatoes", "vision"),
     *("slunce", "obloha", "oblačno", "soumrak", "měsíc", "hvězdy", "kancelář", "učebna"),

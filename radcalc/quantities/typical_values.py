@@ -50,23 +50,23 @@ class Typical(NamedTuple):
         return name_of(self.measured)
 
 
-LECTURES = "lecture tables"
 IAU = "IAU 2015 resolution B3"
-LUX = "Wikipedia, Orders of magnitude (illuminance)"
-NITS = "Wikipedia, Orders of magnitude (luminance)"
-OVERCAST = "CIE overcast sky: E = 7 pi L/9"
-METEOROLOGY = "AMS Glossary of Meteorology"
-PHOTOS = "ANSI PH2.7: Wikipedia, Exposure value"
-ROOMS = "EN 12464-1"
+ASTM = "ASTM G173-03: radcalc spectrum {}"
+HAURWITZ = "Haurwitz 1945, J. Meteorology 2: 1098 cos z exp(-0.059/cos z) at air mass 1.5"
+SMITH = "Smith, Modern Optical Engineering, 4th ed. (2008), fig. 12.8"
+NATURE = "Smith, Modern Optical Engineering, 4th ed. (2008), fig. 12.9: {} fc"
+NAVY = "Janiczek and DeYoung 1987, USNO Circular 171: {}"
+OVERCAST = "Moon and Spencer 1942, CIE overcast sky: {}"
+METEOROLOGY = "American Meteorological Society, Glossary of Meteorology, {} twilight"
+KODAK = "Kodak BW400CN, data sheet F-4036: {} at ISO 400"
+ROOMS = "ISO 8995-1:2002 (CIE S 008), section 5, general building areas"
+WORK_PLACES = "EN 12464-1:2011"
 ROADS = "EN 13201-2:2015"
-CHEAT = "lumines-labs.com, Physical Light cheat sheet"
-SMITH = "Smith, Modern Optical Engineering, fig. 12.8"
-BULBS = "US Department of Energy, lumens of light bulbs"
-EFFICACY = "disabled-world.com, Lumens to watts"
-TORCHES = "goinggear.com, Lumens vs candela"
-BEAMS = "Japan's vehicle inspection (fet-japan.co.jp): 15 kcd each, 225 kcd all"
-LASERS = "IEC 60825-1"
-APOGEE = "Apogee Instruments, full sunlight"
+BULBS = "US Department of Energy, Lumens and the Lighting Facts Label"
+LAMPS = "US Department of Energy, CALiPER Snapshot Report, LED A lamps (2013)"
+BEAM = "UN Regulation 112 (OJ L 250, 2014), 6.2: {}"
+LASERS = "IEC 60825-1:2014, class {}"
+APOGEE = "Apogee Instruments, conversion of PPF to daily PPF"
 UV = "CIE e-ILV 17-26-073: 40 m2/W"
 DAYS_16 = "{} mol/m2 over 16 h"
 
@@ -95,7 +95,7 @@ WORK = "interior room indoors interiér místnost интерьер помеще�
 VALUES = (
     # the sun
     Typical(SPACE, "1361", "W/m2", IAU, "older texts have 1367 W/m2", SUNLIGHT),
-    Typical(SPACE, "133", "klx", "ASTM G173-03: radcalc spectrum AM0"),
+    Typical(SPACE, "133", "klx", ASTM.format("AM0")),
     Typical(
         SPACE,
         "2.0e7",
@@ -105,22 +105,26 @@ VALUES = (
     ),
     Typical(SPACE, "2.0e9", "cd/m2", "133 klx over the disc's 6.794e-5 sr"),
     Typical(
-        ("sun at the ground, winter noon, direct, facing it", "slunce u země, zimní poledne, přímé",
-         "солнце у земли, зимний полдень, прямое"),
-        "852", "W/m2", LECTURES, also=SUNLIGHT,
+        ("sun at the ground, air mass 1.5, direct, facing it",
+         "slunce u země, vzdušná hmota 1,5, přímé", "солнце у земли, воздушная масса 1,5, прямое"),
+        "900", "W/m2", ASTM.format("AM1.5D"), "852 W/m2 in lecture tables, at a winter noon",
+        SUNLIGHT,
     ),
     Typical(
-        ("sun at the ground, winter noon, all light on a horizontal plane",
-         "slunce u země, zimní poledne, všechno světlo na vodorovnou plochu",
-         "солнце у земли, зимний полдень, весь свет на горизонтальную плоскость"),
-        "686", "W/m2", LECTURES, also=SUNLIGHT,
+        ("sun at the ground, air mass 1.5, all light on a horizontal plane",
+         "slunce u země, vzdušná hmota 1,5, vše na vodorovné ploše",
+         "солнце у земли, воздушная масса 1,5, всё на горизонтальной плоскости"),
+        "670", "W/m2", HAURWITZ, "686 W/m2 in lecture tables, at a winter noon", SUNLIGHT,
     ),
-    Typical(CLEAR, "1000", "W/m2", LECTURES, also=SUNLIGHT),
-    Typical(CLEAR, "100 to 110", "klx", f"{LUX}: 110 klx", also=SUNLIGHT),
+    Typical(CLEAR, "1000", "W/m2", ASTM.format("AM1.5G"), also=SUNLIGHT),
+    Typical(
+        CLEAR, "100 to 110", "klx", f"{ASTM.format('AM1.5G')}; {NATURE.format('10,000')}",
+        also=SUNLIGHT,
+    ),
     Typical(
         ("sun at the ground, full, for plants", "plné slunce u země, pro rostliny",
          "полное солнце у земли, для растений"),
-        "2000", "umol/m2/s", APOGEE, also=f"{SUNLIGHT} {PLANT}",
+        "1980", "umol/m2/s", ASTM.format("AM1.5G"), also=f"{SUNLIGHT} {PLANT}",
     ),
     Typical(
         ("sun at the ground, a summer day, for plants", "slunce u země, letní den, pro rostliny",
@@ -128,20 +132,20 @@ VALUES = (
         "50 to 60", "mol/m2/day", APOGEE, also=f"DLI {PLANT}",
     ),
     Typical(
-        ("sun at the ground, winter noon, disc", "slunce u země, zimní poledne, kotouč",
-         "солнце у земли, зимний полдень, диск"),
-        "1.25e7", "W/m2/sr", "852 W/m2 over the disc's 6.794e-5 sr",
+        ("sun at the ground, air mass 1.5, disc", "slunce u země, vzdušná hmota 1,5, kotouč",
+         "солнце у земли, воздушная масса 1,5, диск"),
+        "1.32e7", "W/m2/sr", "900 W/m2 over the disc's 6.794e-5 sr",
         "the 1.4e7 of lecture tables implies 951 W/m2, not the 852 W/m2 in the same tables",
     ),
     Typical(
         ("sun at the ground, disc at noon", "slunce u země, kotouč v poledne",
          "солнце у земли, диск в полдень"),
-        "1.6e9", "cd/m2", NITS, also="sunlight glare oslnění ослепление",
+        "1.6e9", "cd/m2", SMITH, also="sunlight glare oslnění ослепление",
     ),
     Typical(
         ("sun at the ground, disc at the horizon", "slunce u země, kotouč u obzoru",
          "солнце у земли, диск у горизонта"),
-        "6e5", "cd/m2", NITS, also="sunset sunrise západ východ закат восход",
+        "6e6", "cd/m2", SMITH, also="sunset sunrise západ východ закат восход",
     ),
     Typical(DISC, "6.794e-5", "sr", "radius 695700 km (IAU 2015) from 1 au"),
     Typical(
@@ -156,99 +160,104 @@ VALUES = (
     ),
     # the sky by day
     Typical(
-        ("shade under a clear sky, noon", "stín pod jasnou oblohou, poledne",
-         "тень под ясным небом, полдень"),
-        "20", "klx", LUX, also="blue modrá синее",
+        ("open shade under a clear sky", "stín pod jasnou oblohou", "тень под ясным небом"),
+        "10.8", "klx", NATURE.format("1,000"), also="blue modrá синее",
     ),
     Typical(
-        ("overcast day", "zatažený den", "пасмурный день"), "10000", "lx", LECTURES,
-        "the 300 cd/m2 of the same tables is the sky of a darker day, of 733 lx", CLOUDED,
+        ("overcast day", "zatažený den", "пасмурный день"), "10000", "lx",
+        NAVY.format("sun 60 deg high, dark stratus"),
+        "the 300 cd/m2 of lecture tables is the sky of a darker day, of 733 lx", CLOUDED,
     ),
     Typical(
         ("overcast day, noon", "zatažený den, poledne", "пасмурный день, полдень"),
-        "10 to 25", "klx", LUX, also=CLOUDED,
+        "10 to 34", "klx", NAVY.format("sun 60 deg high, dark stratus to average clouds"),
+        also=CLOUDED,
     ),
     Typical(
         ("overcast sky that gives 10 klx, its zenith", "zatažená obloha, která dává 10 klx, zenit",
          "пасмурное небо, дающее 10 клк, зенит"),
-        "4093", "cd/m2", OVERCAST, also=CLOUDED,
+        "4093", "cd/m2", OVERCAST.format("E = 7 pi L/9"), also=CLOUDED,
     ),
     Typical(
-        ("overcast sky, average", "zatažená obloha, průměr", "пасмурное небо, среднее"),
-        "2000", "cd/m2", NITS, also=CLOUDED,
+        ("overcast sky that gives 10 klx, average",
+         "zatažená obloha, která dává 10 klx, průměr", "пасмурное небо, дающее 10 клк, среднее"),
+        "2730", "cd/m2", OVERCAST.format("2/3 of the zenith"), also=CLOUDED,
     ),
     Typical(
-        ("overcast sky, dark, its zenith", "zatažená obloha, tmavá, zenit",
-         "пасмурное небо, тёмное, зенит"),
-        "300", "cd/m2", LECTURES,
-        "gives 733 lx, not the 10 klx of an overcast day in the same tables", CLOUDED,
+        ("overcast sky, dark", "zatažená obloha, tmavá", "пасмурное небо, тёмное"),
+        "40", "cd/m2", SMITH,
+        "the 300 cd/m2 of lecture tables gives 733 lx, not their 10 klx of an overcast day",
+        CLOUDED,
     ),
     Typical(
-        ("darkest storm clouds, noon, at most", "nejtmavší bouřkové mraky, poledne, nejvýše",
-         "самые тёмные грозовые тучи, полдень, не более"),
-        "200", "lx", LUX, also=CLOUDED,
+        ("dark overcast day", "tmavý zatažený den", "тёмный пасмурный день"),
+        "108 to 1080", "lx", NATURE.format("10 to 100"), also=CLOUDED,
     ),
     Typical(
-        ("sunlit cloud", "osluněný mrak", "освещённое солнцем облако"), "30000", "cd/m2", LECTURES
+        ("sunlit snow", "osluněný sníh", "снег на солнце"), "29000", "cd/m2",
+        f"{NATURE.format('10,000')}, reflectance 0.85: L = rho E/pi",
+        "30000 cd/m2 in lecture tables, for a sunlit cloud", f"{SUNLIGHT} cloud mrak облако",
     ),
     Typical(
         ("clear sky", "jasná obloha", "ясное небо"),
-        "3000 to 7000", "cd/m2", f"{LECTURES}: 3000; {NITS}: 7000", also="blue modrá синее голубое",
+        "8000", "cd/m2", SMITH, "3000 cd/m2 in lecture tables", "blue modrá синее голубое",
     ),
     # dusk and night
     Typical(
         ("sunset or sunrise, clear", "západ nebo východ slunce, jasno",
          "закат или восход солнца, ясно"),
-        "410 to 585", "lx", METEOROLOGY, also=DUSK,
+        "410 to 585", "lx", METEOROLOGY.format("civil"), also=DUSK,
     ),
     Typical(
         ("sunset or sunrise, overcast", "západ nebo východ slunce, zataženo",
          "закат или восход солнца, пасмурно"),
-        "40", "lx", LUX, also=f"{DUSK} {CLOUDED}",
+        "44", "lx", NAVY.format("sun 0.83 deg below the horizon, dark stratus"),
+        also=f"{DUSK} {CLOUDED}",
     ),
     Typical(
         ("civil twilight, its end", "občanský soumrak, konec", "гражданские сумерки, конец"),
-        "2 to 3.5", "lx", METEOROLOGY, also=DUSK,
+        "2 to 3.5", "lx", METEOROLOGY.format("civil"), also=DUSK,
     ),
     Typical(
         ("nautical twilight, its end", "námořní soumrak, konec", "навигационные сумерки, конец"),
-        "0.008", "lx", METEOROLOGY, also=f"nautický {DUSK}",
+        "0.008", "lx", METEOROLOGY.format("astronomical"), also=f"nautický {DUSK}",
     ),
     Typical(
-        ("full moon", "měsíc v úplňku", "полная луна"), "0.1 to 0.3", "lx", f"{LUX}: 0.25 lx",
+        ("full moon", "měsíc v úplňku", "полная луна"), "0.1 to 0.3", "lx",
+        NAVY.format("moon 30 to 90 deg high, 5 deg from full"),
         "the 0.02 lx of lecture notes is ten times too low",
         "moonlight night měsíční svit noc úplněk лунный свет ночь полнолуние",
     ),
     Typical(
-        ("quarter moon", "měsíc ve čtvrti", "луна в четверти"), "0.01", "lx", LUX,
+        ("quarter moon", "měsíc ve čtvrti", "луна в четверти"), "0.01 to 0.03", "lx",
+        NAVY.format("moon 30 to 90 deg high"),
         also="half moonlight night měsíční svit noc лунный свет ночь",
     ),
     Typical(
         ("starlight, clear night without moon", "svit hvězd, jasná noc bez měsíce",
          "свет звёзд, ясная ночь без луны"),
-        "0.0002 to 0.002", "lx", LUX, also="stars hvězdy звёзды",
+        "0.0005 to 0.001", "lx", f"{NAVY.format('0.0005 lx')}; {NATURE.format('0.0001')}",
+        also="stars hvězdy звёзды",
     ),
     Typical(
         ("overcast night without moon", "zatažená noc bez měsíce", "пасмурная ночь без луны"),
-        "0.0001", "lx", LUX, also=CLOUDED,
+        "0.0001", "lx", NATURE.format("0.00001"), also=CLOUDED,
     ),
     Typical(
-        MOON, "2500 to 5000", "cd/m2", f"{NITS}: 2500 cd/m2",
+        MOON, "2500 to 5000", "cd/m2", f"{SMITH}; p E/pi with NASA's albedo p = 0.12 in 133 klx",
         "the 0.03 cd/m2 of lecture notes is a white wall in moonlight",
     ),
-    Typical(MOON, "6.418e-5", "sr", "radius 1737.4 km from 384400 km"),
+    Typical(MOON, "6.418e-5", "sr", "NASA Moon Fact Sheet: radius 1737.4 km, 384400 km away"),
     Typical(
-        ("night sky", "noční obloha", "ночное небо"), "0.0004 to 0.001", "cd/m2", NITS,
+        ("night sky", "noční obloha", "ночное небо"), "0.00017", "cd/m2",
+        "Falchi 2016, Science Advances 2, e1600377",
         also="dark tmavá тёмное",
     ),
     # rooms
     Typical(
-        ("at a window by day", "u okna ve dne", "у окна днём"), "1000", "lx", LECTURES, also=WORK
-    ),
-    Typical(
         ("office desk, reading and writing", "kancelářský stůl, čtení a psaní",
          "стол в офисе, чтение и письмо"),
-        "500", "lx", ROOMS, also=f"kancelář кабинет work book práce kniha работа {WORK}",
+        "500", "lx", WORK_PLACES, also=f"kancelář кабинет work book práce kniha работа {WORK}",
     ),
     Typical(
         ("white paper on an office desk", "bílý papír na kancelářském stole",
@@ -256,22 +265,21 @@ VALUES = (
         "127", "cd/m2", "500 lx and a reflectance of 0.8: L = rho E/pi", also=WORK,
     ),
     Typical(
-        ("classroom", "učebna", "учебный класс"), "300", "lx", ROOMS,
+        ("classroom", "učebna", "учебный класс"), "300", "lx", WORK_PLACES,
         "500 lx on the board", f"school škola třída школа {WORK}",
     ),
     Typical(
-        ("canteen, cloakroom, bath", "jídelna, šatna, koupelna", "столовая, гардероб, ванная"),
+        ("canteen, lounge", "jídelna, společenská místnost", "столовая, комната отдыха"),
         "200", "lx", ROOMS, also=WORK,
     ),
     Typical(
         ("corridor", "chodba", "коридор"), "100", "lx", ROOMS, also=f"hallway schodiště {WORK}"
     ),
     Typical(
-        ("least light to work by", "nejmenší světlo k práci", "наименьший свет для работы"),
-        "100", "lx", LECTURES, also=WORK,
+        ("least light to work by, building site", "nejmenší světlo k práci, stavba",
+         "наименьший свет для работы, стройка"),
+        "54", "lx", "OSHA 29 CFR 1926.56: 5 fc", "100 lx in lecture tables", also=WORK,
     ),
-    Typical(("kitchen", "kuchyně", "кухня"), "300 to 750", "lx", CHEAT, also=HOME),
-    Typical(("bedroom", "ložnice", "спальня"), "150 to 300", "lx", CHEAT, also=HOME),
     # streets
     Typical(
         ("main road, classes M6 to M1", "hlavní silnice, třídy M6 až M1",
@@ -284,48 +292,47 @@ VALUES = (
         "2 to 15", "lx", ROADS, also=STREET,
     ),
     Typical(
-        ("street lamp", "pouliční lampa", "уличный фонарь"), "1000 to 40000", "lm", CHEAT,
-        also=STREET,
-    ),
-    Typical(
-        ("floodlit building", "osvětlená budova", "подсвеченное здание"), "2", "cd/m2", NITS,
+        ("floodlit building", "osvětlená budova", "подсвеченное здание"), "2", "cd/m2",
+        KODAK.format("f/2, 1/15 s"),
         also="night noc ночь",
     ),
     # exposure values
     Typical(
         ("sunlit snow or sand, ISO 100", "osluněný sníh nebo písek, ISO 100",
          "снег или песок на солнце, ISO 100"),
-        "16", "EV", PHOTOS, also=f"{CAMERA} {SUNLIGHT}",
+        "16", "EV", KODAK.format("f/22, 1/500 s"), also=f"{CAMERA} {SUNLIGHT}",
     ),
     Typical(
         ("sunlit scene, ISO 100", "osluněná scéna, ISO 100", "сцена на солнце, ISO 100"),
-        "15", "EV", PHOTOS, also=f"{CAMERA} {SUNLIGHT}",
+        "15", "EV", KODAK.format("f/16, 1/500 s"), also=f"{CAMERA} {SUNLIGHT}",
     ),
     Typical(
         ("scene under heavy clouds, ISO 100", "scéna pod hustými mraky, ISO 100",
          "сцена под густыми облаками, ISO 100"),
-        "12", "EV", PHOTOS, also=f"{CAMERA} overcast {CLOUDED}",
+        "12", "EV", KODAK.format("f/5.6, 1/500 s"), also=f"{CAMERA} overcast {CLOUDED}",
     ),
     Typical(
-        ("street and shop windows at night, ISO 100", "ulice a výlohy v noci, ISO 100",
-         "улица и витрины ночью, ISO 100"),
-        "7 to 8", "EV", PHOTOS, also=f"{CAMERA} {STREET}",
+        ("brightly lit street at night, ISO 100", "jasně osvětlená ulice v noci, ISO 100",
+         "ярко освещённая улица ночью, ISO 100"),
+        "7", "EV", KODAK.format("f/2.8, 1/60 s"), also=f"{CAMERA} {STREET}",
     ),
     Typical(
-        ("office, ISO 100", "kancelář, ISO 100", "офис, ISO 100"), "7 to 8", "EV", PHOTOS,
+        ("office, ISO 100", "kancelář, ISO 100", "офис, ISO 100"), "8", "EV",
+        KODAK.format("f/4, 1/60 s"),
         also=f"{CAMERA} {WORK}",
     ),
     Typical(
         ("home at night, ISO 100", "byt večer, ISO 100", "дом вечером, ISO 100"),
-        "5 to 7", "EV", PHOTOS, also=f"{CAMERA} {HOME}",
+        "5 to 6", "EV", KODAK.format("f/2 to f/2.8, 1/30 s"), also=f"{CAMERA} {HOME}",
     ),
     Typical(
         ("scene under a full moon, ISO 100", "scéna za úplňku, ISO 100",
          "сцена в полнолуние, ISO 100"),
-        "-3 to -2", "EV", PHOTOS, also=f"{CAMERA} moonlight měsíc луна",
+        "-4.6 to -3.1", "EV", "ISO 2720:1974, C = 250 lx s: 0.1 to 0.3 lx",
+        also=f"{CAMERA} moonlight měsíc луна",
     ),
     # lamps
-    Typical(("candle", "svíčka", "свеча"), "1", "cd", "Wikipedia, Candela", also=CANDLE),
+    Typical(("candle", "svíčka", "свеча"), "1", "cd", f"a flame of 1 cm2: {SMITH}", also=CANDLE),
     Typical(("candle", "svíčka", "свеча"), "12.57", "lm", "1 cd into 4 pi sr", also=CANDLE),
     Typical(
         ("candle, 1 m away", "svíčka, 1 m daleko", "свеча на расстоянии 1 м"),
@@ -352,80 +359,66 @@ VALUES = (
         "1600", "lm", BULBS, also=BULB,
     ),
     Typical(
-        ("tungsten lamp, gas-filled, 100 W", "wolframová žárovka s plynem, 100 W",
-         "вольфрамовая газонаполненная лампа, 100 Вт"),
-        "82", "W", LECTURES, also=BULB,
-    ),
-    Typical(
-        ("incandescent bulb", "žárovka", "лампа накаливания"), "12 to 18", "lm/W", EFFICACY,
+        ("incandescent bulb", "žárovka", "лампа накаливания"), "11 to 16", "lm/W",
+        f"{BULBS}: 40 W to 100 W",
         also=BULB,
     ),
     Typical(
-        ("incandescent bulb, frosted", "žárovka, matná", "лампа накаливания, матовая"),
-        "1.3e5", "cd/m2", NITS, also=BULB,
+        ("incandescent bulb, opal", "žárovka, opálová",
+         "лампа накаливания, опаловая"),
+        "22500", "cd/m2", "800 lm from a sphere of 60 mm: L = Phi/(pi D)^2", also=BULB,
     ),
     Typical(
         ("filament of a clear incandescent bulb", "vlákno čiré žárovky",
          "нить прозрачной лампы накаливания"),
-        "7e6", "cd/m2", NITS, also=BULB,
+        "5e6", "cd/m2", SMITH, also=BULB,
     ),
     Typical(
         ("LED bulb replacing 60 W", "LED žárovka místo 60 W", "светодиодная лампа вместо 60 Вт"),
         "800", "lm", BULBS, also=BULB,
     ),
     Typical(
-        ("LED bulb", "LED žárovka", "светодиодная лампа"), "75 to 110", "lm/W", EFFICACY, also=BULB
+        ("LED bulb", "LED žárovka", "светодиодная лампа"), "60 to 90", "lm/W", LAMPS, also=BULB
     ),
     Typical(
-        ("fluorescent lamp, 40 W", "zářivka, 40 W", "люминесцентная лампа, 40 Вт"),
-        "23.2", "W", LECTURES, also=TUBE,
-    ),
-    Typical(
-        ("fluorescent tube", "zářivková trubice", "люминесцентная трубка"), "12000", "cd/m2", NITS,
+        ("fluorescent tube", "zářivková trubice", "люминесцентная трубка"), "6000", "cd/m2", SMITH,
         also=TUBE,
     ),
     Typical(
-        ("headlight bulb, H1 halogen", "halogenová žárovka světlometu, H1",
-         "галогенная лампа фары, H1"),
-        "1550", "lm", "UN R37: Wikipedia, List of automotive light bulb types", also=HEADLIGHT,
+        ("headlight, low beam, on the road, at least",
+         "světlomet, potkávací světlo, na silnici, nejméně",
+         "фара, ближний свет, на дороге, не менее"),
+        "10100", "cd", BEAM.format("class B, 50 R and 75 R"), also=HEADLIGHT,
     ),
     Typical(
-        ("headlight, high beam", "světlomet, dálkové světlo", "фара, дальний свет"),
-        "15000 to 112500", "cd", BEAMS, also=HEADLIGHT,
-    ),
-    Typical(
-        ("headlight, high beam, 25 m away", "světlomet, dálkové světlo, 25 m daleko",
-         "фара, дальний свет, на расстоянии 25 м"),
-        "24 to 180", "lx", "15 to 112.5 kcd: E = I/d^2", also=HEADLIGHT,
+        ("headlight, low beam, on the road, 25 m away, at least",
+         "světlomet, potkávací světlo, na silnici, 25 m daleko, nejméně",
+         "фара, ближний свет, на дороге, на расстоянии 25 м, не менее"),
+        "16.2", "lx", "10100 cd: E = I/d^2", also=HEADLIGHT,
     ),
     Typical(
         ("headlight, low beam, above its cut-off, 25 m away, at most",
          "světlomet, potkávací světlo, nad rozhraním, 25 m daleko, nejvýše",
          "фара, ближний свет, над границей, на расстоянии 25 м, не более"),
-        "1", "lx", "euromotor.org, low beam", also=f"glare oslnění ослепление {HEADLIGHT}",
-    ),
-    Typical(("torch", "svítilna", "фонарик"), "100 to 300", "lm", TORCHES, also=TORCH),
-    Typical(
-        ("torch of a phone", "svítilna telefonu", "фонарик телефона"), "20 to 50", "lm", TORCHES,
-        also=TORCH,
+        "1", "lx", BEAM.format("zone III, 625 cd"), also=f"glare oslnění ослепление {HEADLIGHT}",
     ),
     Typical(
         ("torch, where its beam ends", "svítilna, kde končí dosvit", "фонарик, где кончается луч"),
-        "0.25", "lx", "ANSI FL1: ledlenser.com", also=TORCH,
+        "0.25", "lx", "ANSI/NEMA FL 1-2009, beam distance: Ledlenser", also=TORCH,
     ),
     Typical(
         ("laser pointer, class 2, at most", "laserové ukazovátko, třída 2, nejvýše",
          "лазерная указка, класс 2, не более"),
-        "1", "mW", LASERS,
+        "1", "mW", LASERS.format("2"),
     ),
     Typical(
         ("laser pointer, class 3R, at most", "laserové ukazovátko, třída 3R, nejvýše",
          "лазерная указка, класс 3R, не более"),
-        "5", "mW", LASERS,
+        "5", "mW", LASERS.format("3R"),
     ),
     Typical(
         ("He-Ne laser, 632.8 nm", "laser He-Ne, 632,8 nm", "лазер He-Ne, 632,8 нм"),
-        "5", "mW", "a common rating",
+        "5", "mW", f"{LASERS.format('3R')}, at most",
     ),
     Typical(
         ("He-Ne laser, 632.8 nm, of 5 mW", "laser He-Ne, 632,8 nm, 5 mW",
@@ -435,25 +428,18 @@ VALUES = (
     # screens
     Typical(
         ("cinema screen, white", "filmové plátno, bílá", "киноэкран, белый"),
-        "48", "cd/m2", "ISO 26431-1", "14 fL", f"film projector kino projektor кино {SCREEN}",
+        "48", "cd/m2", "ISO 26431-1:2008", "14 fL", f"film projector kino projektor кино {SCREEN}",
     ),
     Typical(
-        ("monitor, sRGB white", "monitor, bílá sRGB", "монитор, белый sRGB"), "80", "cd/m2", NITS,
+        ("monitor, sRGB white", "monitor, bílá sRGB", "монитор, белый sRGB"), "80", "cd/m2",
+        "IEC 61966-2-1:1999, reference display",
         also=f"computer screen počítač компьютер {SCREEN}",
-    ),
-    Typical(
-        ("monitor, LCD, at most", "monitor LCD, nejvýše", "монитор ЖК, не более"),
-        "250", "cd/m2", NITS, also=f"computer screen počítač компьютер {SCREEN}",
     ),
     Typical(
         ("HDR display, highlights, at least", "displej HDR, světla, nejméně",
          "дисплей HDR, блики, не менее"),
-        "1000", "cd/m2", "ITU-R BT.2100-0: ICC registry", also=f"television TV televize {SCREEN}",
-    ),
-    Typical(
-        ("phone screen in the sun", "obrazovka telefonu na slunci", "экран телефона на солнце"),
-        "400 to 1400", "cd/m2", "mi.com: 400 cd/m2; community.iqoo.com: 1400 cd/m2",
-        also=f"smartphone mobil смартфон {SCREEN}",
+        "1000", "cd/m2", "ITU-R BT.2100-0 (2016), reference viewing environment",
+        also=f"television TV televize {SCREEN}",
     ),
     # plants
     Typical(
@@ -475,14 +461,10 @@ VALUES = (
     ),
     # the eye
     Typical(
-        ("vision, its threshold", "vidění, práh", "зрение, порог"), "1e-6", "cd/m2", NITS, also=EYE
+        ("vision, its threshold", "vidění, práh", "зрение, порог"), "5e-7", "cd/m2", SMITH, also=EYE
     ),
     Typical(
         ("vision at dusk, mesopic", "vidění za šera, mezopické", "сумеречное зрение"),
         "0.005 to 5", "cd/m2", "CIE 191:2010", also=EYE,
-    ),
-    Typical(
-        ("vision, harm is possible", "vidění, možné poškození", "зрение, возможен вред"),
-        "1e8", "cd/m2", NITS, also=f"glare retina sítnice сетчатка {EYE}",
     ),
 )  # fmt: skip
