@@ -179,7 +179,7 @@ def of_vector(x: Number, y: Number, z: Number, unit: str = "") -> Answer:
         ),
     ]
     rows = [*_rows(polar, azimuth, unit_vector, {}), _length(length, unit)]
-    return Answer(rows, [CONVENTION, UNIT], notes, steps)
+    return Answer(rows, [CONVENTION, Remark(UNIT, "xyz")], notes, steps)
 
 
 def of_angles(given: Inputs) -> Answer:

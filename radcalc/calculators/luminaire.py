@@ -87,8 +87,8 @@ HORIZONTAL = "the receiver is horizontal"
 EXPRESSION = "expression"  # a format of distributions
 # What a remark on the distribution of the light is on; the first has no further origin.
 DISTRIBUTION = (
-    *("weighted-solid-angle", "scale", "relative-intensity", "relative-axial-intensity"),
-    *("relative-peak-intensity", "part", "upward-part", "received-solid-angle"),
+    *("relative-axial-intensity", "relative-peak-intensity", "relative-intensity", "scale"),
+    *("weighted-solid-angle", "part", "upward-part", "received-solid-angle"),
 )
 OF_FLUX = ("error", "output-ratio", "source-efficacy")
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))

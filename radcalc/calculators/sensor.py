@@ -165,6 +165,7 @@ def sensor(given: Inputs) -> Answer:
     factor = kinds.linking_factor(sheet.lit.links, PHOTON, RADIANT) if kind == RADIANT else None
     if factor:
         placed.add("photon-efficacy", factor.value)
+        placed.assume(factor.assumption, of=["photon-efficacy"])
         placed.steps += factor.steps
     _refuse_unlinked(sheet, is_linked=factor is not None)
     laws = [*COLLECTED, *COUNTED, *OF_KIND[kind]]
