@@ -112,10 +112,9 @@ class Solution(NamedTuple):
 
         Examples
         --------
-        >>> from radcalc.laws.sizes import CIRCLE, DIAMETER
-        >>> found = solve([CIRCLE, DIAMETER], {"diameter": Known(2.0)})
-        >>> sorted(found.origins("radius"))
-        ['diameter', 'diameter and radius', 'radius']
+        >>> from radcalc.laws.sizes import CIRCLE
+        >>> sorted(solve([CIRCLE], {"area": Known(1.0)}).origins("radius"))
+        ['area', 'area of a circle', 'radius']
         """
         found = _behind([(target, law) for law, target in self.used], {name})
         return found | {law.name for law, target in self.used if target in found}
