@@ -150,7 +150,7 @@ def test_all_right_is_status_0(tmp_path):
     path = sheet(tmp_path, f"command;Ann\n{LAMP};25 lx\n")
     done = run("mark", str(path))
     assert (done.returncode, len(done.stdout.splitlines())) == (0, 2)
-    assert "line 2: assumed: isotropic" in done.stderr
+    assert "line 2: assumed: light arrives along" in done.stderr
     assert run("mark", str(path), "-q").stderr == ""
 
 

@@ -66,8 +66,8 @@ def test_format_options_override_the_terminal():
 def test_a_list_is_a_table_if_its_words_fit_and_lines_otherwise(columns):
     screen = terminal_of("typical", "moon", columns=columns, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert ("───" in screen) == (columns == 80)
-    assert all(part in screen for part in ("0.1 to 0.3", "0.0002 to 0.002", "6.418e-5", "cd/m2"))
-    longest = len("    0.0002 to 0.002")  # this is not folded
+    assert all(part in screen for part in ("0.1 to 0.3", "0.0005 to 0.001", "6.418e-5", "cd/m2"))
+    longest = len("    0.0005 to 0.001")  # this is not folded
     assert max(len(line) for line in screen.splitlines()) <= max(columns, longest)
     drawn = terminal_of("units", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert "───" in drawn
