@@ -213,7 +213,7 @@ def test_pint_itself_refuses_to_drop_an_angle_a_cycle_or_the_eye(one, other):
 def test_assumptions_are_available_in_python():
     result = radcalc.explain("1 W", "lm", wavelength="300nm")
     assert result.rows[0].value == 0
-    assert "CIE 1924" in result.assumptions[0]
+    assert "CIE 1924" in result.steps[0].reference
     assert "is invisible" in result.notes[0]
     assert result.steps[-1].law == "conversion"
     assert "1055.05585262 J" in radcalc.explain("1 Btu", "J").notes[0]
