@@ -13,7 +13,7 @@ from conftest import ROOT, python
 from helpers import for_each
 
 from radcalc.calculators.pages import SUMMARIES
-from radcalc.cli.compile import Compiler
+from radcalc.cli.compile import made
 from radcalc.cli.group import OTHERWISE
 from radcalc.cli.names import COMMANDS
 from radcalc.laws import point
@@ -409,7 +409,7 @@ def installed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("installed")
     shutil.copytree(PACKAGE, folder / "radcalc", ignore=shutil.ignore_patterns("__pycache__"))
     table = folder / "radcalc" / "completion" / "built.py"
-    table.write_text(Compiler().text(), encoding="utf-8")
+    table.write_text(made(), encoding="utf-8")
     return folder
 
 

@@ -7,7 +7,9 @@ completion does not load the commands or Click.
 import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import chdir
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import click
@@ -266,16 +268,25 @@ def _lines(rows: Iterable[Row]) -> str:
     return "".join(f"        {row!r},\n" for row in rows)
 
 
+def made() -> str:
+    """Return the text of the table, whatever files are in the working directory.
+
+    Examples in the help name files, which are thus always missing.
+    """
+    with TemporaryDirectory() as folder, chdir(folder):
+        return Compiler().text()
+
+
 def fill_table() -> None:
     """Make the table of completion, and keep it until the sources change."""
-    text = Compiler().text()
+    text = made()
     sources.keep(text)
     table.fill(sources.values_of(text))
 
 
 def main() -> None:
     """Write the table into the file named on the command line."""
-    Path(sys.argv[1]).write_text(Compiler().text(), encoding="utf-8")
+    Path(sys.argv[1]).write_text(made(), encoding="utf-8")
 
 
 if __name__ == "__main__":
