@@ -73,9 +73,14 @@ def vectors(source: Spectrum) -> ColourDiagram:
     rim = (REACH + 1) / 2
     bins = [(k, math.pi * (2 * k - 1) / len(lit)) for k in range(1, len(lit) + 1)]
     marks = [Mark(f"h{k}", rim * math.cos(turn), rim * math.sin(turn)) for k, turn in bins]
-    title = f"TM-30: R_f {found.fidelity:.0f}, R_g {found.gamut:.0f}; hue bins 1 to {len(lit)}"
+    indices = f"Rf {found.fidelity:.0f}, Rg {found.gamut:.0f}"
+    title = f"TM-30 colour vectors: {indices}"
     x, y = (Axis(name, limits=(-REACH, REACH)) for name in ("a' (relative)", "b' (relative)"))
-    return ColourDiagram(title, x, y, series, marks, found.report)
+    arrows = [
+        ((a / size, b / size), end)
+        for (a, b), size, end in zip(found.reference, radii, lit, strict=True)
+    ]
+    return ColourDiagram(title, x, y, series, marks, arrows)
 
 
 def _turns(count: int) -> list[float]:

@@ -1,7 +1,7 @@
 """Pictures as plain data."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # styles of a series
 RIGHT = 90.0  # deg
@@ -184,8 +184,8 @@ class Disc(NamedTuple):
 class ColourDiagram(NamedTuple):
     """Curves and named points in a plane of colours; both axes have the same scale.
 
-    In a figure, colour-science draws the colours of the chromaticity diagram behind it, or all of
-    the colour vector graphic of a `report`.
+    A figure has the colours of the plane behind them: those of TM-30's colour vectors if there are
+    `arrows` (from and to), or those of the chromaticity diagram.
     """
 
     title: str
@@ -193,7 +193,7 @@ class ColourDiagram(NamedTuple):
     y: Axis
     series: Sequence[Series]
     marks: Sequence[Mark] = ()
-    report: Any = None
+    arrows: Sequence[tuple[tuple[float, float], tuple[float, float]]] = ()
     note: str = ""
 
     @property

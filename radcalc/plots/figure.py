@@ -42,7 +42,9 @@ SQUARE, HALF = (6.4, 6.4), (7.2, 4.9)
 WEDGE, CIRCLE = (0.09, -0.05, 0.82, 1.2), (0.14, 0.15, 0.72, 0.72)  # of a polar diagram
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
+SHIFTS = (0.8, 0.9, 1.1, 1.2)  # chroma relative to the reference of TM-30
 GREY, NO_LIGHT, FAINT = "#6b7280", "#374151", "#d1d5db"
+ARROW = {"arrowstyle": "->", "color": NO_LIGHT, "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
 LINESTYLES = ("-", (0, (5, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1, 1.5)))  # of curves of one colour
 MARKERS = "os^D"  # of points of one colour
@@ -387,25 +389,45 @@ def _shaded(drawing: Any, axes: Any, places: Any, rows: Any, inside: Any, value:
 
 
 def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
-    from radcalc.spectra.rendition import draw_chromaticities, draw_vectors
-
     drawing.set_size_inches(*SQUARE)
     axes = drawing.subplots()
-    if diagram.report:
-        draw_vectors(diagram.report, axes)
-    else:
-        draw_chromaticities(axes)
-        for series in diagram.series:
-            dashes: Any = (0, (2, 2)) if series.style == REFERENCE else "-"
-            label = _safe(series.label)
-            axes.plot(series.x, series.y, color=NO_LIGHT, linestyle=dashes, lw=1.2, label=label)
-        _marks(axes, diagram.marks)
-        _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, diagram.x)
-        _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, diagram.y)
-        axes.legend(loc="upper right")
+    axes.grid(visible=False)
+    (_vectors if diagram.arrows else _chromaticities)(diagram, axes)
+    for series in diagram.series:
+        dashes: Any = (0, (2, 2)) if series.style == REFERENCE else "-"
+        label = _safe(series.label)
+        axes.plot(series.x, series.y, color=NO_LIGHT, linestyle=dashes, lw=1.4, label=label)
+    _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, diagram.x)
+    _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, diagram.y)
+    axes.legend(loc="upper right")
     axes.set_aspect("equal")
     axes.set_title(_folded(diagram.title, drawing))
     _note(diagram.note, axes)
+
+
+def _chromaticities(diagram: ColourDiagram, axes: Any) -> None:
+    from radcalc.spectra.rendition import draw_chromaticities
+
+    draw_chromaticities(axes)
+    _marks(axes, diagram.marks)
+
+
+def _vectors(diagram: ColourDiagram, axes: Any) -> None:
+    """Draw arrows over the colours of the hues, and the names of the hue bins."""
+    from matplotlib.image import imread
+    from matplotlib.patches import Circle
+
+    from radcalc.spectra.rendition import vector_background
+
+    (left, right), (low, high) = diagram.limits
+    axes.imshow(imread(vector_background()), extent=(left, right, low, high))
+    for radius in SHIFTS:
+        axes.add_patch(Circle((0, 0), radius, fill=False, color="white", lw=0.8))
+        axes.text(0, -radius, f"{radius - 1:+.0%}", color=NO_LIGHT, fontsize=7, ha="center")
+    for start, end in diagram.arrows:
+        axes.annotate("", end, start, arrowprops=ARROW)
+    for mark in diagram.marks:
+        axes.text(mark.x, mark.y, _safe(mark.label), color=NO_LIGHT, ha="center", va="center")
 
 
 def _filled(

@@ -4,6 +4,7 @@ Only this module imports colour-science, on demand: that takes most of a second.
 """
 
 import math
+import os
 import warnings
 from collections.abc import Sequence
 from functools import lru_cache
@@ -28,7 +29,7 @@ class Rendition(NamedTuple):
 
     `fidelity` (R_f) and `gamut` (R_g) are of all samples.  Each hue bin has its local fidelity,
     chroma shift (a fraction) and hue shift.  `test` and `reference` are the mean a', b' of each bin
-    in CAM02-UCS, under the light and under its reference; `report` is colour-science's.
+    in CAM02-UCS, under the light and under its reference.
     """
 
     fidelity: float
@@ -38,7 +39,6 @@ class Rendition(NamedTuple):
     hue_shifts: tuple[float, ...]
     test: tuple[Point, ...]
     reference: tuple[Point, ...]
-    report: Any
 
 
 def load_colour() -> Any:
@@ -85,27 +85,23 @@ def rendition(source: Spectrum) -> Rendition:
         tuple(map(float, found.R_hs)),
         tuple((float(a), float(b)) for a, b in found.averages_test),
         tuple((float(a), float(b)) for a, b in found.averages_reference),
-        found,
     )
 
 
-def draw_vectors(report: Any, axes: Any) -> None:
-    """Draw the colour vector graphic of a report of TM-30 in the axes of Matplotlib."""
-    _plotting().tm3018.components.plot_colour_vector_graphic(report, axes=axes, show=False)
+def vector_background() -> str:
+    """Return the path of the picture behind the colour vectors of TM-30."""
+    load_colour()
+    from colour.plotting.tm3018.components import ROOT_RESOURCES_ANSIIESTM3018
+
+    return os.path.join(ROOT_RESOURCES_ANSIIESTM3018, "CVG_Background.jpg")
 
 
 def draw_chromaticities(axes: Any) -> None:
     """Draw the colours of the CIE 1931 chromaticity diagram in the axes of Matplotlib."""
-    _plotting().diagrams.plot_chromaticity_diagram_colours(
-        diagram_colours="RGB", axes=axes, show=False
-    )
-
-
-def _plotting() -> Any:
     load_colour()
-    import colour.plotting
+    from colour.plotting.diagrams import plot_chromaticity_diagram_colours
 
-    return colour.plotting
+    plot_chromaticity_diagram_colours(diagram_colours="RGB", axes=axes, show=False)
 
 
 def _temperature(source: Spectrum) -> float:
