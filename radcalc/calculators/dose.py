@@ -21,13 +21,14 @@ from radcalc.errors import ConditionError, NumberError, TooMany, Try, mention, o
 from radcalc.files.text import ENDINGS
 from radcalc.inputs.given import Inputs
 from radcalc.laws.law import law
-from radcalc.quantities.light import describe
+from radcalc.quantities.light import PHOTON, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit, divide
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
+PPFD = light_dimension(PHOTON, IRRADIANCE, "")
 DAY = 86400  # s
 WHOLE = (3600, DAY)  # seconds of an hour, and of a day without a clock change
 NOISE = 0.05  # of the peak: smaller negative readings are a meter's offset
@@ -455,9 +456,12 @@ class SummedLog(NamedTuple):
             value("gap-time", self.seconds(dose.gap_time), *units),
             value("longest-gap", self.seconds(dose.widest.length), *units),
         ]
-        return answer._replace(
-            values=[*answer.values, *gaps], notes=[*answer.notes, *self.remarks()]
-        )
+        notes = [*answer.notes, *self.remarks()]
+        duration = self.seconds(dose.time - dose.first)
+        if self.unit.dimension == PPFD and duration > DAY * (1 + SLACK):
+            by_day = option("by", "day")
+            notes.append(f"the exposure is of {_duration(duration)} ({by_day} for each day's)")
+        return answer._replace(values=[*answer.values, *gaps], notes=notes)
 
     def of_periods(self, given: Inputs) -> Iterator[tuple[str, Answer]]:
         """Yield the dose of each day or hour, with its name; the first has the notes on all."""

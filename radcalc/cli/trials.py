@@ -135,7 +135,10 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
     if made:
         return made
     completed = [one for refused in lacking for one in _completed(*refused)]
-    return sorted(completed, key=lambda trial: len(trial.words))
+    unique: dict[tuple[str, ...], Trial] = {}
+    for trial in completed:
+        unique.setdefault(tuple(trial.words), trial)
+    return sorted(unique.values(), key=lambda trial: len(trial.words))
 
 
 def _example_in(proposal: Try, words: Words) -> str:
@@ -197,7 +200,8 @@ def lines(error: RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str
             texts.append("     " + trial.outcome)
     if others := [f"--{name}" for name in error.others]:
         texts.append(f"or {', '.join(others)} (radcalc {called_in(words)} --help)")
-    if further := [quote(" ".join(one.instead[1:])) for one in error.tries[MOST:] if one.instead]:
+    words_instead = [one.instead[1:] for one in error.tries[MOST:]]
+    if further := [quote(" ".join(others)) for others in words_instead if others]:
         texts.append(f"or {', '.join(further)}")
     return texts
 

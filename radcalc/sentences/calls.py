@@ -63,6 +63,7 @@ from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest, unit_of
 from radcalc.units.unit import Daily
 
+FRACTION = "range-fraction"
 SHORTEST = 4  # letters of a word with a misspelling
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
 PLAIN_FLUX = ((), ("flux",))
@@ -462,8 +463,8 @@ def _goal_of(sentence: Sentence) -> Goal | None:
     if len(units) > 1 or len(named) > 1:
         texts = " and ".join([quote(goal.text) for goal in goals])
         listed = Goal(",".join([goal.text for goal in units]), units[0].unit) if units else goals[0]
-        alone = [sentence._replace(goals=(goal,)) for goal in (listed, *goals[:MOST])]
-        calls = [call for one in alone for call in _calls_of(one)[:1]]
+        alone = [_alone(sentence, goal) for goal in dict.fromkeys((listed, *goals))]
+        calls = [call for one in alone[:MOST] for call in _calls_of(one)[:1]]
         tries = [Try(words=tuple(call)) for call in calls]
         problem = f"the sentence asks for several results: {texts}"
         raise UsageError(problem, tries or "one of them")
@@ -473,14 +474,26 @@ def _goal_of(sentence: Sentence) -> Goal | None:
     return goals[0] if goals else None
 
 
+def _alone(sentence: Sentence, goal: Goal) -> Sentence:
+    """Return a sentence with one of its goals; a range next to a fraction is for the fraction."""
+    facts = sentence.facts
+    has_fraction = any(FRACTION in other.names for other in sentence.goals)
+    if has_fraction and FRACTION not in goal.names:
+        facts = tuple([fact for fact in facts if fact.symbols != ("range",)])
+    return sentence._replace(goals=(goal,), facts=facts)
+
+
 def _check_named(sentence: Sentence, named: Goal, goal: Goal) -> None:
     """Refuse the name of one quantity with the unit of another; propose each of them alone."""
     assert goal.unit is not None
     dimensions = {one for name in named.names for one in SYMBOLS[name].dimensions}
     if goal.unit.dimension not in dimensions:
         problem = f"{quote(goal.text)} is not a unit of {quote(named.text)}"
-        alone = [sentence._replace(goals=(one,)) for one in (goal, named)]
-        tries = [Try(words=tuple(call)) for one in alone for call in _answerable(one)[:MOST]]
+        tries = [
+            Try(words=tuple(call), remark=f"without '{quote(other.text)}'")
+            for one, other in ((goal, named), (named, goal))
+            for call in _answerable(sentence._replace(goals=(one,)))[:MOST]
+        ]
         hint = f"one of them: {quote(named.text)} or {quote(goal.text)}"
         raise UsageError(problem, tries or hint)
 

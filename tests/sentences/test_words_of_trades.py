@@ -170,6 +170,33 @@ def test_the_photons_of_an_absolute_spectrum_are_a_result(files):
     assert found.photon_irradiance.to("umol/m2/s").magnitude == pytest.approx(300 * PER_JOULE)
 
 
+def test_hours_a_day_are_a_photoperiod():
+    for words in ("600 umol for 16 hours a day DLI", "600 ppfd 16 h per day to dli"):
+        done = run(*words.split(), "-q")
+        assert float(done.stdout.split()[0]) == pytest.approx(600e-6 * 16 * 3600)
+
+
+def test_a_range_next_to_a_fraction_is_for_the_fraction():
+    """Wien's displacement law gives the peak, the law of Stefan and Boltzmann the exitance."""
+    asked = "black body 2856 K peak wavelength, exitance, fraction 380-780 nm"
+    hint = run(*asked.split()).stderr
+    assert f"{2897771.955 / 2856:.6g} nm" in hint
+    assert f"{5.670374419e-8 * 2856**4:.5g}"[:6] in hint  # 3.7726
+    assert "--range 380nm:780nm -g range-fraction" in hint
+
+
+def test_a_hint_has_no_empty_words():
+    typed = "lambertian disc 5000 cd/m2 radius 10 cm lux on axis at 50 cm"
+    hint = run(*typed.split()).stderr
+    assert "604.152" in hint  # 5000 pi 0.1^2/(0.1^2 + 0.5^2)
+    assert ", ," not in hint
+
+
+def test_a_log_of_photons_over_days_names_the_option_for_each_day(files):
+    assert "(--by day for each day's)" in run("dose", files["days"]).stderr
+    assert "--by day" not in run("dose", files["days"], "--by", "day").stderr
+
+
 def test_a_derivation_has_the_name_and_the_unit_of_its_result():
     sentence = "150 cd at 2.5 m incidence 30 deg to lux --steps"
     done = run(*sentence.split())
