@@ -3,12 +3,12 @@
 from collections.abc import Callable, Sequence
 from functools import cache
 
-from radcalc.answer import Value
+from radcalc.answer import Remark, Value
 from radcalc.calculators.results import absent, value
 from radcalc.quantities.symbols import HUE_BINS
 from radcalc.spectra import colorimetry, similarity
 from radcalc.spectra.colorimetry import Undefined
-from radcalc.spectra.spectrum import WHOLE, BlackBody, Spectrum, range_text
+from radcalc.spectra.spectrum import WHOLE, BlackBody, Range, Spectrum, range_text
 from radcalc.tuples import NamedTuple
 
 CHROMATICITY = "the chromaticity: x and y"
@@ -91,7 +91,8 @@ def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> 
     away = colorimetry.difference(light, like)
     if away > colorimetry.SIMILAR:
         beyond = f"the distance in (u, v) from the reference is {away:.4g}"
-        found.notes.append(f"cri: {beyond}, CIE 13.3 is for up to {colorimetry.SIMILAR:g}")
+        note = f"cri: {beyond}, CIE 13.3 is for up to {colorimetry.SIMILAR:g}"
+        found.notes.append(Remark(note, names))
 
 
 def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> None:
@@ -107,11 +108,12 @@ def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> No
     local = (rendered.local_fidelity, rendered.chroma_shifts, rendered.hue_shifts)
     listed |= dict(zip(BINS, (size for sizes in local for size in sizes), strict=True))
     found.values.extend(value(name, listed[name]) for name in names)
-    found.assumptions.append(
+    standard = (
         "colour rendition of white light by ANSI/IES TM-30-18 (R_f is that of CIE 224:2017), with "
         "99 colour samples"
     )
-    found.notes.extend(_of_gaps("colour rendition", source, *rendition.SAMPLED))
+    found.assumptions.append(Remark(standard, RENDITION))
+    found.notes.extend(_of_gaps("colour rendition", RENDITION, source, rendition.SAMPLED))
 
 
 def _add_similarity(found: Colours, source: Spectrum, reference: Spectrum | None) -> None:
@@ -121,17 +123,19 @@ def _add_similarity(found: Colours, source: Spectrum, reference: Spectrum | None
     except Undefined as error:
         found.values.extend(_absent(["ssi"], str(error)))
         return
-    found.assumptions.append(f"ssi (SMPTE ST 2122): compared with {reference.label}")
+    compared_with = f"ssi (SMPTE ST 2122): compared with {reference.label}"
+    found.assumptions.append(Remark(compared_with, ["ssi"]))
     for compared in (source, reference):
-        found.notes.extend(_of_gaps("ssi", compared, similarity.START, similarity.END))
+        found.notes.extend(_of_gaps("ssi", ["ssi"], compared, (similarity.START, similarity.END)))
 
 
-def _of_gaps(what: str, source: Spectrum, low: float, high: float) -> list[str]:
-    """Return a note if the data do not reach both ends of a range."""
-    if source.is_whole or (source.known[0] <= low and source.known[1] >= high):
+def _of_gaps(what: str, names: Sequence[str], source: Spectrum, ends: Range) -> list[str]:
+    """Return a note on results if the data do not reach both ends of a range."""
+    if source.is_whole or (source.known[0] <= ends[0] and source.known[1] >= ends[1]):
         return []
-    ends = range_text(source.known)
-    return [f"{what}: the data of {source.label} cover {ends}; beyond, they are taken as 0"]
+    known = range_text(source.known)
+    note = f"{what}: the data of {source.label} cover {known}; beyond, they are taken as 0"
+    return [Remark(note, names)]
 
 
 def _add_hue(found: Colours, light: colorimetry.Light, names: Sequence[str]) -> None:
@@ -147,17 +151,20 @@ def _add_hue(found: Colours, light: colorimetry.Light, names: Sequence[str]) -> 
         "excitation-purity": lambda: value("excitation-purity", hue.purity),
     }
     found.values.extend(sizes[name]() for name in names)
-    found.assumptions.append("hue relative to the equal-energy white, x = y = 1/3")
+    white = "hue relative to the equal-energy white, x = y = 1/3"
+    found.assumptions.append(Remark(white, HUE))
     if present == HUE[0] and (name := colorimetry.hue_name(hue.wavelength)):
         low, high = colorimetry.HUES[name]
-        found.notes.append(f"the hue is {name} (ISO 21348: {low} nm to {high} nm)")
+        found.notes.append(Remark(f"the hue is {name} (ISO 21348: {low} nm to {high} nm)", HUE))
 
 
 def _add_screen(found: Colours, light: colorimetry.Light, names: Sequence[str]) -> None:
     levels = [round(255 * part) for part in colorimetry.srgb(colorimetry.tristimulus(light))]
     listed = dict(zip(SCREEN, map(float, levels), strict=True))
     found.values.extend(value(name, listed[name]) for name in names)
-    found.assumptions.append(
+    standard = (
         "sRGB (IEC 61966-2-1) from 0 to 255: the greatest is 255, and negative ones are cut to 0"
     )
-    found.notes.append("the colour in sRGB is #" + "".join(f"{level:02x}" for level in levels))
+    found.assumptions.append(Remark(standard, SCREEN))
+    written = "".join(f"{level:02x}" for level in levels)
+    found.notes.append(Remark(f"the colour in sRGB is #{written}", SCREEN))

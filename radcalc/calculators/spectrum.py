@@ -101,11 +101,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
         problem = f"there is no power in {whole.over(RADIANT)}{known}"
         raise ConditionError(problem, f"another {option('range')}")
     counts = Counts(light, eye, *ranges)
-    reference = given["reference"].value if "reference" in given else None
-    if reference and "ssi" not in requested:
-        unused = f"{option('reference')} does not apply without a spectral similarity index"
-        raise ConditionError(unused, [leave_out("reference"), add("get", "ssi")])
-    colour = colours(light, requested, reference)
+    colour = colours(light, requested, _reference(given, requested))
     uncounted = _without_photons(source, counts)
     kinds = (RADIANT, LUMINOUS) if uncounted else (RADIANT, LUMINOUS, PHOTON)
     values = [
@@ -117,33 +113,52 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
         *_absolute(source, {kind: counts.amount(kind) for kind in kinds}),
         *uncounted,
     ]
-    described = source.described
-    if ranges[0]:
-        described += f"; all results are of the light in {counts.over(RADIANT)}"
-    whole_text = f"{whole.known}, all of the data" if known else "all of the light"
-    assumptions: list[str] = [
-        Remark(f"{described}; {text}", of)
-        for text, of in (
-            (f"watts counted over {counts.over(RADIANT)}", () if ranges[0] else OF_WATTS),
-            (f"photons counted over {counts.over(PHOTON)}", OF_PHOTONS),
-            (
-                f"range-fraction is relative to {whole_text}",
-                ["range-fraction"] if known or ranges[0] else (),
-            ),
-        )
-        if of
-    ]
-    assumptions += [described, *colour.assumptions]
+    assumptions = [*_assumptions(source, counts, whole), *colour.assumptions]
     clipped = (RADIANT,) if ranges[0] else (RADIANT, PHOTON)  # the photons also by the range
     notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *colour.notes]
-    peak = light.peak()[0]
-    is_last = known and peak in source.known
-    if is_last or (ranges[0] and peak in counts.ranges[RADIANT]):
+    notes += _notes(source, counts, whole)
+    return Answer(values, assumptions, notes, _steps(counts))
+
+
+def _reference(given: Inputs, requested: Sequence[str]) -> Spectrum | None:
+    """Return the reference of the similarity, which must be requested."""
+    if "reference" not in given:
+        return None
+    if "ssi" not in requested:
+        unused = f"{option('reference')} does not apply without a spectral similarity index"
+        raise ConditionError(unused, [leave_out("reference"), add("get", "ssi")])
+    reference: Spectrum = given["reference"].value
+    return reference
+
+
+def _assumptions(source: Spectrum, counts: Counts, whole: Counts) -> list[str]:
+    """Return the source and what is counted; `whole` counts the light without its range."""
+    has_range = counts.given[RADIANT]
+    described = source.described
+    if has_range:
+        described += f"; all results are of the light in {counts.over(RADIANT)}"
+    relative_to = f"{whole.known}, all of the data" if whole.known else "all of the light"
+    counted = [Remark(f"{described}; photons counted over {counts.over(PHOTON)}", OF_PHOTONS)]
+    if not has_range:
+        watts = f"{described}; watts counted over {counts.over(RADIANT)}"
+        counted.insert(0, Remark(watts, OF_WATTS))
+    if whole.known or has_range:
+        fraction = f"{described}; range-fraction is relative to {relative_to}"
+        counted.append(Remark(fraction, ["range-fraction"]))
+    return [*counted, described]
+
+
+def _notes(source: Spectrum, counts: Counts, whole: Counts) -> list[str]:
+    """Return notes on a peak at an end, and on invisible light."""
+    notes = []
+    peak = counts.source.peak()[0]
+    is_last = whole.known and peak in source.known
+    if is_last or (counts.given[RADIANT] and peak in counts.ranges[RADIANT]):
         ended = "data" if is_last else "range"
         notes.append(f"the peak is at the end of the {ended}: the peak of the source may be beyond")
     if not counts.amount(LUMINOUS):
         notes.append(UNSEEN)
-    return Answer(values, assumptions, notes, _steps(counts))
+    return notes
 
 
 def _shape(counts: Counts, total: float) -> list[Value]:
