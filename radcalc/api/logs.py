@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from datetime import date, timedelta
 from io import BytesIO
 from typing import Any, NamedTuple, overload
@@ -38,6 +38,7 @@ SKIPPING = ABORT, WARN, IGNORE
 UNDRAWN = Undrawn("a part of a log has no picture", "the whole log, without by")
 
 Opened = tuple[str, Callable[[int], bytes]]  # the name of a log, and what reads its bytes
+Source = AbstractContextManager[Opened]
 
 
 class Table(NamedTuple):
@@ -54,6 +55,24 @@ class Table(NamedTuple):
     def opened(self) -> Iterator[Opened]:
         rows = [self.titles, *zip(self.times, self.values, strict=True)]
         yield "the log", BytesIO("\n".join(map(TAB.join, rows)).encode()).read
+
+
+def _of_file(path: str, times: Times, chosen: LogSettings) -> tuple[LogSettings, Source]:
+    """Return the settings of a log in a file, and the file."""
+    if times is not None:
+        raise ConditionError("times do not apply to a file", mention("{time-column}"))
+    return chosen, opened(path, EXPECTED)
+
+
+def _of_readings(readings: Any, times: Times, chosen: LogSettings) -> tuple[LogSettings, Source]:
+    """Return the settings of readings in memory, and their text."""
+    if chosen.column or chosen.times:
+        raise ConditionError("readings in memory have no columns to choose", "a file")
+    table = _table(readings, times, chosen.unit)
+    clock = chosen.clock
+    clock = clock._replace(zone=clock.zone or table.zone, unit=clock.unit or table.time_unit)
+    settings = LogSettings(("1",), "2", table.unit, TAB, chosen.invalid, clock, "reading", 0)
+    return settings, table.opened()
 
 
 @overload
@@ -129,20 +148,12 @@ def dose(
     clock = TimeSettings(time_zone, time_unit, time_format)
     columns = (time_column,) if isinstance(time_column, str) else tuple(time_column)
     place = "" if column is None else str(column)
-    path = ""
-    if isinstance(readings, (str, os.PathLike)):
-        if times is not None:
-            raise ConditionError("times do not apply to a file", mention("{time-column}"))
-        path = os.fspath(readings)
-        settings = LogSettings(tuple(filter(None, columns)), place, unit, "", invalid, clock)
-        source = opened(path, EXPECTED)
+    chosen = LogSettings(tuple(filter(None, columns)), place, unit, "", invalid, clock)
+    path = os.fspath(readings) if isinstance(readings, (str, os.PathLike)) else None
+    if path is None:
+        settings, source = _of_readings(readings, times, chosen)
     else:
-        if place or any(columns):
-            raise ConditionError("readings in memory have no columns to choose", "a file")
-        table = _table(readings, times, unit)
-        clock = clock._replace(zone=time_zone or table.zone, unit=time_unit or table.time_unit)
-        settings = LogSettings(("1",), "2", table.unit, TAB, invalid, clock, "reading", 0)
-        source = table.opened()
+        settings, source = _of_file(path, times, chosen)
     with source as (name, read):
         skipped: list[LineError] = []
         log = LogDose(
@@ -151,7 +162,7 @@ def dose(
     for error in skipped:
         warn(in_words(error.message), stacklevel=4)  # in the caller's line
     operands = {
-        "file": path,
+        "file": path or "",
         "column": place,
         "unit": unit,
         "time-column": ",".join(columns),
