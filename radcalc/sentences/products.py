@@ -21,7 +21,7 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     times,
 )
-from radcalc.units.unit import NUMBER, Unit
+from radcalc.units.unit import NUMBER, Dimension, Unit
 
 DISTANCE = ("distance",)
 PPFD = "umol/m2/s"  # which is a unit in expressions
@@ -35,34 +35,50 @@ def quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     if goal is None or len(amounts) != len(facts) or any(map(is_number, facts)):
         return []
     dimensions = (goal.unit.dimension,) if goal.unit else SYMBOLS[goal.names[0]].dimensions
-    target = _unit_of(goal, amounts)
     if len(amounts) == 3:  # 24 W/m of 100 lm/W, 5 m
-        of_amounts = {amount.dimension for amount in amounts}
-        if len(of_amounts) < 3 or of_amounts & {ANGLE, SOLID_ANGLE, NUMBER}:
-            return []
-        product = reduce(times, of_amounts)
-        text = " * ".join([f"({amount.text})" for amount in amounts])
-        return [["convert", text, target]] if product in dimensions else []
-    if len(amounts) != 2:
+        ways = _product_of_three(amounts)
+    elif len(amounts) == 2:
+        if of_scale := _on_scale(amounts, goal):
+            return [of_scale]
+        ways = _of_two(amounts)
+    else:
         return []
-    if all(amount.dimension == NUMBER for amount in amounts):
-        return []
-    if any(amount.dimension in (LENGTH, ANGLE) for amount in amounts):  # they have places
-        return []
-    if goal.text.upper() == "OD":  # a density is positive
-        smaller, larger = sorted(amounts, key=size_of)
-        return [["convert", f"({smaller.text}) / ({larger.text})", goal.text]]
-    is_mired = goal.unit and goal.unit.is_scale and goal.unit.dimension == TEMPERATURE
-    if is_mired and all(amount.dimension == TEMPERATURE for amount in amounts):
-        before, after = [amount.text for amount in amounts]  # the shift of a filter
-        return [["convert", f"1/({after}) - 1/({before})", "1/MK"]]
+    target = _unit_of(goal, amounts)
+    return [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+
+
+def _product_of_three(amounts: Sequence[Amount]) -> dict[str, Dimension]:
+    """Return the product of three different quantities, with its dimension."""
+    of_amounts = {amount.dimension for amount in amounts}
+    if len(of_amounts) < 3 or of_amounts & {ANGLE, SOLID_ANGLE, NUMBER}:
+        return {}
+    return {" * ".join([f"({amount.text})" for amount in amounts]): reduce(times, of_amounts)}
+
+
+def _of_two(amounts: Sequence[Amount]) -> dict[str, Dimension]:
+    """Return the quotients and the product of two quantities; places are none."""
+    dimensions = [amount.dimension for amount in amounts]
+    if set(dimensions) == {NUMBER} or {LENGTH, ANGLE} & set(dimensions):
+        return {}
     first, second = amounts
-    ways = {
+    return {
         f"{first.text} / ({second.text})": times(first.dimension, second.dimension, -1),
         f"{second.text} / ({first.text})": times(second.dimension, first.dimension, -1),
         f"{first.text} * ({second.text})": times(first.dimension, second.dimension),
     }
-    return [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+
+
+def _on_scale(amounts: Sequence[Amount], goal: Goal) -> list[str]:
+    """Return the optical density of two amounts, or the shift of a filter in mired."""
+    dimensions = {amount.dimension for amount in amounts}
+    if goal.text.upper() == "OD" and not dimensions & {LENGTH, ANGLE} and dimensions != {NUMBER}:
+        smaller, larger = sorted(amounts, key=size_of)  # a density is positive
+        return ["convert", f"({smaller.text}) / ({larger.text})", goal.text]
+    is_mired = goal.unit and goal.unit.is_scale and goal.unit.dimension == TEMPERATURE
+    if is_mired and dimensions == {TEMPERATURE}:
+        before, after = [amount.text for amount in amounts]
+        return ["convert", f"1/({after}) - 1/({before})", "1/MK"]
+    return []
 
 
 def _unit_of(goal: Goal, amounts: Sequence[Amount]) -> str:
