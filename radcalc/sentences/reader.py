@@ -216,6 +216,12 @@ def _is_same_light(first: Fact, second: Fact) -> bool:
     return None not in tables and len({table.label for table in tables if table}) == 1
 
 
+def _is_letter(text: str, name: str) -> bool:
+    """Return whether a text is the letter of a result with an index: R9 and Rg, also units."""
+    letter = SYMBOLS[name].letter
+    return "_" in letter and text.replace("_", "") == letter.replace("_", "")
+
+
 def _is_area(fact: Fact) -> bool:
     return not fact.symbols and fact.amount is not None and fact.amount.dimension == AREA
 
@@ -388,6 +394,8 @@ class _Reading:
                 return []
             symbols = self.names.get(self.folded(start, end), ())
             unit = unit_in(text.split())
+            if any(_is_letter(text, name) for name in symbols):
+                unit = None
             if not unit and self.folded(start, end) in index().misnomers:
                 symbols = tuple([name for f in called(text) for name in symbols_of(f.quantity)])
             if unit or symbols:

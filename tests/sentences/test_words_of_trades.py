@@ -170,6 +170,12 @@ def test_the_photons_of_an_absolute_spectrum_are_a_result(files):
     assert found.photon_irradiance.to("umol/m2/s").magnitude == pytest.approx(300 * PER_JOULE)
 
 
+@for_each(["R9", "r9", "Rg", "Rf"])
+def test_an_index_of_colour_is_not_a_unit(name):
+    shown = run("LED-B3", "to", name, "-q")
+    assert shown.stdout.split()[0] == run("spectrum", "LED-B3", "-n", "-g", name).stdout.strip()
+
+
 def test_hours_a_day_are_a_photoperiod():
     for words in ("600 umol for 16 hours a day DLI", "600 ppfd 16 h per day to dli"):
         done = run(*words.split(), "-q")
