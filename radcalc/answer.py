@@ -25,6 +25,10 @@ class Remark(str):
         remark.of = frozenset(of)
         return remark
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return the pickled form."""
+        return Remark, (str(self), self.of)
+
 
 class Step(NamedTuple):
     """One step of a derivation: the law in symbols, in numbers, and its source."""

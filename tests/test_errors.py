@@ -41,6 +41,7 @@ from radcalc.errors import (
     OutOfRange,
     OutputError,
     RadcalcError,
+    SeveralReadings,
     TooNarrow,
     TooNear,
     UnitError,
@@ -215,6 +216,11 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("--na cannot be used with --f-number", "only one of them"),
         ("na cannot be used with f-number", "only one of them"),
         ("na cannot be used with f_number", "only one of them")),
+    "a sentence with several readings has a call for each": (
+        lambda: SeveralReadings("'24 deg beam' has 2 readings", "one of them"),
+        ("'24 deg beam' has 2 readings", "one of them"),
+        ("'24 deg beam' has 2 readings", "one of them"),
+        ("'24 deg beam' has 2 readings", "one of them")),
     "a contradiction names the inputs": (
         lambda: Contradiction(f"{option('flux', '800lm')} contradicts the other inputs",
                               f"leave out one of {options(('flux', 'intensity'), ', ')}",

@@ -81,7 +81,8 @@ def _table(source: Any) -> tuple[str, str]:
     """Return the kind of a table in memory, and its text, with a line for each wavelength."""
     name = type(source).__name__
     columns: Any = None
-    if isinstance(source, (tuple, list)) and len(source) == 2:
+    is_pair = isinstance(source, (tuple, list)) and len(source) == 2
+    if is_pair and not any(isinstance(one, str) for one in source):
         name = "arrays"
         columns = dict(zip(map(_title, source, ("wavelength", "value")), source, strict=True))
     elif library_of(source) and name == "Series" and hasattr(source, "index"):

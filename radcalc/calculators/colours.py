@@ -20,6 +20,7 @@ BINS = tuple(f"{name}-h{k}" for name, *_ in HUE_BINS for k in range(1, 17))
 RENDITION = ("rf", "rg", *BINS)
 HUE = ("dominant-wavelength", "complementary-wavelength", "excitation-purity")
 SCREEN = ("srgb-red", "srgb-green", "srgb-blue")
+COARSE = 5.0  # nm: a wider step of data is too wide for CIE 224
 ON_REQUEST = (*SPECIAL, *RENDITION, "ssi", *HUE, *SCREEN)
 
 
@@ -47,6 +48,10 @@ def colours(source: Spectrum, requested: Sequence[str], reference: Spectrum | No
         found.values.extend(absent(name, UNSEEN, LIT) for name in (*COLOURS, *requested))
         return found
     _add_rendering(found, source, [name for name in SPECIAL if name in requested])
+    sensitive = [name for name in (*SPECIAL, "ssi") if name in requested]
+    if sensitive and not source.is_whole and source.widest_step > COARSE:
+        coarse = f"the data are {source.widest_step:g} nm apart: indices of colour may be far off"
+        found.notes.append(Remark(coarse, sensitive))
     if names := [name for name in RENDITION if name in requested]:
         _add_rendition(found, source, names)
     if "ssi" in requested:

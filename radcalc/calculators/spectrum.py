@@ -113,10 +113,10 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
         *_absolute(source, {kind: counts.amount(kind) for kind in kinds}),
         *uncounted,
     ]
-    assumptions = [*_assumptions(source, counts, whole), *colour.assumptions]
+    assumptions = [*_assumptions(source, counts, whole, bool(ranges[0])), *colour.assumptions]
     clipped = (RADIANT,) if ranges[0] else (RADIANT, PHOTON)  # the photons also by the range
     notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *colour.notes]
-    notes += _notes(source, counts, whole)
+    notes += _notes(source, counts, whole, bool(ranges[0]))
     return Answer(values, assumptions, notes, _steps(counts))
 
 
@@ -131,9 +131,8 @@ def _reference(given: Inputs, requested: Sequence[str]) -> Spectrum | None:
     return reference
 
 
-def _assumptions(source: Spectrum, counts: Counts, whole: Counts) -> list[str]:
+def _assumptions(source: Spectrum, counts: Counts, whole: Counts, has_range: bool) -> list[str]:
     """Return the source and what is counted; `whole` counts the light without its range."""
-    has_range = counts.given[RADIANT]
     described = source.described
     if has_range:
         described += f"; all results are of the light in {counts.over(RADIANT)}"
@@ -148,12 +147,12 @@ def _assumptions(source: Spectrum, counts: Counts, whole: Counts) -> list[str]:
     return [*counted, described]
 
 
-def _notes(source: Spectrum, counts: Counts, whole: Counts) -> list[str]:
+def _notes(source: Spectrum, counts: Counts, whole: Counts, has_range: bool) -> list[str]:
     """Return notes on a peak at an end, and on invisible light."""
     notes = []
     peak = counts.source.peak()[0]
     is_last = whole.known and peak in source.known
-    if is_last or (counts.given[RADIANT] and peak in counts.ranges[RADIANT]):
+    if is_last or (has_range and peak in counts.ranges[RADIANT]):
         ended = "data" if is_last else "range"
         notes.append(f"the peak is at the end of the {ended}: the peak of the source may be beyond")
     if not counts.amount(LUMINOUS):

@@ -326,6 +326,28 @@ LABELS = {
     "chromaticity y": ("trichromatická souřadnice y", "координата цветности y"),
     "distance from the Planckian": ("vzdálenost od Planckovy čáry", "расстояние от линии Планка"),
     "colour rendering index": ("index podání barev", "индекс цветопередачи"),
+    **{
+        f"colour rendering index R{k}": (f"index podání barev R{k}", f"индекс цветопередачи R{k}")
+        for k in range(1, 15)
+    },
+    **{
+        f"{label} in hue bin {k}": (f"{czech} v odstínu {k}", f"{russian} в секторе тонов {k}")
+        for label, czech, russian in (
+            ("local colour fidelity", "místní věrnost barev", "локальная точность цветопередачи"),
+            ("local chroma shift", "místní posun sytosti", "локальный сдвиг насыщенности"),
+            ("local hue shift", "místní posun odstínu", "локальный сдвиг тона"),
+        )
+        for k in range(1, 17)
+    },
+    "colour fidelity index": ("index věrnosti barev", "индекс точности цветопередачи"),
+    "gamut index": ("index gamutu", "индекс цветового охвата"),
+    "spectral similarity index": ("index podobnosti spekter", "индекс спектрального сходства"),
+    "dominant wavelength": ("dominantní vlnová délka", "доминирующая длина волны"),
+    "complementary wavelength": ("doplňková vlnová délka", "дополнительная длина волны"),
+    "excitation purity": ("excitační čistota", "условная чистота цвета"),
+    "sRGB red": ("červená v sRGB", "красный в sRGB"),
+    "sRGB green": ("zelená v sRGB", "зелёный в sRGB"),
+    "sRGB blue": ("modrá v sRGB", "синий в sRGB"),
     "adaptation coefficient": ("koeficient adaptace", "коэффициент адаптации"),
     "integral": ("integrál", "интеграл"),
     "estimate of the error": ("odhad chyby", "оценка погрешности"),

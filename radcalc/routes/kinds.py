@@ -195,12 +195,18 @@ def _is_log(lines: list[str], name: str, rows: FirstRows | None) -> bool:
     return True
 
 
-def call_of_file(kind: str, path: str) -> tuple[str, str]:
-    """Return the command for a file of a kind, and the file as its operand or NAME=VALUE."""
+def call_of_file(kind: str, path: str) -> tuple[str, ...]:
+    """Return the command for a file of a kind, and the file as its operand or NAME=VALUE.
+
+    The values of a map without a unit are relative.
+    """
     command, symbol = COMMANDS[kind]
     if "=" in path and "/" not in path.partition("=")[0]:  # which is not NAME=VALUE
         path = f"./{path}"
-    return command, f"{symbol}={path}" if symbol else path
+    unit: tuple[str, ...] = ()
+    with suppress(RadcalcError):  # of a damaged map, which its command reports
+        unit = ("unit=1",) * (kind == MAP and is_relative(path))
+    return command, f"{symbol}={path}" if symbol else path, *unit
 
 
 def is_relative(path: str) -> bool:

@@ -346,7 +346,7 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
     The file of a spectrum beside an amount of light is the spectrum of that light.
     """
     from radcalc.routes import kinds
-    from radcalc.routes.kinds import LOG, LUMINAIRE, MAP, SPECTRUM
+    from radcalc.routes.kinds import LOG, LUMINAIRE, SPECTRUM
 
     path, *others = sentence.files
     if others:
@@ -363,8 +363,6 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
             raise UsageError(f"{quote_path(path)} is a table", call(command, *operands))
         return [(command, *operands)]
     words = [command, *operands]
-    if kind == MAP and kinds.is_relative(path):
-        words.append("unit=1")
     if kind == LOG:
         periods, facts = _periods(sentence._replace(facts=facts))
         words += [f"{PERIOD}={fact.text}" for fact in periods]

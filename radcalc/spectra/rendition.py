@@ -3,12 +3,10 @@
 Only this module imports colour-science, on demand: that takes most of a second.
 """
 
-import math
 import os
 import warnings
 from collections.abc import Sequence
 from functools import lru_cache
-from itertools import pairwise
 from typing import Any
 
 from radcalc.spectra import colorimetry
@@ -68,8 +66,7 @@ def rendition(source: Spectrum) -> Rendition:
     if not COLDEST <= temperature <= HOTTEST:
         limits = f"{COLDEST:g} K to {HOTTEST:g} K"
         raise Undefined(f"its colour temperature, {temperature:.6g} K, is not within {limits}")
-    step = _step(source)
-    if step > COARSEST:
+    if (step := source.widest_step) > COARSEST:
         raise Undefined(f"CIE 224 needs data at every {COARSEST:g} nm, and these have {step:g} nm")
     colour = load_colour()
     with warnings.catch_warnings():
@@ -106,14 +103,6 @@ def draw_chromaticities(axes: Any) -> None:
 
 def _temperature(source: Spectrum) -> float:
     return colorimetry.temperature_and_distance(source.moments(*colorimetry.AT))[0]
-
-
-def _step(source: Spectrum) -> float:
-    """Return the widest step [nm] of the data among the sampled wavelengths."""
-    if not isinstance(source, Table):
-        return 0.0
-    grid = [x for x in source.grid if SAMPLED[0] - COARSEST < x < SAMPLED[1] + COARSEST]
-    return max((b - a for a, b in pairwise(grid)), default=math.inf)
 
 
 def _distribution(source: Spectrum, start: int, end: int) -> Any:

@@ -3,6 +3,7 @@
 import math
 from array import array
 from collections.abc import Sequence
+from itertools import pairwise
 from operator import mul
 
 from radcalc.errors import ConditionError
@@ -45,6 +46,7 @@ class Spectrum:
     known = WHOLE
     is_whole = True
     longest = math.inf
+    widest_step = 0.0  # nm, between the points of a table from 380 nm to 780 nm
 
     def __init__(self, label: str, limits: Range, notes: tuple[str, ...] = ()) -> None:
         self.label = label
@@ -127,6 +129,11 @@ class Table(Spectrum):
         self.grid = frozen(grid)
         self.values = frozen(values)
         self.absolute = absolute
+
+    @property
+    def widest_step(self) -> float:  # type: ignore[override]
+        inside = [x for x in self.grid if VISIBLE[0] <= x <= VISIBLE[1]]
+        return max((b - a for a, b in pairwise(inside)), default=math.inf)
 
     def part(self, limits: Range) -> Spectrum | None:
         grid, values = clip(self.grid, self.values, *limits)

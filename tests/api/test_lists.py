@@ -10,10 +10,10 @@ def test_a_typical_value_has_its_ends_as_quantities():
     """EN 12464-1 gives 500 lx for an office desk; an EV is a reading on a scale."""
     desk, *_, photo = radcalc.typical("office")
     assert desk.low == desk.high == radcalc.Quantity(500, "lx")
-    assert (desk.quantity, desk.source) == ("illuminance", "EN 12464-1")
-    assert (photo.low, photo.high, photo.unit) == (7.0, 8.0, "EV")
+    assert (desk.quantity, desk.source) == ("illuminance", "EN 12464-1:2011")
+    assert (photo.low, photo.high, photo.unit) == (8.0, 8.0, "EV")
     first = repr(radcalc.typical("office")).splitlines()[0]
-    assert first == "office desk, reading and writing: illuminance 500 lx (EN 12464-1)"
+    assert first == "office desk, reading and writing: illuminance 500 lx (EN 12464-1:2011)"
 
 
 def test_a_value_is_looked_up_by_a_text_or_as_a_quantity():

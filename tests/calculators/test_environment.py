@@ -242,7 +242,8 @@ def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path):
     done = run("environment", made, "--unit", "1")
     assert done.returncode == 2
     call = f"radcalc environment {made} --unit 1 --channel B"
-    assert done.stderr.endswith(f"it has B\ntry: {call}\n")
+    # pi times the radiance of 7
+    assert f"it has B\ntry: {call}\n     irradiance 21.9911 sr" in done.stderr
     assert asked(made, *words, "-g", "mean-radiance") == pytest.approx([7])
     assert "assumed: the channel B alone\n" in run("environment", made, *words).stderr
 

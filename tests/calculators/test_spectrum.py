@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import pickle
 
 import numpy
 import pytest
@@ -282,6 +283,19 @@ def test_data_that_do_not_reach_the_ends_are_noted(tmp_path):
     # light behind a filter has no gaps
     filtered = run("spectrum", "D65", "--range", "420nm:700nm", "-g", "rf", "-g", "ssi").stderr
     assert "taken as 0" not in filtered
+
+
+def test_indices_of_coarse_data_have_a_note(tmp_path):
+    measured = tmp_path / "coarse.csv"
+    rows = [f"{nm},1" for nm in range(380, 800, 20)]
+    measured.write_text("\n".join(["wavelength [nm],W/m2/nm", *rows, ""]), encoding="utf-8")
+    assert "20 nm apart" in run("spectrum", str(measured), "-g", "r9").stderr
+    assert "apart" not in run("spectrum", "FL2", "-g", "r9").stderr
+
+
+def test_a_result_with_remarks_is_copied():
+    lamp = radcalc.spectrum("LED-B3", reference="D65")
+    assert pickle.loads(pickle.dumps(lamp)).assumptions == lamp.assumptions
 
 
 def test_colours_of_one_wavelength_are_named():

@@ -91,6 +91,8 @@ def test_a_bare_name_is_in_the_unit_of_the_listing(text):
         name, number, unit = line.split("\t")
         first.setdefault(name, []).append((number, unit))
     assert first
+    if words[0] == "spectrum" and len(words) > 3:  # a list of lights, of which some lack a result
+        first = {name: told for name, told in first.items() if len(told) == len(first["x"])}
     asked = [part for name in first for part in ("-g", name)]
     done = run(*words, *asked, check=True)
     lines = [line.split("\t") for line in done.stdout.splitlines()]
@@ -171,7 +173,7 @@ def in_other_kinds(name, rows):
     by_name = {}
     for other, amount in rows:
         by_name.setdefault(generic(other), []).append(amount)
-    ratios = [amount for other, amount in rows if other in RATIOS]
+    ratios = [amount for other, amount in rows if other in RATIOS and amount]
     ratios += [b / a for same in by_name.values() for a, b in permutations(same, 2) if a]
     return [k for a in by_name[generic(name)] for r in ratios for k in (a, a * r, a / r)]
 

@@ -105,7 +105,9 @@ def answered(words: list[str], lines: str, first: int) -> tuple[int, str, list[s
         done = run(*words, input=lines, cwd=ROOT)
     said = done.stderr.splitlines()
     refusals = [line for line in said if line.startswith("radcalc: stdin")]
-    remarks = [re.sub(r": lines? \d+( to \d+)?: ", ": ", line) for line in said]
+    remarks = [
+        re.sub(r": lines? \d[\d, ]*( to \d+| and others up to \d+)?: ", ": ", line) for line in said
+    ]
     return (
         done.returncode,
         done.stdout,

@@ -21,7 +21,7 @@ from radcalc.spectra.spectrum import Table
 
 SHORT, LONG = 100, 20_000
 COUNTED = re.compile(
-    r"(?:watts counted over|of the light in) ([\d.e+]+)-([\d.e+]+) nm[;,] photons (?:counted )?"
+    r"(?:watts counted over|of the light in) ([\d.e+]+)-([\d.e+]+) nm.*?photons counted "
     r"over ([\d.]+)-([\d.]+) nm"
 )
 
@@ -64,7 +64,7 @@ def sweep(count: int, seed: int) -> str:
             refused += 1
             continue
         by_name = {value.name: value for value in answer.values}
-        found = COUNTED.search(answer.assumptions[0])
+        found = COUNTED.search("; ".join(answer.assumptions))
         assert found, (case, answer.assumptions)
         notes = " ".join(answer.notes)
         claims = {"range": found.groups()[:2], "photon-range": found.groups()[2:]}

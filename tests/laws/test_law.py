@@ -87,7 +87,7 @@ def test_every_law_that_the_calculators_solve_is_tested(monkeypatch):
     monkeypatch.setattr(solver, "solve_all", catch)
     for extra in ({"half_angle": "1rad"}, {"exponent": 2}, {}):
         point_source(intensity="1cd", height="1m", offset="1m", **extra)
-    lambertian(luminance="1cd/m2", diameter="1cm", distance="1m")
+    lambertian("patch", luminance="1cd/m2", diameter="1cm", distance="1m")
     lambertian(luminance="1cd/m2", width="1cm", length="1cm")
     lambertian("rectangle", luminance="1cd/m2", width="1m", length="1m")
     for shape in ("disc", "sphere"):
