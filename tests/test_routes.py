@@ -10,7 +10,7 @@ from conftest import ROOT, run
 from radcalc.cli.files import route
 from radcalc.cli.spelling import quoted
 from radcalc.errors import ConditionError
-from radcalc.routes.kinds import LOG, LUMINAIRE, MAP, SCENE, SPECTRUM, TABLE, kind_of
+from radcalc.routes.kinds import LOG, LUMINAIRE, MAP, NAMES, SCENE, SPECTRUM, TABLE, kind_of
 
 SPECTRAL_ROWS = "\n".join(f"{nm},1.5" for nm in range(380, 785, 5))
 KINDS = {
@@ -144,7 +144,9 @@ def test_a_command_names_the_command_for_a_file_of_another_kind(tmp_path):
             if kind != wanted:
                 done = run(*words, path)
                 assert done.returncode == 2, (wanted, kind)
-                assert " ".join(["try: radcalc", *READERS[kind], path]) in done.stderr
+                assert f"is {NAMES[kind]}, not {NAMES[wanted]}" in done.stderr
+                if kind not in (MAP, LUMINAIRE, LOG):  # files cut off here, which no call reads
+                    assert " ".join(["try: radcalc", *READERS[kind], path]) in done.stderr
 
 
 # The mean of 500, 300 and 100 is 300; -9999 and NaN mark missing values.

@@ -175,7 +175,7 @@ def in_other_kinds(name, rows):
         by_name.setdefault(generic(other), []).append(amount)
     ratios = [amount for other, amount in rows if other in RATIOS and amount]
     ratios += [b / a for same in by_name.values() for a, b in permutations(same, 2) if a]
-    return [k for a in by_name[generic(name)] for r in ratios for k in (a, a * r, a / r)]
+    return [k for a in by_name[generic(name)] for r in ratios if r for k in (a, a * r, a / r)]
 
 
 def generic(name):
