@@ -6,7 +6,7 @@ from functools import cache
 from radcalc.answer import Remark, Value
 from radcalc.calculators.results import absent, value
 from radcalc.quantities.symbols import HUE_BINS
-from radcalc.spectra import colorimetry, similarity
+from radcalc.spectra import colorimetry, rendition, similarity
 from radcalc.spectra.colorimetry import Undefined
 from radcalc.spectra.spectrum import WHOLE, BlackBody, Range, Spectrum, range_text
 from radcalc.tuples import NamedTuple
@@ -20,7 +20,6 @@ BINS = tuple(f"{name}-h{k}" for name, *_ in HUE_BINS for k in range(1, 17))
 RENDITION = ("rf", "rg", *BINS)
 HUE = ("dominant-wavelength", "complementary-wavelength", "excitation-purity")
 SCREEN = ("srgb-red", "srgb-green", "srgb-blue")
-COARSE = 5.0  # nm: a wider step of data is too wide for CIE 224
 ON_REQUEST = (*SPECIAL, *RENDITION, "ssi", *HUE, *SCREEN)
 
 
@@ -49,7 +48,7 @@ def colours(source: Spectrum, requested: Sequence[str], reference: Spectrum | No
         return found
     _add_rendering(found, source, [name for name in SPECIAL if name in requested])
     sensitive = [name for name in (*SPECIAL, "ssi") if name in requested]
-    if sensitive and not source.is_whole and source.widest_step > COARSE:
+    if sensitive and not source.is_whole and source.widest_step > rendition.COARSEST:
         coarse = f"the data are {source.widest_step:g} nm apart: indices of colour may be far off"
         found.notes.append(Remark(coarse, sensitive))
     if names := [name for name in RENDITION if name in requested]:
@@ -102,8 +101,6 @@ def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> 
 
 def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> None:
     """Add the colour rendition by TM-30."""
-    from radcalc.spectra import rendition  # which loads colour-science
-
     try:
         rendered = rendition.rendition(source)
     except Undefined as error:

@@ -159,10 +159,15 @@ def temperature_and_distance(light: Light) -> tuple[float, float]:
     return 1 / point.inverse, math.copysign(away, colour[1] - point.place[1])
 
 
+def correlated_temperature(source: Spectrum) -> float:
+    """Return the correlated colour temperature [K] of a spectrum; raise Undefined without one."""
+    return temperature_and_distance(source.moments(*AT))[0]
+
+
 def temperature_of(source: Spectrum) -> float | None:
     """Return the correlated colour temperature [K] of a spectrum; None if it has none."""
     try:
-        return temperature_and_distance(source.moments(*AT))[0]
+        return correlated_temperature(source)
     except Undefined:
         return None
 

@@ -62,7 +62,7 @@ def rendition(source: Spectrum) -> Rendition:
     ----------
     ANSI/IES TM-30-18, whose R_f is that of CIE 224:2017; colour-science.
     """
-    temperature = _temperature(source)
+    temperature = colorimetry.correlated_temperature(source)
     if not COLDEST <= temperature <= HOTTEST:
         limits = f"{COLDEST:g} K to {HOTTEST:g} K"
         raise Undefined(f"its colour temperature, {temperature:.6g} K, is not within {limits}")
@@ -99,10 +99,6 @@ def draw_chromaticities(axes: Any) -> None:
     from colour.plotting.diagrams import plot_chromaticity_diagram_colours
 
     plot_chromaticity_diagram_colours(diagram_colours="RGB", axes=axes, show=False)
-
-
-def _temperature(source: Spectrum) -> float:
-    return colorimetry.temperature_and_distance(source.moments(*colorimetry.AT))[0]
 
 
 def _distribution(source: Spectrum, start: int, end: int) -> Any:

@@ -19,7 +19,7 @@ def reference_of(source: Spectrum) -> Spectrum:
     colorimetry.Undefined
         If the light has no correlated colour temperature, or one above 25 000 K.
     """
-    temperature = colorimetry.temperature_and_distance(source.moments(*colorimetry.AT))[0]
+    temperature = colorimetry.correlated_temperature(source)
     return colorimetry.reference(temperature, DAYLIGHT_FROM)
 
 
