@@ -249,6 +249,8 @@ COMMANDS = {
         "radcalc lambertian --luminance 200cd/m2 --check exitance=628lm/m2"),
     "an unknown option before the command is refused": (
         "--f-number 2.8 convert 100 lx fc", "convert has no --f-number option"),
+    "an option alone is refused": ("-g", "radcalc has no -g option"),
+    "two options alone are refused": ("-n -g", "radcalc has no -n option"),
     "a conversion has no option for the name of a result": (
         "convert 100 lx fc --get illuminance", "convert has no --get option", "-n"),
     "the help takes one command": (

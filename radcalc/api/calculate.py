@@ -12,7 +12,7 @@ from radcalc.api.result import Result, in_columns, of_answer
 from radcalc.api.spelling import keyword
 from radcalc.calculators.page import NOTHING
 from radcalc.calculators.pages import page_of
-from radcalc.calculators.task import Task
+from radcalc.calculators.task import Task, requesting
 from radcalc.inputs.given import Input, Inputs, shown_inputs
 from radcalc.maths import is_column
 
@@ -55,9 +55,7 @@ def calculate(
         inputs = adapt(inputs)
     arrays = any(map(_has_elements, inputs.values()))
     shape = operands.get("shape") or operands.get("type", "")
-    task = Task(
-        command, _requesting(work_out, requested), texts_of(operands), shape, samples, drawn
-    )
+    task = Task(command, requesting(work_out, requested), texts_of(operands), shape, samples, drawn)
     answer = broadcast(lambda: task.solve(inputs))
 
     def ask() -> Any:
@@ -66,7 +64,7 @@ def calculate(
         return of_task(task, inputs, steps=True)
 
     def again(name: str) -> Answer:
-        further = task._replace(work_out=_requesting(work_out, (*requested, name)))
+        further = task._replace(work_out=requesting(work_out, (*requested, name)))
         found: Answer = broadcast(lambda: further.solve(inputs))
         return found
 
@@ -74,10 +72,6 @@ def calculate(
     solved = (inputs, answer, drawn)
     result = of_answer(command, answer, listed_inputs, None if arrays else ask, solved, again)
     return in_columns(result, columns)
-
-
-def _requesting(work_out: WorkOut, requested: tuple[str, ...]) -> WorkOut:
-    return partial(work_out, requested=requested) if requested else work_out
 
 
 def _has_elements(given: Input) -> bool:

@@ -357,6 +357,14 @@ class SummedLog(NamedTuple):
     def seconds(self, ticks: float) -> float:
         return _exact(ticks, self.tick)
 
+    @property
+    def duration(self) -> float:
+        return self.seconds(self.dose.time - self.dose.first)
+
+    @property
+    def is_longer_than_a_day(self) -> bool:
+        return self.duration > DAY * (1 + SLACK)
+
     def check(self) -> None:
         """Refuse a log with too few samples, without covered time, or with negative light."""
         dose, unit = self.dose, self.unit.text
@@ -378,9 +386,8 @@ class SummedLog(NamedTuple):
 
     def refuse_dli(self, by: str, is_check: bool) -> None:
         """Refuse a DLI, which is the sum of one day, of each hour or of more than a day."""
-        duration = self.seconds(self.dose.time - self.dose.first)
-        if by or duration > DAY * (1 + SLACK):
-            of = f"an {by}" if by else _duration(duration)
+        if by or self.is_longer_than_a_day:
+            of = f"an {by}" if by else _duration(self.duration)
             by_day = Try((("by", "day"), *((("get", "DLI"),) * is_check)), ("check",) * is_check)
             raise ConditionError(f"a DLI is the sum of one day, not of {of}", by_day)
 
@@ -457,10 +464,9 @@ class SummedLog(NamedTuple):
             value("longest-gap", self.seconds(dose.widest.length), *units),
         ]
         notes = [*answer.notes, *self.remarks()]
-        duration = self.seconds(dose.time - dose.first)
-        if self.unit.dimension == PPFD and duration > DAY * (1 + SLACK):
+        if self.unit.dimension == PPFD and self.is_longer_than_a_day:
             by_day = option("by", "day")
-            notes.append(f"the exposure is of {_duration(duration)} ({by_day} for each day's)")
+            notes.append(f"the exposure is of {_duration(self.duration)} ({by_day} for each day's)")
         return answer._replace(values=[*answer.values, *gaps], notes=notes)
 
     def of_periods(self, given: Inputs) -> Iterator[tuple[str, Answer]]:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any, cast
 
 from radcalc.answer import Answer, Ends, Row, Value
@@ -86,6 +86,7 @@ def absent(name: str, problem: str, hint: str, *others: str) -> Value:
     return value(name, 0.0)._replace(units=(), because=error)
 
 
+@cache
 def on_request(name: str) -> Value:
     """Return a result that is calculated only if it is requested, without its value."""
     return value(name, 0.0)._replace(units=())

@@ -1,6 +1,7 @@
 """A task: a calculation for the command line or a Python function."""
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
@@ -36,6 +37,11 @@ class Task(NamedTuple):
         from radcalc.calculators.uncertainty import with_uncertainties
 
         return with_uncertainties(self.nominal, inputs)
+
+
+def requesting(function: Callable[..., Answer], names: Sequence[str]) -> Callable[..., Answer]:
+    """Return the function of a page that also calculates these results of its `on_request`."""
+    return partial(function, requested=names) if names else function
 
 
 def _with_readings(answer: Answer, inputs: Inputs) -> Answer:

@@ -1,11 +1,11 @@
 """Requests of a command, besides its inputs."""
 
 from collections.abc import Callable
-from functools import partial
 from typing import Any
 
 from radcalc.answer import Answer
 from radcalc.calculators.page import Page
+from radcalc.calculators.task import requesting
 from radcalc.cli import check, line_options
 from radcalc.errors import UsageError, one_of
 from radcalc.tuples import NamedTuple
@@ -47,9 +47,8 @@ class Request(NamedTuple):
         return _letters(name) in [_letters(name_of(text)) for text in names]
 
     def narrowed(self, function: Callable[..., Answer], page: Page) -> Callable[..., Answer]:
-        """Return the function of a page that calculates the requested ones of its `on_request`."""
-        requested = tuple(filter(self.wants, page.on_request))
-        return partial(function, requested=requested) if requested else function
+        """Return the function of a page that also calculates the requested results."""
+        return requesting(function, tuple(filter(self.wants, page.on_request)))
 
 
 def _letters(name: str) -> str:

@@ -119,7 +119,7 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
     lacking: list[tuple[Trial, RadcalcError, int]] = []
     for way, proposal in enumerate(error.tries[:MOST]):
         call = changed(words, proposal)
-        if not call or call in (words, *(trial.words for trial in made)):
+        if call is None or call in (words, *(trial.words for trial in made)):
             continue
         if not all(map(str.isprintable, call)):  # cannot be pasted
             continue
@@ -174,7 +174,7 @@ def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
         if not added:  # another word of the same kind: 1/2 m + 1/2 m
             added = [one for one in further.tries[way:] if one.instead]
         call = changed(trial.words, added[0]) if added else None
-        if not call or call == trial.words:
+        if call is None or call == trial.words:
             return []
         remark = ", ".join(filter(None, [trial.remark, added[0].remark]))
         trial = Trial(call, remark)
@@ -241,7 +241,7 @@ def changed(words: Words, proposal: Try) -> Words | None:
             return None
         call, place = _without(call, f"--{name}", known)
         call[place:place] = added
-    return call
+    return call or None
 
 
 def _corrected(call: Words, *texts: str) -> Words | None:
