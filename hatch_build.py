@@ -48,17 +48,13 @@ class Additions(BuildHookInterface):
 
 
 def _print_table(root: str, path: str) -> None:
-    """Print the table in a separate process and an empty folder, so that examples find no file.
+    """Print the table in a separate process.
 
     The path of the tree is not in PYTHONPATH: pip takes it out if the tree is also installed as
     editable.
     """
     code = "import sys; sys.path.insert(0, sys.argv.pop(1)); from radcalc.cli import compile as c"
-    subprocess.run(
-        [sys.executable, "-B", "-c", f"{code}; c.main()", root, path],
-        cwd=os.path.dirname(path),
-        check=True,
-    )
+    subprocess.run([sys.executable, "-B", "-c", f"{code}; c.main()", root, path], check=True)
 
 
 def _platform() -> str:
