@@ -12,15 +12,15 @@ from radcalc.units.unit import Dimension
 class Remark(str):
     """An assumption or a note on some results; a plain text is one on all results.
 
-    `of` has what it comes from: symbols (light quantities by generic names), laws (by name) and
-    kinds of light (by letter).
+    `of` names its origins: symbols (light quantities by generic names), laws (by name) and kinds
+    of light (by letter).
     """
 
     __slots__ = ("of",)
     of: frozenset[str]
 
     def __new__(cls, text: str, of: Iterable[str]) -> "Remark":
-        """Return a text with what it comes from."""
+        """Return a text with its origins."""
         remark = super().__new__(cls, text)
         remark.of = frozenset(of)
         return remark
@@ -160,16 +160,16 @@ class Value(NamedTuple):
 
 
 def itself(name: str, kind: str) -> Collection[str]:
-    """Return what a result comes from, where remarks state the results that they are on."""
+    """Return the origins of a result where remarks name the results that they are on."""
     return name, kind
 
 
 class Answer(NamedTuple):
     """The answer of a calculator; `more` are further answers if several fit the inputs.
 
-    `origins` returns what a result (by its generic name) in a kind of light comes from: symbols,
-    laws and kinds of light, as in a `Remark`; None where that is not known.  A remark is on the
-    results that come from one of its own.
+    `origins` returns the origins of a result (by its generic name) in a kind of light: symbols,
+    laws and kinds of light, as in a `Remark`; None where they are unknown.  A remark is on the
+    results that share one of its origins.
     """
 
     values: Sequence[Value]

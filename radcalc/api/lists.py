@@ -37,7 +37,7 @@ class Listing(tuple[T, ...]):
 class TypicalValue(NamedTuple):
     """A typical value with its source.
 
-    `value` is the text of a number or a range in `unit`, of which `low` and `high` are the ends:
+    `value` is the text of a number or a range in `unit`.  `low` and `high` are its ends:
     quantities, or bare readings on a scale.
     """
 

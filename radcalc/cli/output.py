@@ -36,7 +36,7 @@ if TYPE_CHECKING:
         settings: dict[str, Any]
 
         def hear(self, results: Sequence[Result]) -> None:
-            """Take what is being shown."""
+            """Take the results that are being shown."""
 
         def ask(self, question: "Question") -> None:
             """Take the question of an answer that is about to be judged."""

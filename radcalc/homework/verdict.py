@@ -114,7 +114,7 @@ class Reading(NamedTuple):
     def spans(self, claim: Claim) -> bool:
         """Return whether the right value is within the uncertainty of an answer.
 
-        An uncertainty that is larger than the answer, or a factor of 2, says nothing.
+        An uncertainty that is larger than the answer, or a factor of 2, does not count.
         """
         value, off = claim.value, claim.uncertainty
         if not off or abs(decimal(value) - decimal(self.right)) > decimal(off):
