@@ -36,6 +36,7 @@ from radcalc.api.keywords import (
     Projection,
     Readings,
     Samples,
+    Scalar,
     Shape,
     Sky,
     Surroundings,
@@ -129,8 +130,8 @@ def calorimeter(
 ) -> Result: ...
 def check(
     result: Result,
-    claim: str | Quantity | float,
-    tolerance: str | Quantity | float | None = None,
+    claim: Scalar,
+    tolerance: Scalar | None = None,
 ) -> Verdict: ...
 def convert(
     value: Number,

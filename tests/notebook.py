@@ -49,9 +49,11 @@ def _outputs(cell: dict[str, Any], names: dict[str, Any]) -> list[dict[str, Any]
 
 
 def _result(value: Any) -> dict[str, Any]:
-    data = {"text/plain": _lines(repr(value))}
+    """Return how Jupyter shows a value: HTML alone if it has it, as the text differs by Pint."""
     if hasattr(value, "_repr_html_"):
-        data = {"text/html": _lines(value._repr_html_()), **data}
+        data = {"text/html": _lines(value._repr_html_())}
+    else:
+        data = {"text/plain": _lines(repr(value))}
     return {
         "output_type": "execute_result", "execution_count": None, "metadata": {}, "data": data
     }  # fmt: skip

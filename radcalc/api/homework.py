@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from radcalc.answer import Row, Value
-from radcalc.api.quantity import Quantity
+from radcalc.api.keywords import Scalar
 from radcalc.api.reading import as_text
 from radcalc.api.refusals import in_python
 from radcalc.api.result import Result, question_of
@@ -42,9 +42,7 @@ class Verdict(Judged):
 
 
 @in_python
-def check(
-    result: Result, claim: str | Quantity | float, tolerance: str | Quantity | float | None = None
-) -> Verdict:
+def check(result: Result, claim: Scalar, tolerance: Scalar | None = None) -> Verdict:
     """Check an answer against a result, and name the mistakes that lead to it.
 
     Parameters

@@ -36,6 +36,7 @@ Vector: TypeAlias = str | Sequence[float] | Array | None
 Points: TypeAlias = str | Quantity | Sequence[float] | Sequence[Sequence[float]] | Array
 Interval: TypeAlias = str | tuple[str, str] | tuple[Quantity, Quantity] | None
 Numbers: TypeAlias = str | Sequence[float] | Array | None
+Scalar: TypeAlias = str | Quantity | float
 Pair: TypeAlias = str | Sequence[int] | None
 Text: TypeAlias = str | None
 Path: TypeAlias = str | PathLike[str]

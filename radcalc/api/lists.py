@@ -78,8 +78,8 @@ def typical(search: str | Quantity = "") -> Listing[TypicalValue]:
 
     Examples
     --------
-    >>> typical("office")[0].low.to("fc").round(1)
-    <Quantity(46.5, 'footcandle')>
+    >>> print(typical("office")[0].low.to("fc").round(1))
+    46.5 footcandle
     """
     text = as_text(search)
     found = values_for(text)
