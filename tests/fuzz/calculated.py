@@ -20,7 +20,7 @@ from conftest import DOCS, ROOT, run
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.streams import calculated
 
-SHORT, LONG = 16, 4000
+SHORT, LONG = 10, 4000
 TRANSCRIPTS = [*sorted((ROOT / "tests" / "cases").glob("*.md")), *DOCS]
 PAGES = (
     "calorimeter", "direction", "etendue", "ev", "lambertian", "laser", "mesopic", "photon",

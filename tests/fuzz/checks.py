@@ -27,7 +27,7 @@ from radcalc.units.scales import find
 from radcalc.units.table import spellings, unit_of
 from radcalc.units.unit import Dimension
 
-SHORT, LONG = 400, 40_000
+SHORT, LONG = 200, 40_000
 LINKS = ("", "--spectrum D65", "--wavelength 555nm", "--efficacy 200lm/W")
 FLUX, RADIANCE, IRRADIANCE = (
     ("800lm", "3W", "5umol/s"),

@@ -12,7 +12,7 @@ import numpy as np
 
 from radcalc import Quantity, point_source
 
-SHORT, LONG = 4, 2000
+SHORT, LONG = 2, 2000
 CLOSED = (
     "intensity",
     "flux",

@@ -17,7 +17,7 @@ from radcalc.errors import RadcalcError
 from radcalc.geometry import directions, outline, polygons, projected, projections
 from radcalc.quantities.symbols import PROJECTIONS
 
-SHORT, LONG = 12, 2_000  # calls of each function
+SHORT, LONG = 6, 2_000  # calls of each function
 RIGHT = math.pi / 2
 EDGES = (
     0.0, -0.0, 5e-324, 1e-300, 1e-100, 1e-9, 0.5, 1.0, 3.0, RIGHT, math.nextafter(RIGHT, 0),

@@ -17,7 +17,7 @@ from fuzz.command import main
 
 from radcalc import Quantity, RadcalcError, point_source
 
-SHORT, LONG = 60, 1000
+SHORT, LONG = 30, 1000
 UNIFORM = (
     {"intensity": "1 cd"},
     {"intensity": "1 cd", "half_angle": "90 deg"},

@@ -27,7 +27,7 @@ from fuzz.processes import Seen, call
 from radcalc.cli.group import commands, context
 from radcalc.cli.names import COMMANDS
 
-SHORT, LONG = 600, 200_000
+SHORT, LONG = 200, 200_000
 ROOT = Path(__file__).parents[2]
 EXAMPLE = re.compile(r"^ +(?:.*\| *)?radcalc (\S.*?)(?: {2,}\S.*| [<>|].*)?$", re.MULTILINE)
 NUMBER = re.compile(r"\d[\d.]*(?:[eE][+-]?\d+)?")

@@ -29,7 +29,7 @@ from radcalc.sentences.phrases import FILLERS, MARKS, PHRASES
 from radcalc.sentences.vocabulary import names
 from radcalc.units.table import unit_of
 
-SHORT, LONG = 300, 100_000
+SHORT, LONG = 120, 100_000
 PREFIX = "read as: radcalc "
 NAMES_WITH_NUMBERS = ("угол излучения по уровню 10",)
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
