@@ -236,16 +236,6 @@ def fold(line: str, width: int, deeper: int = 0) -> list[str]:
     if columns_of(line) <= width:
         return [line]
     indent = " " * (len(line) - len(line.lstrip()) + deeper)
-    if columns_of(line) > len(line):
-        return _fold_wide(line, width, indent)
-    from textwrap import wrap
-
-    return wrap(
-        line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
-    ) or [""]
-
-
-def _fold_wide(line: str, width: int, indent: str) -> list[str]:
     lines, now = [], line[: len(line) - len(line.lstrip())]
     for word in line.split():
         gap = " " if now.strip() else ""
@@ -253,11 +243,12 @@ def _fold_wide(line: str, width: int, indent: str) -> list[str]:
             lines.append(now)
             now, gap = indent, ""
         now += gap
-        for letter in word:
-            if columns_of(word) > len(word) and columns_of(now + letter) > width and now.strip():
+        has_wide_letters = columns_of(word) > len(word)
+        for part in word if has_wide_letters else [word]:
+            if has_wide_letters and columns_of(now + part) > width and now.strip():
                 lines.append(now)
                 now = indent
-            now += letter
+            now += part
     return [*lines, now]
 
 

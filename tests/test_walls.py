@@ -381,8 +381,11 @@ def test_a_light_of_the_surroundings_loads_numpy_and_the_reader_of_its_format(
     assert not loaded & (HEAVY - {"click", "numpy"})
 
 
-def test_starting_does_not_look_for_translations_of_clicks_texts():
-    assert "locale" not in loaded_by("point-source", "--flux", "800lm", "--distance", "2m")
+@pytest.mark.parametrize(
+    "words", ["point-source -h", "point-source --flux 800lm --distance 2m -g lux:fc"]
+)
+def test_starting_neither_translates_texts_of_click_nor_looks_for_misspelt_options(words):
+    assert not {"locale", "difflib"} & loaded_by(*words.split())
 
 
 OF_COMMANDS = {

@@ -201,7 +201,7 @@ class SectionedCommand(Helped):
             if word.startswith("--") and name in seen - several:
                 raise UsageError(f"{quote(name)} is given twice", _once(name[2:], args[:end]))
             seen.add(name)
-        remaining = super().parse_args(ctx, self._with_long_names(args, end))
+        remaining = super().parse_args(ctx, args)
         for parameter in self.params:
             value = ctx.params.get(parameter.name or "")
             if value == "" or (
@@ -209,12 +209,6 @@ class SectionedCommand(Helped):
             ):
                 raise UsageError(f"{parameter.opts[0]} is empty", "a value, or without the option")
         return remaining
-
-    def _with_long_names(self, args: list[str], end: int) -> list[str]:
-        """Replace short options by long ones: Click first takes them for misspelt long ones."""
-        names = {short: p.opts[-1] for p in self.params for short in p.opts if short[1:2] != "-"}
-        last = min(end, len(args) - 1)  # an option without its value keeps the typed name
-        return [names.get(word, word) for word in args[:last]] + args[last:]
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         for title, listed in self.sections.items():

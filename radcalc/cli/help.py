@@ -105,6 +105,12 @@ class Helped(click.Command):
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         return [*self.params, *HELPS]
 
+    def make_parser(self, ctx: click.Context) -> click.parser._OptionParser:
+        """Make the parser; Click takes a short option for a misspelt long one at first."""
+        parser = super().make_parser(ctx)
+        parser._long_opt |= parser._short_opt
+        return parser
+
     def get_help(self, ctx: click.Context) -> str:
         formatter = _formatter(ctx)
         self.format_help(ctx, formatter)

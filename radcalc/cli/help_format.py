@@ -18,7 +18,12 @@ class HelpFormatter(click.HelpFormatter):
     is_colored = False
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-        super().write_usage(prog, args, self._heading(prefix or "Usage:") + " ")
+        heading = prefix or "Usage:"
+        column = len(f"{heading} {prog} ")
+        first, *more = fold(args, self.width - column)
+        self.write(f"{self._heading(heading)} {prog} {first}".rstrip() + "\n")
+        for line in more:
+            self.write(f"{'':{column}}{line}\n")
 
     def write_heading(self, heading: str) -> None:
         self.write(f"{'':{self.current_indent}}{self._heading(f'{heading}:')}\n")

@@ -5,6 +5,7 @@ Both come from the examples of the complete help: what they use most often is sh
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from inspect import cleandoc
 
 import click
@@ -76,10 +77,11 @@ def _examples(command: click.Command) -> Iterator[str]:
             yield from joined(lines[1:])
 
 
-def _options(line: str) -> set[str]:
+@cache
+def _options(line: str) -> frozenset[str]:
     """Return the options of an example."""
     call = line.strip().partition("  ")[0]
-    return {word.partition("=")[0] for word in call.split() if word[:1] == "-"}
+    return frozenset(word.partition("=")[0] for word in call.split() if word[:1] == "-")
 
 
 def _families(sections: Sections) -> dict[click.Option, set[str]]:
