@@ -382,7 +382,8 @@ def test_a_light_of_the_surroundings_loads_numpy_and_the_reader_of_its_format(
 
 
 @pytest.mark.parametrize(
-    "words", ["point-source -h", "point-source --flux 800lm --distance 2m -g lux:fc"]
+    "words",
+    ["point-source -h", "point-source --flux 800lm --distance 2m -g illuminance:fc --color never"],
 )
 def test_starting_neither_translates_texts_of_click_nor_looks_for_misspelt_options(words):
     assert not {"locale", "difflib"} & loaded_by(*words.split())
