@@ -117,6 +117,16 @@ MEANT = [
     ("800 lm cd --angle 36deg", "radcalc 800 lm cd --apex-angle 36deg"),
     ("point-source --lumens 800lm", "radcalc point-source --luminous-flux 800lm"),
     ("lamp", "radcalc point-source --help"),
+    ("-g", "radcalc --help"),
+    ("100 lx fc --quiet=5", "radcalc 100 lx fc --quiet\n     9.29"),  # 100 x 0.3048 x 0.3048
+    ("100 lx fc -n=5", "radcalc 100 lx fc -n\n     9.29"),
+    ("100 lx fc --format", "radcalc 100 lx fc --format plain\n     9.29"),
+    # 100 lm / (4 pi sr)
+    ("point-source --flux", "radcalc point-source --flux 100lm\n     intensity 7.95775 cd"),
+    (
+        "point-source --flux 100lm -g",
+        "radcalc point-source --flux 100lm\n     intensity 7.95775 cd",
+    ),
     ("point-source --f-number 2.8", "radcalc etendue --help\n     which has --f-number (also ev"),
     ("solid-angle cone --flux 5lm", "point-source, lambertian"),
     ("convert 1 cd lx --distance 1m:1e300m:2m", "at most 10000"),

@@ -72,7 +72,7 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     message = message.replace("a valid integer range", "a whole number in its range")
     if "unexpected extra argument" in message:
         return _unexpected(message.partition("(")[2].rstrip(")"), words)
-    hint = _of_value(error) or call(*filter(None, [called]), "--help")
+    hint = _of_value(error, called, words) or call(*filter(None, [called]), "--help")
     return RadcalcError(message[:1].lower() + message[1:].rstrip("."), hint)
 
 
@@ -85,10 +85,12 @@ def _unexpected(word: str, words: list[str]) -> RadcalcError:
     return RadcalcError(problem, _one_word(word, words) or alone)
 
 
-def _of_value(error: click.UsageError) -> Hint:
+def _of_value(error: click.UsageError, called: str, words: list[str]) -> Hint:
     """Propose values for an option: its choices, its example, or no value where it needs none."""
-    if isinstance(error, click.BadOptionUsage):  # the value is missing
-        return add(error.option_name.lstrip("-"))
+    if isinstance(error, click.BadOptionUsage):
+        name = error.option_name
+        needless = next((word for word in words if word.startswith(f"{name}=")), "")
+        return correct(needless, name) if needless else _with_value(name, called)
     option = error.param if isinstance(error, click.BadParameter) else None
     if option is None:
         return ""
@@ -98,6 +100,16 @@ def _of_value(error: click.UsageError) -> Hint:
         choices = [str(choice) for choice in option.type.choices]
         return [add(name, choice) for choice in nearest(typed, choices) or choices]
     return add(name) if name == "header" else ""
+
+
+def _with_value(typed: str, called: str) -> Hint:
+    """Propose values for an option that has none, or the call without it."""
+    from radcalc.quantities.symbols import SYMBOLS
+
+    option = next((p for p in parameters(called) if typed in p.opts), None)
+    if option and isinstance(option.type, click.Choice):
+        return [correct(typed, typed, str(choice)) for choice in option.type.choices]
+    return add(typed[2:]) if typed[2:] in SYMBOLS else drop(typed)
 
 
 def _one_word(unit: str, words: list[str]) -> list[Try]:
@@ -137,7 +149,8 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
     if near:
         return RadcalcError(problem, corrections(typed, *near))
     manual = call(*filter(None, [called]), "--help")
-    return RadcalcError(problem, manual if typed.startswith("--") else drop(typed))
+    is_alone = typed.startswith("--") or words == [typed]
+    return RadcalcError(problem, manual if is_alone else drop(typed))
 
 
 def _doubled(typed: str, known: list[str], words: list[str]) -> list[Try]:
