@@ -149,7 +149,16 @@ class Result(Mapping[str, Quantity]):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return the pickled form: everything shown, without the calculation."""
-        return _restored, (self.command, self._renderable, self._every, self._names)
+        shown = self.command, self._renderable, self._every, self._names
+        return _restored, (*shown, tuple(self._later))
+
+    def __copy__(self) -> "Result":
+        """Return the result itself, which never changes."""
+        return self
+
+    def __deepcopy__(self, memo: Any) -> "Result":
+        """Return the result itself, which never changes."""
+        return self
 
     def __dir__(self) -> list[str]:
         """List the results, by all of their names, with the other public attributes."""
@@ -293,15 +302,23 @@ def _is_same(first: Any, second: Any) -> bool:
 
 
 def _restored(
-    command: str, result: answer.Result, every: Mapping[str, Any], names: Sequence[str]
+    command: str,
+    result: answer.Result,
+    every: Mapping[str, Any],
+    names: Sequence[str],
+    on_request: Sequence[str],
 ) -> Result:
     problem = "a pickled result cannot be calculated again"
 
     def ask() -> "Question":
         raise ConditionError(problem, "radcalc.check of what the function gives")
 
+    def refuse(name: str) -> Any:
+        raise MissingResult(problem, f".{name} of what the function gives, before it is pickled")
+
     undrawn = Undrawn(problem, ".plot() of what the function gives")
-    return Result(command, lambda: result, every, names, ask, undrawn)
+    later = {name: partial(refuse, name) for name in on_request}
+    return Result(command, lambda: result, every, names, ask, undrawn, later)
 
 
 def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:

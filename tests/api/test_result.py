@@ -1,5 +1,6 @@
 """Results of functions: attributes, aliases, remarks and their display in a notebook."""
 
+import copy
 import json
 import pickle
 import shlex
@@ -322,6 +323,16 @@ def test_a_result_is_kept_by_pickle_and_is_equal_to_itself(what):
     assert again.to_dict() == found.to_dict()
     with pytest.raises(radcalc.ConditionError):
         radcalc.check(again, "1")
+
+
+def test_a_copy_has_the_results_on_request_and_a_pickle_those_requested_before():
+    lamp = radcalc.spectrum("LED-B3")
+    before = pickle.loads(pickle.dumps(lamp))
+    assert copy.copy(lamp).rf == copy.deepcopy(lamp).rf == lamp.rf
+    assert pickle.loads(pickle.dumps(lamp)).rf == lamp.rf
+    with pytest.raises(radcalc.RadcalcError, match="pickled") as caught:
+        before.rf  # noqa: B018
+    assert ".rf" in caught.value.hint
 
 
 @pytest.mark.parametrize(
