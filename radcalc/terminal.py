@@ -235,20 +235,22 @@ def fold(line: str, width: int, deeper: int = 0) -> list[str]:
     """
     if columns_of(line) <= width:
         return [line]
-    indent = " " * (len(line) - len(line.lstrip()) + deeper)
-    lines, now = [], line[: len(line) - len(line.lstrip())]
-    for word in line.split():
-        gap = " " if now.strip() else ""
-        if now.strip() and columns_of(now + gap + word) > width:
+    start = line[: len(line) - len(line.lstrip(" "))]
+    indent = start + " " * deeper
+    lines, now, gap = [], start, ""
+    for word in line.strip(" ").split(" "):  # "" between two blanks
+        if word and now.strip() and columns_of(now + gap + word) > width:
             lines.append(now)
             now, gap = indent, ""
-        now += gap
+        if word:
+            now, gap = now + gap, ""
         has_wide_letters = columns_of(word) > len(word)
         for part in word if has_wide_letters else [word]:
             if has_wide_letters and columns_of(now + part) > width and now.strip():
                 lines.append(now)
                 now = indent
             now += part
+        gap += " "
     return [*lines, now]
 
 

@@ -82,7 +82,9 @@ def say(words: list[str], listener: "Listener | None" = None) -> None:
     """Write how a call is read, unless it is quiet."""
     is_quiet = listener is not None and listener.settings.get("quiet")
     if not is_quiet and not {*words} & {*QUIET}:
-        terminal.say([f"read as: {pasted(words)}"])
+        from radcalc.sentences.products import assumptions_of
+
+        terminal.say([*terminal.remarks(assumptions_of(words), ()), f"read as: {pasted(words)}"])
 
 
 def redirected(error: RadcalcError, words: list[str]) -> RadcalcError:

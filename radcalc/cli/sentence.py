@@ -122,10 +122,11 @@ def meant(
         call = list(typed(call_of(sentence)))
     except RadcalcError as problem:
         has_readings = any(one.is_call for one in problem.tries)
-        is_free = asked[0] not in COMMANDS and (understood or has_readings)
+        is_several = isinstance(problem, SeveralReadings)
+        is_free = (asked[0] not in COMMANDS or is_several) and (understood or has_readings)
         is_long = isinstance(error, UsageError) and len(" ".join(asked).split()) > LONG
         has_option = any(word[:2] == "--" for word in asked)
-        is_long |= isinstance(problem, SeveralReadings) and not has_option
+        is_long |= is_several and not has_option
         is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
         raise (problem if is_better else error) from None
     if not is_other(call, asked, error):

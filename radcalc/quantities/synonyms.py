@@ -21,7 +21,7 @@ SYNONYMS = {
     "beam-angle": "angle beam spread",
     "off-axis-angle": "field-angle off-axis angle",
     "reflectance": "albedo reflectivity",
-    "wavelength": "lambda color colour",
+    "wavelength": "lambda",
     "spectrum": "illuminant lamp spd source",
     "distribution": "ies ldt file luminaire photometry",
     "precision": "digits decimals",

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import (
     MOST,
+    Hint,
     SeveralReadings,
     Try,
     UnitError,
@@ -24,6 +25,7 @@ from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import (
     FLAG,
+    SPECIFIC,
     SYMBOLS,
 )
 from radcalc.sentences.facts import (
@@ -72,7 +74,8 @@ OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}
 EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
-NEAR = 0.1  # of a temperature
+OF_ROOM = {"flux", "irradiance", "receiver-area"}
+NEAR = 0.05  # of a temperature
 # Usual fluorescent lamps of the CIE, with their colour temperatures as `spectrum` gives them.
 FLUORESCENT = {
     "FL2": "cool white, 4225 K",
@@ -103,6 +106,7 @@ def call_of(sentence: Sentence) -> list[str]:
         if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
             raise _without_value(sentence, fact, _goal_of(sentence))
     calls = _calls_of(sentence)
+    _refuse_room(calls)
     if len(calls) == 1:
         return list(calls[0])
     is_name = len(sentence.goals) == 1 and not (sentence.facts or sentence.files)
@@ -118,6 +122,28 @@ def call_of(sentence: Sentence) -> list[str]:
         )
     problem = f"'{quote(sentence.text)}' has {len(calls)} readings"
     raise SeveralReadings(problem, explained(calls))
+
+
+def _refuse_room(calls: Sequence[Sequence[str]]) -> None:
+    """Refuse the flux of lamps, the light on an area, and no target: a receiver, or a room."""
+    for command, *words in calls:
+        values = {
+            SPECIFIC.get(name, (name,))[0]: word for word in words for name, _ in [input_of(word)]
+        }
+        if command == "point-source" and {*values} == OF_ROOM:
+            size = input_of(values["receiver-area"])[1]
+            inputs = [word for name, word in values.items() if name != "receiver-area"]
+            room = ("room", f"area={size}", *inputs, "utilance=0.6")
+            raise SeveralReadings(
+                f"{quote(size)} is the area of a receiver or of a room",
+                [
+                    Try(
+                        words=room,
+                        remark="luminaires of a room, with a utilance of 0.6 as an example",
+                    ),
+                    Try(words=(command, *words, "get=distance"), remark="distance of one lamp"),
+                ],
+            )
 
 
 def _with_less(sentence: Sentence) -> list[Try]:
@@ -203,7 +229,11 @@ def _not_understood(sentence: Sentence) -> UsageError:
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
     corrected = next(filter(None, map(_corrected, unknown)), [])
     tries = [*corrected[:1], *_without(sentence)] or corrected
-    hint = tries or f"without {quote(unknown[0])}, or with another word for it"
+    changing = [word for text in unknown for word in text.split() if comparable(word) in MEANINGFUL]
+    if changing and not tries:
+        hint: Hint = call("manual", "sentences", remark="which has the words of sentences")
+    else:
+        hint = tries or f"without {quote(unknown[0])}, or with another word for it"
     return UsageError(f"{known}not understood: {listed(unknown)}", hint)
 
 

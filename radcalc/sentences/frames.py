@@ -54,7 +54,7 @@ SENSOR = _frame("sensor", "f-number pixel-pitch quantum-efficiency responsivity"
 FRAMES = (  # the first that takes all facts of a sentence counts
     _frame("ev", "stops nd", time="unfiltered-time"),
     _frame("ev", "f-number iso ev ev100 guide-number stops nd"),
-    _frame("room", "luminaires utilance maintenance", results="room-index"),
+    _frame("room", "luminaires utilance maintenance", results="room-index luminaires"),
     _frame("screen", "diagonal aspect gain"),
     _frame(
         "laser",
@@ -90,6 +90,7 @@ WAVES = ("frequency", "wavenumber", "photon-energy")  # given instead of a wavel
 TIMES_OF_FILTERS = {"time", "unfiltered-time", "stops", "nd"}
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
+EV = "EV"
 # Results that an input is for: they come before the others of their unit.
 OF_INPUT = {
     "receiver-area": "received-flux",
@@ -153,6 +154,8 @@ def _same(fact: Fact, goal: Goal) -> list[str]:
     """Return the conversion of the only amount, if it has the quantity of the goal."""
     amount, unit = fact.amount, goal.unit
     if amount is None or unit is None or amount.dimension != unit.dimension or unit.is_scale:
+        return []
+    if unit.dimension == NUMBER and fact.symbols:  # ND 1.2 in %
         return []
     return ["convert", *_operands(fact), goal.text]
 
@@ -265,7 +268,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
     target = _target(goal, facts[value], given) if goal else usual if len(given) == 1 else ""
     amount = facts[value].amount
-    if amount is None or (given and not target):
+    if amount is None or ((given or goal) and not target):
         return []
     if amount.dimension == NUMBER and given:  # a number whose unit is missing
         return []
@@ -296,7 +299,8 @@ def _target(goal: Goal, value: Fact, given: Facts) -> str:
         if light and symbol.geometry and symbol.kind in ("", light.kind):
             return specific_name(symbol.generic, light.kind).replace("-", " ")
     if not goal.unit and goal.names and not is_name(goal.text):  # lambda
-        return SYMBOLS[goal.names[0]].label
+        label = SYMBOLS[goal.names[0]].label
+        return label if is_name(label) else ""
     return goal.text
 
 
@@ -339,9 +343,9 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     listed = [name for name in dict.fromkeys(options) if name not in given]
     if not any(map(is_light, given.values())):  # ISO 100 is assumed, not found
         listed = [name for name in listed if "(default" not in page.symbol(name).help]
-    if "irradiance" in goal.names[1:] and "distance" in given:
-        goal = goal._replace(names=("irradiance",))  # an intensity would not need the distance
-    elif goal.text in listed:  # stops, ev100
+    if goal.unit and goal.unit.text == EV and page.accepts("iso") and _has_other_speed(given):
+        return ["ev", "ev100"]
+    if goal.text in listed and "irradiance" not in goal.names[1:]:  # stops, ev100; not intensity
         return [goal.text]
     if "diameter" in goal.names and "beam-diameter" in listed and "diameter" not in listed:
         return ["beam-diameter"]
@@ -352,6 +356,11 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     found = _called(goal, listed, own) if goal.names else _in_unit(goal.unit, listed, own)
     names = [result if SPECIFIC.get(result, ("",))[0] == name else name for name in found]
     return [f"{name}:{goal.text}" for name in names]
+
+
+def _has_other_speed(given: Facts) -> bool:
+    """Return whether an exposure value is that at the ISO speed, or that at ISO 100."""
+    return "iso" in given and given["iso"].text != "100"
 
 
 def _of_inputs(page: Page, goal: Goal) -> list[str]:

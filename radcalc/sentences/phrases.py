@@ -31,6 +31,7 @@ AMOUNTS = {
     "time": (TIME,),
     "number": (NUMBER,),  # of iso 100 lx, whose unit is asked for
     "ratio": (NUMBER,),  # with no unit after it
+    "percent": (NUMBER,),
     "power": (POWER,),
     "temperature": (TEMPERATURE,),
     "solid-angle": (SOLID_ANGLE,),
@@ -105,7 +106,9 @@ PHRASES = (
         ("isotropic|isotropically|omnidirectional|izotropní|изотропный", "isotropic", ""),
         ("in|into all directions uniformly?", "isotropic", ""),
         ("over|into {solid-angle}", "solid-angle"),
-        ("into|over a? hemisphere|half-sphere", "hemisphere", ""),
+        ("in|into|over|to? a? hemisphere|half-sphere", "hemisphere", ""),
+        ("hemisphere|half-sphere", "hemisphere", ""),
+        ("lambertian source|emitter|chip|led", "exponent", "1"),
         ("{angle} lobe|fwhm", "beam-angle"),
         ("beam angle fwhm {angle}", "beam-angle"),
         ("{angle} full cone|angle", "apex-angle"),
@@ -162,6 +165,7 @@ PHRASES = (
         ("through? {number} od filter|goggles?", FILTER, "{} OD"),
         ("reflectance|reflectivity|albedo of? {number}", "reflectance"),
         ("{number} reflectance|reflective|reflecting", "reflectance"),
+        ("{percent}", "reflectance"),
         ("{number} gain", "gain"),
         ("{number} white|grey|gray surface|paper|wall|board|card", "reflectance"),
         ("on|onto white|grey|gray|black surface|paper|wall|board|card?", "reflectance", ""),
@@ -335,8 +339,8 @@ CHANGES = """
     sodium fluorescent candle cool warm ten than third three through tilted inclined aimed times
     transmitted twenty thirty forty fifty twice two under-water up was without instead window
     gel goggles filter sensor lamps luminaires fixtures panels lights downlights fittings bulbs
-    lasers violet blue cyan green yellow orange red infrared ultraviolet uv white bez dva dvě
-    tři poloviční ne без два две три половина не
+    glass water hene lambertian lasers violet blue cyan green yellow orange red infrared
+    ultraviolet uv white bez dva dvě tři poloviční ne без два две три половина не
 """
 MEANINGFUL = frozenset(comparable(word) for word in CHANGES.split())
 # Colours and lasers, which add nothing where a wavelength is given.

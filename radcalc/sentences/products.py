@@ -1,5 +1,6 @@
 """Conversions of several amounts: products, quotients, and light at another distance."""
 
+import re
 from collections.abc import Sequence
 from functools import reduce
 
@@ -24,6 +25,8 @@ from radcalc.units.dimensions import (
 from radcalc.units.unit import NUMBER, Dimension, Unit
 
 DISTANCE = ("distance",)
+INVERSE_SQUARE = re.compile(r"\(.+\) \* \(.+\)\^2 / \(.+\)\^2|.+ \* sqrt\(\(.+\) / \(.+\)\)")
+SMALL_SOURCE = "a source small compared to both distances (the inverse square law)"
 PPFD = "umol/m2/s"  # which is a unit in expressions
 
 
@@ -110,6 +113,12 @@ def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
         place = f"{places[0].text} * sqrt(({known.text}) / ({wanted.text}))"
         return [["convert", place, _unit_text(places[0])]]
     return []
+
+
+def assumptions_of(call: Sequence[str]) -> list[str]:
+    """Return what the conversion of a sentence assumes, which its expression does not say."""
+    is_moved = call[0] == "convert" and any(map(INVERSE_SQUARE.fullmatch, call[1:2]))
+    return [SMALL_SOURCE] if is_moved else []
 
 
 def moved_either_way(facts: Sequence[Fact], goal: Goal | None) -> list[Try]:

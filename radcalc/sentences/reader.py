@@ -30,6 +30,7 @@ from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, uni
 from radcalc.tuples import NamedTuple
 from radcalc.units import horticulture
 from radcalc.units.dimensions import AREA, LENGTH
+from radcalc.units.reading import read_amount
 from radcalc.units.unit import NUMBER, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
@@ -45,7 +46,10 @@ RANGE = re.compile(
     f"{NUMBER_OF_RANGE} ?(nm|[uµμ]m)"
 )
 GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
+DENSITY = re.compile(r"nd\d+(?:\.\d+)?", re.IGNORECASE)
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
+ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
+LARGEST_EV = 40  # the sun's disc has 34
 MEAN = ("mean", "average")
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
 
@@ -113,7 +117,7 @@ def _apart(words: list[Word]) -> list[Word]:
         joint = GLUED.fullmatch(word.text)
         head = comparable(joint[1]) if joint else ""
         is_known = head in names(ENGLISH_ALONE) or head in literals()
-        if joint and is_known and not _is_whole(word):
+        if joint and is_known and not _is_whole(word) and not DENSITY.fullmatch(word.text):
             apart += [Word(joint[1], head), Word(joint[2], joint[2], word.is_last)]
         else:
             apart.append(word)
@@ -245,9 +249,25 @@ class _Reading:
             self.amounts[at] = amount_at(self.words, at)
         return self.amounts[at]
 
-    def number(self, at: int) -> Amount | None:
-        """Return the bare number of a word, without the unit that may follow."""
-        return amount_at(self.words[: at + 1], at) if at < len(self.words) else None
+    def _before_target(
+        self, at: int, amount: Amount, symbols: "tuple[str, ...]"
+    ) -> "Amount | None":
+        """Return the number of an amount whose unit is the target: gain 1.1 nits, iso 100 EV.
+
+        The target is the last word, or `in`, and the name is not asked for itself: f-stop 1000 lux.
+        """
+        is_in = self.words[amount.end - 1].folded in MARKS
+        is_last = all(ASPECT.fullmatch(word.text) for word in self.words[amount.end :])
+        is_asked = not (is_last or is_in) or not ASKED.isdisjoint(symbols)
+        number = amount_at(self.words[: at + 1], at)
+        if number is None or (is_asked and not amount.unit.is_scale):
+            return None
+        is_too_large = "ev" in symbols and read_amount(number.text).number > LARGEST_EV
+        return None if is_too_large else number
+
+    @staticmethod
+    def _is_number(amount: Amount) -> bool:
+        return amount.dimension == NUMBER and not amount.unit.is_scale
 
     def folded(self, at: int, end: int) -> str:
         return joined(self.words[at:end], True)
@@ -259,7 +279,7 @@ class _Reading:
         """Return the longest phrase at a place; of two of one length, the first."""
         ways = (
             self._range(at), self._phrases(at), self._named(at), self._spectrum(at), self._goal(at),
-            self._alone(at), self._file(at), self._aspect(at), self._filler(at), self._command(at),
+            self._alone(at), self._file(at), self._literal(at), self._filler(at), self._command(at),
         )  # fmt: skip
         found = [one for way in ways for one in way]
         return max(found, key=lambda one: one[0]) if found else (at + 1, "")
@@ -287,7 +307,7 @@ class _Reading:
     def _phrases(self, at: int) -> list[Found]:
         found: list[Found] = []
         for phrase, parts in patterns():
-            if match := self._match(parts, at):
+            if match := self._match(parts, at, phrase.fills):
                 end, amount = match
                 if amount and amount.is_wavelength and self._has_own(parts, end):
                     continue
@@ -300,14 +320,15 @@ class _Reading:
                     found.append((end, Fact(phrase.fills, text, self.text(at, end), amount)))
         return found
 
-    def _match(self, parts: "tuple[str, ...]", at: int) -> "tuple[int, Amount | None] | None":
+    def _match(
+        self, parts: "tuple[str, ...]", at: int, fills: "tuple[str, ...]"
+    ) -> "tuple[int, Amount | None] | None":
         amount: Amount | None = None
         for part in parts:
             if part[0] == "{":
                 amount = self.amount(at)
-                has_unit = amount and (amount.dimension != NUMBER or amount.unit.is_scale)
-                if part == "{number}" and has_unit:
-                    amount = self.number(at)  # iso 100 EV
+                if part == "{number}" and amount and not self._is_number(amount):
+                    amount = self._before_target(at, amount, fills)
                 if amount is None or not fits(amount, part[1:-1]):
                     return None
                 at = amount.end
@@ -333,7 +354,7 @@ class _Reading:
                 start += 1
             amount = self.amount(start)
             if start == end and amount and not _of_amount(symbols, amount):
-                amount = self.number(start)  # gain 1.1 nits
+                amount = self._before_target(start, amount, symbols)
                 symbols = tuple(
                     [n for n in symbols if NUMBER in SYMBOLS[n].dimensions and n not in COUNTS]
                 )
@@ -418,9 +439,12 @@ class _Reading:
         is_after = not is_start and self.words[at - 1].folded in THINGS
         return is_after or (not is_end and self.words[end].folded in NOUNS)
 
-    def _aspect(self, at: int) -> list[Found]:
+    def _literal(self, at: int) -> list[Found]:
+        """Find an aspect, 16:9, or a filter with its number, ND8 or ND0.9."""
         text = self.words[at].text
-        return [(at + 1, Fact(("aspect",), text, text))] if ASPECT.fullmatch(text) else []
+        forms = {"aspect": ASPECT, "nd": DENSITY}
+        names = [name for name, form in forms.items() if form.fullmatch(text)]
+        return [(at + 1, Fact((name,), text.upper(), text)) for name in names]
 
     def _file(self, at: int) -> list[Found]:
         text = self.words[at].text
@@ -453,6 +477,8 @@ def fits(amount: Amount, name: str) -> bool:
     """Return whether an amount may be in that place of a pattern."""
     if amount.dimension not in AMOUNTS[name]:
         return False
+    if name == "percent":
+        return amount.unit.text == "%"
     is_of_light = amount.dimension == LENGTH and name != "size"
     return not is_of_light or amount.is_wavelength == (name == "wavelength")
 

@@ -61,7 +61,14 @@ ANSWERED = [
     ("24W/m led tape 100lm/W length 5m lumens", 24 * 100 * 5, "lumens"),
     ("2400 lux minus 3 stops to lux", 2400 / 2**3, "lux"),
     ("transmission of an OD 1.3 filter", 100 * 10**-1.3, "%"),
-    ("intensity 2.5 m from a 100 W source isotropic", 100 / (4 * math.pi * 2.5**2), "W/m2"),
+    ("f-stop 1000 lux ISO 800 1/50 s", math.sqrt(1000 * 800 / 50 / 250), "1"),  # E = C N^2 / (t S)
+    ("ISO 1000 lux f/2.8 1/50 s", 250 * 2.8**2 * 50 / 1000, "1"),
+    ("EV 100 fc", math.log2(100 / FC / 2.5), "EV"),
+    ("ND64 in stops", 6, "1"),
+    ("800 lm in a hemisphere to cd", 800 / (2 * math.pi), "cd"),
+    ("800 lm hemisphere at 2 m to lx", 800 / (2 * math.pi) / 4, "lx"),
+    ("100 lm lambertian source to cd", 100 / math.pi, "cd"),
+    ("500 lx 80% to cd/m2", 0.8 * 500 / math.pi, "cd/m2"),
     ("field angle 3.5m wide pool at 9 m throw", math.degrees(2 * math.atan(3.5 / 18)), "deg"),
     ("DLI 40 over 12h, what PPFD", 40e6 / (12 * 3600), "umol/m2/s"),
     ("15x20 ft 500 lux lm", 500 * 15 * 20 * 0.3048**2, "lm"),
@@ -184,7 +191,20 @@ REFUSED = [
     ("64 deg full angle 46 1 lm to kcd", "", ""),
     ("24 deg x 12 deg 800 lm cd", "no command takes", ""),
     ("ev 12 2 stops to lx", "", ""),
-    ("ND64 in stops", "a density or a factor", "--nd ND64"),
+    ("ND 64 in stops", "a density or a factor", "--nd ND64"),
+    ("ND 1.2 in %", "no command takes", ""),
+    ("intensity 2.5 m from a 100 W source isotropic", "2 readings", "-g irradiance"),
+    ("800 lm at 2 m intensity", "2 readings", "63.662 cd"),  # 800 / (4 pi), not 800 / (16 pi)
+    ("EV f/5.6 1/125 ISO 800", "2 readings", "-g ev100"),
+    ("EV of 500 lux at ISO 800", "2 readings", "10.6439"),  # log2(500 8 / 2.5)
+    ("54 m2 500 lx 3600 lm", "a receiver or of a room", "--utilance 0.6\n"),
+    ("room 54 m2 500 lx 3600 lm", "a receiver or of a room", "luminaires 12.5"),  # 54 500/3600/0.6
+    ("how many fixtures 54 m2 500 lx 3600 lm", "needs further inputs", "--utilance 0.6"),
+    ("4500 K led cri", "no LED of the CIE has about 4500 K", "LED-B4"),
+    ("3000 K color", "", ""),
+    ("lamps of 800 lm at 2 m", "no command takes", ""),
+    ("wien 500 nm", "no command takes", ""),
+    ("30 deg from glass to air index 1.5", "not understood: glass", "radcalc manual sentences"),
     ("f/2.8 1/125 s iso 100 nd 0.9 filter to lx", "no command takes", ""),
     ("1000 cd at 45 deg beam at 3 m to lx", "not understood: at 45 deg beam", ""),
     ("1000 cd lens 50 mm lx", "", ""),
@@ -310,3 +330,8 @@ def test_a_refusal_in_python_is_that_of_the_function_that_is_meant(sentence, tex
 
 def test_an_amount_alone_is_a_quantity_in_python():
     assert radcalc.ask("300 lx + 20 fc").to("lx").magnitude == pytest.approx(300 + 20 / FC)
+
+
+def test_light_at_another_distance_states_its_law():
+    done = run("136", "fc", "at", "16", "m,", "how", "much", "at", "20", "m")
+    assert "assumed: a source small compared to both distances" in done.stderr
