@@ -16,7 +16,7 @@ from radcalc.api.reading import LIBRARIES, gathered, library_of, refuse_column
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.quantities.column_titles import is_same, read_title, refuse_misnamed
-from radcalc.quantities.symbols import QUANTITY, SYMBOLS
+from radcalc.quantities.symbols import QUANTITY, SPECTRUM, SYMBOLS
 from radcalc.units.ranges import floats
 from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Unit
@@ -59,7 +59,11 @@ class Columns(NamedTuple):
 
 def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, Any]]:
     """Return the columns among the arguments, and the arguments with arrays instead of columns."""
-    columns = {key: value for key, value in given.items() if library_of(magnitude_of(value))}
+    columns = {
+        key: value
+        for key, value in given.items()
+        if library_of(magnitude_of(value)) and not _is_spectrum(key)
+    }
     if not columns:
         return None, dict(given)
     for key, value in columns.items():
@@ -78,6 +82,12 @@ def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, An
         for (key, unit), column in zip(units.items(), aligned, strict=True)
     }
     return pattern, {**given, **arrays}
+
+
+def _is_spectrum(key: str) -> bool:
+    """Return whether an argument is a spectrum, which may be a whole table."""
+    symbol = SYMBOLS.get(symbol_name(key))
+    return symbol is not None and symbol.form == SPECTRUM
 
 
 def _is_quantity(column: Any) -> bool:
@@ -121,6 +131,8 @@ def _stated_unit(given: Any) -> Unit | None:
 
 def with_unit(column: Any, unit: Unit) -> Any:
     """Return a column without a unit in a unit; raise UnitError if it has another one."""
+    if type(column).__name__ != COLUMNS[library_of(column)]:
+        refuse_column(column, "the value")
     if stated := _stated_unit(column):
         problem = f"the column has the unit {quote(stated.text)}, and '{quote(unit.text)}' too"
         raise UnitError(problem, "only one of them")

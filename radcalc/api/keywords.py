@@ -40,6 +40,7 @@ Scalar: TypeAlias = str | Quantity | float
 Pair: TypeAlias = str | Sequence[int] | None
 Text: TypeAlias = str | None
 Path: TypeAlias = str | PathLike[str]
+Spectrum: TypeAlias = Path | Any  # a name, a file, arrays, a series or a data frame
 Distribution: TypeAlias = Any  # a name, a file, an expression, or an object with its methods
 Surroundings: TypeAlias = Path | Quantity | Array | Any
 Diffuse: TypeAlias = Literal["patch", "disc", "sphere", "rectangle", "plane", "hemisphere"]

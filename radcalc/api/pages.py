@@ -34,6 +34,7 @@ from radcalc.quantities.symbols import (
     POINT,
     QUANTITY,
     SPECIFIC,
+    SPECTRUM,
     VECTOR,
     Symbol,
     light_unit,
@@ -45,6 +46,7 @@ T = TypeVar("T")
 FORMS = {
     DIRECTION: "Direction",
     DISTRIBUTION: "Distribution",
+    SPECTRUM: "Spectrum",
     INTERVAL: "Interval",
     NUMBERS: "Numbers",
     PAIR: "Pair",

@@ -1,11 +1,19 @@
-"""Reading of a function's arguments: texts, quantities, numbers, and lists of them."""
+"""Reading of a function's arguments: texts, quantities, numbers, lists of them, and tables."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy
 
-from radcalc.api.quantity import is_lazy, is_quantity, plain, quantity, typed, unit_of
+from radcalc.api.quantity import (
+    is_lazy,
+    is_quantity,
+    magnitude_of,
+    plain,
+    quantity,
+    typed,
+    unit_of,
+)
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, option, quote
 from radcalc.inputs.given import Input, Inputs
@@ -19,6 +27,7 @@ from radcalc.quantities.symbols import (
     NUMBERS,
     POINT,
     QUANTITY,
+    SPECTRUM,
     SYMBOLS,
     VECTOR,
     article,
@@ -63,6 +72,10 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
         value = ",".join(map(as_text, value))
     if form == INTERVAL:
         value = as_interval(value)
+    if form == SPECTRUM and _is_table(value):
+        from radcalc.spectra.files import read_text
+
+        value = read_text(*table_of(value))
     return read(name, _owned(plain(value)), uncertain=True)
 
 
@@ -149,11 +162,58 @@ def library_of(value: Any) -> str:
     return root if root in LIBRARIES else ""
 
 
+def table_of(source: Any) -> tuple[str, str]:
+    """Return the kind of a table in memory, and its text, with a line for each wavelength."""
+    name = type(source).__name__
+    columns: Any = None
+    if _is_pair(source):
+        name = "arrays"
+        columns = dict(zip(map(_title, source, ("wavelength", "value")), source, strict=True))
+    elif library_of(source) and name == "Series" and hasattr(source, "index"):
+        columns = {source.index.name or "wavelength": source.index, source.name or "value": source}
+    elif library_of(source) and name == "DataFrame":
+        if hasattr(source, "index") and (source.index.name or len(source.columns) == 1):
+            source = source.reset_index()
+        columns = {title: source[title] for title in source.columns}
+    if columns is None:
+        hint = (
+            'radcalc.spectrum("D65"), radcalc.spectrum("FILE") or '
+            'radcalc.spectrum((wavelengths, values), unit="W/m2/nm")'
+        )
+        raise ConditionError(f"a spectrum is a text or a table, not of type {name}", hint)
+    arrays = [numpy.asarray(magnitude_of(values)) for values in columns.values()]
+    if any(array.shape != arrays[0].shape[:1] for array in arrays):
+        shapes = " and ".join(str(array.shape) for array in arrays)
+        raise ConditionError(
+            f"the wavelengths and the values have the shapes {shapes}", "arrays of one length"
+        )
+    rows = [columns, *zip(*(array.tolist() for array in arrays), strict=True)]
+    return name, "".join("\t".join(" ".join(str(c).split()) for c in row) + "\n" for row in rows)
+
+
+def _is_table(value: Any) -> bool:
+    """Return whether a spectrum is a table in memory, not a text or a file with its column."""
+    is_list = isinstance(value, (tuple, list)) and not all(isinstance(one, str) for one in value)
+    return bool(library_of(value)) or is_list or isinstance(value, numpy.ndarray)
+
+
+def _is_pair(value: Any) -> bool:
+    """Return whether a value is the wavelengths and the values of a spectrum."""
+    is_pair = isinstance(value, (tuple, list)) and len(value) == 2
+    return is_pair and not any(isinstance(one, str) for one in value)
+
+
+def _title(values: Any, name: str) -> str:
+    return f"{name} [{unit_of(values).text}]" if is_quantity(values) else name
+
+
 def refuse_column(value: Any, what: str) -> None:
     """Refuse an object of a library of tables if it would lose its names."""
     if library := library_of(value):
         problem = f"{what} is {article(type(value).__name__)} of {library}"
-        raise ConditionError(problem, ".to_numpy(), for its values alone")
+        is_frame = type(value).__name__ == "DataFrame"
+        hint = 'a column of it: frame["NAME"]' if is_frame else ".to_numpy(), for its values alone"
+        raise ConditionError(problem, hint)
 
 
 def read_points(point: Any) -> Input:

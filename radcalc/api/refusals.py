@@ -228,6 +228,8 @@ def _text(answer: Any) -> str:
         return in_short(answer)
     if isinstance(answer, tuple):
         return str(answer[0]).partition("\n")[0]
+    if isinstance(answer, dict):  # an answer for each day
+        return next((f"{period}: {_text(one)}" for period, one in answer.items()), "")
     return next(_rows(answer), "")
 
 

@@ -137,6 +137,12 @@ class Result(Mapping[str, Quantity]):
             raise AttributeError(name, name=name, obj=self)
         return self[name]
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Refuse to replace a result: an answer does not change."""
+        if name != "command" and not name.startswith("_"):
+            raise AttributeError(f"a result has no attribute that can be set: {name}")
+        super().__setattr__(name, value)
+
     def __eq__(self, other: object) -> bool:
         """Compare the results; arrays are equal if all elements are."""
         if not isinstance(other, Mapping):

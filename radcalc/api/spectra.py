@@ -5,18 +5,15 @@ from __future__ import annotations
 import os
 from typing import Any
 
-import numpy
-
 from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Amount, Path
 from radcalc.api.pages import of_page
-from radcalc.api.quantity import is_quantity, magnitude_of, unit_of
-from radcalc.api.reading import library_of
+from radcalc.api.reading import table_of
 from radcalc.api.result import Result
 from radcalc.calculators.photon import named
 from radcalc.calculators.photon import photon as of_photon
 from radcalc.calculators.spectrum import spectrum as of_spectrum
-from radcalc.errors import ConditionError, MissingInput, mention
+from radcalc.errors import MissingInput, mention
 from radcalc.inputs.given import Inputs
 from radcalc.spectra.files import read_text
 
@@ -71,44 +68,10 @@ def spectrum(
         text = os.fspath(source)
         chosen: Any = (text, *texts.values()) if operands else text
     else:
-        chosen = read_text(*_table(source), *texts.values())
-    requested = ("ssi",) if given.get("reference") else ()  # which it is for
+        chosen = read_text(*table_of(source), *texts.values())
+    requested = ("ssi",) if given.get("reference") is not None else ()  # which it is for
     symbols = {"spectrum": chosen, **given}
     return calculate("spectrum", symbols, of_spectrum, operands, requested=requested)
-
-
-def _table(source: Any) -> tuple[str, str]:
-    """Return the kind of a table in memory, and its text, with a line for each wavelength."""
-    name = type(source).__name__
-    columns: Any = None
-    is_pair = isinstance(source, (tuple, list)) and len(source) == 2
-    if is_pair and not any(isinstance(one, str) for one in source):
-        name = "arrays"
-        columns = dict(zip(map(_title, source, ("wavelength", "value")), source, strict=True))
-    elif library_of(source) and name == "Series" and hasattr(source, "index"):
-        columns = {source.index.name or "wavelength": source.index, source.name or "value": source}
-    elif library_of(source) and name == "DataFrame":
-        if hasattr(source, "index") and (source.index.name or len(source.columns) == 1):
-            source = source.reset_index()
-        columns = {title: source[title] for title in source.columns}
-    if columns is None:
-        hint = (
-            'radcalc.spectrum("D65"), radcalc.spectrum("FILE") or '
-            'radcalc.spectrum((wavelengths, values), unit="W/m2/nm")'
-        )
-        raise ConditionError(f"a spectrum is a text or a table, not of type {name}", hint)
-    arrays = [numpy.asarray(magnitude_of(values)) for values in columns.values()]
-    if any(array.shape != arrays[0].shape[:1] for array in arrays):
-        shapes = " and ".join(str(array.shape) for array in arrays)
-        raise ConditionError(
-            f"the wavelengths and the values have the shapes {shapes}", "arrays of one length"
-        )
-    rows = [columns, *zip(*(array.tolist() for array in arrays), strict=True)]
-    return name, "".join("\t".join(" ".join(str(c).split()) for c in row) + "\n" for row in rows)
-
-
-def _title(values: Any, name: str) -> str:
-    return f"{name} [{unit_of(values).text}]" if is_quantity(values) else name
 
 
 def _named(inputs: Inputs) -> Inputs:

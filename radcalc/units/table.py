@@ -6,7 +6,6 @@ Factors are exact ratios of whole numbers, so the factor between any two units i
 from radcalc.errors import (
     Hint,
     RadcalcError,
-    Try,
     UnitError,
     alternatives,
     ambiguous,
@@ -267,12 +266,15 @@ def _similar(spelling: str) -> "Hint":
     return corrections(spelling, *near) or f"{command('units')}, which lists them all"
 
 
-def _respelt(typed: str, prefix: str, rest: str) -> Try:
-    """Return the unit with its prefix in full if it takes the prefix, else without."""
+def _respelt(typed: str, prefix: str, rest: str) -> "Hint":
+    """Propose the prefix in the form of its unit: kilolumen for klumen, klm for kilolm."""
     name = NAMES.get(rest.lower(), "")
     if name and prefix in UNITS[name][3]:
         return correct(typed, prefix + rest.lower())
-    return correct(typed, rest, remark="with the power of ten in the number")
+    letters = [letter for letter, full in PREFIX_SYMBOLS.items() if full == prefix]
+    if rest in SYMBOLS and letters and prefix in UNITS[SYMBOLS[rest]][3]:
+        return correct(typed, letters[0] + rest)
+    return f"{quote(rest)}, with the power of ten in the number"
 
 
 def suggest(spelling: str) -> list[str]:

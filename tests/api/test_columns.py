@@ -164,6 +164,7 @@ def test_a_column_is_converted_to_readings_on_a_scale_and_to_another_quantity():
         (lambda: lamp(pd.DataFrame({"d [m]": METRES})), "distance is a DataFrame of pandas"),
         (lambda: lamp(pd.Index(METRES, name="d [m]")), "distance is an Index of pandas"),
         (lambda: lamp(pl.DataFrame({"d [m]": METRES})), "distance is a DataFrame of polars"),
+        (lambda: radcalc.convert(pd.DataFrame({"E": METRES}), "lx", "fc"), "value is a DataFrame"),
         (lambda: lamp(pd.Series(METRES, name="E [lx]")), "takes a length, not illuminance"),
         (lambda: lamp(pd.Series(METRES, name="P [dBm]")), "readings on a scale"),
         (

@@ -95,6 +95,7 @@ REFUSED = [
     (lambda: radcalc.dose(VALUES, STAMPS, unit="lx", samples="sums"), "unknown kind of samples"),
     (lambda: radcalc.dose(VALUES, STAMPS, unit="lx", invalid="fail"), "unknown treatment"),
     (lambda: radcalc.dose(VALUES, STAMPS, unit="lx", efficacy=["1 lm/W", "2 lm/W"]), "an array"),
+    (lambda: radcalc.dose([1, np.nan, 2], STAMPS, unit="lx", by="day"), "a value is missing"),
     (lambda: radcalc.dose("absent.csv"), "cannot read absent.csv"),
     (lambda: radcalc.dose("absent.csv", STAMPS), "times do not apply to a file"),
     (lambda: radcalc.dose(SERIES.to_frame()), "not a sequence, but a DataFrame"),
@@ -108,3 +109,9 @@ def test_a_log_that_has_no_dose_is_refused(call, said):
     with pytest.raises(RadcalcError, match=said) as caught:
         call()
     assert caught.value.hint
+
+
+def test_a_hint_has_the_answer_of_the_first_day():
+    """The readings of 2024-06-01 are two triangles of 250 umol/m2/s over 12 h on average."""
+    with pytest.raises(TypeError, match=r"max_gap=.*\n.*2024-06-01: exposure 10\.8 mol/m2"):
+        radcalc.dose(SERIES, by="day", maxgap="9h")

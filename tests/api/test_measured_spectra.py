@@ -48,6 +48,25 @@ def test_a_table_in_memory_is_a_spectrum(source, told):
 
 @for_each(
     [
+        (GRID, WATTS),
+        [GRID.tolist(), WATTS.tolist()],
+        pd.Series(WATTS, index=GRID),
+        pd.DataFrame(FRAME).set_index(TITLES[0]),
+    ]
+)
+def test_a_table_in_memory_is_the_spectrum_of_a_conversion(source):
+    fine = np.linspace(400, 700, 300_001)
+    watts = np.interp(fine, GRID, WATTS)
+    photons = trapezoids(watts * fine, fine) * 1e-9 / (PLANCK * LIGHT * AVOGADRO) * 1e6
+    efficacy = photons / trapezoids(WATTS, GRID)  # umol/J
+    found = radcalc.convert([1.0, 2.0], "W/m2", "umol/m2/s", spectrum=source)
+    assert found.magnitude == pytest.approx([efficacy, 2 * efficacy], rel=1e-9)
+    assert radcalc.factor("W/m2", "umol/m2/s", spectrum=source) == pytest.approx(efficacy)
+    assert float(radcalc.spectrum(source, reference=source).ssi) == 100
+
+
+@for_each(
+    [
         (5, "not of type int"),
         (WATTS, "not of type ndarray"),
         (pl.Series("E", WATTS), "not of type Series"),

@@ -335,6 +335,12 @@ def test_a_copy_has_the_results_on_request_and_a_pickle_those_requested_before()
     assert ".rf" in caught.value.hint
 
 
+def test_a_result_cannot_be_replaced():
+    with pytest.raises(AttributeError, match="illuminance"):
+        LAMP.illuminance = 5
+    assert not hasattr(LAMP, "__dict__") or "illuminance" not in vars(LAMP)
+
+
 @pytest.mark.parametrize(
     "other",
     [
