@@ -98,7 +98,7 @@ MEANT = [
     ("spectrum line:2.2eV", "563.408nm"),
     ("convert 5 W/m2/nm W/m2 --wavelength 550nm --bandwidth 30meV", "--bandwidth 7.25397THz"),
     ("lambertian --illuminance 500lx --reflectance 0.8", "--incident-irradiance 500lx for the"),
-    ("point-source --flux 5W --distance 2m -g illuminance", "--spectrum or --efficacy"),
+    ("point-source --flux 5W --distance 2m -g illuminance", "--spectrum sun\n     10.88"),
     ("calorimeter --mass 1kg", "--specific-heat with --temperature-rise"),
     ("lambertian disc --flux 5lm -g irradiance", "--radius with --distance"),
     ("point-source --intensity 5cd -g exposure", "--distance with --time"),

@@ -47,7 +47,7 @@ MOST_OF_A_UNIT = 5  # results to suggest for a unit
 LIKE = 4  # letters at the start of related words
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
 OF_ENDS = ("-low", "-high")
-LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
+LINKS_HINT = mention("{spectrum=sun}, {spectrum=LED-B3}, {wavelength} or {efficacy}")
 MISSING_LINK = "a wavelength, a spectrum or an efficacy that links them is missing"
 NEEDS_LINK = "needs the wavelength or the spectrum of the light, or an efficacy"
 

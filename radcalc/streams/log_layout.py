@@ -382,7 +382,7 @@ class Head(FirstRows):
         if unit is None:
             raise MissingInput(
                 f"{self.name}: the unit of the values is missing",
-                mention("{unit=lx}, or a title such as E [lx]"),
+                mention("{unit=lx}, {unit=umol/m2/s}, {unit=W/m2}, or a title such as E [lx]"),
             )
         if cell is not None:
             if declared and declared.dimension != (unit_of_meter(cell) or declared).dimension:

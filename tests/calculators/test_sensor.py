@@ -153,13 +153,13 @@ def test_assumptions_are_stated():
         ("--luminance 5cd/m2 --f-number 2 --quantum-efficiency 60 --wavelength 550nm", "from 0"),
         (
             "--illuminance 5lx --time 1s -g electrons",
-            "try: radcalc sensor --illuminance 5lx --time 1s -g electrons --wavelength 555nm "
+            "try: radcalc sensor --illuminance 5lx --time 1s -g electrons --spectrum sun "
             "--pixel-pitch 3.45um --quantum-efficiency 0.6\n",
         ),
         (
             "--illuminance 5lx --time 1s -g electrons --pixel-pitch 3um --quantum-efficiency 0.6",
             "--wavelength 555nm\n",
-            "--spectrum D65\n",
+            "--spectrum LED-B3\n",
         ),
         ("--pixel-pitch 3um --pixel-area 10um2 --irradiance 1W/m2", "contradicts the other inputs"),
     ],
