@@ -118,6 +118,9 @@ MEANT = [
     ("point-source --lumens 800lm", "radcalc point-source --luminous-flux 800lm"),
     ("lamp", "radcalc point-source --help"),
     ("-g", "radcalc --help"),
+    ("absent.ies", "the path of a file"),
+    ("examples/downlght.ies", "radcalc examples/downlight.ies\n     intensity 420"),  # the file's
+    ("100 lx absent.csv ppfd", "without absent.csv"),
     ("convert 5 micromol/s umol/s", "radcalc convert 5 umol/s umol/s\n     5 umol/s"),
     ("convert 5 kilolm lm", "radcalc convert 5 klm lm\n     5000 lm"),
     ("100 lx fc --quiet=5", "radcalc 100 lx fc --quiet\n     9.29"),  # 100 x 0.3048 x 0.3048

@@ -251,6 +251,8 @@ COMMANDS = {
         "--f-number 2.8 convert 100 lx fc", "convert has no --f-number option"),
     "an option alone is refused": ("-g", "radcalc has no -g option"),
     "two options alone are refused": ("-n -g", "radcalc has no -n option"),
+    "an absent file is not a command": ("absent.ies", "there is no file 'absent.ies'"),
+    "an absent file in a sentence": ("flux of absent.ies", "there is no file 'absent.ies'"),
     "a conversion has no option for the name of a result": (
         "convert 100 lx fc --get illuminance", "convert has no --get option", "-n"),
     "the help takes one command": (

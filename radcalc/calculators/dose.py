@@ -17,7 +17,7 @@ from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import Formula, coherent_unit_of, format_number, format_value, letter_of
-from radcalc.errors import ConditionError, NumberError, TooMany, Try, mention, option
+from radcalc.errors import ConditionError, NumberError, TooMany, Try, mention, option, quote
 from radcalc.files.text import ENDINGS
 from radcalc.inputs.given import Inputs
 from radcalc.laws.law import law
@@ -91,6 +91,10 @@ def check_unit(unit: Unit) -> None:
             return
         if reading.time:
             problem = f"{describe(unit)} is already integrated over time"
+            if reading.is_count:
+                remark = f"if '{quote(unit.text)}' means that, as in a logger"
+                meant = Try((("unit", "umol/m2/s"),), remark=remark)
+                raise ConditionError(problem, meant)
             raise ConditionError(problem, "samples of an irradiance, illuminance, PPFD or flux")
     raise ConditionError(
         f"the integral of {describe(unit)} over time is neither an exposure nor an energy",

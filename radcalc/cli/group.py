@@ -63,8 +63,10 @@ class Commands(Helped, click.Group):
         if is_sentence(args):
             return "convert", self.get_command(ctx, "convert"), args
         if args[0] not in COMMANDS and not args[0].startswith("-"):
-            from radcalc.cli.suggestions import meant
+            from radcalc.cli.suggestions import absent_file, meant
 
+            if absent := absent_file(args):
+                raise absent
             raise UsageError(f"unknown command '{quote(args[0].strip())}'", meant(args))
         return super().resolve_command(ctx, args)
 

@@ -1,8 +1,12 @@
 """Suggestions for a word that is not a command."""
 
+import os
+from contextlib import suppress
+
 from radcalc.calculators.pages import SUBJECTS
 from radcalc.cli.names import COMMANDS
-from radcalc.errors import Hint, Try, call, correct, corrections, nearest
+from radcalc.errors import Hint, Try, UsageError, call, correct, corrections, nearest, quote
+from radcalc.files.text import ENDINGS
 
 
 def meant(args: list[str]) -> Hint:
@@ -19,6 +23,23 @@ def meant(args: list[str]) -> Hint:
         tries = corrections(args[0], *names[:2])
         return tries if args[1:] else [call(names[0], "--help")]
     return looked_up(args[0]) or looked_up(" ".join(args)) or "radcalc --help"
+
+
+def absent_file(args: list[str]) -> UsageError | None:
+    """Return the error for a word with the ending of a file that does not exist, if any."""
+    from radcalc.routes.kinds import ENDINGS as OF_KINDS
+
+    endings = (*ENDINGS, *OF_KINDS)
+    absent = [a for a in args if a.lower().endswith(endings) and not os.path.exists(a)]
+    if not absent or absent[0][:1] == "-":
+        return None
+    folder, name = os.path.split(absent[0])
+    with suppress(OSError):
+        near = nearest(name, [one.name for one in os.scandir(folder or ".") if one.is_file()])
+        paths = [os.path.join(folder, one) for one in near]
+        hint = corrections(absent[0], *paths) or "the path of a file"
+        return UsageError(f"there is no file '{quote(absent[0])}'", hint)
+    return UsageError(f"there is no file '{quote(absent[0])}'", "the path of a file")
 
 
 def looked_up(word: str) -> Try | None:

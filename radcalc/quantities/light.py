@@ -149,6 +149,11 @@ class Reading(NamedTuple):
         return self.time, self.area, self.solid_angle
 
     @property
+    def is_count(self) -> bool:
+        """Return whether it is a number of photons, which growers and loggers write for a PPFD."""
+        return (self.kind, self.geometry) == (PHOTON, (1, 0, 0))
+
+    @property
     def is_radiance(self) -> bool:
         """Return whether it is per projected solid angle: a radiance, a luminance, a troland."""
         return bool(self.area and self.solid_angle)

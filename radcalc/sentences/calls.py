@@ -265,11 +265,13 @@ def _without(sentence: Sentence) -> list[Try]:
     has_bare_number = any(is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
     if has_bare_number or len(sentence.facts) + len(sentence.goals) < 2:
         return []
-    is_number = any(
-        not word[0].isalpha() or "=" in word for text in unknown for word in text.split()
+    is_number_or_file = any(
+        not word[0].isalpha() or "=" in word or "." in word.rstrip(".")
+        for text in unknown
+        for word in text.split()
     )
     words = {comparable(word) for text in unknown for word in text.split()}
-    if is_number or not MEANINGFUL.isdisjoint(words):
+    if is_number_or_file or not MEANINGFUL.isdisjoint(words):
         return []
     try:
         tries = [Try(words=tuple(call_of(sentence._replace(unknown=()))))]

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from functools import reduce
 
 from radcalc.errors import Try, quote
-from radcalc.quantities.light import PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import (
     SYMBOLS,
@@ -161,7 +160,7 @@ def _moved(light: Fact, places: Sequence[Fact], goal: Goal | None) -> list[str]:
 def is_micromoles(unit: Unit | None) -> bool:
     """Return whether a unit is that of a number of photons."""
     light = read_light(unit) if unit else None
-    return light is not None and (light.kind, light.geometry) == (PHOTON, (1, 0, 0))
+    return light is not None and light.is_count
 
 
 def _unit_text(fact: Fact) -> str:

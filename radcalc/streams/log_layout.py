@@ -32,7 +32,7 @@ from radcalc.quantities.column_titles import (
     unit_of_meter,
     unit_of_name,
 )
-from radcalc.quantities.light import RADIANT
+from radcalc.quantities.light import PHOTON, RADIANT
 from radcalc.quantities.light import read as read_light
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import looks_like_clock, looks_like_stamp
@@ -402,10 +402,15 @@ class Head(FirstRows):
         return unit if unit and read_light(unit) else None
 
     def _override(self, unit: Unit, declared: Unit, where: str, is_par: bool) -> None:
-        """State that the typed unit wins; refuse another quantity, but PAR may be in W/m2."""
+        """State that the typed unit wins; refuse another quantity.
+
+        But PAR may be in W/m2, and uE is what loggers write for umol/m2/s.
+        """
         reading = read_light(unit)
+        stated = read_light(declared)
+        is_short = stated and stated.is_count and reading and reading.kind == PHOTON
         may_be_par = is_par and reading and reading.kind == RADIANT
-        if declared.dimension != unit.dimension and not may_be_par:
+        if declared.dimension != unit.dimension and not (may_be_par or is_short):
             raise UsageError(
                 f"{option('unit', quote(unit.text))} contradicts the unit "
                 f"{quote(declared.text)} of {where}",
