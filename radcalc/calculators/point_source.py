@@ -84,6 +84,7 @@ PAGE = Page(
         "flux-within",
         "beam-flux",
     ),
+    ("beam-diameter",),
     about="Calculate the intensity, illuminance, distance or beam of a small source of light.",
     sections={
         "Light": (*QUANTITIES, "peak-intensity"),

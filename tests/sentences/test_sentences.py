@@ -197,6 +197,7 @@ REFUSED = [
     ("800 lm at 2 m intensity", "2 readings", "63.662 cd"),  # 800 / (4 pi), not 800 / (16 pi)
     ("EV f/5.6 1/125 ISO 800", "2 readings", "-g ev100"),
     ("EV of 500 lux at ISO 800", "2 readings", "10.6439"),  # log2(500 8 / 2.5)
+    ("pool diameter 26 deg at 12 m", "readings", "5.54084 m"),  # 2 12 m tan(13 deg)
     ("54 m2 500 lx 3600 lm", "a receiver or of a room", "--utilance 0.6\n"),
     ("room 54 m2 500 lx 3600 lm", "a receiver or of a room", "luminaires 12.5"),  # 54 500/3600/0.6
     ("how many fixtures 54 m2 500 lx 3600 lm", "needs further inputs", "--utilance 0.6"),
