@@ -118,6 +118,8 @@ MEANT = [
     ("point-source --lumens 800lm", "radcalc point-source --luminous-flux 800lm"),
     ("lamp", "radcalc point-source --help"),
     ("-g", "radcalc --help"),
+    # 0.3016: colour.wavelength_to_XYZ(550) of colour-science
+    ("spectrum line:550nm -g cct -g cri", "radcalc spectrum line:550nm -g x -g y\n     0.3016"),
     ("absent.ies", "the path of a file"),
     ("examples/downlght.ies", "radcalc examples/downlight.ies\n     intensity 420"),  # the file's
     ("100 lx absent.csv ppfd", "without absent.csv"),

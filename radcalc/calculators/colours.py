@@ -14,6 +14,7 @@ from radcalc.tuples import NamedTuple
 CHROMATICITY = "the chromaticity: x and y"
 UNSEEN = "this spectrum is invisible"
 LIT = "a spectrum with light from 360 nm to 830 nm"
+REDDEST = 1000  # temperature [K] of a light that may be called white: a candle has 1900
 COLOURS = ("x", "y", "cct", "duv", "cri")
 SPECIAL = tuple(f"r{k}" for k in range(1, 15))
 BINS = tuple(f"{name}-h{k}" for name, *_ in HUE_BINS for k in range(1, 17))
@@ -82,6 +83,9 @@ def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> 
         found.values.extend(_absent(("cct", "duv", *names), str(error)))
         return
     found.values.extend([value("cct", temperature), value("duv", distance)])
+    if temperature < REDDEST:
+        red = f"a light of {temperature:.4g} K is red: colour rendering is meant for white light"
+        found.notes.append(Remark(f"cct: {red}", ("cct", *names)))
     try:
         like = colorimetry.reference(temperature).moments(*colorimetry.AT)
         if not colorimetry.is_adapted(light):

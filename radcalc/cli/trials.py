@@ -4,6 +4,7 @@ import math
 import os
 from collections.abc import Sequence
 from contextlib import suppress
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import click
@@ -241,7 +242,19 @@ def changed(words: Words, proposal: Try) -> Words | None:
             return None
         call, place = _without(call, f"--{name}", known)
         call[place:place] = added
-    return call or None
+    return _once(call) or None
+
+
+def _once(call: Words) -> Words:
+    """Return a call without results that it asks for twice: -g x -g x."""
+    kept: Words = []
+    for at, word in enumerate(call):
+        pair = call[at - 1 : at + 1]
+        if at and pair[0] == "-g" and ("-g", word) in pairwise(kept):
+            kept.pop()
+        else:
+            kept.append(word)
+    return kept
 
 
 def _corrected(call: Words, *texts: str) -> Words | None:

@@ -21,9 +21,11 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     times,
 )
+from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Dimension, Unit
 
 DISTANCE = ("distance",)
+EFFICACY, EFFICACIES = "efficacy", ("lm/W", "umol/J")
 INVERSE_SQUARE = re.compile(r"\(.+\) \* \(.+\)\^2 / \(.+\)\^2|.+ \* sqrt\(\(.+\) / \(.+\)\)")
 SMALL_SOURCE = "a source small compared to both distances (the inverse square law)"
 PPFD = "umol/m2/s"  # which is a unit in expressions
@@ -46,7 +48,15 @@ def quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     else:
         return []
     target = _unit_of(goal, amounts)
-    return [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+    found = [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
+    if goal.names[:1] == (EFFICACY,) and not goal.unit:  # light per power, or its photons
+        found = [
+            ["convert", way, unit]
+            for way, dimension in ways.items()
+            for unit in EFFICACIES
+            if resolve(unit).dimension == dimension
+        ]
+    return found
 
 
 def _product_of_three(amounts: Sequence[Amount]) -> dict[str, Dimension]:

@@ -63,6 +63,7 @@ ANSWERED = [
     ("transmission of an OD 1.3 filter", 100 * 10**-1.3, "%"),
     ("f-stop 1000 lux ISO 800 1/50 s", math.sqrt(1000 * 800 / 50 / 250), "1"),  # E = C N^2 / (t S)
     ("ISO 1000 lux f/2.8 1/50 s", 250 * 2.8**2 * 50 / 1000, "1"),
+    ("efficacy 1700 umol/s 645 W", 1700 / 645, "umol/J"),
     ("EV 100 fc", math.log2(100 / FC / 2.5), "EV"),
     ("ND64 in stops", 6, "1"),
     ("800 lm in a hemisphere to cd", 800 / (2 * math.pi), "cd"),
