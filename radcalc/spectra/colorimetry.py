@@ -148,8 +148,9 @@ def temperature_and_distance(light: Light) -> tuple[float, float]:
     slopes = [point.slope(colour) for point in _steps()]
     k = next((k for k, slope in enumerate(slopes) if slope >= 0), 0)
     if not k:
-        end = "an infinite temperature" if slopes[0] >= 0 else f"{COLDEST:g} K"
-        raise Undefined(f"its chromaticity is beyond that of a black body of {end}")
+        is_blue = slopes[0] >= 0
+        like = "bluer than any black body" if is_blue else f"redder than one of {COLDEST:g} K"
+        raise Undefined(f"the light is {like}")
     point = _between(colour, STEPS[k - 1], STEPS[k], slopes[k - 1], slopes[k])
     away = math.dist(colour, point.place)
     if away > FARTHEST:

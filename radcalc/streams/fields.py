@@ -202,12 +202,15 @@ class Cut:
         regular = len(cells) == rows * (width + 1) - 1 and ends.count(b"\n") == rows - 1
         if not regular or width < fields.last or expected not in (0, width):
             return None
-        if adds and texts.form and b"%" not in block:
+        if texts.form and fields.is_one and b"%" not in block:
             # the lines are the form of their results, which are written at once
-            values = texts.values(cells[fields.last - 1 :: width + 1])
-            if values is None:
-                return None
-            return block.replace(b"\n", mark + texts.form + b"\n") % tuple(values)
+            column = slice(fields.last - 1, None, width + 1)
+            values = texts.values(cells[column])
+            if values is not None and adds:
+                return block.replace(b"\n", mark + texts.form + b"\n") % tuple(values)
+            if values is not None:
+                cells[column] = [texts.form] * rows
+                return (mark.join(cells).replace(end, b"\n") + b"\n") % tuple(values)
         for index in fields.of(width):
             column = texts.column(cells[index :: width + 1])
             if column is None:

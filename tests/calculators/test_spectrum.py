@@ -207,7 +207,7 @@ def test_the_lumens_outside_of_a_range_are_noted():
     ("source", "name", "reason"),
     [
         ("gaussian:530nm,30nm", "cct", "the CIE's limit is 0.05"),
-        ("gaussian:470nm,150nm", "duv", "beyond that of a black body of an infinite temperature"),
+        ("gaussian:470nm,150nm", "duv", "the light is bluer than any black body"),
         ("blackbody:1e5K", "cri", "CIE daylight, which ends at 25000 K"),
         ("line:2um", "cct", "this spectrum is invisible"),
         ("line:2um", "x", "this spectrum is invisible"),
