@@ -204,12 +204,12 @@ class Cut:
             return None
         if texts.form and fields.is_one and b"%" not in block:
             # the lines are the form of their results, which are written at once
-            column = slice(fields.last - 1, None, width + 1)
-            values = texts.values(cells[column])
+            place = slice(fields.last - 1, None, width + 1)
+            values = texts.values(cells[place])
             if values is not None and adds:
                 return block.replace(b"\n", mark + texts.form + b"\n") % tuple(values)
             if values is not None:
-                cells[column] = [texts.form] * rows
+                cells[place] = [texts.form] * rows
                 return (mark.join(cells).replace(end, b"\n") + b"\n") % tuple(values)
         for index in fields.of(width):
             column = texts.column(cells[index :: width + 1])

@@ -84,7 +84,7 @@ def test_the_rendering_of_hp1_is_from_the_full_table():
         ("gaussian:470nm,150nm", "bluer than any black body"),
         ("line:700nm", "250 K"),
         ("gaussian:530nm,30nm", "limit is 0.05"),
-        ("line:400nm", "infinite"),
+        ("line:400nm", "bluer"),
     ],
 )
 def test_a_missing_colour_temperature_has_a_reason(text, reason):
