@@ -118,6 +118,8 @@ MEANT = [
     ("point-source --lumens 800lm", "radcalc point-source --luminous-flux 800lm"),
     ("lamp", "radcalc point-source --help"),
     ("-g", "radcalc --help"),
+    ("convert 400 umol/m2/s mol/m2/day --photoperiod 16h", "23.04 mol/m2"),  # 400 16 3600 / 1e6
+    ("convert 23.04 mol/m2/d ppfd --photoperiod 16h", "radcalc convert 23.04 dli ppfd"),
     # 0.3016: colour.wavelength_to_XYZ(550) of colour-science
     ("spectrum line:550nm -g cct -g cri", "radcalc spectrum line:550nm -g x -g y\n     0.3016"),
     ("absent.ies", "the path of a file"),

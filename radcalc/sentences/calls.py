@@ -325,7 +325,7 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
     """
     units = [fact.amount.unit for fact in sentence.facts if fact.amount]
     units += [goal.unit] if goal and goal.unit else []
-    if any(map(is_bare, sentence.facts)):  # 1 sun has an unknown unit
+    if not units or any(map(is_bare, sentence.facts)):  # cri hps; 1 sun has an unknown unit
         return sentence
     has_efficacy = any(unit.dimension in SYMBOLS["efficacy"].dimensions for unit in units)
     if not has_efficacy and len({light.kind for unit in units if (light := read_light(unit))}) > 1:

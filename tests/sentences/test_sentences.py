@@ -337,3 +337,10 @@ def test_an_amount_alone_is_a_quantity_in_python():
 def test_light_at_another_distance_states_its_law():
     done = run("136", "fc", "at", "16", "m,", "how", "much", "at", "20", "m")
     assert "assumed: a source small compared to both distances" in done.stderr
+
+
+@for_each([("cri hps", "HPS -g cri"), ("cct of hps", "HPS -g cct"), ("led cri", "led -g cri")])
+def test_a_lamp_alone_is_asked_for_its_colour(sentence, call):
+    done = run(*sentence.split())
+    assert done.returncode == 0, done.stderr
+    assert f"read as: radcalc spectrum {call}".lower() in done.stderr.lower()
