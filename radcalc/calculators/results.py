@@ -13,6 +13,7 @@ from radcalc.errors import (
     NumberError,
     RadcalcError,
     Try,
+    UnitError,
     UnknownResult,
     UsageError,
     add,
@@ -29,8 +30,10 @@ from radcalc.maths import SMALLEST, is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import (
+    NUMBERS_ALONE,
     SPECIFIC,
     SYMBOLS,
+    article,
     generic_name,
     light_unit,
     specific_name,
@@ -38,7 +41,7 @@ from radcalc.quantities.symbols import (
 from radcalc.quantities.synonyms import meant
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import Dimension, Unit
+from radcalc.units.unit import NUMBER, Dimension, Unit
 
 if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit
@@ -102,6 +105,10 @@ def known(given: Input, *more_units: str) -> Value:
 def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     """Return a value in a unit, or its reading on a scale; `among` are results to suggest."""
     _refuse_absent(value)
+    if unit.dimension == NUMBER and unit.factor != 1 and value.name in NUMBERS_ALONE:
+        typed = f"{value.name}:{unit.text}"
+        problem = f"{article(value.label)} is a number without a unit, not in {quote(unit.text)}"
+        raise UnitError(problem, correct(typed, value.name))
     if unit.is_scale:
         return _on_scale(value, cast("ScaleUnit", unit), among)
     amount = value.reach.get(unit.dimension)

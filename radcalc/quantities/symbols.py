@@ -581,6 +581,16 @@ _INNER = (
     _symbol(NUMBER, "sun-height", "sin(γ_s)"),
     _symbol(NUMBER, "relative-radiance", "l_w"),
 )
+# Numbers that are not a part of a whole: a colour rendering index of 80 is not 8000 %.
+NUMBERS_ALONE = frozenset(
+    [
+        *("ev", "ev100", "iso", "nd", "stops", "f-number", "working-f-number", "index", "exponent"),
+        *("luminaires", "luminaires-to-install", "room-index", "samples", "gaps", "electrons"),
+        *("duv", "cri", "rf", "rg", "ssi", "srgb-red", "srgb-green", "srgb-blue"),
+        *(f"r{k}" for k in range(1, 15)),
+        *(f"{name}-h{k}" for name in ("rf", "rhs") for k in range(1, 17)),
+    ]
+)
 INNER = frozenset({*(symbol.name for symbol in _INNER), "scale"})
 
 # Light quantities by generic names, which serve every kind: geometry, letter, help, and the pattern

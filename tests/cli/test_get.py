@@ -24,7 +24,14 @@ from radcalc.cli import answers
 from radcalc.cli.compile import command_of
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
-from radcalc.quantities.symbols import EFFICACIES, SPECIFIC, SYMBOLS, light_unit, specific_name
+from radcalc.quantities.symbols import (
+    EFFICACIES,
+    NUMBERS_ALONE,
+    SPECIFIC,
+    SYMBOLS,
+    light_unit,
+    specific_name,
+)
 from radcalc.units.table import spellings, unit_of
 
 OTHERS = {"columns", "convert", "examples", "help", "manual", "mark"}
@@ -163,6 +170,8 @@ def is_right(name, found, unit, rows):
     if name == "photon-energy":  # in J, or in J for each photon
         own += [own[0] * Q(1, "photon"), own[0] / Q(1, "photon")]
     for amount in own:
+        if name in NUMBERS_ALONE and unit.dimensionless and unit.to("").magnitude != 1:
+            return found is None
         if amount.dimensionality == unit.dimensionality:
             return found is not None and is_near(found, amount)
     return found is None or any(is_near(found, amount) for amount in in_other_kinds(name, rows))
