@@ -102,10 +102,15 @@ def known(given: Input, *more_units: str) -> Value:
     return value(given.name, given.value, *units)._replace(given=given.number)
 
 
+def is_alone(name: str, unit: Unit) -> bool:
+    """Return whether a result is a number alone, and a unit a part of a whole: %, ppm."""
+    return name in NUMBERS_ALONE and unit.dimension == NUMBER and unit.factor != 1
+
+
 def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     """Return a value in a unit, or its reading on a scale; `among` are results to suggest."""
     _refuse_absent(value)
-    if unit.dimension == NUMBER and unit.factor != 1 and value.name in NUMBERS_ALONE:
+    if is_alone(value.name, unit):
         typed = f"{value.name}:{unit.text}"
         problem = f"{article(value.label)} is a number without a unit, not in {quote(unit.text)}"
         raise UnitError(problem, correct(typed, value.name))

@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.result_names import meant
-from radcalc.calculators.results import in_unit, measured_in, name_in, of_kind, pick, right_names
+from radcalc.calculators.results import (
+    in_unit,
+    is_alone,
+    measured_in,
+    name_in,
+    of_kind,
+    pick,
+    right_names,
+)
 from radcalc.derivation import format_number, with_unit
 from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework import uncertainty
@@ -410,6 +418,8 @@ def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> 
 
 def _fits(value: Value, unit: Unit) -> bool:
     dimensions = (*value.dimensions, *value.reach)
+    if is_alone(value.name, unit):
+        return False
     if isinstance(unit, ScaleUnit):
         if unit.text in value.units:
             return True
