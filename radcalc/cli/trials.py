@@ -124,6 +124,8 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
             continue
         if not all(map(str.isprintable, call)):  # cannot be pasted
             continue
+        if any(("-g", name) in pairwise(call) for name, _ in proposal.inputs):  # asked for itself
+            continue
         trial = Trial(call, proposal.remark)
         try:
             answered = trial.answered()

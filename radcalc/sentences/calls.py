@@ -105,6 +105,7 @@ def call_of(sentence: Sentence) -> list[str]:
     for fact in sentence.facts:
         if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
             raise _without_value(sentence, fact, _goal_of(sentence))
+    _refuse_percentage(sentence, _goal_of(sentence))
     calls = _calls_of(sentence)
     _refuse_room(calls)
     if len(calls) == 1:
@@ -122,6 +123,18 @@ def call_of(sentence: Sentence) -> list[str]:
         )
     problem = f"'{quote(sentence.text)}' has {len(calls)} readings"
     raise SeveralReadings(problem, explained(calls))
+
+
+def _refuse_percentage(sentence: Sentence, goal: Goal | None) -> None:
+    """Refuse a percentage without a name, unless it is the reflectance of a surface that shines."""
+    reading = read_light(goal.unit) if goal and goal.unit else None
+    names = {SPECIFIC.get(name, (name,))[0] for name in goal.names} if goal else set()
+    if (reading and reading.is_radiance) or names & {"radiance", "exitance"}:
+        return
+    for fact in sentence.facts:
+        if fact.symbols == ("reflectance",) and fact.typed == fact.text and "%" in fact.text:
+            problem = f"{quote(fact.text)} may be a reflectance, a transmittance or another part"
+            raise UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
 
 
 def _refuse_room(calls: Sequence[Sequence[str]]) -> None:
@@ -215,7 +228,11 @@ def _watts_of_lamp(sentence: Sentence) -> Fact | None:
 def _with_values(sentence: Sentence) -> Sentence:
     """Return a sentence without places that have their value elsewhere: `white`, and its 0.7."""
     valued = {name for fact in sentence.facts if fact.text for name in fact.symbols}
-    facts = [fact for fact in sentence.facts if fact.text or valued.isdisjoint(fact.symbols)]
+    facts = [
+        fact
+        for fact in sentence.facts
+        if fact.text or valued.isdisjoint(fact.symbols) or fact.symbols == ("spectrum",)
+    ]
     return sentence._replace(facts=tuple(facts))
 
 
@@ -336,7 +353,7 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
 
 def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence[str]]) -> None:
     """Refuse the flux of a source with a beam as if it lit all directions alike."""
-    directed = sentence.fillers(BEAM)
+    directed = sentence.fillers(BEAM) or [LASER] * sentence.has(LASER)
     names = {input_of(word)[0] for call in calls[:1] for word in call}
     asked = {*goal.names} if goal else set()
     is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})

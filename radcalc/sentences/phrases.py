@@ -266,8 +266,8 @@ SOURCES = """
 BEAM, LAMP, LIGHT, METER, SUN, LASER = "beam", "lamp", "light", "meter", "sun", "laser"
 OF_BEAMS = """
     beam collimated downlight flashlight flood floodlight focused focussed followspot fresnel
-    headlamp headlight laser moving-head pointer profile projector searchlight sky spot spotlight
-    sun torch лазер лазера
+    headlamp headlight laser moving-head par16 par20 par30 par36 par38 par46 par56 par64 parcan
+    pointer profile projector searchlight sky softbox spot spotlight sun torch лазер лазера
 """
 # Things that are lit: a length next to one of these may be its size, not a distance.
 OBJECTS = """

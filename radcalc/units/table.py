@@ -48,6 +48,7 @@ COMMON_PREFIXES = "GMkcmun"
 SUGGESTED = 3  # spellings near an unknown one
 # Names of scales; they are handled above and not looked up in other languages.
 SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
+WHOLES = ("hemisphere", "spat")  # solid angles over which light is not alike
 PARTS = ("percent", "permille", "ppm", "ppb")
 
 
@@ -102,6 +103,11 @@ def _read(text: str) -> Unit | str:
         is_light = is_light or _counts_light(powers)
     if loose and is_light and "(" not in text:
         raise _multiplied_by_length(text, loose)
+    length, mass, *_ = unit.dimension
+    is_on_area = is_light and length - 2 * mass == -2  # W has m2 kg
+    if is_on_area and any((name, 1) in unit.atoms for name in WHOLES):
+        problem = f"the unit '{quote(text)}' has a radiance times a whole solid angle"
+        raise UnitError(problem, f"{command('lambertian')}, for the light of a surface")
     if unit.dimension[COUNT_AT] and ("day", -1) in unit.atoms:
         unit.notes += (f"{quote(text)} is a rate over 24 h (a daily light integral is in dli)",)
     return _as_wavenumber(unit, inverted)

@@ -64,6 +64,8 @@ ANSWERED = [
     ("f-stop 1000 lux ISO 800 1/50 s", math.sqrt(1000 * 800 / 50 / 250), "1"),  # E = C N^2 / (t S)
     ("ISO 1000 lux f/2.8 1/50 s", 250 * 2.8**2 * 50 / 1000, "1"),
     ("efficacy 1700 umol/s 645 W", 1700 / 645, "umol/J"),
+    ("500 nits hemisphere to lx", 500 * math.pi, "lx"),  # pi sr projected, not 2 pi sr
+    ("1 mW 650 nm laser 1 mm beam to W/cm2", 1e-3 / (math.pi * 0.05**2), "W/cm2"),
     ("EV 100 fc", math.log2(100 / FC / 2.5), "EV"),
     ("ND64 in stops", 6, "1"),
     ("800 lm in a hemisphere to cd", 800 / (2 * math.pi), "cd"),
@@ -199,6 +201,10 @@ REFUSED = [
     ("EV f/5.6 1/125 ISO 800", "2 readings", "-g ev100"),
     ("EV of 500 lux at ISO 800", "2 readings", "10.6439"),  # log2(500 8 / 2.5)
     ("pool diameter 26 deg at 12 m", "readings", "5.54084 m"),  # 2 12 m tan(13 deg)
+    ("1 mW 650 nm laser at 10 m to lux", "'laser' has a beam", "--apex-angle 30deg"),
+    ("PAR64 2000 lm at 5 m to lx", "'PAR64' has a beam", "--apex-angle 30deg"),
+    ("700 ppfd mercury fluorescent to lx", "lamps of this kind differ", ""),
+    ("100 cd at 2 m 50% to lx", "may be a reflectance", "500*0.8 lx"),
     ("54 m2 500 lx 3600 lm", "a receiver or of a room", "--utilance 0.6\n"),
     ("room 54 m2 500 lx 3600 lm", "a receiver or of a room", "luminaires 12.5"),  # 54 500/3600/0.6
     ("how many fixtures 54 m2 500 lx 3600 lm", "needs further inputs", "--utilance 0.6"),
