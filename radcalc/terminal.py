@@ -233,7 +233,7 @@ def fold(line: str, width: int, deeper: int = 0) -> list[str]:
 
     A word with wide letters, which has no blanks where it may be divided, is divided anywhere.
     """
-    if columns_of(line) <= width:
+    if columns_of(line) <= width or not line.strip():
         return [line]
     start = line[: len(line) - len(line.lstrip(" "))]
     indent = start + " " * deeper

@@ -124,9 +124,8 @@ def explain(value: Number, target: str, to: str | None = None, **conditions: Any
     ('uniform over 4 pi sr (isotropic)',)
     """
     value, target = _with_unit(value, target, to)
-    if isinstance(value, (list, tuple)) or any(
-        getattr(argument, "shape", ()) for argument in (value, *conditions.values())
-    ):
+    amounts = (value, *(given for name, given in conditions.items() if name != "spectrum"))
+    if isinstance(value, (list, tuple)) or any(getattr(one, "shape", ()) for one in amounts):
         raise ConditionError("explain takes single values, not arrays", "one of each")
     conversion, magnitude, given = _plan(value, target, conditions)
     for condition in given:

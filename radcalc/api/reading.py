@@ -65,6 +65,10 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
     if name in intervals:
         return read_interval(name, as_interval(value))
     form = SYMBOLS[name].form
+    if form == SPECTRUM and _is_table(value):
+        from radcalc.spectra.files import read_text
+
+        value = read_text(*table_of(value))
     value = _gathered(name, value)
     if isinstance(value, (list, tuple)) and any(map(is_quantity, value)):
         if form not in (DIRECTION, POINT, VECTOR, NUMBERS):
@@ -72,10 +76,6 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
         value = ",".join(map(as_text, value))
     if form == INTERVAL:
         value = as_interval(value)
-    if form == SPECTRUM and _is_table(value):
-        from radcalc.spectra.files import read_text
-
-        value = read_text(*table_of(value))
     return read(name, _owned(plain(value)), uncertain=True)
 
 
@@ -182,7 +182,7 @@ def table_of(source: Any) -> tuple[str, str]:
         )
         raise ConditionError(f"a spectrum is a text or a table, not of type {name}", hint)
     arrays = [numpy.asarray(magnitude_of(values)) for values in columns.values()]
-    if any(array.shape != arrays[0].shape[:1] for array in arrays):
+    if any(array.ndim != 1 or array.shape != arrays[0].shape for array in arrays):
         shapes = " and ".join(str(array.shape) for array in arrays)
         raise ConditionError(
             f"the wavelengths and the values have the shapes {shapes}", "arrays of one length"
@@ -193,8 +193,9 @@ def table_of(source: Any) -> tuple[str, str]:
 
 def _is_table(value: Any) -> bool:
     """Return whether a spectrum is a table in memory, not a text or a file with its column."""
-    is_list = isinstance(value, (tuple, list)) and not all(isinstance(one, str) for one in value)
-    return bool(library_of(value)) or is_list or isinstance(value, numpy.ndarray)
+    if isinstance(value, (tuple, list)):
+        return not value or not all(isinstance(one, str) for one in value)
+    return bool(library_of(value)) or is_quantity(value) or isinstance(value, numpy.ndarray)
 
 
 def _is_pair(value: Any) -> bool:

@@ -312,7 +312,7 @@ def _restored(
     result: answer.Result,
     every: Mapping[str, Any],
     names: Sequence[str],
-    on_request: Sequence[str],
+    on_request: Sequence[str] = (),
 ) -> Result:
     problem = "a pickled result cannot be calculated again"
 

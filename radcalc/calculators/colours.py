@@ -85,7 +85,7 @@ def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> 
     found.values.extend([value("cct", temperature), value("duv", distance)])
     if temperature < REDDEST:
         red = f"a light of {temperature:.4g} K is red: colour rendering is meant for white light"
-        found.notes.append(Remark(f"cct: {red}", ("cct", *names)))
+        found.notes.append(Remark(f"cri: {red}", names))
     try:
         like = colorimetry.reference(temperature).moments(*colorimetry.AT)
         if not colorimetry.is_adapted(light):

@@ -92,7 +92,7 @@ def check_unit(unit: Unit) -> None:
         if reading.time:
             problem = f"{describe(unit)} is already integrated over time"
             if reading.is_count:
-                remark = f"if '{quote(unit.text)}' means that, as in a logger"
+                remark = f"if '{quote(unit.text)}' is short for it, as loggers write"
                 meant = Try((("unit", "umol/m2/s"),), remark=remark)
                 raise ConditionError(problem, meant)
             raise ConditionError(problem, "samples of an irradiance, illuminance, PPFD or flux")

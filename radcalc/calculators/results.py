@@ -33,7 +33,6 @@ from radcalc.quantities.symbols import (
     NUMBERS_ALONE,
     SPECIFIC,
     SYMBOLS,
-    article,
     generic_name,
     light_unit,
     specific_name,
@@ -112,7 +111,7 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     _refuse_absent(value)
     if is_alone(value.name, unit):
         typed = f"{value.name}:{unit.text}"
-        problem = f"{article(value.label)} is a number without a unit, not in {quote(unit.text)}"
+        problem = f"{value.name} is a number without a unit, not in {quote(unit.text)}"
         raise UnitError(problem, correct(typed, value.name))
     if unit.is_scale:
         return _on_scale(value, cast("ScaleUnit", unit), among)

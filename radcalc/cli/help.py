@@ -106,7 +106,10 @@ class Helped(click.Command):
         return [*self.params, *HELPS]
 
     def make_parser(self, ctx: click.Context) -> click.parser._OptionParser:
-        """Make the parser; Click takes a short option for a misspelt long one at first."""
+        """Make the parser with short options among the long ones.
+
+        Click takes them for misspelt long ones otherwise, and compares them with all options.
+        """
         parser = super().make_parser(ctx)
         parser._long_opt |= parser._short_opt
         return parser

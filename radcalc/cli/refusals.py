@@ -90,7 +90,8 @@ def _of_value(error: click.UsageError, called: str, words: list[str]) -> Hint:
     if isinstance(error, click.BadOptionUsage):
         name = error.option_name
         needless = next((word for word in words if word.startswith(f"{name}=")), "")
-        return correct(needless, name) if needless else _with_value(name, called)
+        is_needless = "does not take a value" in error.format_message()
+        return correct(needless, name) if is_needless else _with_value(name, called)
     option = error.param if isinstance(error, click.BadParameter) else None
     if option is None:
         return ""

@@ -2,6 +2,7 @@
 
 import os
 from contextlib import suppress
+from itertools import takewhile
 
 from radcalc.calculators.pages import SUBJECTS
 from radcalc.cli.names import COMMANDS
@@ -26,20 +27,24 @@ def meant(args: list[str]) -> Hint:
 
 
 def absent_file(args: list[str]) -> UsageError | None:
-    """Return the error for a word with the ending of a file that does not exist, if any."""
+    """Return the error for a word with the ending of a file that does not exist, if any.
+
+    Words after an option, such as the file of a picture, are not files to read.
+    """
     from radcalc.routes.kinds import ENDINGS as OF_KINDS
 
+    before = takewhile(lambda word: word[:1] != "-", args)
     endings = (*ENDINGS, *OF_KINDS)
-    absent = [a for a in args if a.lower().endswith(endings) and not os.path.exists(a)]
-    if not absent or absent[0][:1] == "-":
+    absent = [a for a in before if a.lower().endswith(endings) and not os.path.exists(a)]
+    if not absent:
         return None
     folder, name = os.path.split(absent[0])
+    near: list[str] = []
     with suppress(OSError):
         near = nearest(name, [one.name for one in os.scandir(folder or ".") if one.is_file()])
-        paths = [os.path.join(folder, one) for one in near]
-        hint = corrections(absent[0], *paths) or "the path of a file"
-        return UsageError(f"there is no file '{quote(absent[0])}'", hint)
-    return UsageError(f"there is no file '{quote(absent[0])}'", "the path of a file")
+    paths = [os.path.join(folder, one) for one in near]
+    hint = corrections(absent[0], *paths) or "the path of a file"
+    return UsageError(f"there is no file '{quote(absent[0])}'", hint)
 
 
 def looked_up(word: str) -> Try | None:

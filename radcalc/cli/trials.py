@@ -124,8 +124,6 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
             continue
         if not all(map(str.isprintable, call)):  # cannot be pasted
             continue
-        if any(("-g", name) in pairwise(call) for name, _ in proposal.inputs):  # asked for itself
-            continue
         trial = Trial(call, proposal.remark)
         try:
             answered = trial.answered()
@@ -244,6 +242,8 @@ def changed(words: Words, proposal: Try) -> Words | None:
             return None
         call, place = _without(call, f"--{name}", known)
         call[place:place] = added
+    if any(("-g", name) in pairwise(call) for name, _ in proposal.inputs):  # asked for itself
+        return None
     return _once(call) or None
 
 

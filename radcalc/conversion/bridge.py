@@ -172,7 +172,7 @@ class Bridge:
         )
         if given.name == "photoperiod":  # a rate of mol/m2/day counts all 24 h
             rates = [unit.text for unit in (self.source, self.target) if unit.text.endswith(SLOW)]
-            return [correct(rate, "dli", remark="the sum of a day") for rate in rates]
+            return correct(rates[0], "dli", remark="the sum of a day") if len(rates) == 1 else ""
         if given.name == "reflectance" and start.area and not start.solid_angle:
             number = f"{self.number}*{given.value:.12g}"
             units = quote(self.source.text), quote(self.target.text)

@@ -19,6 +19,7 @@ from radcalc.errors import (
     quote,
     quote_path,
 )
+from radcalc.files.text import ENDINGS
 from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI
@@ -74,7 +75,6 @@ OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}
 EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
-OF_ROOM = {"flux", "irradiance", "receiver-area"}
 NEAR = 0.05  # of a temperature
 # Usual fluorescent lamps of the CIE, with their colour temperatures as `spectrum` gives them.
 FLUORESCENT = {
@@ -82,6 +82,7 @@ FLUORESCENT = {
     "FL4": "warm white, 2940 K",
     "FL11": "three bands, 4000 K",
 }
+OF_ROOM = {"flux", "irradiance", "receiver-area"}
 # Directions of light, and examples of them.
 DIRECTIONS = {"isotropic", "hemisphere", "solid-angle", "exponent"}
 DIRECTIONS |= {"half-angle", "apex-angle", "beam-angle"}
@@ -107,8 +108,8 @@ def call_of(sentence: Sentence) -> list[str]:
             raise _without_value(sentence, fact, _goal_of(sentence))
     _refuse_percentage(sentence, _goal_of(sentence))
     calls = _calls_of(sentence)
-    _refuse_room(calls)
     if len(calls) == 1:
+        _refuse_room(calls[0])
         return list(calls[0])
     is_name = len(sentence.goals) == 1 and not (sentence.facts or sentence.files)
     if not calls and is_name and sentence.ignored:  # what is a candela
@@ -137,26 +138,23 @@ def _refuse_percentage(sentence: Sentence, goal: Goal | None) -> None:
             raise UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
 
 
-def _refuse_room(calls: Sequence[Sequence[str]]) -> None:
-    """Refuse the flux of lamps, the light on an area, and no target: a receiver, or a room."""
-    for command, *words in calls:
-        values = {
-            SPECIFIC.get(name, (name,))[0]: word for word in words for name, _ in [input_of(word)]
-        }
-        if command == "point-source" and {*values} == OF_ROOM:
-            size = input_of(values["receiver-area"])[1]
-            inputs = [word for name, word in values.items() if name != "receiver-area"]
-            room = ("room", f"area={size}", *inputs, "utilance=0.6")
-            raise SeveralReadings(
-                f"{quote(size)} is the area of a receiver or of a room",
-                [
-                    Try(
-                        words=room,
-                        remark="luminaires of a room, with a utilance of 0.6 as an example",
-                    ),
-                    Try(words=(command, *words, "get=distance"), remark="distance of one lamp"),
-                ],
-            )
+def _refuse_room(call: Sequence[str]) -> None:
+    """Refuse a flux and an illuminance on an area, which may be a receiver's or a room's."""
+    values = {}
+    for word in call[1:]:
+        name, _ = input_of(word)
+        values[SPECIFIC.get(name, (name,))[0]] = word
+    if call[0] != "point-source" or {*values} != OF_ROOM:
+        return
+    size = input_of(values["receiver-area"])[1]
+    inputs = [word for name, word in values.items() if name != "receiver-area"]
+    room = ("room", f"area={size}", *inputs, "utilance=0.6")
+    remark = "luminaires of a room, with a utilance of 0.6 as an example"
+    tries = [
+        Try(words=room, remark=remark),
+        Try(words=(*call, "get=distance"), remark="distance of one lamp"),
+    ]
+    raise SeveralReadings(f"{quote(size)} is the area of a receiver or of a room", tries)
 
 
 def _with_less(sentence: Sentence) -> list[Try]:
@@ -282,8 +280,10 @@ def _without(sentence: Sentence) -> list[Try]:
     has_bare_number = any(is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
     if has_bare_number or len(sentence.facts) + len(sentence.goals) < 2:
         return []
+    from radcalc.routes.kinds import ENDINGS as OF_KINDS
+
     is_number_or_file = any(
-        not word[0].isalpha() or "=" in word or "." in word.rstrip(".")
+        not word[0].isalpha() or "=" in word or word.lower().endswith((*ENDINGS, *OF_KINDS))
         for text in unknown
         for word in text.split()
     )

@@ -24,6 +24,7 @@ from radcalc.units.dimensions import (
     SOLID_ANGLE,
     TEMPERATURE,
 )
+from radcalc.units.reading import read_amount
 from radcalc.units.table import unit_of
 from radcalc.units.unit import NUMBER, Unit
 
@@ -344,7 +345,7 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     if not any(map(is_light, given.values())):  # ISO 100 is assumed, not found
         listed = [name for name in listed if "(default" not in page.symbol(name).help]
     if goal.unit and goal.unit.text == EV and page.accepts("iso") and _has_other_speed(given):
-        return ["ev", "ev100"]
+        return [name for name in ("ev", "ev100") if name in listed]
     if goal.text in listed and "irradiance" not in goal.names[1:]:  # stops, ev100; not intensity
         return [goal.text]
     if "diameter" in goal.names and "beam-diameter" in listed and "diameter" not in listed:
@@ -359,8 +360,8 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
 
 
 def _has_other_speed(given: Facts) -> bool:
-    """Return whether an exposure value is that at the ISO speed, or that at ISO 100."""
-    return "iso" in given and given["iso"].text != "100"
+    """Return whether an ISO speed other than 100 is given."""
+    return "iso" in given and read_amount(given["iso"].text).number != 100
 
 
 def _of_inputs(page: Page, goal: Goal) -> list[str]:

@@ -442,9 +442,9 @@ class _Reading:
     def _literal(self, at: int) -> list[Found]:
         """Find an aspect, 16:9, or a filter with its number, ND8 or ND0.9."""
         text = self.words[at].text
-        forms = {"aspect": ASPECT, "nd": DENSITY}
-        names = [name for name, form in forms.items() if form.fullmatch(text)]
-        return [(at + 1, Fact((name,), text.upper(), text)) for name in names]
+        if ASPECT.fullmatch(text):
+            return [(at + 1, Fact(("aspect",), text, text))]
+        return [(at + 1, Fact(("nd",), text.upper(), text))] if DENSITY.fullmatch(text) else []
 
     def _file(self, at: int) -> list[Found]:
         text = self.words[at].text

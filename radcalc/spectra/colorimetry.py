@@ -149,7 +149,9 @@ def temperature_and_distance(light: Light) -> tuple[float, float]:
     k = next((k for k, slope in enumerate(slopes) if slope >= 0), 0)
     if not k:
         is_blue = slopes[0] >= 0
-        like = "bluer than any black body" if is_blue else f"redder than one of {COLDEST:g} K"
+        like = (
+            "bluer than any black body" if is_blue else f"redder than a black body of {COLDEST:g} K"
+        )
         raise Undefined(f"the light is {like}")
     point = _between(colour, STEPS[k - 1], STEPS[k], slopes[k - 1], slopes[k])
     away = math.dist(colour, point.place)

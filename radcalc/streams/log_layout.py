@@ -404,11 +404,12 @@ class Head(FirstRows):
     def _override(self, unit: Unit, declared: Unit, where: str, is_par: bool) -> None:
         """State that the typed unit wins; refuse another quantity.
 
-        But PAR may be in W/m2, and uE is what loggers write for umol/m2/s.
+        Exceptions are W/m2 for PAR, and umol/m2/s for the uE of loggers.
         """
         reading = read_light(unit)
         stated = read_light(declared)
-        is_short = stated and stated.is_count and reading and reading.kind == PHOTON
+        is_ppfd = reading and (reading.kind, reading.geometry) == (PHOTON, (0, 1, 0))
+        is_short = stated and stated.is_count and is_ppfd
         may_be_par = is_par and reading and reading.kind == RADIANT
         if declared.dimension != unit.dimension and not (may_be_par or is_short):
             raise UsageError(

@@ -50,6 +50,7 @@ def test_a_table_in_memory_is_a_spectrum(source, told):
     [
         (GRID, WATTS),
         [GRID.tolist(), WATTS.tolist()],
+        (Quantity(GRID / 1000, "um"), WATTS),
         pd.Series(WATTS, index=GRID),
         pd.DataFrame(FRAME).set_index(TITLES[0]),
     ]
@@ -62,12 +63,16 @@ def test_a_table_in_memory_is_the_spectrum_of_a_conversion(source):
     found = radcalc.convert([1.0, 2.0], "W/m2", "umol/m2/s", spectrum=source)
     assert found.magnitude == pytest.approx([efficacy, 2 * efficacy], rel=1e-9)
     assert radcalc.factor("W/m2", "umol/m2/s", spectrum=source) == pytest.approx(efficacy)
+    explained = radcalc.explain("1 W/m2", "umol/m2/s", spectrum=source)
+    assert explained.photon_irradiance.magnitude == pytest.approx(efficacy)
     assert float(radcalc.spectrum(source, reference=source).ssi) == 100
 
 
 @for_each(
     [
         (5, "not of type int"),
+        ((1, 2), "the shapes"),
+        ((), "not of type tuple"),
         (WATTS, "not of type ndarray"),
         (pl.Series("E", WATTS), "not of type Series"),
         ((GRID, WATTS[:-1]), r"the shapes \(4,\) and \(3,\)"),

@@ -351,7 +351,7 @@ def test_another_name_of_an_absent_result_gives_its_reason(name, label, way, tmp
 
 def test_the_colour_rendering_of_a_red_light_has_a_note():
     assert (
-        "note: cct: a light of 900 K is red"
+        "note: cri: a light of 900 K is red"
         in run("spectrum", "blackbody:900K", "-g", "cri").stderr
     )
     assert "is red" not in run("spectrum", "blackbody:1900K", "-g", "cri").stderr
