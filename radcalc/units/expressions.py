@@ -56,7 +56,6 @@ from radcalc.units.words import are_run_together, find, word_at
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from radcalc.errors import Try
     from radcalc.units.scales import ScaleUnit
 
 MAX_POWER = 1000  # of a number
@@ -432,18 +431,21 @@ class Calculator(Scanner):
                 return 1
         return super().exponent()
 
-    def reading_of(self, scale: "ScaleUnit", start: int, number_text: str) -> "list[Try]":
+    def reading_of(self, scale: "ScaleUnit", start: int, number_text: str) -> "Hint":
         """Propose what to do with a reading of a scale in arithmetic: 10 dBm + 3 dB is 13 dBm."""
         before, after = self.text[:start].strip(), self.text[self.at :].strip()
         name = scale.text
         if not (before + after).strip(f"{SIGNS} "):
             sign = "-" * before.count("-")
             return [correct(self.text, f"{sign}{number_text} {name}")]
+        is_level = name.startswith("dB") and name != "dB"
+        if before and before[-1] in SIGNS and not is_level:  # 500 lx - 1 EV, 5600 K + 134 mired
+            return f"a value in units: after a sign, {quote(name)} may be a factor or a shift"
         tries = [
             call("convert", number_text, name, scale.unit.text, remark="then arithmetic with it")
         ]
         gain = after.removesuffix("dB").strip()
-        if not before and gain != after and name.startswith("dB") and name != "dB":
+        if not before and gain != after and is_level:
             try:
                 level = float(number_text) + float(gain.replace(" ", ""))
             except ValueError:
