@@ -62,7 +62,7 @@ def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, An
     columns = {
         key: value
         for key, value in given.items()
-        if library_of(magnitude_of(value)) and not _is_spectrum(key)
+        if library_of(magnitude_of(value)) and not is_spectrum(key)
     }
     if not columns:
         return None, dict(given)
@@ -84,7 +84,7 @@ def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, An
     return pattern, {**given, **arrays}
 
 
-def _is_spectrum(key: str) -> bool:
+def is_spectrum(key: str) -> bool:
     """Return whether an argument is a spectrum, which may be a whole table."""
     symbol = SYMBOLS.get(symbol_name(key))
     return symbol is not None and symbol.form == SPECTRUM

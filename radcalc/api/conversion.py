@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import ShownInput
-from radcalc.api.columns import of_conversion, take_columns, with_unit
+from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
 from radcalc.api.keywords import Number
 from radcalc.api.pages import of_page
 from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity, unit_of
@@ -124,7 +124,7 @@ def explain(value: Number, target: str, to: str | None = None, **conditions: Any
     ('uniform over 4 pi sr (isotropic)',)
     """
     value, target = _with_unit(value, target, to)
-    amounts = (value, *(given for name, given in conditions.items() if name != "spectrum"))
+    amounts = (value, *(given for name, given in conditions.items() if not is_spectrum(name)))
     if isinstance(value, (list, tuple)) or any(getattr(one, "shape", ()) for one in amounts):
         raise ConditionError("explain takes single values, not arrays", "one of each")
     conversion, magnitude, given = _plan(value, target, conditions)

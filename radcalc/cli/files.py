@@ -10,6 +10,8 @@ from radcalc.errors import RadcalcError, Try, call, quote_path
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from radcalc.cli.output import Listener
 
 # The kind of file that each command reads as an operand, and each option.
@@ -78,13 +80,13 @@ def meant(words: list[str]) -> list[str]:
     return routed
 
 
-def say(words: list[str], listener: "Listener | None" = None) -> None:
-    """Write how a call is read, unless it is quiet."""
+def say(
+    words: list[str], listener: "Listener | None" = None, assumptions: "Sequence[str]" = ()
+) -> None:
+    """Write how a call is read, and what that assumes, unless it is quiet."""
     is_quiet = listener is not None and listener.settings.get("quiet")
     if not is_quiet and not {*words} & {*QUIET}:
-        from radcalc.sentences.products import assumptions_of
-
-        terminal.say([*terminal.remarks(assumptions_of(words), ()), f"read as: {pasted(words)}"])
+        terminal.say([*terminal.remarks(assumptions, ()), f"read as: {pasted(words)}"])
 
 
 def redirected(error: RadcalcError, words: list[str]) -> RadcalcError:

@@ -11,6 +11,7 @@ from radcalc.cli.spelling import typed
 from radcalc.errors import ExpressionError, RadcalcError, TooManyWords, input_of
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.sentences.calls import call_of
+from radcalc.sentences.products import assumptions_of
 from radcalc.sentences.reader import read
 from radcalc.units.numbers import is_sentence
 from radcalc.units.ranges import read_lists
@@ -48,7 +49,7 @@ def answer(words: Words) -> int | None:
         output.show(results)
     except RadcalcError as error:  # a full disk
         return terminal.complain(error)
-    say([*typed(call)])
+    say([*typed(call)], assumptions=assumptions_of(call))
     return terminal.ANSWERED
 
 

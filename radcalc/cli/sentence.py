@@ -26,6 +26,7 @@ from radcalc.errors import (
     UsageError,
 )
 from radcalc.sentences.calls import call_of
+from radcalc.sentences.products import assumptions_of
 from radcalc.sentences.reader import read
 from radcalc.units.unit import NUMBER
 
@@ -164,7 +165,7 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
         status = terminal.ANSWERED
     else:
         status = gate.run([*call, *options])
-    say([*call, *options], gate.listener)
+    say([*call, *options], gate.listener, assumptions_of(call))
     return status
 
 

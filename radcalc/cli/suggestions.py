@@ -7,7 +7,6 @@ from itertools import takewhile
 from radcalc.calculators.pages import SUBJECTS
 from radcalc.cli.names import COMMANDS
 from radcalc.errors import Hint, Try, UsageError, call, correct, corrections, nearest, quote
-from radcalc.files.text import ENDINGS
 
 
 def meant(args: list[str]) -> Hint:
@@ -31,11 +30,10 @@ def absent_file(args: list[str]) -> UsageError | None:
 
     Words after an option, such as the file of a picture, are not files to read.
     """
-    from radcalc.routes.kinds import ENDINGS as OF_KINDS
+    from radcalc.routes.kinds import ALL_ENDINGS
 
     before = takewhile(lambda word: word[:1] != "-", args)
-    endings = (*ENDINGS, *OF_KINDS)
-    absent = [a for a in before if a.lower().endswith(endings) and not os.path.exists(a)]
+    absent = [a for a in before if a.lower().endswith(ALL_ENDINGS) and not os.path.exists(a)]
     if not absent:
         return None
     folder, name = os.path.split(absent[0])

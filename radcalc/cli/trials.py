@@ -250,9 +250,8 @@ def changed(words: Words, proposal: Try) -> Words | None:
 def _once(call: Words) -> Words:
     """Return a call without results that it asks for twice: -g x -g x."""
     kept: Words = []
-    for at, word in enumerate(call):
-        pair = call[at - 1 : at + 1]
-        if at and pair[0] == "-g" and ("-g", word) in pairwise(kept):
+    for word in call:
+        if kept[-1:] == ["-g"] and ("-g", word) in pairwise(kept):
             kept.pop()
         else:
             kept.append(word)

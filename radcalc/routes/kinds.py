@@ -14,6 +14,7 @@ from typing import NamedTuple
 from radcalc.distributions import contents
 from radcalc.errors import ConditionError, RadcalcError, quote_path
 from radcalc.files import columns, signatures
+from radcalc.files.text import ENDINGS as OF_COLUMNS
 from radcalc.files.text import Text
 from radcalc.quantities.light import read as read_light
 from radcalc.routes.listing import unit_of
@@ -38,6 +39,7 @@ ENDINGS = {
     **dict.fromkeys((".hdr", ".pic", ".exr", ".pfm"), MAP),
     ".spdx": SPECTRUM,
 }
+ALL_ENDINGS = (*OF_COLUMNS, *ENDINGS)
 # The command for each kind, and its symbol for the file if that is not its operand.
 COMMANDS = {
     LUMINAIRE: ("point-source", "distribution"),

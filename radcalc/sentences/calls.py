@@ -19,7 +19,6 @@ from radcalc.errors import (
     quote,
     quote_path,
 )
-from radcalc.files.text import ENDINGS
 from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI
@@ -106,7 +105,7 @@ def call_of(sentence: Sentence) -> list[str]:
     for fact in sentence.facts:
         if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
             raise _without_value(sentence, fact, _goal_of(sentence))
-    _refuse_percentage(sentence, _goal_of(sentence))
+    _refuse_percentage(sentence)
     calls = _calls_of(sentence)
     if len(calls) == 1:
         _refuse_room(calls[0])
@@ -126,16 +125,25 @@ def call_of(sentence: Sentence) -> list[str]:
     raise SeveralReadings(problem, explained(calls))
 
 
-def _refuse_percentage(sentence: Sentence, goal: Goal | None) -> None:
+def _refuse_percentage(sentence: Sentence) -> None:
     """Refuse a percentage without a name, unless it is the reflectance of a surface that shines."""
-    reading = read_light(goal.unit) if goal and goal.unit else None
-    names = {SPECIFIC.get(name, (name,))[0] for name in goal.names} if goal else set()
-    if (reading and reading.is_radiance) or names & {"radiance", "exitance"}:
-        return
-    for fact in sentence.facts:
-        if fact.symbols == ("reflectance",) and fact.typed == fact.text and "%" in fact.text:
-            problem = f"{quote(fact.text)} may be a reflectance, a transmittance or another part"
-            raise UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
+    percentages = [
+        quote(fact.text)
+        for fact in sentence.facts
+        if fact.symbols == ("reflectance",) and fact.typed == fact.text and "%" in fact.text
+    ]
+    if percentages and not _is_of_shining(_goal_of(sentence)):
+        problem = f"{percentages[0]} may be a reflectance, a transmittance or another part"
+        raise UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
+
+
+def _is_of_shining(goal: Goal | None) -> bool:
+    """Return whether a goal is the radiance or the exitance of a surface, by its unit or name."""
+    if goal is None:
+        return False
+    reading = read_light(goal.unit) if goal.unit else None
+    names = {SPECIFIC.get(name, (name,))[0] for name in goal.names}
+    return bool(reading and reading.is_radiance) or not names.isdisjoint(("radiance", "exitance"))
 
 
 def _refuse_room(call: Sequence[str]) -> None:
@@ -280,10 +288,10 @@ def _without(sentence: Sentence) -> list[Try]:
     has_bare_number = any(is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
     if has_bare_number or len(sentence.facts) + len(sentence.goals) < 2:
         return []
-    from radcalc.routes.kinds import ENDINGS as OF_KINDS
+    from radcalc.routes.kinds import ALL_ENDINGS
 
     is_number_or_file = any(
-        not word[0].isalpha() or "=" in word or word.lower().endswith((*ENDINGS, *OF_KINDS))
+        not word[0].isalpha() or "=" in word or word.lower().endswith(ALL_ENDINGS)
         for text in unknown
         for word in text.split()
     )

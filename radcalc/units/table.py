@@ -48,7 +48,7 @@ COMMON_PREFIXES = "GMkcmun"
 SUGGESTED = 3  # spellings near an unknown one
 # Names of scales; they are handled above and not looked up in other languages.
 SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
-WHOLES = ("hemisphere", "spat")  # solid angles over which light is not alike
+WHOLES = ("hemisphere", "spat")  # an irradiance is not a radiance times one of these
 PARTS = ("percent", "permille", "ppm", "ppb")
 
 

@@ -4,7 +4,7 @@ import math
 import re
 
 import pytest
-from conftest import run
+from conftest import ROOT, run
 from following import call
 from helpers import for_each
 
@@ -350,3 +350,10 @@ def test_a_lamp_alone_is_asked_for_its_colour(sentence, call):
     done = run(*sentence.split())
     assert done.returncode == 0, done.stderr
     assert f"read as: radcalc spectrum {call}".lower() in done.stderr.lower()
+
+
+def test_a_file_is_asked_for_several_results():
+    """884.328 lm is the zonal sum of the file, 420 cd its value on the axis."""
+    done = run("examples/downlight.ies", "flux", "and", "intensity", cwd=ROOT)
+    assert [line.split()[1] for line in done.stdout.splitlines()] == ["lm", "cd"]
+    assert done.stdout.splitlines()[1].split()[0] == "420"
