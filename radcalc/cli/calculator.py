@@ -28,9 +28,11 @@ BLOCK = 100_000  # values of a long range in one calculation
 
 
 def answerer(name: str) -> Callable[..., int] | None:
-    """Return the function that answers a calculator; None if its command has further options.
+    """Return the function that answers a calculator; None if only its Click command does.
 
-    The function has the parameters of `calculate` after the name.
+    The function has the parameters of `calculate` after the name, and may have further ones, for
+    the options that its module describes in `FURTHER`: a metavar and a help text for each name, by
+    section.
     """
     if module := own_module(name):
         return getattr(module, "answer", None)

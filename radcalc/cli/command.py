@@ -10,6 +10,7 @@ from radcalc.calculators.page import Page, words_of
 from radcalc.calculators.pages import page_of
 from radcalc.cli import options
 from radcalc.cli.help import HELPS, Helped
+from radcalc.cli.names import own_module
 from radcalc.cli.output import decide
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
@@ -115,12 +116,18 @@ def define(
 
 @cache
 def of_page(name: str) -> "SectionedCommand":
-    """Make a command of a calculator's page."""
+    """Make a command of a calculator's page, and of the `FURTHER` options of its module."""
     from radcalc.cli.calculator import answerer
 
     answer = answerer(name)
     assert answer is not None
-    return define(name, page_of(name))(answer)
+    page = page_of(name)
+    sections: dict[str, Sequence[Member]] = dict(page.sections)
+    for title, further in getattr(own_module(name), "FURTHER", {}).items():
+        texts = [(f"--{key}", metavar, text) for key, (metavar, text) in further.items()]
+        added = [click.Option([key], metavar=shown, help=text) for key, shown, text in texts]
+        sections[title] = (*added, *sections[title])
+    return define(name, page, sections)(answer)
 
 
 class SymbolOption(click.Option):
@@ -186,7 +193,7 @@ class SectionedCommand(Helped):
         self._text = text
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Refuse an option given twice, of which Click would ignore the first.
+        """Refuse an option given twice, of which Click would ignore the first value.
 
         --header without a number is one line, and never takes the next word as its number.
         """
@@ -194,7 +201,12 @@ class SectionedCommand(Helped):
         args = ["--header=1" if word == "--header" else word for word in args[:end]] + args[end:]
         if PLOT in self.params:
             args = with_plot(args[:end]) + args[end:]
-        several = {o for p in self.params if getattr(p, "multiple", False) for o in p.opts}
+        several = {
+            name
+            for option in self.params
+            if getattr(option, "multiple", False) or getattr(option, "is_flag", False)
+            for name in option.opts
+        }
         seen: set[str] = set()
         for word in args[: args.index("--")] if "--" in args else args:
             name = word.partition("=")[0]

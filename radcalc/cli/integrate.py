@@ -1,31 +1,24 @@
 """`radcalc integrate EXPRESSION`."""
 
-import click
-
 from radcalc.answer import texts_of
 from radcalc.calculators.integrate import BARE, PAGE, integrand, integrate
 from radcalc.calculators.task import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import cases
-from radcalc.cli.command import define
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, call
 
-UNIT = click.Option(
-    ["--unit"],
-    metavar="cd",
-    help="Unit of the expression: a unit of intensity or radiance, or 1/sr.",
-)
+UNIT = "cd", "Unit of the expression: a unit of intensity or radiance, or 1/sr."
+FURTHER = {"Results": {"unit": UNIT}}
 
 
-@define("integrate", PAGE, {**PAGE.sections, "Results": (UNIT, *PAGE.sections["Results"])})
-def command(
-    words: tuple[str, ...],
-    unit: str | None,
+def answer(
     typed: dict[str, str],
     request: Request,
     output: Output,
+    words: tuple[str, ...] = (),
+    unit: str | None = None,
 ) -> int:
     """Answer for an expression, with or without a unit."""
     if not words:

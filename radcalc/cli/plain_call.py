@@ -6,6 +6,7 @@ from radcalc.cli.output import Output, decide
 from radcalc.cli.request import Request
 from radcalc.errors import OutputError
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
+from radcalc.render.formats import FORMATS
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -41,6 +42,8 @@ def answer(words: "Sequence[str]") -> int | None:
             symbol = word.removeprefix("--")
             if word in OUTPUT:
                 of_output[OUTPUT[word]] = True
+            elif word == "--format" and "format_" not in of_output:
+                of_output["format_"] = FORMATS[FORMATS.index(next(following))]
             elif word in GET:
                 wanted.append(_value(next(following)))
             elif symbol == word:

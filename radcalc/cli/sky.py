@@ -1,34 +1,29 @@
 """`radcalc sky [TYPE]`."""
 
-import click
-
 from radcalc.answer import texts_of
-from radcalc.calculators.sky import OPERAND, PAGE, sky, sky_map
+from radcalc.calculators.sky import OPERAND, sky, sky_map
 from radcalc.calculators.task import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import cases
-from radcalc.cli.command import define
-from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, quote
 from radcalc.inputs.given import shown_inputs
 
-SAVE = click.Option(
-    ["--save"],
-    metavar="FILE.hdr",
-    help="Write a latlong map of the sky (.hdr, .exr or .pfm; default 1024x512), with the disc "
-    "of the sun if its light is given.",
+SAVE = (
+    "FILE.hdr",
+    "Write a latlong map of the sky (.hdr, .exr or .pfm; default 1024x512), with the disc of the "
+    "sun if its light is given.",
 )
+FURTHER = {"Map": {"save": SAVE}}
 
 
-@define("sky", PAGE, {**PAGE.sections, "Map": (SAVE, *PAGE.sections["Map"])})
-def command(
-    words: tuple[str, ...],
+def answer(
     typed: dict[str, str],
-    save: str | None,
     request: Request,
     output: Output,
+    words: tuple[str, ...] = (),
+    save: str | None = None,
 ) -> int:
     """Answer for a sky, or write its map."""
     word, *others = words or [OPERAND.default]
@@ -36,6 +31,8 @@ def command(
         raise UsageError(f"unexpected argument '{quote(others[0])}'", "one type of sky")
     name = word.lower()
     if save:
+        from radcalc.cli.maps import one_case, write_map
+
         given = one_case(typed, request)
         inputs = (*texts_of({"type": name, "save": save}), *shown_inputs(given))
         return write_map(
@@ -44,7 +41,12 @@ def command(
     if "size" in typed:
         raise UsageError("--size does not apply without --save", "--save FILE with it")
     all_cases = cases(typed)
-    operands = texts_of({"type": name})
     is_drawn = bool(request.plot)
-    task = Task("sky", lambda given: sky(name, given, is_drawn), operands, name, drawn=name)
+    task = Task(
+        "sky",
+        lambda given: sky(name, given, is_drawn),
+        texts_of({"type": name}),
+        name,
+        drawn=name,
+    )
     return run(all_cases, task, request, output)

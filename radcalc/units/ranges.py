@@ -100,6 +100,8 @@ def _are_groups(parts: Sequence[str]) -> bool:
 
 def note_of(text: str) -> tuple[str, ...]:
     """Return a note on a list that may be meant as one number with commas."""
+    if text.count(",") < 2:
+        return ()
     word = text.split()[0]
     word = word.removesuffix(_unit_in(word.rpartition(",")[2]))
     parts = word.split(",")

@@ -130,6 +130,8 @@ def test_an_example_of_a_page_has_the_same_answer_without_click(command, piped, 
     "call",
     [
         "point-source --intensity 100cd --distance 2m",
+        "point-source --intensity 100cd --distance 1m:3m:1m --format table",
+        "sky overcast --zenith-luminance 9000cd/m2",
         "photon 555nm",
         "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm",
         "convert 800 lm cd --isotropic",
@@ -160,7 +162,9 @@ def test_a_plain_call_is_answered_without_click(call, piped):
         "convert 100 lx fc -g irradiance",
         "convert - lx fc",
         "units lx",
-        "sky overcast --zenith-luminance 9000cd/m2",
+        "sky overcast --horizontal-illuminance 10klx --save sky.hdr",
+        "solid-angle hemisphere --format json --format json",
+        "solid-angle hemisphere --format xml",
     ],
 )
 def test_a_plain_call_leaves_the_rest_to_click(call, piped):
