@@ -7,6 +7,13 @@ import sys
 # The module `signal` is slow to import.
 from _signal import SIGINT, default_int_handler, getsignal, signal  # type: ignore[import-not-found]
 
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from radcalc.errors import RadcalcError
+    from radcalc.units.unit import Unit
+
+    Operands = tuple[float, Unit, Unit]
+
 
 def main() -> None:
     """Run radcalc on the words of the command line and exit.
@@ -47,46 +54,76 @@ def quick_lane(words: list[str]) -> int | None:
     """Answer `[convert] VALUE UNIT [to] UNIT [-n]` into a pipe before Click is imported.
 
     Return None for anything else, including options and errors, which Click handles.  This path
-    does not load re, dataclasses, typing or json.
+    does not load re, dataclasses, typing or json, and a decimal in simple units not even errors.
     """
-    from radcalc.units.numbers import is_sentence
+    from radcalc import terminal
+    from radcalc.conversion.linear import between, is_function
+    from radcalc.render.plain import line
 
     number = words[-1:] == ["-n"]
     operands = words[:-1] if number else words
-    if words[:1] == ["convert"]:
+    is_named = words[:1] == ["convert"]
+    if is_named:
         operands = operands[1:]
-    elif not is_sentence(words):
-        return None
-    if any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
-        return None
-    from radcalc import terminal
-    from radcalc.conversion.linear import between, is_function
-    from radcalc.errors import RadcalcError
-    from radcalc.render.plain import line
-    from radcalc.units.reading import read_operands
-    from radcalc.units.table import resolve
-
     if terminal.is_terminal():
         return None
     try:
-        amount, target = read_operands(operands)
-        if not target or amount.unit is None or amount.is_uncertain or amount.scale:
+        found = simplest(operands) or _any_units(operands, is_named)
+        if not found or is_function(*found[1:]):
             return None
-        unit = resolve(target)
-        if is_function(amount.unit, unit):
+        value, source, target = found
+        made = between(source, target)
+        if value < 0 and source.is_light:  # it needs a note
             return None
-        made = between(amount.unit, unit)
-        if amount.number < 0 and made.source.is_light:  # it needs a note
-            return None
-        text = line(made.apply(amount.exact), made.target.text, bare=number)
+        text = line(made.apply(value), target.text, bare=number)
     except Exception:  # an error or a bug, which Click's boundary reports
         return None
     try:
         terminal.write(text)
-    except RadcalcError as error:
+    except _error_of_output() as error:
         return terminal.complain(error)
     terminal.say(terminal.remarks(made.assumptions, made.notes))
     return terminal.ANSWERED
+
+
+def simplest(operands: list[str]) -> "Operands | None":
+    """Read a decimal and two units of one spelling each, `100 lx fc` or `100 lx to fc`.
+
+    Return None for other words: this is a shortcut of `_any_units`, whose modules take as long to
+    load as a conversion.
+    """
+    from radcalc.floats import read_decimal
+    from radcalc.units.unit import single
+
+    if operands[2:3] == ["to"]:
+        operands = operands[:2] + operands[3:]
+    if len(operands) != 3:
+        return None
+    value, source, target = read_decimal(operands[0]), single(operands[1]), single(operands[2])
+    return None if value is None or not (source and target) else (value, source, target)
+
+
+def _any_units(operands: list[str], is_named: bool) -> "Operands | None":
+    """Read any value and units of a conversion; return None for other words."""
+    from radcalc.units.numbers import is_sentence
+
+    if not (is_named or is_sentence(operands)):
+        return None
+    if any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
+        return None
+    from radcalc.units.reading import read_operands
+    from radcalc.units.table import resolve
+
+    amount, target = read_operands(operands)
+    if not target or amount.unit is None or amount.is_uncertain or amount.scale:
+        return None
+    return amount.exact, amount.unit, resolve(target)
+
+
+def _error_of_output() -> "type[RadcalcError]":
+    from radcalc.errors import OutputError  # slow to import
+
+    return OutputError
 
 
 if __name__ == "__main__":

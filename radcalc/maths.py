@@ -8,11 +8,11 @@ import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import repeat
-from sys import float_info
 from threading import local
 from typing import Any
 
-SMALLEST = float_info.min  # below it a float loses digits
+from radcalc.floats import SMALLEST
+
 # [1] Relative tolerance of an upper limit: 12.566370614360 sr and 3.14159265359 rad, typed with
 # rounded digits, are within the sphere.
 SLACK = 1e-12

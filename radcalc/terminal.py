@@ -3,12 +3,12 @@
 import os
 import sys
 
-from radcalc.errors import OutputError, Plain, RadcalcError, printable
-
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from typing import Any
+
+    from radcalc.errors import RadcalcError
 
 IS_WINDOWS = os.name == "nt"
 HANGING = 4  # indent of the later parts of a folded line
@@ -110,6 +110,8 @@ def pour(data: bytes) -> None:
     except BrokenPipeError:
         raise
     except OSError as error:
+        from radcalc.errors import OutputError
+
         problem = f"cannot write the answer: {error.strerror or error}"
         raise OutputError(problem, "a place with room for it") from None
 
@@ -119,6 +121,8 @@ def read(size: int) -> bytes:
 
     Wait for data if the descriptor does not block.
     """
+    from radcalc.errors import RadcalcError
+
     if sys.stdin is None:
         raise RadcalcError("cannot read stdin: it is closed", "a file or a pipe")
     raw = _unbuffered(sys.stdin)
@@ -133,6 +137,8 @@ def read(size: int) -> bytes:
 
 def _stdout() -> "Any":
     if sys.stdout is None:
+        from radcalc.errors import OutputError
+
         raise OutputError("cannot write the answer: standard output is closed", "a file or a pipe")
     return sys.stdout
 
@@ -184,6 +190,11 @@ def _wait(raw: "Any", reading: bool) -> None:
 
 def say(lines: "Iterable[str]") -> None:
     """Write lines to standard error, folded and coloured on a terminal; ignore failures."""
+    lines = [*lines]
+    if not lines:
+        return
+    from radcalc.errors import printable
+
     try:
         printable_lines = map(printable, lines)
         if error_is_terminal():
@@ -269,10 +280,12 @@ def remarks(assumptions: "Iterable[str]", notes: "Iterable[str]") -> list[str]:
 
 
 def complain(
-    error: RadcalcError, spelling: "Any" = Plain, hints: "Sequence[str] | None" = None
+    error: "RadcalcError", spelling: "Any" = None, hints: "Sequence[str] | None" = None
 ) -> int:
     """Write an error and its hint in a spelling, or the lines of hints; return the exit status."""
-    message, hint = error.spelled(spelling)
+    from radcalc.errors import Plain
+
+    message, hint = error.spelled(spelling or Plain)
     if hints is None:
         hints = [f"try: {hint}"] if hint else []
     say([f"radcalc: {message}", *hints])

@@ -249,6 +249,12 @@ def test_a_plain_conversion_into_a_pipe_loads_few_modules(words):
     assert loaded - MODULES.keys() <= {"gc", "math"}
 
 
+def test_a_decimal_in_simple_units_loads_neither_errors_nor_the_grammar():
+    loaded = loaded_by("100", "lx", "fc")
+    assert "radcalc.units.unit" in loaded
+    assert not loaded & {"radcalc.errors", "radcalc.units.numbers", "radcalc.units.grammar", "math"}
+
+
 def test_a_plain_conversion_by_a_czech_or_russian_name_loads_no_slow_module():
     loaded = loaded_by("convert", "100", "люкс", "lumen na metr čtvereční")
     assert "radcalc.units.languages" in loaded

@@ -19,13 +19,14 @@ from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import Formula, coherent_unit_of, format_number, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError, TooMany, Try, mention, option, quote
 from radcalc.files.text import ENDINGS
+from radcalc.floats import divide
 from radcalc.inputs.given import Inputs
 from radcalc.laws.law import law
 from radcalc.quantities.light import PHOTON, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit, divide
+from radcalc.units.unit import Unit
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
 PPFD = light_dimension(PHOTON, IRRADIANCE, "")

@@ -117,10 +117,14 @@ def define(
 @cache
 def of_page(name: str) -> "SectionedCommand":
     """Make a command of a calculator's page, and of the `FURTHER` options of its module."""
-    from radcalc.cli.calculator import answerer
 
-    answer = answerer(name)
-    assert answer is not None
+    def answer(**values: Any) -> int:
+        from radcalc.cli.calculator import answerer  # help does without it
+
+        function = answerer(name)
+        assert function is not None
+        return function(**values)
+
     page = page_of(name)
     sections: dict[str, Sequence[Member]] = dict(page.sections)
     for title, further in getattr(own_module(name), "FURTHER", {}).items():

@@ -4,7 +4,7 @@ Both come from the examples of the complete help: what they use most often is sh
 """
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from inspect import cleandoc
 
@@ -69,12 +69,11 @@ def write_options(
         formatter.write_dl(list(zip(terms, meanings, strict=True)))
 
 
-def _examples(command: click.Command) -> Iterator[str]:
-    """Yield the examples of the complete help, each on one line."""
-    for paragraph in cleandoc(command.help or "").split("\n\n"):
-        first, *lines = paragraph.strip("\n").split("\n")
-        if first.strip() == "\b" and lines[0].strip() == "Examples:":
-            yield from joined(lines[1:])
+@cache
+def _examples(command: click.Command) -> Sequence[str]:
+    """Return the examples of the complete help, each on one line."""
+    _, _, examples = cleandoc(command.help or "").partition("\b\nExamples:\n")
+    return [*joined(examples.partition("\n\n")[0].split("\n"))] if examples else []
 
 
 @cache

@@ -1,8 +1,15 @@
-"""The plan between two linear units: a factor, exact between units of one quantity."""
+"""The plan between two linear units: a factor, exact between units of one quantity.
 
-from radcalc.errors import ConditionError, ConversionError, NumberError, quote
-from radcalc.units.numbers import SMALLEST
-from radcalc.units.unit import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit, divide
+The errors are imported only when one is raised: that takes a tenth of a conversion.
+"""
+
+from radcalc.floats import LARGEST, SMALLEST, divide
+from radcalc.units.unit import (
+    FIELD_STRENGTH,
+    INVERSE_TEMPERATURE,
+    TEMPERATURE_ALONE,
+    Unit,
+)
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -11,10 +18,10 @@ if TYPE_CHECKING:
 
     from radcalc.answer import Step
     from radcalc.conversion.conditions import Factor
+    from radcalc.errors import ConversionError
     from radcalc.inputs.given import Input
 
 RECIPROCALS = {TEMPERATURE_ALONE, INVERSE_TEMPERATURE}
-LARGEST = 1.7976931348623157e308
 
 
 class Plan:
@@ -44,6 +51,8 @@ class Plan:
         if isinstance(value, (int, float)):
             value = _as_float(value)
             if value != value:
+                from radcalc.errors import ConversionError
+
                 raise ConversionError("the value is not a number (nan)", "a finite number")
             if value - value != 0:  # inf
                 raise self._not_held()
@@ -82,7 +91,9 @@ class Plan:
 
         return name_of(self.target), symbol_of(self.target), result_name(self.target)
 
-    def _not_held(self) -> ConversionError:
+    def _not_held(self) -> "ConversionError":
+        from radcalc.errors import ConversionError, quote
+
         return ConversionError(
             f"the result in {quote(self.target.text)} is out of range",
             "a result between 2.3e-308 and 1.7e308, by another value or unit",
@@ -96,6 +107,7 @@ class Plan:
         from radcalc.maths import any_true
 
         if any_true(value < 0):
+            from radcalc.errors import ConditionError
             from radcalc.quantities.light import describe, name_of
 
             raise ConditionError(
@@ -109,6 +121,8 @@ def _as_float(value: float) -> float:
     try:
         return float(value)
     except OverflowError:
+        from radcalc.errors import NumberError
+
         raise NumberError("a whole number is too large for a number", "less than 1.8e308") from None
 
 
@@ -129,6 +143,8 @@ def between(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: s
     if same and not given:
         plain = Plan(source, target, exact_ratio(source, target))
         if source.is_light and source.has_wavelength != target.has_wavelength:
+            from radcalc.errors import quote
+
             plain.notes += (
                 f"{quote(target.text)} and {quote(source.text)} are both read as per wavelength",
             )
@@ -156,7 +172,9 @@ def exact_ratio(source: Unit, target: Unit) -> float:
     return ratio
 
 
-def _beyond(source: Unit, target: Unit) -> ConversionError:
+def _beyond(source: Unit, target: Unit) -> "ConversionError":
+    from radcalc.errors import ConversionError, quote
+
     return ConversionError(
         f"the ratio of {quote(source.text)} to {quote(target.text)} is out of range",
         "units closer in size",

@@ -5,6 +5,7 @@ from decimal import ROUND_HALF_DOWN, ROUND_HALF_UP, Context, Decimal
 from typing import NamedTuple
 
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, add, option, quote
+from radcalc.floats import divide
 from radcalc.homework.words import Said
 from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
@@ -13,7 +14,7 @@ from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import read_number, typed_digits
 from radcalc.units.scales import find, refuse_product
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit, divide
+from radcalc.units.unit import NUMBER, Unit
 
 DIGITS_OF_EXACT = 15
 LEAST_MEANT = 2  # digits of a number that count in any case, even if they are zeros

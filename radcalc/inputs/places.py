@@ -17,6 +17,7 @@ from radcalc.errors import (
     option,
     quote,
 )
+from radcalc.floats import divide
 from radcalc.inputs.given import Input
 from radcalc.inputs.quantities import is_number_with_unit
 from radcalc.maths import LARGEST, SLACK
@@ -35,7 +36,7 @@ from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import ANGLE, LENGTH
 from radcalc.units.numbers import parse_number
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit, divide
+from radcalc.units.unit import Unit
 
 Point = tuple[float, float, float]
 

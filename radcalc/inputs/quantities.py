@@ -18,6 +18,7 @@ from radcalc.errors import (
     option,
     quote,
 )
+from radcalc.floats import divide
 from radcalc.inputs.given import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
 from radcalc.quantities.light import describe
@@ -29,7 +30,7 @@ from radcalc.units.numbers import parse_number, relative_rounding
 from radcalc.units.ranges import real, with_list
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit, divide, is_own
+from radcalc.units.unit import NUMBER, Unit, is_own
 
 LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that can be in OD, stops or dB
 if TYPE_CHECKING:

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from radcalc.answer import Result, Row
-from radcalc.conversion.linear import LARGEST, exact_ratio
+from radcalc.conversion.linear import exact_ratio
 from radcalc.conversion.plan import plan
+from radcalc.floats import LARGEST, SMALLEST
 from radcalc.render import plain
 from radcalc.render.formats import CSV, TABLE
-from radcalc.units.numbers import SMALLEST
 from radcalc.units.prefixes import prefixes_of
 from radcalc.units.table import resolve
 

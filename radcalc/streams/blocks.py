@@ -15,7 +15,7 @@ from math import gcd
 
 from radcalc.conversion.linear import Plan
 from radcalc.errors import RadcalcError
-from radcalc.units.unit import divide
+from radcalc.floats import divide
 
 SHAPE = bytes.maketrans(b"123456789E", b"000000000e")  # every digit becomes 0, to find long numbers
 SIGNS = b".+-"

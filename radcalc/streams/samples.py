@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from radcalc.errors import LineError, NumberError, RadcalcError, mention, quote
 from radcalc.files import columns
 from radcalc.files.text import Text
+from radcalc.floats import divide
 from radcalc.quantities.column_titles import unit_of_meter
 from radcalc.quantities.light import describe
 from radcalc.streams import log_layout
@@ -19,7 +20,6 @@ from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, Head, LogSettings, is_remark
 from radcalc.terminal import ABORT, FAIL, IGNORE
 from radcalc.units.numbers import parse_number
-from radcalc.units.unit import divide
 
 FEW = 32  # lines read one by one
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # loggers mark missing values so: -9999.9

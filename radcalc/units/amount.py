@@ -66,7 +66,8 @@ class Amount:
         """The typed number or reading, with its ratio if the text has one."""
         if self.scale:
             return self.reading
-        from radcalc.units.numbers import Typed, exactly
+        from radcalc.floats import Typed
+        from radcalc.units.numbers import exactly
 
         return Typed(self.number, self.ratio) if self.ratio else exactly(self.text, self.number)
 

@@ -4,6 +4,7 @@ A short spelling may also be a unit (h, g), or a number (e): `HOMONYMS`.  In a p
 whose laws count cycles and photons as 1, the target decides whether they are counted.
 """
 
+from radcalc.floats import divide
 from radcalc.units.compiled import CONSTANTS, NOTES, SPELLINGS_OF_CONSTANTS
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve
@@ -16,7 +17,6 @@ from radcalc.units.unit import (
     TIME_AT,
     Dimension,
     Unit,
-    divide,
     lookup,
 )
 from radcalc.units.words import word_at

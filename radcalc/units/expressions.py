@@ -29,6 +29,7 @@ from radcalc.errors import (
     measured,
     quote,
 )
+from radcalc.floats import SMALLEST, divide
 from radcalc.units import constants
 from radcalc.units.compiled import CONSTANTS, NAMES
 from radcalc.units.dimensions import ANGLE
@@ -42,7 +43,6 @@ from radcalc.units.numbers import (
     MINUSES,
     OTHER_FUNCTIONS,
     SIGNS,
-    SMALLEST,
     parse_number,
     read_term,
     refuse_lookalikes,
@@ -50,7 +50,14 @@ from radcalc.units.numbers import (
     typed_digits,
 )
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import BASES, NUMBER, PI, Dimension, Unit, divide, lookup
+from radcalc.units.unit import (
+    BASES,
+    NUMBER,
+    PI,
+    Dimension,
+    Unit,
+    lookup,
+)
 from radcalc.units.values import KEPT, Term, Value, is_part
 from radcalc.units.words import are_run_together, find, word_at
 

@@ -8,9 +8,9 @@ A DECIMAL after a solidus cannot be followed by pi: `2/3pi` is ambiguous.
 """
 
 import math
-from sys import float_info
 
 from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, correct, corrections, quote
+from radcalc.floats import INFINITE, SMALLEST, Typed
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -20,8 +20,6 @@ SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and 
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
 MAX_LENGTH = 1000
-INFINITE = float("inf")
-SMALLEST = float_info.min  # smallest float with full precision
 
 EXACT = 1e-9  # relative error of arithmetic with exact numbers
 OF_ONE_DIGIT = 3  # 2m is read as 2.00 m, 20m as typed
@@ -119,26 +117,6 @@ def parse_number(text: str) -> float:
     if end != len(text):
         raise NumberError(f"'{quote(text)}' is not a number", "a number such as 1.5e3, 1/3 or 4pi")
     return value
-
-
-class Typed(float):
-    """A number with the `ratio` of whole numbers that was typed, which a float may only be near.
-
-    Arithmetic with it gives floats; a conversion by an exact ratio rounds once.
-    """
-
-    __slots__ = ("ratio",)
-    ratio: tuple[int, int]
-
-    def __new__(cls, number: float, ratio: tuple[int, int]) -> "Typed":
-        """Return the number with its ratio."""
-        made = super().__new__(cls, number)
-        made.ratio = ratio
-        return made
-
-    def as_integer_ratio(self) -> tuple[int, int]:
-        """Return the ratio as typed."""
-        return self.ratio
 
 
 def exactly(text: str, number: float) -> float:

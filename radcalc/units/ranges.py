@@ -17,10 +17,11 @@ from radcalc.errors import (
     correct,
     quote,
 )
+from radcalc.floats import divide
 from radcalc.units.amounts import nominal, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
 from radcalc.units.reading import read_amount, sides
-from radcalc.units.unit import Unit, divide
+from radcalc.units.unit import Unit
 
 T = TypeVar("T")
 MOST = 10_000

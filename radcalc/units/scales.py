@@ -14,6 +14,7 @@ from typing import Any
 
 from radcalc import maths
 from radcalc.errors import ConversionError, NumberError, RadcalcError, correct, quote
+from radcalc.floats import SMALLEST
 from radcalc.units.amount import Amount
 from radcalc.units.grammar import plain
 from radcalc.units.numbers import read_number
@@ -65,7 +66,7 @@ class ScaleUnit(Unit):
             quantity = self.scale.quantity(reading)
         except (OverflowError, ZeroDivisionError):
             quantity = 0.0
-        if maths.any_true((quantity < maths.SMALLEST) | (quantity - quantity != 0)):
+        if maths.any_true((quantity < SMALLEST) | (quantity - quantity != 0)):
             raise NumberError(f"{reading_text} is out of range", "less extreme values")
         return quantity
 

@@ -38,6 +38,8 @@ from radcalc.units.unit import (
     Dimension,
     Unit,
     lookup,
+    multiple,
+    single,
     takes,
 )
 
@@ -71,6 +73,8 @@ def unit_of(text: str) -> Unit | None:
 
 def _read(text: str) -> Unit | str:
     """Return the unit of a text, or the unknown spelling in it; raise for any other problem."""
+    if simple := single(text):
+        return simple
     text = " ".join(text.split())  # shown as typed, with single blanks
     if named := _named_in_words(text):
         return named
@@ -146,11 +150,7 @@ def _refuse_minus(text: str, spelling: str, unit: Unit) -> None:
 
 def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
     """Multiply a unit by the power of a named unit; return the exponents of the latter."""
-    top, bottom, powers, _ = UNITS[name]
-    if prefix:
-        shift = PREFIX_NAMES[prefix]
-        top *= 10 ** max(shift, 0)
-        bottom *= 10 ** max(-shift, 0)
+    top, bottom, powers = multiple(prefix, name)
     if exponent < 0:
         top, bottom = bottom, top
     unit.top *= top ** abs(exponent)

@@ -23,6 +23,7 @@ from radcalc.errors import (
     corrections,
     quote,
 )
+from radcalc.floats import divide
 from radcalc.units.numbers import (
     DIGITS,
     SEPARATORS,
@@ -36,7 +37,7 @@ from radcalc.units.numbers import (
 from radcalc.units.parts import Part, check_uncertainty
 from radcalc.units.scales import resolve_any, scale_of
 from radcalc.units.slopes import slopes
-from radcalc.units.unit import NUMBER, Dimension, Unit, divide
+from radcalc.units.unit import NUMBER, Dimension, Unit
 
 SIGN = "±"
 TYPED = SIGNS_OF_UNCERTAINTY[1:]  # other spellings of the sign

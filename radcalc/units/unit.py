@@ -1,6 +1,7 @@
 """Dimensions and units."""
 
-from radcalc.units.compiled import NAMES, PREFIX_NAMES, PREFIX_SYMBOLS, SYMBOLS, UNITS
+from radcalc.floats import divide
+from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, SYMBOLS, UNITS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -118,14 +119,6 @@ class Daily(Photosynthetic):
     __slots__ = ()
 
 
-def divide(over: int, under: int) -> float:
-    """Return the quotient of two whole numbers, rounded once; infinite if out of range."""
-    try:
-        return over / under
-    except OverflowError:
-        return float("inf")
-
-
 def lookup(spelling: str) -> tuple[str, str] | None:
     """Return (prefix name, unit name) of a spelling; None if it is unknown.
 
@@ -148,6 +141,24 @@ def lookup(spelling: str) -> tuple[str, str] | None:
             if unit and prefix in UNITS[unit][3]:
                 return prefix, unit
     return None
+
+
+def multiple(prefix: str, name: str) -> tuple[int, int, Dimension]:
+    """Return the factor of a named unit with a prefix, as a ratio, and its dimension."""
+    top, bottom, dimension, _ = UNITS[name]
+    shift = PREFIX_NAMES[prefix] if prefix else 0
+    return top * 10 ** max(shift, 0), bottom * 10 ** max(-shift, 0), dimension
+
+
+def single(text: str) -> Unit | None:
+    """Return the unit of one spelling in letters; None if it is unknown or read with a remark."""
+    entry = lookup(text) if text.isalpha() else None
+    if entry is None:
+        return None
+    top, bottom, dimension = multiple(*entry)
+    if entry[1] in NOTES or dimension == INVERSE_LENGTH:
+        return None
+    return Unit(text, top, bottom, dimension, (("".join(entry), 1),))
 
 
 OWN = "own definition"  # the beginning of the notes on a user's definitions

@@ -3,11 +3,17 @@
 import math
 
 from radcalc.errors import ExpressionError, UnitError
+from radcalc.floats import divide
 from radcalc.units import constants
 from radcalc.units.compiled import CONSTANTS
 from radcalc.units.numbers import DIGITS
 from radcalc.units.table import PARTS, resolve
-from radcalc.units.unit import NUMBER, Dimension, Unit, divide, lookup
+from radcalc.units.unit import (
+    NUMBER,
+    Dimension,
+    Unit,
+    lookup,
+)
 
 MAX_BITS = 40_000  # of a number's numerator or denominator: about 12 000 digits
 KEPT = 1e-12  # largest relative error of a sum by cancellation of digits

@@ -1,6 +1,7 @@
 """The lanes without Click print the same bytes as Click, or leave the call to Click."""
 
 import shlex
+from fractions import Fraction
 
 import pytest
 from conftest import ROOT
@@ -10,7 +11,12 @@ from radcalc.calculators.page import words_of
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli import boundary, plain_call
 from radcalc.cli.spelling import Shell
+from radcalc.floats import read_decimal
+from radcalc.units import table
+from radcalc.units.compiled import NAMES, PREFIX_NAMES, PREFIX_SYMBOLS, SYMBOLS
 from radcalc.units.numbers import is_sentence
+from radcalc.units.reading import read_operands
+from radcalc.units.unit import Unit, single
 
 ANSWERED = [
     ["100", "lx", "fc"],
@@ -170,3 +176,51 @@ def test_a_plain_call_is_answered_without_click(call, piped):
 def test_a_plain_call_leaves_the_rest_to_click(call, piped):
     assert plain_call.answer(shlex.split(call)) is None
     assert piped() == ("", "")
+
+
+SIMPLE_NUMBERS = ["0", "100", "2.50", "5.", "0.000001", "007", "123456789012345678901234567890"]
+OTHER_NUMBERS = [".5", "1e3", "-1", "+1", "1,5", "1/3", "٣", "²", "1_0", "pi", "", "5" * 31]
+
+
+@pytest.mark.parametrize("text", SIMPLE_NUMBERS)
+def test_a_decimal_is_read_as_the_grammar_reads_it(text):
+    number, (amount, _) = read_decimal(text), read_operands([text, "lx", "fc"])
+    assert number == amount.number
+    over, under = amount.exact.as_integer_ratio()
+    assert Fraction(*number.as_integer_ratio()) == Fraction(over, under) == Fraction(text)
+
+
+@pytest.mark.parametrize("text", OTHER_NUMBERS)
+def test_other_numbers_are_left_to_the_grammar(text):
+    assert read_decimal(text) is None
+
+
+def test_a_single_spelling_is_read_as_the_grammar_reads_it(monkeypatch):
+    """Every symbol and name, with every prefix that may go before it, and words that are none."""
+    spelled = [f"{prefix}{symbol}" for prefix in ("", *PREFIX_SYMBOLS) for symbol in SYMBOLS]
+    spelled += [f"{prefix}{name}" for prefix in ("", *PREFIX_NAMES) for name in NAMES]
+    fields = {text: parts(single(text)) for text in spelled}
+    monkeypatch.setattr(table, "single", lambda text: None)
+    units = {text: parts(table.unit_of(text)) for text in spelled}
+    simple = {text: of for text, of in fields.items() if of}
+    assert simple == {text: units[text] for text in simple}
+    assert len(simple) > 1500
+    for text in ("lm/m2", "W m-2", "m2", "%", "°", "cm-1", "diopter", "in_", "zork", ""):
+        assert single(text) is None
+
+
+def parts(unit):
+    return unit and [getattr(unit, name) for name in Unit.__slots__]
+
+
+def test_every_simple_call_has_the_same_answer_without_the_shortcut(piped, monkeypatch):
+    calls = [
+        [value, source, *to, target]
+        for value, to in (("100", []), ("2.5", ["to"]))
+        for source in SYMBOLS
+        for target in ("lx", "klm", "nm", "in", "rad", "J", "umol")
+    ]
+    assert sum(__main__.simplest(call) is not None for call in calls) > 1000
+    quick = [(__main__.quick_lane(call), piped()) for call in calls]
+    monkeypatch.setattr(__main__, "simplest", lambda operands: None)
+    assert [(__main__.quick_lane(call), piped()) for call in calls] == quick
