@@ -554,6 +554,8 @@ COMMANDS = {
         "convert 5 mag dBm", "illuminance (lx) to radiant flux", "--area"),
     "a range of readings needs steps in the scale": (
         "point-source --flux 0dBm:10dBm:5mW --distance 2m", "mixes quantities", "0dBm:10dBm:5dBm"),
+    "a number of a range keeps its own unit in a hint": (
+        "point-source --flux 800lm --height 50cm:4m:20", "mixes quantities", "50cm:4m:20cm"),
     "a reflectance is not a gain": (
         "lambertian --incident-irradiance 1lx --reflectance 3dB", "3dB is out of range", "0 to 1"),
     "an absorptance is not a density": (

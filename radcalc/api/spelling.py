@@ -1,5 +1,6 @@
 """Python's spelling of messages: keywords instead of options."""
 
+from radcalc.calculators.results import listed_in
 from radcalc.errors import NumberError, input_of, spell
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import FLAG, SYMBOLS
@@ -47,8 +48,9 @@ class Python:
             for key, value in pairs
             if key != "get"
         ]
-        result_calls = "".join(Python.result(value) for key, value in pairs if key == "get")
-        return f"radcalc.{function}({', '.join(arguments)}){result_calls}"
+        results = listed_in([value for key, value in pairs if key == "get"])
+        chosen = Python.result(results[0]) if len(results) == 1 else ""  # several: the whole answer
+        return f"radcalc.{function}({', '.join(arguments)}){chosen}"
 
     @staticmethod
     def result(text: str) -> str:

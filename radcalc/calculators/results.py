@@ -262,6 +262,18 @@ def name_of(wanted: str) -> str:
     return wanted.partition(":")[0].strip()
 
 
+def listed_in(texts: Sequence[str]) -> tuple[str, ...]:
+    """Return the results that texts list: two in rf,rg:1, one in the symbol R_f,h1."""
+    names: list[str] = []
+    for text in texts:
+        for k, part in enumerate(text.split(",")):
+            if k and part[:1] == "h" and part[1:].isdigit():
+                names[-1] += f",{part}"
+            else:
+                names.append(part)
+    return tuple(names)
+
+
 def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     """Return the result NAME[:UNIT]; without a unit, in its first shown unit.
 

@@ -38,6 +38,13 @@ def refuse_bare(output: Output, answered: Answered | None = None) -> None:
         raise UsageError("-n prints one number, but there are several results", hint)
 
 
+def with_steps(answers: Iterable[Answered], request: Request) -> Iterable[Answered]:
+    """Return the answers with their derivations only if they are requested."""
+    if request.steps:
+        return answers
+    return (answered._replace(answer=answered.answer._replace(steps=())) for answered in answers)
+
+
 def show(
     answers: Iterable[Answered],
     request: Request,
@@ -45,10 +52,7 @@ def show(
     inputs: Sequence[Sequence[ShownInput]] = (),
 ) -> None:
     """Write the answers, or the requested results."""
-    if not request.steps:
-        answers = (
-            answered._replace(answer=answered.answer._replace(steps=())) for answered in answers
-        )
+    answers = with_steps(answers, request)
     if not request.wanted:
         first, *others = _spread(answers)
         refuse_bare(output, first)

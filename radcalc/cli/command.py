@@ -27,8 +27,8 @@ GET = click.Option(
     ["-g", "--get", "wanted"],
     multiple=True,
     metavar="NAME[:UNIT]",
-    help="Print only this result, as a bare number or in the format of --format.  Repeatable.  "
-    "Without UNIT, the unit is that of the full answer.",
+    help="Print only this result, as a bare number or in the format of --format.  "
+    "Without UNIT, the unit is that of the full answer.  Several: flux,illuminance:klx.",
 )
 PLOT = click.Option(
     ["--plot"],

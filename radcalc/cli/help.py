@@ -1,6 +1,7 @@
 """The help options: -h is one screen, --help is complete."""
 
 import os
+from inspect import cleandoc
 from types import MappingProxyType
 
 import click
@@ -125,7 +126,8 @@ class Helped(click.Command):
 
         formatter = _formatter(ctx)
         self.format_usage(ctx, formatter)
-        formatter.write(f"{self.get_short_help_str(formatter.width)}\n")
+        summary = self.short_help or cleandoc(self.help or "").partition("\n")[0]
+        formatter.write("".join([f"{line}\n" for line in terminal.fold(summary, formatter.width)]))
         write_examples(self, self.sections, formatter)
         self.format_most_used(ctx, formatter)
         formatter.write(f"more: {ctx.command_path} {COMPLETE_HELP}")

@@ -84,9 +84,12 @@ def work_out(
 
         show(conversions([*operands], cases(given, False, bare=PAGE.bare)), given, False, output)
         return True
+    from radcalc.calculators.results import listed_in
     from radcalc.cli.calculator import answerer
 
     answer = answerer(name)
     if answer:
-        answer(typed=given, request=Request(tuple(wanted)), output=output, words=tuple(operands))
+        answer(
+            typed=given, request=Request(listed_in(wanted)), output=output, words=tuple(operands)
+        )
     return answer is not None

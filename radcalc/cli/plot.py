@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from radcalc import terminal
-from radcalc.answer import Answer, ShownInput
+from radcalc.answer import Answer, Result, ShownInput
 from radcalc.calculators.results import pick
 from radcalc.calculators.task import Task
-from radcalc.cli.answers import Answered, result, show
+from radcalc.cli.answers import Answered, result, show, with_steps
 from radcalc.cli.output import Output, height_of_terminal, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request
 from radcalc.errors import UsageError, add, leave_out, one_of
@@ -61,10 +61,8 @@ def show_with_picture(
 
     On a terminal, a picture replaces the table of many answers unless a table is requested.
     """
+    drawn = [_drawn(answered, request.wanted) for answered in with_steps(answers, request)]
     if request.plot != TO_TERMINAL:
-        for answered in answers:  # before anything is written
-            for name in request.wanted:
-                pick(answered.answer.values, name, answered.case)
         from radcalc.plots.figure import write
 
         write(request.plot, drawing)
@@ -72,11 +70,17 @@ def show_with_picture(
         return
     count = sum(len(answered.long.value) if answered.long else 1 for answered in answers)
     if count > FEW and output.format == TABLE and not output.is_chosen:
-        output.remark([result(answered, ()) for answered in answers])
+        output.remark(drawn)
     else:
         show(answers, request, output, inputs)
         terminal.write("\n")
     draw(drawing, output)
+
+
+def _drawn(answered: Answered, wanted: Sequence[str]) -> Result:
+    """Return the requested results of an answer, or all."""
+    chosen = [pick(answered.answer.values, name, answered.case) for name in wanted]
+    return result(answered, chosen or None)
 
 
 def draw(drawing: "Picture", output: Output) -> None:

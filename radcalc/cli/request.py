@@ -31,7 +31,9 @@ class Request(NamedTuple):
         if takes_lines:
             line_values = [values.pop(name) for name in line_options.LineOptions._fields]
             lines = line_options.LineOptions(*line_values)
-        wanted, steps = values.pop("wanted"), values.pop("steps")
+        from radcalc.calculators.results import listed_in
+
+        wanted, steps = listed_in(values.pop("wanted")), values.pop("steps")
         checked, tolerance = values.pop("check"), values.pop("tolerance")
         request = cls(wanted, steps, checked, tolerance, lines, values.pop("plot", None) or "")
         check.refuse_idle(request.check, request.tolerance)

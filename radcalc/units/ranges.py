@@ -329,11 +329,20 @@ def _numbers(text: str, parts: Sequence[str]) -> tuple[list[float], str]:
     numbers = [split_value(part) for part in parts]
     first = numbers[0][1]
     units = [resolve_given(unit or "1") for _, unit in numbers]
-    if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:
+    quantities = [(unit.dimension, scale_of(unit)) for unit in units]
+    if len(set(quantities)) > 1:
+        typed = {unit: quantity for (_, unit), quantity in zip(numbers, quantities, strict=True)}
+        better = [  # a number keeps a unit of the same quantity
+            ":".join(
+                part.strip() if typed[own] == quantity else f"{number:.12g}{unit}"
+                for part, (number, own) in zip(parts, numbers, strict=True)
+            )
+            for unit, quantity in typed.items()
+            if unit
+        ]
+        tries = [correct(text, one) for one in better]
         raise ConditionError(
-            f"'{quote(text)}' mixes quantities",
-            "one unit in START, STOP and STEP",
-            [correct(text, ":".join([f"{number:.12g}{first}" for number, _ in numbers]))],
+            f"'{quote(text)}' mixes quantities", "one unit in START, STOP and STEP", tries
         )
     sizes = [
         value * divide(unit.top * units[0].bottom, unit.bottom * units[0].top)

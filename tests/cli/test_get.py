@@ -3,6 +3,7 @@
 `-g NAME:UNIT` prints the right number in a unit of every dimension, or is refused.
 """
 
+import json
 import math
 import random
 import re
@@ -351,3 +352,25 @@ def test_a_name_of_one_kind_of_light_is_not_another(name, capfd):
     assert float(capfd.readouterr().out) == pytest.approx(25 / 683, rel=1e-4)
     assert main([*call, "--wavelength", "555nm", "-g", "E"]) == 2
     assert main([*call, "--wavelength", "555nm", "-g", "E:lx"]) == 0
+
+
+@pytest.mark.parametrize(
+    ("listed", "names"),
+    [
+        ("rf,rg,r9", ["rf", "rg", "r9"]),
+        ("cct:K,lux-per-ppfd:lx.s/umol", ["cct:K", "lux-per-ppfd:lx.s/umol"]),
+        ("R_f,h1", ["R_f,h1"]),  # a symbol with a comma
+        ("R_f,h1,R_f,h16,rf", ["R_f,h1", "R_f,h16", "rf"]),
+    ],
+)
+def test_a_list_of_results_is_the_same_as_several_options(listed, names):
+    alone = run("spectrum", "LED-B3", *(word for name in names for word in ("-g", name)))
+    together = run("spectrum", "LED-B3", "-g", listed)
+    assert alone.stdout.count("\t") == len(names) - 1
+    assert (together.stdout, together.stderr) == (alone.stdout, alone.stderr)
+
+
+def test_a_hint_for_several_results_is_the_whole_answer_in_python():
+    call = ["point-source", "--flux", "800lm", "-g", "illuminance,flux", "--json"]
+    (found,) = json.loads(run(*call).stdout)["error"]["try"]
+    assert found["call"] == 'radcalc.point_source(flux="800 lm", distance="2 m")'

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from helpers import terminal_of
 
 from radcalc.calculators import scene as page
 from radcalc.calculators.lambertian import lambertian
@@ -180,3 +181,12 @@ def test_a_result_with_a_corner_has_its_range():
     assert 0.995 < low[1] < 1
     assert high[0] - low[0] > 0.01  # on the slope
     assert chart.note.endswith("a result that jumps has its range")
+
+
+def test_a_picture_instead_of_a_table_keeps_the_assumptions_without_the_derivation():
+    call = ["point-source", "--flux", "800lm", "--distance", "1m:30m:1m", "--plot"]
+    drawn = terminal_of(*call)
+    assert "isotropic: the same intensity" in drawn
+    assert "Phi = 4 pi" not in drawn
+    assert "Phi = 4 pi" in terminal_of(*call, "--steps")
+    assert "isotropic" not in terminal_of(*call, "-g", "flux")  # it has no effect on the flux
