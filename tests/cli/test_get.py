@@ -358,7 +358,7 @@ def test_a_name_of_one_kind_of_light_is_not_another(name, capfd):
     ("listed", "names"),
     [
         ("rf,rg,r9", ["rf", "rg", "r9"]),
-        ("cct:K,lux-per-ppfd:lx.s/umol", ["cct:K", "lux-per-ppfd:lx.s/umol"]),
+        ("cct:K,lux-per-ppfd:lm.s/umol", ["cct:K", "lux-per-ppfd:lm.s/umol"]),
         ("R_f,h1", ["R_f,h1"]),  # a symbol with a comma
         ("R_f,h1,R_f,h16,rf", ["R_f,h1", "R_f,h16", "rf"]),
     ],
