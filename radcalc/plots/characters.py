@@ -22,6 +22,7 @@ from radcalc.plots.data import (
     Picture,
     Polar,
     Values,
+    nameless,
 )
 from radcalc.plots.sheet import (
     APART,
@@ -64,8 +65,10 @@ GRID = 4  # distance of the dots in circles and rays of a polar diagram
 RIM, RIM_IN_ASCII = 6, 9  # columns on each side of a circle, for labels
 SMALLEST, LARGEST = 22, 32  # rows of a circle
 ROUND = 360  # pieces of a circle
-RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # colours of ordered curves
+RAMP = [f"38;5;{n}" for n in (62, 67, 66, 65, 100, 136, 166, 160)]  # colours of ordered curves
 DARKEST, BRIGHTEST = 1, 4  # range of red, green and blue in the palette, from 0 to 5
+LUMINANCES = [0.0, 0.1144, 0.2423, 0.4287, 0.6795, 1.0]  # of their steps, by the curve of sRGB
+LIGHTEST = 0.3  # relative luminance with a contrast of 3 to white (WCAG 2.1)
 BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
 
 
@@ -126,10 +129,11 @@ def _polar(polar: Polar, style: Style) -> list[str]:
         if abs(angle) <= reach:
             dotted(grid, [((0.0, 0.0), _turned(outer, angle))], GRID)
             _write_at_rim(sheet, f"{abs(angle)}{degrees}", *_turned(outer, angle), dot)
-    for size, name in zip(circles, names, strict=True):
+    for size, name in [*zip(circles, names, strict=True)][-2::-1]:  # of the outer ones first
         column, row = sheet.place(size, 0.0)
-        if size != outer:
-            sheet.write(column - len(name) // 2, row if not is_half else row - 1, name, "2")
+        column, row = column - len(name) // 2, row - 1 if is_half else row
+        if sheet.is_free(column - 1, row, len(name) + 2):
+            sheet.write(column, row, name, "2")
     entries = []
     for k, plane in enumerate(polar.planes):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
@@ -200,7 +204,7 @@ def _field(field: Field, style: Style) -> list[str]:
     columns, rows, margin = _size(turned, style)
     x_ends, y_ends = _ends_of(turned.xs), _ends_of(turned.ys)
     sheet = Sheet.between(columns, rows, x_ends, y_ends)
-    _place_marks(sheet, turned.marks)
+    unnamed = _place_marks(sheet, turned.marks)
     drawn = turned.xs, turned.ys, turned.rows
     value_caption = _contours(sheet, drawn, field.value, turned.marks)
     x_ticks, y_ticks = ticks(*x_ends, max(columns // 10, 2)), _y_ticks(turned)
@@ -210,6 +214,7 @@ def _field(field: Field, style: Style) -> list[str]:
         *beside(turned.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
         *below(turned.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
         *fold(value_caption, style.width),
+        *heading(unnamed, style),
         *heading(field.note, style),
     ]
 
@@ -251,7 +256,7 @@ def _disc(disc: Disc, style: Style) -> list[str]:
     for label, angle in disc.rim:
         x, y = _turned(1.0, 180 - angle)
         _write_at_rim(sheet, label, x, y, 1 / radius)
-    _place_marks(sheet, disc.marks)
+    unnamed = _place_marks(sheet, disc.marks)
     if disc.is_image:
         value_caption = _shaded(sheet, places, inside, disc.value, style)
     else:
@@ -262,7 +267,8 @@ def _disc(disc: Disc, style: Style) -> list[str]:
         *heading(disc.title, style),
         *(indent + line for line in sheet.lines(style)),
         *caption(value_caption, 0, style.width),
-        *caption(disc.note, 0, style.width),
+        *caption(unnamed, 0, style.width),
+        *(line for note in disc.notes for line in caption(note, 0, style.width)),
     ]
 
 
@@ -281,29 +287,46 @@ def _colour_diagram(diagram: ColourDiagram, style: Style) -> list[str]:
         draw_along = dotted if is_reference else line
         draw_along(sheet.layer(color, mark), pairwise([*zip(series.x, series.y, strict=True)]))
         entries.append((sample(series.style, mark, style), color, series.label))
-    _place_marks(sheet, diagram.marks)
+    unnamed = _place_marks(sheet, diagram.marks)
     return [
         *heading(diagram.title, style),
         *beside(diagram.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
         *below(diagram.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
         *legend(entries, style),
+        *heading(unnamed, style),
         *heading(diagram.note, style),
     ]
 
 
-def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
-    """Write each mark, and its label next to it where there is room."""
+def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> str:
+    """Write each mark, and its label where it is apart from others; note those without room."""
     places = [sheet.place(mark.x, mark.y) for mark in marks]
     for column, row in places:
         sheet.write(column, row, "+")
+    unnamed = []
     for mark, (column, row) in zip(marks, places, strict=True):
         label = cut(printable(mark.label), sheet.columns - 1)
         size = columns_of(label)
         around = [
             (start, r) for start in (column + 1, column - size) for r in (row, row - 1, row + 1)
         ]
-        if free := next((cell for cell in around if sheet.is_free(*cell, size)), None):
+        fits = (
+            cell
+            for cell in around
+            if sheet.is_free(*cell, size) and _is_apart(sheet, cell, size, (column, row))
+        )
+        if free := next(fits, None):
             sheet.write(*free, label)
+        else:
+            unnamed.append(mark.label)
+    return nameless(unnamed)
+
+
+def _is_apart(sheet: Sheet, cell: tuple[int, int], size: int, mark: tuple[int, int]) -> bool:
+    """Return whether the cells on both sides of a label are free, except that of its mark."""
+    column, row = cell
+    sides = {(column - 1, row), (column + size, row)} - {mark}
+    return all(sheet.is_free(*side, 1, inside=False) for side in sides)
 
 
 def _contours(
@@ -521,13 +544,22 @@ def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> Point:
 
 
 def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
-    """Return the colours of columns; none is white or black."""
+    """Return the colours of columns."""
     colors = {}
     for hue in chart.hues:
         if sheet.x[0] <= hue.place <= sheet.x[1]:
-            red, green, blue = (round(DARKEST + (BRIGHTEST - DARKEST) * part) for part in hue[1:])
-            colors[sheet.column(hue.place)] = f"38;5;{16 + 36 * red + 6 * green + blue}"
+            colors[sheet.column(hue.place)] = f"38;5;{_in_palette(*hue[1:])}"
     return colors
+
+
+def _in_palette(*parts: float) -> int:
+    """Return the number of a colour that is readable on a white and on a black background."""
+    for brightest in range(BRIGHTEST, DARKEST, -1):
+        steps = [round(DARKEST + (brightest - DARKEST) * part) for part in parts]
+        red, green, blue = (LUMINANCES[step] for step in steps)
+        if 0.2126 * red + 0.7152 * green + 0.0722 * blue <= LIGHTEST:
+            break
+    return 16 + 36 * steps[0] + 6 * steps[1] + steps[2]
 
 
 def _number(sheet: Sheet, drawn: Sequence[tuple[dict[int, int], str]]) -> None:

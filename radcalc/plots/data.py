@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from radcalc.errors import listed
+
 LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # styles of a series
 RIGHT = 90.0  # deg
 MANY = 20  # most curves that can all be named
@@ -138,6 +140,11 @@ class Mark(NamedTuple):
     y: float
 
 
+def nameless(labels: Sequence[str]) -> str:
+    """Return the note on marks whose labels have no room in a picture."""
+    return f"without room for a name: {listed(labels)}" if labels else ""
+
+
 class Field(NamedTuple):
     """Values over a plane of x and y, a row for each y; both axes have the same scale."""
 
@@ -179,6 +186,12 @@ class Disc(NamedTuple):
     marks: Sequence[Mark] = ()
     is_image: bool = False
     note: str = ""
+
+    @property
+    def notes(self) -> list[str]:
+        """The places of the directions, and the note."""
+        places = f"{self.centre} in the middle, 90 deg from it at the rim" if self.centre else ""
+        return list(filter(None, (places, self.note)))
 
 
 class ColourDiagram(NamedTuple):

@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import cache
+from itertools import product
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -27,6 +28,7 @@ from radcalc.plots.data import (
     Mark,
     Picture,
     Polar,
+    nameless,
 )
 from radcalc.plots.ticks import levels, limits, rings, shades, span, texts
 from radcalc.terminal import cut, fold
@@ -39,6 +41,7 @@ FRAME = 1.5, 1.0  # room for its numbers and its scale [inches]
 FLAT = 2.0  # ratio of the width to the height above which the scale is below the plan
 DOTS = 160  # per inch, in PNG
 SQUARE, HALF = (6.4, 6.4), (7.2, 4.9)
+LONG = 5  # characters of a radius of a polar diagram
 WEDGE, CIRCLE = (0.09, -0.05, 0.82, 1.2), (0.14, 0.15, 0.72, 0.72)  # of a polar diagram
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
@@ -48,14 +51,21 @@ ARROW = {"arrowstyle": "->", "color": NO_LIGHT, "lw": 1.2, "shrinkA": 0, "shrink
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
 LINESTYLES = ("-", (0, (5, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1, 1.5)))  # of curves of one colour
 MARKERS = "os^D"  # of points of one colour
+DENSE = 50  # least number of points of a curve without markers
 BESIDE = 8  # longest legend inside a chart
 LABEL = 40  # most letters of a label in a legend
-LETTERS, MARGINS, MOST_LINES = 9, 1.0, 3  # of a title: letters an inch; inches; lines
+LETTERS, MARGINS, MOST_LINES = 11, 1.0, 3  # of a title: letters an inch; inches; lines
 BAND = 0.25  # opacity
+MARK, POINT = 6, 72  # size of a mark [points]; points per inch
+REACHES = (5, 20, 35, 50)  # distances of a label from its mark [points]
+AROUND = ((1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
+ACROSS, UP = ("center", "left", "right"), ("center", "bottom", "top")  # for the sides 0, 1 and -1
 OVER = "white"  # brighter than the scale
 STRIP = 0.03  # of the height of a chart, for the colours of its axis
 TICKS = 6  # of an axis with round ends
+ANGLES = (1, 1.5, 3, 4.5, 6, 9, 10)  # steps of an axis in degrees, times a power of ten
 COLORMAP = "viridis"
+ROUND = 1.01  # of the radius of a disc: room for its rim
 WHOLE = 0.9  # of the radius of a disc, within which its rim does not cut the contour numbers
 COLORS = ("#0f766e", "#b45309", "#7c3aed", "#be123c", "#1d4ed8", "#4d7c0f")
 FONT = "DejaVu Sans"  # included in Matplotlib
@@ -73,7 +83,8 @@ SETTINGS = {
     "font.size": 10,
     "grid.color": "#e5e7eb",
     "grid.linewidth": 0.8,
-    "legend.frameon": False,
+    "legend.framealpha": 0.8,
+    "legend.edgecolor": "none",
     "lines.linewidth": 1.8,
     "lines.solid_capstyle": "round",
     "svg.hashsalt": "radcalc",  # makes the names in an SVG reproducible
@@ -181,7 +192,8 @@ def _chart(chart: Chart, drawing: Any) -> None:
             look = {"marker": MARKERS[turn], "ms": 6, "ls": ""}
             drawn += axes.plot(series.x, series.y, color=color, clip_on=False, zorder=3, **look)
         else:
-            drawn += axes.plot(series.x, series.y, color=color, linestyle=LINESTYLES[turn])
+            dots = {"marker": "o", "ms": 3} if len(series.x) < DENSE else {}
+            drawn += axes.plot(series.x, series.y, color=color, ls=LINESTYLES[turn], **dots)
         if series.band and series.style == POINTS:
             axes.vlines(series.x, *series.band, color=color, lw=1.3)
         elif series.band:
@@ -268,6 +280,10 @@ def _axis(mpl_axis: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
         set_scale("log")
     else:
         mpl_axis.set_major_formatter(_numbers())
+    if axis.unit == "deg" and not axis.is_log:
+        from matplotlib.ticker import MaxNLocator
+
+        mpl_axis.set_major_locator(MaxNLocator(steps=ANGLES))
     if axis.limits:
         set_ends(*axis.limits)
 
@@ -307,7 +323,10 @@ def _polar(polar: Polar, drawing: Any) -> None:
     places = [math.radians(angle if is_half else angle % 360) for angle in rays]
     axes.set_xticks(places, [f"{abs(angle)}\u00b0" for angle in rays])
     axes.set_ylim(0.0, circles[-1])
-    axes.set_yticks(circles, texts(circles))
+    names = texts(circles)
+    if max(map(len, names)) > LONG:  # they would cover each other
+        names = ["" if k % 2 else name for k, name in enumerate(reversed(names))][::-1]
+    axes.set_yticks(circles, names)
     axes.set_rlabel_position(RIGHT if is_half else 75)
     axes.spines["polar"].set_color(FAINT)
     above = 0.04 if polar.note else 0.0
@@ -328,11 +347,10 @@ def _field(field: Field, drawing: Any) -> None:
     axes.grid(visible=False)
     axes.set_aspect("equal")
     _filled(drawing, axes, field.xs, field.ys, field.rows, field.value, is_flat=ratio > FLAT)
-    _marks(axes, field.marks)
     axes.set_xlabel(_text(field.x))
     axes.set_ylabel(_text(field.y))
     axes.set_title(_folded(field.title, drawing))
-    _note(field.note, axes)
+    _marks(axes, field.marks, field.note)
 
 
 def _plan_size(ratio: float) -> tuple[float, float]:
@@ -349,6 +367,7 @@ def _disc(disc: Disc, drawing: Any) -> None:
     drawing.set_size_inches(*SQUARE)
     axes = drawing.subplots()
     axes.set_aspect("equal")
+    axes.set(xlim=(-ROUND, ROUND), ylim=(-ROUND, ROUND))
     axes.axis("off")
     places = numpy.linspace(-1.0, 1.0, len(disc.rows))
     x, y = numpy.meshgrid(places, places)
@@ -367,9 +386,8 @@ def _disc(disc: Disc, drawing: Any) -> None:
             1.09 * math.sin(turn), 1.09 * math.cos(turn), label, color=NO_LIGHT,
             ha="center", va="center",
         )  # fmt: skip
-    _marks(axes, disc.marks)
     axes.figure.suptitle(_folded(disc.title, drawing), fontsize=11)
-    _note(disc.note, axes)
+    _marks(axes, disc.marks, "; ".join(disc.notes))
 
 
 def _shaded(drawing: Any, axes: Any, places: Any, rows: Any, inside: Any, value: Axis) -> None:
@@ -392,7 +410,12 @@ def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
     drawing.set_size_inches(*SQUARE)
     axes = drawing.subplots()
     axes.grid(visible=False)
-    (_vectors if diagram.arrows else _chromaticities)(diagram, axes)
+    if diagram.arrows:
+        _vectors(diagram, axes)
+    else:
+        from radcalc.spectra.rendition import draw_chromaticities
+
+        draw_chromaticities(axes)
     for series in diagram.series:
         dashes: Any = (0, (2, 2)) if series.style == REFERENCE else "-"
         label = _safe(series.label)
@@ -402,14 +425,7 @@ def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
     axes.legend(loc="upper right")
     axes.set_aspect("equal")
     axes.set_title(_folded(diagram.title, drawing))
-    _note(diagram.note, axes)
-
-
-def _chromaticities(diagram: ColourDiagram, axes: Any) -> None:
-    from radcalc.spectra.rendition import draw_chromaticities
-
-    draw_chromaticities(axes)
-    _marks(axes, diagram.marks)
+    _marks(axes, [] if diagram.arrows else diagram.marks, diagram.note)
 
 
 def _vectors(diagram: ColourDiagram, axes: Any) -> None:
@@ -443,6 +459,7 @@ def _filled(
     """Draw contours with numbers inside a region, and colours between them."""
     import matplotlib
     import numpy
+    from matplotlib.patheffects import withStroke
 
     values = numpy.asarray(rows, float)
     contour_levels = levels(values.ravel().tolist())
@@ -471,7 +488,8 @@ def _filled(
         within = axes.contour(xs, ys, numpy.where(inside, values, math.nan), contour_levels)
         how["manual"] = [number.get_position() for number in axes.clabel(within, **how)]
         within.remove()
-    axes.clabel(lines, **how)
+    for number in axes.clabel(lines, **how):
+        number.set_path_effects([withStroke(linewidth=1.5, foreground=NO_LIGHT)])
     place = {"orientation": "horizontal", "aspect": 40} if is_flat else {"shrink": 0.8}
     bar = drawing.colorbar(filled, ax=axes, label=_text(value), spacing="uniform", **place)
     bar.set_ticks(contour_levels, labels=names)
@@ -508,17 +526,50 @@ def _text(axis: Axis) -> str:
     return INDEX.sub(r"$\1_{\\mathrm{\2}}$", axis._replace(unit=unit).title)
 
 
-def _marks(axes: Any, marks: Sequence[Mark]) -> None:
-    from matplotlib.patheffects import withStroke
+def _marks(axes: Any, marks: Sequence[Mark], note: str) -> None:
+    """Draw marks with their labels, and write the note below them: the last step of a picture.
+
+    A label covers neither a mark nor another text; the note names the marks without room for one.
+    """
+    from matplotlib.transforms import Bbox
 
     for mark in marks:
-        axes.plot(mark.x, mark.y, "o", color="white", mec=NO_LIGHT, ms=6)
-        axes.annotate(
-            _safe(mark.label),
-            (mark.x, mark.y),
-            (6, 5),
-            textcoords="offset points",
-            color=NO_LIGHT,
-            fontsize=9,
-            path_effects=[withStroke(linewidth=2.5, foreground="white")],
-        )
+        axes.plot(mark.x, mark.y, "o", color="white", mec=NO_LIGHT, ms=MARK, clip_on=False)
+    _note(note, axes)
+    if not marks:
+        return
+    axes.figure.draw_without_rendering()  # the layout moves the axes
+    points = [axes.transData.transform((mark.x, mark.y)) for mark in marks]
+    half = MARK * axes.figure.dpi / POINT / 2
+    taken = [Bbox([point - half, point + half]) for point in points]
+    others = [*axes.texts, *filter(None, [axes.get_legend()])]
+    taken += [other.get_window_extent() for other in others]
+    unnamed = [mark.label for mark in marks if not _is_named(axes, mark, taken)]
+    if unnamed:
+        _note("\n".join(filter(None, [nameless(unnamed), note])), axes)
+
+
+def _is_named(axes: Any, mark: Mark, taken: list[Any]) -> bool:
+    """Write the label of a mark where it covers nothing; return whether there is room for it.
+
+    A distant label has a line to its mark.
+    """
+    from matplotlib.patheffects import withStroke
+    from matplotlib.text import Text
+
+    halo = [withStroke(linewidth=2.5, foreground="white")]
+    for reach, (across, up) in product(REACHES, AROUND):
+        leader = {"arrowstyle": "-", "color": NO_LIGHT, "lw": 0.7} if reach > REACHES[0] else None
+        label = axes.annotate(
+            _safe(mark.label), (mark.x, mark.y), (reach * across, reach * up),
+            textcoords="offset points", ha=ACROSS[across], va=UP[up], color=NO_LIGHT,
+            fontsize=9, path_effects=halo, arrowprops=leader,
+        )  # fmt: skip
+        label.get_window_extent()  # moves it to its place; with the line to its mark
+        box = Text.get_window_extent(label)
+        corners = (box.x0, box.y0), (box.x1, box.y1)
+        if all(axes.bbox.contains(*at) for at in corners) and not box.count_overlaps(taken):
+            taken.append(box)
+            return True
+        label.remove()
+    return False

@@ -3,12 +3,15 @@
 import math
 import struct
 import xml.etree.ElementTree as ElementTree
+from itertools import combinations, product
 
 import pytest
 from conftest import process, python, run
 
 from radcalc.plots import figure
-from radcalc.plots.data import LINE, POINTS, Axis, Chart, Disc, Field, Plane, Polar, Series
+from radcalc.plots.colours import chromaticities
+from radcalc.plots.data import LINE, POINTS, Axis, Chart, Disc, Field, Mark, Plane, Polar, Series
+from radcalc.spectra.sources import spectrum
 
 SVG = "{http://www.w3.org/2000/svg}"
 CALLS = {
@@ -278,3 +281,41 @@ def test_a_sun_is_beyond_the_scale_in_white_and_the_sky_keeps_its_contrast():
 def test_an_even_image_states_its_value_without_a_scale(value):
     (axes,) = figure.figure(disc_of(lambda x, y: value)).axes
     assert f"luminance [cd/m²], {value:g} everywhere" in [one.get_text() for one in axes.texts]
+
+
+LAMPS = ["D65", "LED-B3", "HPS", "FL2", "A", "FL4", "LED-B1", "LED-B2", "LED-B5", "FL3", "E"]
+
+
+def boxes(drawn):
+    """Return the boxes of the labels of marks, without the lines to their marks."""
+    from matplotlib.text import Text
+
+    axes, *_ = drawn.axes
+    return {text.get_text(): Text.get_window_extent(text) for text in axes.texts}
+
+
+def test_labels_of_lights_cover_neither_each_other_nor_the_legend():
+    drawn = figure.figure(chromaticities([spectrum(name) for name in LAMPS]))
+    (axes,) = drawn.axes
+    found = boxes(drawn)
+    assert {*LAMPS} < found.keys()
+    every = [*found.values(), axes.get_legend().get_window_extent()]
+    assert not any(a.overlaps(b) for a, b in combinations(every, 2))
+
+
+def test_lamps_at_the_edge_are_named_inside_the_plan_or_listed_below():
+    places = list(product(range(5), range(3)))
+    lamps = [Mark(f"lamp-{x}-{y}", float(x), float(y)) for x, y in places]
+    plan = Field(
+        "plan", Axis("x", "m"), Axis("y", "m"), Axis("illuminance E_v", "lx"),
+        [0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 2.0],
+        [[x * 10.0 + y for x in range(5)] for y in range(3)], lamps,
+    )  # fmt: skip
+    drawn = figure.figure(plan)
+    named = {text: box for text, box in boxes(drawn).items() if text.startswith("lamp-")}
+    inside = drawn.axes[0].bbox
+    assert len(named) > len(lamps) // 2
+    assert all(inside.contains(*box.min) and inside.contains(*box.max) for box in named.values())
+    assert not any(a.overlaps(b) for a, b in combinations(named.values(), 2))
+    listed = drawn._supxlabel.get_text() if len(named) < len(lamps) else ""
+    assert listed.count("lamp-") == len(lamps) - len(named)

@@ -6,8 +6,10 @@ import sys
 from types import SimpleNamespace
 
 import pytest
+from helpers import terminal_of
 from rich.cells import cell_len
 
+from radcalc.plots import characters
 from radcalc.plots.characters import Style, draw, style_of
 from radcalc.plots.data import (
     LINES,
@@ -364,12 +366,35 @@ def test_labels_of_marks_do_not_cover_each_other():
     assert text.count("+") == 3
 
 
+def test_a_label_keeps_a_blank_from_others_and_marks_without_room_are_listed():
+    crowd = SLOPE._replace(marks=[Mark(f"lamp{k}", 2.0 + 0.02 * k, 1.0) for k in range(12)])
+    text = draw(crowd, Style(80))
+    plan, found, listed = text.partition("without room for a name: ")
+    assert found
+    listed = listed.replace("\n", " ")
+    for k in range(12):
+        shown = re.search(rf"(?<!\w)lamp{k}(?!\w)", plan)
+        assert bool(shown) != (f"lamp{k}" in re.split(r",? | and ", listed)), k
+
+
+def test_a_disc_says_what_is_in_its_middle():
+    assert "zenith in the middle, 90 deg from it at the rim" in draw(DOME, Style(80))
+
+
+def test_radii_with_long_numbers_do_not_run_together():
+    bright = [1.2e6 * value for value in LOWER]
+    spot = Polar("spot", Axis("I", "cd"), [Plane("every C plane", ANGLES, bright)])
+    for width in (50, 60, 80):
+        numbers = draw(spot, Style(width)).splitlines()[1].split()
+        assert {*numbers} <= {"250000", "500000", "750000", "1e+06"}
+
+
 # -- images ----------------------------------------------------------------------------------------
 
 
 def image(value):
     rows = [[value(x, y) for x in PLACES] for y in PLACES]
-    return DOME._replace(rows=rows, marks=(), is_image=True)
+    return DOME._replace(rows=rows, marks=(), centre="", is_image=True)
 
 
 def share_of_dots(text, column, row):
@@ -504,3 +529,23 @@ def test_a_line_of_wide_letters_is_folded(text, width, expected):
 )
 def test_a_text_is_cut_at_whole_letters(text, width, expected):
     assert cut(text, width) == expected
+
+
+def luminance(palette_number):
+    """Return the relative luminance of a colour of the 6 x 6 x 6 cube (WCAG 2.1, xterm's steps)."""
+    steps = (0, 95, 135, 175, 215, 255)
+    number = palette_number - 16
+    parts = [steps[k] / 255 for k in (number // 36, number // 6 % 6, number % 6)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+    return sum(w * c for w, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+
+@pytest.mark.parametrize("call", ["spectrum LED-B3 --plot", "spectrum E --plot"])
+def test_colours_of_wavelengths_are_readable_on_white_and_on_black(call):
+    """A contrast of 3 for graphics: WCAG 2.1, criterion 1.4.11."""
+    numbers = {int(n) for n in re.findall(r"38;5;(\d+)m", terminal_of(*call.split()))}
+    assert len(numbers) > 5
+    ramp = {int(color.rpartition(";")[2]) for color in characters.RAMP}
+    for number in numbers | ramp:
+        assert 1.05 / (luminance(number) + 0.05) > 3, number
+        assert (luminance(number) + 0.05) / 0.05 > 3, number
