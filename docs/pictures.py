@@ -7,6 +7,7 @@ import fcntl
 import io
 import os
 import pty
+import re
 import shlex
 import struct
 import subprocess
@@ -25,7 +26,7 @@ SESSIONS = {
         "radcalc 800 lm lx --isotropic --distance 2m",
         "radcalc 500 lx ppfd --spectrum LED-B3",
         "radcalc point-source --flux 500lm --beam-angle 30deg --distance 1m,2m,5m \\\n"
-        "    -g irradiance:lx -g beam-diameter:m --format table",
+        "    -g irradiance:lx,beam-diameter:m --format table",
     ),
     "homework": (
         "radcalc 500 lx cd/m2 --reflectance 0.8 --check 400 --steps",
@@ -33,11 +34,12 @@ SESSIONS = {
         "radcalc 100 cd at 2 m to lx --check 0,025klx -q",
     ),
     "spectra": (
-        "radcalc spectrum D65 LED-B3 HPS -g cct -g cri -g luminous-efficacy:lm/W \\\n"
-        "    -g lux-per-ppfd -q",
+        "radcalc spectrum D65 LED-B3 HPS \\\n    -g cct,cri,luminous-efficacy:lm/W,lux-per-ppfd -q",
         "radcalc spectrum LED-B3 --plot -g peak-wavelength:nm -q",
     ),
 }
+FETCHED = re.compile(r"\s*@font-face \{.*?\}", re.DOTALL)  # a picture must not fetch fonts
+FONTS = "ui-monospace, Menlo, Consolas, DejaVu Sans Mono"
 DOWNLIGHT = "radcalc point-source --distribution examples/downlight.ies --plot {}"
 
 
@@ -69,7 +71,8 @@ def session(name: str, path: Path) -> None:
     for command in SESSIONS[name]:
         console.print(Text.assemble(("$ ", "green"), command))
         console.print(Text.from_ansi(run(command)))
-    path.write_text(console.export_svg(title="radcalc", unique_id=name), encoding="utf-8")
+    picture = console.export_svg(title="radcalc", unique_id=name)
+    path.write_text(FETCHED.sub("", picture).replace("Fira Code", FONTS), encoding="utf-8")
 
 
 def main(folder: Path = HERE) -> None:

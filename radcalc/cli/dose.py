@@ -84,7 +84,7 @@ Examples:
   radcalc dose lux.csv
   radcalc dose lux.csv --spectrum D65 -g photon-exposure:mol/m2
   radcalc dose par.csv --by day --time-zone Europe/Prague --max-gap 30min
-  radcalc dose par.csv --by day --format csv -g exposure:mol/m2 -g coverage:%
+  radcalc dose par.csv --by day --format csv -g exposure:mol/m2,coverage:%
   radcalc dose gallery.csv -g exposure:lx.h
   radcalc dose - --unit W/m2 --time-unit s < samples.txt
   radcalc dose ghi.csv --samples means --by day

@@ -67,7 +67,7 @@ lambertian: width and length, or area; and one of luminance, exitance, flux, int
 A lambertian source with width and length is calculated exactly, at any distance; every other
 source is treated as a point.
 Light from behind a receiver does not count.  For a grid, the answer gives the mean, the extremes
-and the uniformity; --format csv, or -g x -g y -g irradiance:lx, prints the points.
+and the uniformity; --format csv, or -g x,y,irradiance:lx, prints the points.
 """
 
 

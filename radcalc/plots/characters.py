@@ -66,9 +66,10 @@ RIM, RIM_IN_ASCII = 6, 9  # columns on each side of a circle, for labels
 SMALLEST, LARGEST = 22, 32  # rows of a circle
 ROUND = 360  # pieces of a circle
 RAMP = [f"38;5;{n}" for n in (62, 67, 66, 65, 100, 136, 166, 160)]  # colours of ordered curves
-DARKEST, BRIGHTEST = 1, 4  # range of red, green and blue in the palette, from 0 to 5
-LUMINANCES = [0.0, 0.1144, 0.2423, 0.4287, 0.6795, 1.0]  # of their steps, by the curve of sRGB
-LIGHTEST = 0.3  # relative luminance with a contrast of 3 to white (WCAG 2.1)
+# Relative luminances of the steps of red, green and blue in the palette, by the curve of sRGB, and
+# those of colours with a contrast of at least 3 to black and to white (WCAG 2.1).
+LUMINANCES = [0.0, 0.1144, 0.2423, 0.4287, 0.6795, 1.0]
+DARKEST, LIGHTEST = 0.1, 0.3
 BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
 
 
@@ -554,10 +555,10 @@ def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
 
 def _in_palette(*parts: float) -> int:
     """Return the number of a colour that is readable on a white and on a black background."""
-    for brightest in range(BRIGHTEST, DARKEST, -1):
-        steps = [round(DARKEST + (brightest - DARKEST) * part) for part in parts]
+    for low, high in ((0, 5), (0, 4), (0, 3), (0, 2), (1, 5), (1, 4), (1, 3), (1, 2)):
+        steps = [round(low + (high - low) * part) for part in parts]
         red, green, blue = (LUMINANCES[step] for step in steps)
-        if 0.2126 * red + 0.7152 * green + 0.0722 * blue <= LIGHTEST:
+        if DARKEST <= 0.2126 * red + 0.7152 * green + 0.0722 * blue <= LIGHTEST:
             break
     return 16 + 36 * steps[0] + 6 * steps[1] + steps[2]
 
