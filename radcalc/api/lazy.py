@@ -112,7 +112,8 @@ def blockwise(
         for key, value in given.items()
     }
     call = Call(function, plain, tuple(places))
-    is_single = not any(array.ndim for array in arrays)
+    count = max(array.ndim for array in arrays)  # 0 for single values, whose rows have one axis
+    axes = tuple(range(max(count, 1)))
     arrays = [array if array.ndim else array.reshape(1) for array in arrays]
     answer = call.answer(*map(_without_elements, arrays))
     empty = _by_name(answer)
@@ -121,7 +122,6 @@ def blockwise(
         for name, value in empty.items()
     }
     names = [name for name, entry in expected.items() if entry.shape]
-    axes = tuple(range(max(array.ndim for array in arrays)))
     try:
         rows: Any = dask.array.blockwise(
             Rows(call, expected),
@@ -137,7 +137,7 @@ def blockwise(
         raise ConditionError("the arrays do not fit together", hint) from None
     results = dict(empty)
     for row, name in enumerate(names):
-        array = rows[(row, *_index(expected[name].shape, len(axes), is_single))]
+        array = rows[(row, *_index(expected[name].shape, len(axes), not count))]
         results[name] = Quantity(array, empty[name].units) if expected[name].unit else array
     return waiting(answer, results) if isinstance(answer, Result) else results[ALONE]
 

@@ -164,17 +164,8 @@ def library_of(value: Any) -> str:
 
 def table_of(source: Any) -> tuple[str, str]:
     """Return the kind of a table in memory, and its text, with a line for each wavelength."""
-    name = type(source).__name__
-    columns: Any = None
-    if _is_pair(source):
-        name = "arrays"
-        columns = dict(zip(map(_title, source, ("wavelength", "value")), source, strict=True))
-    elif library_of(source) and name == "Series" and hasattr(source, "index"):
-        columns = {source.index.name or "wavelength": source.index, source.name or "value": source}
-    elif library_of(source) and name == "DataFrame":
-        if hasattr(source, "index") and (source.index.name or len(source.columns) == 1):
-            source = source.reset_index()
-        columns = {title: source[title] for title in source.columns}
+    name = "arrays" if _is_pair(source) else type(source).__name__
+    columns = _columns_of(source)
     if columns is None:
         hint = (
             'radcalc.spectrum("D65"), radcalc.spectrum("FILE") or '
@@ -189,6 +180,20 @@ def table_of(source: Any) -> tuple[str, str]:
         )
     rows = [columns, *zip(*(array.tolist() for array in arrays), strict=True)]
     return name, "".join("\t".join(" ".join(str(c).split()) for c in row) + "\n" for row in rows)
+
+
+def _columns_of(source: Any) -> dict[Any, Any] | None:
+    """Return the columns of a table in memory by their titles; None for another object."""
+    if _is_pair(source):
+        return dict(zip(map(_title, source, ("wavelength", "value")), source, strict=True))
+    name = type(source).__name__ if library_of(source) else ""
+    if name == "Series" and hasattr(source, "index"):
+        return {source.index.name or "wavelength": source.index, source.name or "value": source}
+    if name != "DataFrame":
+        return None
+    if hasattr(source, "index") and (source.index.name or len(source.columns) == 1):
+        source = source.reset_index()
+    return {title: source[title] for title in source.columns}
 
 
 def _is_table(value: Any) -> bool:

@@ -62,56 +62,54 @@ def define(
     """
     sections = dict(page.sections if sections is None else sections)
     if calculates:
-        result_options = sections.pop("Results", ())
-        sections["Results"] = (
-            *result_options,
-            GET,
-            *options.OF_CHECKS,
-            *([PLOT] if page.draws else []),
-        )
+        of_results = (GET, *options.OF_CHECKS, *([PLOT] if page.draws else []))
+        sections["Results"] = (*sections.pop("Results", ()), *of_results)
         if page.takes_lines:
             sections[LINES] = [_hidden(option) for option in options.OF_LINES]
     groups = {
         title: [option for member in members for option in _options(member, page)]
         for title, members in sections.items()
     }
-    symbols = {
-        option.name: option.opts[-1].removeprefix("--")
-        for group in groups.values()
-        for option in group
-        if isinstance(option, SymbolOption)
-    }
+    own = [option for group in groups.values() for option in group]
     shared = options.OPTIONS if calculates or output else options.OF_LISTS
     last = [*shared, *([options.STEPS] if calculates else output)]
-    params: list[click.Parameter] = [option for group in groups.values() for option in group]
+    params: list[click.Parameter] = [*own, *last]
     if page.operand:
         params.insert(0, click.Argument(["words"], nargs=-1, metavar=page.operand.usage))
 
     def decorate(function: Callable[..., Any]) -> "SectionedCommand":
-        def call(**values: Any) -> Any:
-            root = click.get_current_context().find_root()
-            of_output = {key: values.pop(key) for key in options.NAMES}
-            chosen_output = decide(**of_output, command=name, listener=root.obj)
-            typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
-            given = {key: text for key, text in typed.items() if text not in (None, False)}
-            if calculates:
-                from radcalc.cli.request import Request
-
-                values["request"] = Request.of(values, page.takes_lines)
-            if symbols:
-                values["typed"] = given
-            return function(output=chosen_output, **values)
-
         return SectionedCommand(
             name,
-            callback=call,
-            params=[*params, *last],
+            callback=_callback(function, name, own, page if calculates else None),
+            params=params,
             help=f"{page.about}\n\n{text}" if text else None if page.about else function.__doc__,
             sections={**groups, "Output": last},
             page=page,
         )
 
     return decorate
+
+
+def _callback(
+    function: Callable[..., Any], name: str, own: Sequence[click.Option], calculator: Page | None
+) -> Callable[..., Any]:
+    """Return the function that Click calls: it adds what all commands of their kind have."""
+    symbols = {one.name: one.symbol.name for one in own if isinstance(one, SymbolOption)}
+
+    def call(**values: Any) -> Any:
+        root = click.get_current_context().find_root()
+        of_output = {key: values.pop(key) for key in options.NAMES}
+        output = decide(**of_output, command=name, listener=root.obj)
+        typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
+        if calculator:
+            from radcalc.cli.request import Request
+
+            values["request"] = Request.of(values, calculator.takes_lines)
+        if symbols:
+            values["typed"] = {k: text for k, text in typed.items() if text not in (None, False)}
+        return function(output=output, **values)
+
+    return call
 
 
 @cache

@@ -122,34 +122,33 @@ def command(
     words: tuple[str, ...],
     typed: dict[str, str],
     time_column: tuple[str, ...],
-    column: str | None,
-    unit: str | None,
-    delimiter: str | None,
     invalid: str,
-    time_zone: str | None,
-    time_unit: str | None,
-    time_format: str | None,
     samples: str,
-    by: str | None,
     request: Request,
     output: Output,
+    **others: str | None,
 ) -> int:
-    """Answer for the samples of a log, or for each of its periods."""
+    """Answer for the samples of a log, or for each of its periods.
+
+    `others` are the texts of the options without a default.
+    """
     path = _path(words, typed)
+    texts = {name: text or "" for name, text in others.items()}
+    by, column, unit, delimiter = map(texts.pop, ("by", "column", "unit", "delimiter"))
     all_cases = cases(typed, arrays=False)
     gap = _gap(all_cases)
     if by and len(all_cases) > 1:
         raise UsageError(
             "--by cannot be used with a list of conditions", "only one of them, and a loop"
         )
-    clock = TimeSettings(time_zone or "", time_unit or "", time_format or "")
-    cut = read_delimiter(delimiter) if delimiter is not None else ""
-    settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)
+    clock = TimeSettings(texts["time_zone"], texts["time_unit"], texts["time_format"])
+    cut = read_delimiter(delimiter) if delimiter else ""
+    settings = LogSettings(time_column, column, unit, cut, invalid, clock)
     with reading(path, EXPECTED) as (name, read):
         log = Log(name, read, settings, complain)
-        summed = LogDose(log, gap, by or "", samples == page.MEANS_OF_STEPS)
+        summed = LogDose(log, gap, by, samples == page.MEANS_OF_STEPS)
     if by != PER_DAY and _asks_for_dli(request):
-        summed.summed.refuse_dli(by or "", request.check is not None)
+        summed.summed.refuse_dli(by, request.check is not None)
     typed_here = {
         "file": path,
         "column": column,
@@ -157,12 +156,12 @@ def command(
         "time-column": ",".join(time_column),
         "delimiter": delimiter,
         "invalid": invalid if invalid != ABORT else "",
-        "time-zone": time_zone,
-        "time-format": time_format,
-        "time-unit": time_unit,
+        "time-zone": clock.zone,
+        "time-format": clock.format,
+        "time-unit": clock.unit,
         "samples": samples if samples != page.POINTS else "",
     }
-    operands = texts_of({name: text or "" for name, text in typed_here.items()})
+    operands = texts_of(typed_here)
     if by and request.check is None:
         _show_periods(summed, all_cases[0].given, operands, request, output)
         status = terminal.ANSWERED

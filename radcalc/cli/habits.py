@@ -46,35 +46,38 @@ def canonical(words: list[str]) -> list[str]:
     `convert 1 footcandle lx`.  With a pipe, `to fc` is `convert - to fc`, `convert lx fc` is
     `convert - lx fc`, and `fc` alone, if the pipe has lines, `convert - fc`.
     """
-    first = words[0] if words else ""
-    is_convert = first == "convert"
-    typed = " ".join(words)
-    if ENDS[0] not in typed and ENDS[1] not in typed:  # without further calls, as most are
-        value = words[is_convert:][:1]
-        if (first in COMMANDS and not is_convert) or (value and value[0][:1].isdigit()):
-            return words
-    begins = is_convert or first in SEPARATORS or first.partition("=")[0] in ENDS
-    begins = begins or is_sentence(words[:1])
-    if not begins and (not first or first in COMMANDS or first[:1] == "-"):
+    is_convert = words[:1] == ["convert"]
+    if not words or _is_other(words[0], words[is_convert:]):
         return words
     operands, options, ends = _parts(words[is_convert:])
-    if not operands and not ends:  # such as convert -h
-        return words
-    if operands and is_sentence(operands[:1]):  # it has a value, or the - of a stream
+    if is_sentence(operands[:1]):  # it has a value, or the - of a stream
         between = ["to"] if len(ends) == 1 else []
         return _said("convert", *operands, *between, *ends, *options) if ends else words
     source, target = _sides([*operands, *ends])
-    units = [source, target] if source else [target]
-    is_open = is_convert or bool(ends) or (not source and operands[:1] != [target])
-    if is_open and is_piped() and _is_target(target) and (not source or _unit(source)):
+    if not _is_target(target):
+        return words
+    units = [*filter(None, (source, target))]
+    has_word = bool(ends) or (not source and operands != [target])  # to, --from or --to
+    is_read = not source or _unit(source) is not None
+    if (is_convert or has_word) and is_read and is_piped():
         return _said("convert", "-", *units, *options)
-    if source and _unit(source) and _unit(target):
+    if source and is_read and _unit(target):
         return _said("convert", "-" if _has_lines(units) else "1", *units, *options)
-    if operands == [target] and is_fifo() and _is_target(target) and _has_data() is True:
+    if operands == [target] and is_fifo() and _has_data():
         return _said("convert", "-", target, *options)
-    if not source and _is_target(target) and (ends or operands != [target]):
-        return ["convert", "to", target, *options]  # refused for its missing value
-    return words
+    # without a pipe, a target alone is refused for its missing value
+    return ["convert", "to", target, *options] if has_word and not source else words
+
+
+def _is_other(first: str, words: list[str]) -> bool:
+    """Return whether a call is another command, or a conversion without words of other tools."""
+    if first in COMMANDS and first != "convert":
+        return True
+    typed = " ".join(words)
+    if typed[:1].isdigit() and ENDS[0] not in typed and ENDS[1] not in typed:
+        return True  # without further calls, as most are
+    is_option = first[:1] == "-" and first.partition("=")[0] not in ENDS
+    return not first or (is_option and not _is_operand(first))
 
 
 def _has_lines(units: list[str]) -> bool:

@@ -27,7 +27,7 @@ from radcalc.errors import (
 )
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.products import assumptions_of
-from radcalc.sentences.reader import read
+from radcalc.sentences.reader import Sentence, read
 from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
@@ -113,13 +113,7 @@ def meant(
     understood = False
     try:
         sentence = read(asked)
-        amounts = [fact.amount for fact in sentence.facts if fact.amount]
-        has_unit = any(amount.dimension != NUMBER for amount in amounts)
-        filled = [fact for fact in sentence.facts if fact.symbols not in ((), ("spectrum",))]
-        has_unit |= bool(filled) and any(goal.unit for goal in sentence.goals)
-        has_unit |= len([fact for fact in sentence.facts if fact.symbols]) > 1  # ev 9 iso 400
-        phrases = [*sentence.facts, *sentence.goals, *sentence.files]
-        understood = bool(sentence.files) or (has_unit and (len(phrases) > 1 or len(asked) > SHORT))
+        understood = _is_understood(sentence, asked)
         call = list(typed(call_of(sentence)))
     except RadcalcError as problem:
         has_readings = any(one.is_call for one in problem.tries)
@@ -133,6 +127,17 @@ def meant(
     if not is_other(call, asked, error):
         raise error
     return call, options
+
+
+def _is_understood(sentence: Sentence, asked: Words) -> bool:
+    """Return whether words are more a sentence than a command, even if their call is refused."""
+    named = [fact for fact in sentence.facts if fact.symbols]
+    is_filled = any(fact.symbols != ("spectrum",) for fact in named)
+    has_unit = len(named) > 1  # ev 9 iso 400
+    has_unit |= is_filled and any(goal.unit for goal in sentence.goals)
+    has_unit |= any(one.amount and one.amount.dimension != NUMBER for one in sentence.facts)
+    is_long = len(sentence.facts) + len(sentence.goals) > 1 or len(asked) > SHORT
+    return bool(sentence.files) or (has_unit and is_long)
 
 
 def as_call(

@@ -41,6 +41,7 @@ SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 LONG = ("scene",)  # commands with many answers
 LARGEST = 1 << 20  # bytes of the files of a call that is made
 NUMERIC = "0123456789.,:"  # characters of numbers, lists and ranges
+IN_SHORT = {"get": "-g", "number": "-n"}
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 # Options of calls that write, draw or list.
 WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--reproject", "--list")
@@ -233,18 +234,23 @@ def changed(words: Words, proposal: Try) -> Words | None:
             call.insert(1, value)
             continue
         option = known.get(f"--{name}")
-        added = ["-g" if name == "get" else f"--{name}"]
-        if name == "number":
-            added = ["-n"]
-        if not (getattr(option, "is_flag", False) or (name in WITHOUT_VALUE and not value)):
-            added.append(value.replace(MINUS, "-") or _example(command, name))
-        if option is None or not added[-1]:
+        added = _as_typed(command, option, name, value) if option else []
+        if not added:
             return None
         call, place = _without(call, f"--{name}", known)
         call[place:place] = added
     if any(("-g", name) in pairwise(call) for name, _ in proposal.inputs):  # asked for itself
         return None
     return _once(call) or None
+
+
+def _as_typed(command: str, option: click.Parameter, name: str, value: str) -> Words:
+    """Return an option with its value, or the example of its symbol; no words without either."""
+    word = IN_SHORT.get(name, f"--{name}")
+    if getattr(option, "is_flag", False) or (name in WITHOUT_VALUE and not value):
+        return [word]
+    value = value.replace(MINUS, "-") or _example(command, name)
+    return [word, value] if value else []
 
 
 def _once(call: Words) -> Words:

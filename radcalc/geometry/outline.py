@@ -7,7 +7,7 @@ are in any one unit; floats only.
 import math
 from collections.abc import Sequence
 from functools import reduce
-from itertools import pairwise
+from itertools import pairwise, product, starmap
 
 from radcalc.errors import ConditionError, call, correct, leave_out
 from radcalc.geometry.numerics.vectors import cross, dot, length, minus, plus, times
@@ -133,15 +133,11 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     viewpoint = times(viewpoint, scale)
     first = points[0]
     sides = [minus(point, first) for point in points]
-    size = max(length(side) for side in sides)
+    size = max(map(length, sides))
     # Newell's normal, whose length is twice the area
-    area: Point = (0.0, 0.0, 0.0)
-    for vertex, next_vertex in pairwise(sides[1:]):
-        area = plus(area, cross(vertex, next_vertex))
+    area: Point = reduce(plus, starmap(cross, pairwise(sides[1:])), (0.0, 0.0, 0.0))
     if length(area) <= 1e-12 * size * size:
-        widest = max(
-            length(cross(vertex, next_vertex)) for vertex in sides for next_vertex in sides
-        )
+        widest = max(map(length, starmap(cross, product(sides, sides))))
         if widest > 1e-12 * size * size:
             raise _crossing(typed)  # a bow tie, whose halves are equal
         raise ConditionError("the polygon has no area", "vertices that are not on one line")

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 from radcalc.derivation import fill, letter_of
 from radcalc.homework.chain import Worked
@@ -261,6 +261,15 @@ def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
 # Constants
 
 
+class Constant(NamedTuple):
+    """A wrong constant: its mistake and ratio to the right one, and the texts of both."""
+
+    mistake: str
+    ratio: float
+    texts: tuple[str, str] | None = None
+    done: str = ""
+
+
 def _constant(law: AnyLaw) -> tuple[float, int]:
     """Return number and power of the constant (number * pi)^power in front of a formula.
 
@@ -315,42 +324,45 @@ def _constants(
     p: Problem, law: AnyLaw, target: str, number: float, power: int
 ) -> Iterator[Candidate | None]:
     """Yield the wrong values from a law with another constant of the same family."""
-
-    def edit(name: str, ratio: float, done: str = "", wrong: str = "") -> Candidate | None:
-        texts = (right_constant, wrong) if power else None
-        return usual(name, scaled(p, law, target, ratio, texts), done, text_of(law))
-
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
         return  # the 2 is between half and full: see `misread`
-    right_constant = f"{number:g} pi" if number != 1 else "pi"
+    for one in (*_wrong_pi(number, power), *_wrong_factors(p, law)):
+        value = scaled(p, law, target, one.ratio, one.texts)
+        yield usual(one.mistake, value, one.done, text_of(law))
+
+
+def _wrong_pi(number: float, power: int) -> Iterator[Constant]:
+    """Yield the wrong constants in place of (number * pi)^power."""
+    right = f"{number:g} pi" if number != 1 else "pi"
     if power and number >= 1:
         for size in (1, 2, 4):
-            wrong_constant = f"{size} pi" if size > 1 else "pi"
-            if (right_constant, wrong_constant) == ("pi", "2 pi"):
-                yield edit("two-pi-for-pi", 2.0**power, wrong="2 pi")
+            wrong = f"{size} pi" if size > 1 else "pi"
+            if (right, wrong) == ("pi", "2 pi"):
+                yield Constant("two-pi-for-pi", 2.0**power, (right, wrong))
             elif size != number:
-                done = Said("{0} was used for {1}", wrong_constant, right_constant)
-                yield edit("wrong-sphere", (size / number) ** power, done, wrong_constant)
+                done = Said("{0} was used for {1}", wrong, right)
+                yield Constant("wrong-sphere", (size / number) ** power, (right, wrong), done)
         name = "pi-forgotten" if number == 1 else "wrong-sphere"
-        yield edit(name, math.pi**-power, PI_FORGOTTEN, f"{number:g}")
-        yield edit(name, (number * math.pi) ** -power, Said("{0} was forgotten", right_constant))
+        yield Constant(name, math.pi**-power, (right, f"{number:g}"), PI_FORGOTTEN)
+        done = Said("{0} was forgotten", right)
+        yield Constant(name, (number * math.pi) ** -power, (right, ""), done)
     elif power:
-        yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN, "1")
-        yield edit("constant-forgotten", (number * math.pi) ** -power)
+        yield Constant("pi-forgotten", math.pi**-power, (right, "1"), PI_FORGOTTEN)
+        yield Constant("constant-forgotten", (number * math.pi) ** -power, (right, ""))
     if power and number == 1:
-        value = scaled(p, law, target, math.pi ** (-2 * power))
-        yield usual("pi-upside-down", value, right=text_of(law))
-        yield edit("pi-twice", math.pi**power, wrong="pi^2")
+        yield Constant("pi-upside-down", math.pi ** (-2 * power))
+        yield Constant("pi-twice", math.pi**power, (right, "pi^2"))
     elif number != 1:
-        ratio = number ** -(power if number < 1 and power else 1)
-        yield usual("constant-forgotten", scaled(p, law, target, ratio), right=text_of(law))
+        yield Constant("constant-forgotten", number ** -(power if number < 1 and power else 1))
+
+
+def _wrong_factors(p: Problem, law: AnyLaw) -> Iterator[Constant]:
+    """Yield the wrong constants of laws of cycles, decades and the peak."""
     if law.name in CYCLES or (law.name == "density" and FREQUENCY in p.target.dimensions):
-        for ratio in (2 * math.pi, 0.5 / math.pi):
-            value = scaled(p, law, target, ratio)
-            yield usual("angular-for-cycles", value, right=text_of(law))
+        yield Constant("angular-for-cycles", 2 * math.pi)
+        yield Constant("angular-for-cycles", 0.5 / math.pi)
     if "lg2" in law.template:
-        value = scaled(p, law, target, math.log(10), ("lg2", "ln2"))
-        yield usual("log-base", value, right=text_of(law))
+        yield Constant("log-base", math.log(10), ("lg2", "ln2"))
     if law.name == PEAK.name:
-        for name, ratio in (("wien-without-4.965", WIEN_X), ("wien-per-frequency", PER_FREQUENCY)):
-            yield usual(name, scaled(p, law, target, ratio), right=text_of(law))
+        yield Constant("wien-without-4.965", WIEN_X)
+        yield Constant("wien-per-frequency", PER_FREQUENCY)

@@ -41,26 +41,41 @@ def find(p: Problem) -> Iterator[Candidate]:
 # Results that are computed without a chain of laws
 
 
-def _shape(p: Problem) -> Found:
-    """Use a sphere as a disc, a disc as a sphere, or either as a small flat area."""
-    shape, radius = p.question.shape, p.radius()
-    if shape == "hemisphere" and (half := p.amount("half-angle") or PI / 2):
+def _away(p: Problem) -> float:
+    """Return the distance of a shape, 0 if it is not known or the point is off the axis."""
+    away = p.amount("height") or p.amount("distance")
+    return away if away and not p.amount("offset") else 0.0
+
+
+def _hemisphere(p: Problem) -> Found:
+    """Use a solid angle for the projected one, or a flat area for either."""
+    if p.question.shape == "hemisphere":
+        half = p.amount("half-angle") or PI / 2
         for name, size in projected_cone({"half-angle": half}.__getitem__):
             yield usual(name, p.chain.after("projected-solid-angle", size))
-    away = p.amount("height") or p.amount("distance")
-    if not away or p.amount("offset"):
+
+
+def _rectangle(p: Problem) -> Found:
+    """Use a rectangle as a small flat area, or a tangent as an angle."""
+    away = _away(p)
+    if p.question.shape != "rectangle" or not away:
         return
-    if shape == "rectangle" and not p.light:  # for light, `_far` compares with the far field
+    if not p.light:  # for light, `_far` compares with the far field
         flat = (p.amount("width") or 0.0) * (p.amount("length") or 0.0) / away**2
         for symbol in SOLID:
             yield usual("flat-for-curved", p.chain.after(symbol, flat))
             yield usual("flat-for-curved", p.chain.after(symbol, flat * away), FLAT, later=1.0)
-    if shape == "rectangle" and (omega := p.amount("solid-angle")):
+    if omega := p.amount("solid-angle"):
         corners = 1 if "corner" in p.given else 4
         tangent = math.tan(omega / corners)
         sizes = [tangent, math.tan(tangent), math.asin(tangent) if abs(tangent) < 1 else tangent]
         for size in sizes:
             yield usual("tangent-for-angle", p.chain.after("solid-angle", corners * size))
+
+
+def _round(p: Problem) -> Found:
+    """Use a sphere as a disc, a disc as a sphere, or either as a small flat area."""
+    shape, away, radius = p.question.shape, _away(p), p.radius()
     if shape not in ("sphere", "disc") or not radius or radius >= away:
         return
     right, other = math.asin(radius / away), math.atan(radius / away)
@@ -440,7 +455,9 @@ def _rounded_early(p: Problem) -> Found:
 
 
 FAMILIES = (
-    _shape,
+    _hemisphere,
+    _rectangle,
+    _round,
     _projection,
     _aside,
     _far,

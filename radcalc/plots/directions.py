@@ -66,11 +66,10 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
     values, given = solved.answer.values, solved.given
     present = [value for value in values if not value.is_absent]
     amounts = {name: value for value in present[::-1] for name in (value.also, value.name)}
-    chosen = given["distribution"].value if "distribution" in given else ""
-    title = given["distribution"].text if "distribution" in given else ""
+    source = given.get("distribution")
     distribution: Distribution
     note, uncertain = "", [item for item in given.values() if item.is_uncertain]
-    if isinstance(chosen, str):
+    if source is None or isinstance(source.value, str):
         shape = spread(given)
         widths = (amounts[n].amount for n in ("half-angle", "exponent") if n in amounts)
         width: Any = next(widths, None)
@@ -78,18 +77,17 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
             note, width = without_band(uncertain), width.nominal_value
         distribution, title = of_shape(shape, width), shape
     else:
-        distribution = chosen.distribution
-        title = chosen.name or title
-    on_axis = float(distribution.intensity(0.0, 0.0))
-    known = [name for name in STRENGTHS if name in amounts]
-    if not known:
+        distribution = source.value.distribution
+        title = source.value.name or source.text
+    if amounts.keys().isdisjoint(STRENGTHS):
         relative = polar(distribution, 1 / distribution.peak().value, RELATIVE, title)
         return relative._replace(note=note)
-    intensities = [name for name in wanted if is_intensity(name)]
-    name = "intensity" if on_axis and "intensity" in known else "peak-intensity"
-    asked = intensities[0] if intensities and name == "intensity" else amounts[name].name
+    strength = float(distribution.intensity(0.0, 0.0))
+    if strength and "intensity" in amounts:
+        asked = next(filter(is_intensity, wanted), amounts["intensity"].name)
+    else:
+        strength, asked = distribution.peak().value, amounts["peak-intensity"].name
     row = pick(values, asked)
-    strength = on_axis if name == "intensity" else distribution.peak().value
     ends = None
     if row.uncertainty and not note:
         ends = (row.value - row.uncertainty) / strength, (row.value + row.uncertainty) / strength

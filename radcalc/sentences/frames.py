@@ -78,7 +78,7 @@ FRAMES = (  # the first that takes all facts of a sentence counts
 )
 OPERANDS = {"photon": "wavelength", "spectrum": "spectrum"}  # facts that are words of a call
 # The result of a sentence without a target, by the value and its condition.
-USUAL_GOALS = {
+USUAL_GOALS: dict[tuple[str, ...], str] = {
     **dict.fromkeys((("flux", "area"), ("flux", "diameter"), ("flux", "radius")), "irradiance"),
     ("irradiance", "area"): "flux",
     ("irradiance", "time"): "exposure",
@@ -265,17 +265,18 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     values = [name for name in facts if name not in conditions] or [*facts]
     if len(values) != 1 or values[0] not in (VALUE, *LIGHT, *SPECIFIC, "wavelength", "fwhm"):
         return []
-    ((value,), given) = values, {name: f for name, f in facts.items() if name != values[0]}
-    usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], next(iter(given), "")))
-    target = _target(goal, facts[value], given) if goal else usual if len(given) == 1 else ""
-    amount = facts[value].amount
+    value, given = values[0], {**facts}
+    fact = given.pop(value)
+    amount = fact.amount
+    usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], *given), "")  # for one condition
+    target = _target(goal, fact, given) if goal else usual
     if amount is None or ((given or goal) and not target):
         return []
     if amount.dimension == NUMBER and given:  # a number whose unit is missing
         return []
     if "distance" in given and _is_of_small_source(facts, goal):
         return []
-    words = ["convert", *_operands(facts[value]), *([target] if target else [])]
+    words = ["convert", *_operands(fact), *filter(None, [target])]
     calls = [words + [_input(name, fact) for name, fact in given.items()]]
     if "incidence" in given and len(given) > 1 and generic(amount) == "irradiance":
         calls.append([word for word in calls[0] if not word.startswith("incidence=")])

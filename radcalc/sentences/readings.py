@@ -58,14 +58,13 @@ def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
         return ("divergence",)
     if amount.dimension == ANGLE and wanted & {"beam-diameter", "diameter"}:
         return OF_DIMENSION[ANGLE]
-    alone = [fact.amount for fact in sentence.facts if not fact.symbols]
+    first = next(fact.amount for fact in sentence.facts if not fact.symbols)
     others = {name for fact in sentence.facts for name in fact.symbols}
-    is_first = alone[0] is amount and others <= taken_by(page_of("convert"))
-    if is_first and not any(is_light(fact) for fact in sentence.facts):
+    is_converted = first is amount and others <= taken_by(page_of("convert"))
+    if is_converted and not any(map(is_light, sentence.facts)):
         return (VALUE,)
-    is_shutter = amount.dimension == NUMBER and amount.text[:2] == "1/"
-    if is_shutter and any({"iso", "f-number"} & {*fact.symbols} for fact in sentence.facts):
-        return ("time",)
+    if others & {"iso", "f-number"} and amount.dimension == NUMBER and amount.text[:2] == "1/":
+        return ("time",)  # of a shutter
     if "aspect" in others and amount.dimension == LENGTH and not amount.is_wavelength:
         return ("diagonal",)  # of a screen
     return meant(amount)

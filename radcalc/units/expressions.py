@@ -234,18 +234,7 @@ class Calculator(Scanner):
                 continue
             if not operator:
                 return value, has_number
-            if self.text[sign_at : sign_at + 1] == "." and self.peek() in tuple(DIGITS):
-                raise self.wrong("has a point that may be a product", "a * for a product")
-            self.skip_blanks()
-            if not self.peek() or self.peek() == ")":
-                raise self.wrong(f"ends with '{quote(self.slice(sign_at, self.at))}'")
-            is_negative = self.peek() in tuple(MINUSES)
-            self.at += is_negative
-            self.is_arithmetic |= is_negative or self.begins_number()
-            follows = AFTER_UNIT if term.units or not term.has_number else ""
-            term = self.term(is_negative, follows)
-            if is_negative:
-                term.value = term.value.times(Value(-1))
+            term = self.term_after(sign_at, term)
             if operator == "/":
                 self.refuse_two_ways(first.start, value, sign_at, term)
             if solidus and not term.has_number and (operator == "*" or solidus.has_number):
@@ -261,6 +250,22 @@ class Calculator(Scanner):
                 solidus = None
             has_number |= term.has_number
             value = value.times(term.value, 1 if operator == "*" else -1)
+
+    def term_after(self, sign_at: int, before: Term) -> Term:
+        """Read the term after an operator, which may have a sign of its own."""
+        if self.text[sign_at : sign_at + 1] == "." and self.peek() in tuple(DIGITS):
+            raise self.wrong("has a point that may be a product", "a * for a product")
+        self.skip_blanks()
+        if not self.peek() or self.peek() == ")":
+            raise self.wrong(f"ends with '{quote(self.slice(sign_at, self.at))}'")
+        is_negative = self.peek() in tuple(MINUSES)
+        self.at += is_negative
+        self.is_arithmetic |= is_negative or self.begins_number()
+        follows = AFTER_UNIT if before.units or not before.has_number else ""
+        term = self.term(is_negative, follows)
+        if is_negative:
+            term.value = term.value.times(Value(-1))
+        return term
 
     def begins_factor(self, before: Term) -> bool:
         """Return whether a factor without a sign begins here: `4 pi (2 m)^2`, `2 c`."""

@@ -169,16 +169,11 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
     if separator and not rest:
         alone = correct(" ".join(words), *words[:-1])
         raise UsageError(f"a unit is missing after '{separator}'", alone)
-    if not separator and amount.unit is None and rest and rest[0] in OPERATORS:
-        raise _too_many(words, words)
-    if not separator and amount.unit is None and rest and rest[0].strip():
-        amount, rest = with_unit(amount, rest[0].strip()), rest[1:]
-    if separator and amount.unit is None and _is_of_numbers(rest[0]):
-        amount = with_unit(amount, "1")
+    if amount.unit is None:
+        amount, rest = _with_next_unit(words, amount, separator, rest)
     if amount.unit is None:
         is_plain = words[0].replace(".", "").isalnum()
-        example = call("convert", words[0], "lx", "fc")
-        hint: Hint = example if is_plain else call("convert", words[0], "to", "1")
+        hint: Hint = call("convert", words[0], *(("lx", "fc") if is_plain else ("to", "1")))
         raise UsageError(f"the unit of '{quote(words[0])}' is missing", hint)
     if rest and not rest[0].strip():
         raise UsageError("the unit to convert to is missing", EXAMPLE)
@@ -186,6 +181,19 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
         _, typed = amount.typed
         raise _too_many(words, [typed.text if typed else "", *rest])
     return amount, rest[0] if rest else ""
+
+
+def _with_next_unit(
+    words: list[str], amount: Amount, separator: str, rest: list[str]
+) -> tuple[Amount, list[str]]:
+    """Return a bare number with the unit in the word after it, if any, and the further words."""
+    if separator:
+        return (with_unit(amount, "1") if _is_of_numbers(rest[0]) else amount), rest
+    if rest and rest[0] in OPERATORS:
+        raise _too_many(words, words)
+    if rest and rest[0].strip():
+        return with_unit(amount, rest[0].strip()), rest[1:]
+    return amount, rest
 
 
 def read_value(

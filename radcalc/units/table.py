@@ -81,7 +81,7 @@ def _read(text: str) -> Unit | str:
     try:
         parsed = parse_unit(text)
     except UnitError:
-        if unit := _in_another_language(text) or _joined(text):
+        if unit := _in_other_words(text):
             return unit
         raise
     unit = Unit(text, 1, 1, NUMBER, ())
@@ -89,31 +89,20 @@ def _read(text: str) -> Unit | str:
     for spelling, exponent, below in parsed:
         if spelling == "1":
             continue
-        entry = lookup(spelling)
-        if entry is None and (len(parsed) > 1 or exponent != 1):
-            entry = _degree(spelling, unit)
+        entry = lookup(spelling) or _degree(spelling, unit, len(parsed) == exponent == 1)
         if entry is None:
-            if spelling in SCALE_NAMES:
-                return spelling
-            return _in_another_language(text) or _joined(text) or spelling
+            return spelling if spelling in SCALE_NAMES else _in_other_words(text) or spelling
         if exponent not in (1, -1) and entry[1] in PARTS:
             raise _power_of_part(text, spelling)
-        if len(parsed) == 2 and exponent == 1:
-            _refuse_minus(text, spelling, unit)
         powers = _multiply(unit, *entry, exponent)
         if powers == LENGTH_ALONE and exponent == 1:
             inverted += below
             loose = "" if below else spelling
         is_light = is_light or _counts_light(powers)
-    if loose and is_light and "(" not in text:
-        raise _multiplied_by_length(text, loose)
-    length, mass, *_ = unit.dimension
-    is_on_area = is_light and length - 2 * mass == -2  # W has m2 kg
-    if is_on_area and any((name, 1) in unit.atoms for name in WHOLES):
-        problem = f"the unit '{quote(text)}' has a radiance times a whole solid angle"
-        raise UnitError(problem, f"{command('lambertian')}, for the light of a surface")
-    if unit.dimension[COUNT_AT] and ("day", -1) in unit.atoms:
-        unit.notes += (f"{quote(text)} is a rate over 24 h (a daily light integral is in dli)",)
+    if len(parsed) == 2 and " " in text:
+        _refuse_minus(unit, spelling)
+    if is_light:
+        _check_light(unit, loose)
     return _as_wavenumber(unit, inverted)
 
 
@@ -127,9 +116,9 @@ def _named_in_words(text: str) -> Unit | None:
     return unit
 
 
-def _degree(spelling: str, unit: Unit) -> tuple[str, str] | None:
+def _degree(spelling: str, unit: Unit, is_alone: bool) -> tuple[str, str] | None:
     """Return a kelvin for a degree Celsius in a product; None for other spellings."""
-    if spelling.lower().replace("-", "_") not in CELSIUS:
+    if is_alone or spelling.lower().replace("-", "_") not in CELSIUS:
         return None
     unit.notes += (f"{quote(spelling)} in a product counts a difference, in kelvins",)
     return "", "kelvin"
@@ -141,11 +130,12 @@ def _power_of_part(text: str, spelling: str) -> UnitError:
     return UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
 
 
-def _refuse_minus(text: str, spelling: str, unit: Unit) -> None:
+def _refuse_minus(unit: Unit, last: str) -> None:
     """Raise for m-1 m: the minus may be a subtraction or the sign of an exponent."""
-    if len(unit.atoms) == 1 and text.startswith(f"{spelling}-") and " " in text:
-        hint = f"blanks around a minus, or {quote(spelling)}^{unit.atoms[0][1]} for a power"
-        raise UnitError(ambiguous(text, "a subtraction or a power"), hint)
+    exponents = [exponent for _, exponent in unit.atoms]
+    if exponents[1:] == [1] and unit.text.startswith(f"{last}-"):
+        hint = f"blanks around a minus, or {quote(last)}^{exponents[0]} for a power"
+        raise UnitError(ambiguous(unit.text, "a subtraction or a power"), hint)
 
 
 def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
@@ -166,17 +156,28 @@ def _counts_light(powers: Dimension) -> bool:
     return bool(powers[COUNT_AT] or powers[LUMINOSITY_AT] or (powers[MASS_AT] and powers[TIME_AT]))
 
 
-def _multiplied_by_length(text: str, length: str) -> UnitError:
-    """Return the error for W m and the like, where a blank may mean a division."""
-    return UnitError(
-        f"the unit '{quote(text)}' has a length that multiplies light",
-        [
-            correct(
-                text, _with(text, length, f"({length}-1)-1"), remark="a density per wavenumber"
-            ),
+def _check_light(unit: Unit, length: str) -> None:
+    """Refuse light times a length or a whole solid angle; note a rate over a day."""
+    text = unit.text
+    if length and "(" not in text:  # W m, where the blank may mean a division
+        per_wavenumber = _with(text, length, f"({length}-1)-1")
+        ways = [
+            correct(text, per_wavenumber, remark="a density per wavenumber"),
             correct(text, _with(text, length, f"{length}-1"), remark="per length"),
-        ],
-    )
+        ]
+        raise UnitError(f"the unit '{quote(text)}' has a length that multiplies light", ways)
+    length_power, mass_power, *_ = unit.dimension
+    is_on_area = length_power - 2 * mass_power == -2  # W has m2 kg
+    if is_on_area and any((name, 1) in unit.atoms for name in WHOLES):
+        problem = f"the unit '{quote(text)}' has a radiance times a whole solid angle"
+        raise UnitError(problem, f"{command('lambertian')}, for the light of a surface")
+    if unit.dimension[COUNT_AT] and ("day", -1) in unit.atoms:
+        unit.notes += (f"{quote(text)} is a rate over 24 h (a daily light integral is in dli)",)
+
+
+def _in_other_words(text: str) -> Unit | str:
+    """Return the unit of a text in another language or without signs; '' for other texts."""
+    return _in_another_language(text) or _joined(text)
 
 
 def _joined(text: str) -> Unit | str:
