@@ -63,7 +63,7 @@ def canonical(words: list[str]) -> list[str]:
         return _said("convert", "-", *units, *options)
     if source and is_read and _unit(target):
         return _said("convert", "-" if _has_lines(units) else "1", *units, *options)
-    if operands == [target] and is_fifo() and _has_data():
+    if operands == [target] and not ends and is_fifo() and _has_data():
         return _said("convert", "-", target, *options)
     # without a pipe, a target alone is refused for its missing value
     return ["convert", "to", target, *options] if has_word and not source else words

@@ -13,7 +13,6 @@ from radcalc.conversion.conditions import (
     TIME,
     Conditions,
     Factor,
-    slot_of,
 )
 from radcalc.conversion.ways import AT_RADIANCE, PLAIN, Way
 from radcalc.errors import (
@@ -30,7 +29,6 @@ from radcalc.errors import (
     options,
     quote,
 )
-from radcalc.inputs.given import Input
 from radcalc.quantities.light import PHOTON, Reading, coherent_text, describe, read
 from radcalc.tuples import NamedTuple
 from radcalc.units.unit import Daily, Unit
@@ -107,16 +105,10 @@ class Bridge:
     """Two units of different quantities, the given conditions and the missing ones."""
 
     def __init__(
-        self, source: Unit, target: Unit, given: Sequence[Input], number: str = "1"
+        self, source: Unit, target: Unit, conditions: Conditions, number: str = "1"
     ) -> None:
-        self.source, self.target = source, target
+        self.source, self.target, self.conditions = source, target, conditions
         self.number, self.amount = number, joined(number, quote(source.text))
-        notes: tuple[str, ...] = ()
-        if len({slot_of(item.name) for item in given}) < len(given):
-            from radcalc.conversion.agreement import agreed
-
-            given, notes = agreed(given)
-        self.conditions = Conditions(given, notes)
         self.lacking: dict[str, Wanted] = {}
 
     @property

@@ -20,6 +20,7 @@ from radcalc.conversion.conditions import (
     RESPONSIVITY,
     TIME,
     Conditions,
+    slot_of,
 )
 from radcalc.conversion.ways import (
     DISC,
@@ -215,7 +216,12 @@ def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 
 def link(source: Unit, target: Unit, given: Sequence[Input], number: str = "1") -> Links:
     """Return the factors, with their powers, from the source's quantity to the target's."""
-    bridge = Bridge(source, target, given, number)
+    notes: tuple[str, ...] = ()
+    if len({slot_of(item.name) for item in given}) < len(given):
+        from radcalc.conversion.agreement import agreed
+
+        given, notes = agreed(given)
+    bridge = Bridge(source, target, Conditions(given, notes), number)
     start, end = _behind_detector(source), _behind_detector(target)
     links: Links = []
     if source.dimension == target.dimension:
