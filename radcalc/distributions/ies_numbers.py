@@ -3,41 +3,39 @@
 import re
 from bisect import bisect_right
 from collections.abc import Sequence
+from itertools import accumulate
 from typing import Any
 
 import numpy
 
 from radcalc.errors import ConditionError, quote
-from radcalc.files.columns import is_number, numbers_at_once
+from radcalc.files.columns import is_number, numbers_at_once, sound_numbers
 from radcalc.files.text import refusal
 
 BEYOND = 1e18  # limit of a number, so that products stay finite
 
 
 class Numbers:
-    """The numbers after the label, in order, with their lines.
-
-    `start` is the line of the label's end, `ends` the count of numbers up to the end of each line.
-    """
+    """The numbers after the label, in order; `start` is the line of the label's end."""
 
     def __init__(self, lines: Sequence[str], start: int, name: str) -> None:
         self.name = name
         self.start = start
-        values: list[float] = []
-        self.ends: list[int] = []
         self.place = 0
-        body = list(lines[start:])
-        while body and body[-1].strip().upper() in ("", "END"):
-            body.pop()
-        for number, line in enumerate(body, start + 1):
-            values += self.numbers(line, number)
-            self.ends.append(len(values))
-        self.values = numpy.array(values)
+        self.body = list(lines[start:])
+        while self.body and self.body[-1].strip().upper() in ("", "END"):
+            self.body.pop()
+        values = sound_numbers(self.body)
+        self.values = numpy.array(self._one_by_one()) if values is None else values
         are_sound = numpy.abs(self.values) < BEYOND
         if not are_sound.all():
             place = int(numpy.argmin(are_sound))
             problem = f"{self.values[place]:g} is out of range: numbers must be below {BEYOND:g}"
             raise self.error(place, problem, "a finite number")
+
+    def _one_by_one(self) -> list[float]:
+        lines = enumerate(self.body, self.start + 1)
+        return [value for number, line in lines for value in self.numbers(line, number)]
 
     def numbers(self, line: str, number: int) -> list[float]:
         words = line.split()
@@ -63,6 +61,11 @@ class Numbers:
                     "only numbers after TILT",
                 )
         return list(map(float, words))
+
+    @property
+    def ends(self) -> list[int]:
+        """Return the count of numbers up to the end of each line."""
+        return [*accumulate(len(line.replace(",", " ").split()) for line in self.body)]
 
     def error(self, place: int, problem: str, hint: str) -> ConditionError:
         """Return an error about the number at an index."""
