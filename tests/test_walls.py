@@ -255,6 +255,10 @@ def test_a_decimal_in_simple_units_loads_neither_errors_nor_the_grammar():
     assert not loaded & {"radcalc.errors", "radcalc.units.numbers", "radcalc.units.grammar", "math"}
 
 
+def test_lines_are_converted_without_click():
+    assert not loaded_by("convert", "-", "lx", "fc", "--field", "2", "-d", ",") & HEAVY
+
+
 def test_a_plain_conversion_by_a_czech_or_russian_name_loads_no_slow_module():
     loaded = loaded_by("convert", "100", "люкс", "lumen na metr čtvereční")
     assert "radcalc.units.languages" in loaded

@@ -30,7 +30,7 @@ def run(words: list[str]) -> int:
         from radcalc.cli import trials
 
         return trials.refuse(error, words)
-    status = None
+    status: int | BaseException | None = None
     if may_be_sentence(words):
         from radcalc.cli import lane
 
@@ -39,10 +39,10 @@ def run(words: list[str]) -> int:
         from radcalc.cli import plain_call
 
         status = plain_call.answer(words)
-    if status is None:
+    if not isinstance(status, int):
         from radcalc.cli import boundary
 
-        status = boundary.run(words)
+        status = boundary.run(words, status)
     return status
 
 

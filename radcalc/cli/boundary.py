@@ -29,9 +29,18 @@ def of_help(words: list[str]) -> list[str]:
     return words
 
 
-def run(words: list[str]) -> int:
-    """Run a command, or a sentence with options; turn whatever happens into an exit status."""
-    return guarded(words, lambda: or_sentence(words, lambda: answered(words)))
+def run(words: list[str], error: BaseException | None = None) -> int:
+    """Run a command, or a sentence with options; turn whatever happens into an exit status.
+
+    An `error` is that of a run that has begun.
+    """
+
+    def answer() -> int:
+        if error:
+            raise error
+        return answered(words)
+
+    return guarded(words, lambda: or_sentence(words, answer))
 
 
 def or_sentence(

@@ -9,7 +9,7 @@ from typing import Any
 import numpy
 
 from radcalc.errors import ConditionError, quote
-from radcalc.files.columns import is_number, numbers_at_once, sound_numbers
+from radcalc.files.columns import has_odd_digits, is_number, numbers_at_once
 from radcalc.files.text import refusal
 
 BEYOND = 1e18  # limit of a number, so that products stay finite
@@ -25,7 +25,7 @@ class Numbers:
         self.body = list(lines[start:])
         while self.body and self.body[-1].strip().upper() in ("", "END"):
             self.body.pop()
-        values = sound_numbers(self.body)
+        values = _at_once(self.body)
         self.values = numpy.array(self._one_by_one()) if values is None else values
         are_sound = numpy.abs(self.values) < BEYOND
         if not are_sound.all():
@@ -111,3 +111,14 @@ class Numbers:
                 f"the file ends after {self.remaining()} of {what}",
                 f"{count} numbers, and the rest of the file",
             )
+
+
+def _at_once(lines: Sequence[str]) -> Any:
+    """Return the numbers of lines as an array, read at once; None if a word is not a number."""
+    text = " ".join(lines)
+    if not text.strip() or has_odd_digits(text):
+        return None
+    try:
+        return numpy.loadtxt([text], comments=None, ndmin=1)
+    except ValueError:
+        return None

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 DELIMITERS = ("\t", ";", "|", ",")
 COMMENTS = ("#", "%", "//", ";;")
@@ -103,19 +102,6 @@ def numbers_at_once(text: str, cells: Sequence[str]) -> list[float] | None:
         return None
     try:
         return finite_numbers(cells)
-    except ValueError:
-        return None
-
-
-def sound_numbers(lines: Sequence[str]) -> Any:
-    """Return the numbers of lines as an array, read at once; None if a word is not a number."""
-    import numpy
-
-    text = " ".join(lines)
-    if not text.strip() or has_odd_digits(text):
-        return None
-    try:
-        return numpy.loadtxt([text], comments=None, ndmin=1)
     except ValueError:
         return None
 
