@@ -104,18 +104,15 @@ def command(
     Every other column has the answers of a student, whose name is its title.
     """
     refuse_number_options(output, "mark")
-    if len(words) != 1:
-        missing = "the file of the sheet is missing"
-        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
-        raise UsageError(problem, call_of("mark", "FILE"))
+    path = files.only_file(words, "sheet", call_of("mark", "FILE"))
     parts = read_parts(points) if points is not None else PARTS
-    sheet = read_sheet(words[0])
+    sheet = read_sheet(path)
     keys = [_key(sheet, row, tolerance) for row in sheet.rows]
     marked = [*_marked(sheet, keys, parts)]
     notes = _assumptions(sheet, keys)
     rows = [*_with_totals(sheet, marked)]
     table = [_cells(row, len(sheet.students) > 1) for row in rows]
-    inputs = texts_of({"file": words[0], "points": points or "", "tolerance": tolerance or ""})
+    inputs = texts_of({"file": path, "points": points or "", "tolerance": tolerance or ""})
     output.records(Records(rows, notes, table, ("points", "of"), inputs))
     if output.format not in (JSON, TABLE):
         output.remark([Result((), notes=tuple(notes))])
