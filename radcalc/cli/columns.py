@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from radcalc.answer import Result, texts_of
+from radcalc.answer import texts_of
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.cli.command import define
 from radcalc.cli.files import only_file, proposed
@@ -48,9 +48,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
     table = [{key: str(cell) for key, cell in row.items()} for row in rows]
     notes = (f"{listed.rows} rows", *listed.notes)
     right = ("numbers", "from", "to", "mean")
-    output.records(Records(rows, notes, table, right, texts_of({"file": path})))
-    if output.format not in (JSON, TABLE):
-        output.remark([Result((), notes=notes)])
+    output.records(Records(rows, notes, table, right, texts_of({"file": path})), (JSON, TABLE))
 
 
 def _row(path: str, rows: FirstRows, column: ColumnSummary, form: str) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import click
 
 from radcalc import terminal
-from radcalc.answer import Result, texts_of
+from radcalc.answer import texts_of
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import said_of
 from radcalc.cli import files, sentence, trials
@@ -113,9 +113,7 @@ def command(
     rows = [*_with_totals(sheet, marked)]
     table = [_cells(row, len(sheet.students) > 1) for row in rows]
     inputs = texts_of({"file": path, "points": points or "", "tolerance": tolerance or ""})
-    output.records(Records(rows, notes, table, ("points", "of"), inputs))
-    if output.format not in (JSON, TABLE):
-        output.remark([Result((), notes=tuple(notes))])
+    output.records(Records(rows, notes, table, ("points", "of"), inputs), (JSON, TABLE))
     is_right = all(one.mark.verdict == RIGHT for one in marked)
     return terminal.ANSWERED if is_right else terminal.WRONG
 
