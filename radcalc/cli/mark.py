@@ -131,7 +131,6 @@ def _key(sheet: Sheet, row: Row, tolerance: str | None) -> Key:
             return key(of_value(row.expected), "", "", tolerance)
         refuse_long(row.command)
         words = split(row.command)
-        words = words[1:] if words[:1] == ["radcalc"] else words
         question, wanted, own = _asked(words)
         found = key(question, wanted, row.expected, own or tolerance)
         if row.expected:
