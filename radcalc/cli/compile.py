@@ -254,7 +254,7 @@ def _without_results(words: list[str]) -> list[str]:
 
 def examples_of(command: SectionedCommand) -> Iterator[list[str]]:
     """Yield the words of the examples of a command in its help."""
-    for line in EXAMPLE.findall((command.help or "").replace("\\\n", " ")):
+    for line in EXAMPLE.findall(command.help or ""):
         words = line.partition("  ")[0].split()
         if words[0] == command.name:
             yield protect_negatives(words)
