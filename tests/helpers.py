@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import re
 import select
 import shutil
 import subprocess
@@ -26,6 +27,7 @@ from radcalc.cli.spelling import Shell
 from radcalc.derivation import coherent_unit_of
 from radcalc.errors import RadcalcError
 from radcalc.laws.law import AnyLaw
+from radcalc.render.mdoc import displayed
 
 PACKAGE = str(Path(radcalc.__file__).parent)
 Q = radcalc.Quantity
@@ -238,3 +240,14 @@ def screen_of(*words: str, columns: int = 80, **environment: str) -> str:
             screen += part
         process.wait(60)
     return screen.decode().replace("\r\n", "\n")
+
+
+def displays_of(page):
+    """Every command of the displays of a manual page, with the output below it."""
+    displays = []
+    for block in re.findall(r"^\.Bd -literal[^\n]*\n(.*?)^\.Ed$", page, re.MULTILINE | re.DOTALL):
+        for entry in re.split(r"^\$ ", displayed(block), flags=re.MULTILINE)[1:]:
+            lines = entry.split("\n")
+            length = next(i for i, line in enumerate(lines, 1) if not line.endswith(("\\", "|")))
+            displays.append(("\n".join(lines[:length]), "\n".join(lines[length:])))
+    return displays

@@ -13,7 +13,7 @@ from radcalc.calculators.pages import page_of
 from radcalc.errors import RadcalcError, Try, UsageError, manual, options, quote
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, in_kind, specific_name
-from radcalc.sentences.frames import inputs_of, listed_by
+from radcalc.sentences.frames import inputs_of
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.ranges import read_values
 from radcalc.units.reading import read_amount
@@ -116,7 +116,7 @@ def _candidates(page: Page, amount: Unnamed, given: Mapping[str, Any]) -> list[s
     if amount.unit is None:
         return []
     dimension, light = amount.unit.dimension, read_light(amount.unit)
-    symbols = [page.symbol(name) for name in listed_by(page)]
+    symbols = [page.symbol(name) for name in page.listed]
     taking = [s.name for s in symbols if s.form == QUANTITY and dimension in s.dimensions]
     if dimension == LENGTH and amount.unit.text not in ("nm", "um"):
         taking = [name for name in taking if name != "wavelength"]

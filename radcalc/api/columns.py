@@ -76,7 +76,9 @@ def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, An
     units = {key: _unit_of(key, value) for key, value in columns.items()}
     aligned = _aligned(columns)
     first = aligned[0]
-    pattern = Columns(library_of(first), first, library_of(first) == XARRAY and _is_quantity(first))
+    pattern = Columns(
+        library_of(first), first, library_of(first) == XARRAY and is_quantity(first.data)
+    )
     arrays = {
         key: _array(key, column, unit)
         for (key, unit), column in zip(units.items(), aligned, strict=True)
@@ -88,10 +90,6 @@ def is_spectrum(key: str) -> bool:
     """Return whether an argument is a spectrum, which may be a whole table."""
     symbol = SYMBOLS.get(symbol_name(key))
     return symbol is not None and symbol.form == SPECTRUM
-
-
-def _is_quantity(column: Any) -> bool:
-    return is_quantity(column.data)
 
 
 def _unit_of(key: str, given: Any) -> Unit | None:
@@ -124,7 +122,7 @@ def _stated_unit(given: Any) -> Unit | None:
         return unit_of(given)
     if library_of(column) != XARRAY:
         return None
-    if _is_quantity(column):
+    if is_quantity(column.data):
         return unit_of(column.data)
     return resolve(str(column.attrs[UNITS])) if UNITS in column.attrs else None
 

@@ -161,14 +161,10 @@ def _arrays(key: str, value: Any) -> list[Any]:
             return []
         if array.shape[-1:] != (3,):
             raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
-        return [_lazy(array[..., axis]) for axis in range(3)]
+        return [dask.array.asarray(array[..., axis]) for axis in range(3)]
     if waits and symbol and symbol.form != QUANTITY:
         raise ConditionError(f"{option(symbol.name)} is a Dask array", "one value: .compute()")
-    return [_lazy(array)] if waits or is_column(array) else []
-
-
-def _lazy(array: Any) -> Any:
-    return dask.array.asarray(array)
+    return [dask.array.asarray(array)] if waits or is_column(array) else []
 
 
 def _without_elements(array: Any) -> Any:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from functools import lru_cache, reduce
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
@@ -24,6 +24,8 @@ from radcalc.calculators.point_laws import (
     lies_at_incidence,
     place_at_incidence,
     place_hemisphere,
+    place_incidence,
+    place_offsets,
     refuse_light_of_surfaces,
     require_height,
     solve_facing,
@@ -52,7 +54,7 @@ from radcalc.laws.point import CONICAL, COSINE_BELOW, ISOTROPIC, LAWS, LOBED
 from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
-from radcalc.maths import any_true, atan2, hypot, is_array, power
+from radcalc.maths import any_true, atan2, is_array, power
 from radcalc.quantities.light import LUMINOUS
 from radcalc.quantities.symbols import generic_name, light_unit
 
@@ -303,8 +305,7 @@ class _Luminaire:
 
     def _place_receiver(self) -> None:
         given, placed = self.given, self.placed
-        if "incidence" in given:
-            placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
+        place_incidence(given, placed)
         placed.laws.append(laws_of.relative_intensity(self.source))
         if self.is_below:
             self._place_below()
@@ -322,15 +323,11 @@ class _Luminaire:
 
     def _place_below(self) -> None:
         given, placed = self.given, self.placed
-        offsets = [given[name] for name in OFFSETS if name in given]
-        if offsets:
-            placed.add(
-                "lateral", reduce(hypot, (offset.value for offset in offsets), 0.0), *offsets
-            )
-        elif not self.is_aside:
+        has_offsets = place_offsets(given, placed)
+        if not (has_offsets or self.is_aside):
             placed.add("lateral", 0.0)
         placed.laws += laws_of.direction(self.pose, self.bearing)
-        if self.is_aside and not offsets:
+        if self.is_aside and not has_offsets:
             placed.laws.append(OFFSET)
         if "incidence" in given:
             place_at_incidence(given, placed, HORIZONTAL if "aim" in given else LYING)

@@ -152,8 +152,8 @@ class Search(NamedTuple):
 
 def _as_another(error: WrongQuantity, page: Page) -> list[Try]:
     """Propose the inputs of a page that take a value, or its number as the right quantity."""
-    inputs = {name for group in page.sections.values() for name in group}
-    inputs |= {other for name in inputs & SYMBOLS.keys() for other in names_of_kinds(name)}
+    inputs = {*page.listed}
+    inputs |= {other for name in inputs for other in names_of_kinds(name)}
     if error.tries and all(name in inputs for one in error.tries for name, _ in one.inputs):
         return list(error.tries)
     if not error.text:
@@ -162,7 +162,7 @@ def _as_another(error: WrongQuantity, page: Page) -> list[Try]:
     if amount.unit is None:
         return []
     dimension = amount.unit.dimension
-    names = [name for group in page.sections.values() for name in group if name in SYMBOLS]
+    names = [name for name in page.listed if name in SYMBOLS]
     takers = [
         name
         for name in names

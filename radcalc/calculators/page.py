@@ -116,11 +116,15 @@ class Page(NamedTuple):
             return []
         return [other for other in names_of_kinds(name) if SPECIFIC[other][1] in self.kinds]
 
+    @property
+    def listed(self) -> list[str]:
+        """The symbols of the options, in their order."""
+        return [name for section in self.sections.values() for name in section]
+
     def accepts(self, name: str) -> bool:
         """Return whether a call may give a symbol: of a section, or for one kind of light."""
-        listed = [other for section in self.sections.values() for other in section]
         generic, _ = SPECIFIC.get(name, ("", ""))
-        return name in listed or (generic in listed and name in self.kinds_of(generic))
+        return name in self.listed or (generic in self.listed and name in self.kinds_of(generic))
 
     @property
     def paragraphs(self) -> list[str]:

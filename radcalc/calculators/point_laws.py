@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from functools import reduce
 from typing import Any
 
 from radcalc.calculators.kinds import LightInputs
@@ -21,7 +22,7 @@ from radcalc.errors import (
 from radcalc.inputs.given import Inputs, angle_of, require
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import ASIDE, CONICAL, ISOTROPIC, LOBED
-from radcalc.maths import any_true, is_array
+from radcalc.maths import any_true, hypot, is_array
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
 # Inputs that need the distribution as a function of direction, not the laws of its shape.
@@ -66,6 +67,20 @@ def place_at_incidence(given: Inputs, placed: Placed, lying: str = LYING) -> Non
         placed.assume(f"{lying}, and {angle}", of=ON_DIRECTION)
     else:
         placed.assume(TURNED, of=ON_RECEIVER)
+
+
+def place_incidence(given: Inputs, placed: Placed) -> None:
+    """Add an incidence that is given."""
+    if "incidence" in given:
+        placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
+
+
+def place_offsets(given: Inputs, placed: Placed) -> bool:
+    """Add the distance from the axis of offsets that are given; return whether there are any."""
+    offsets = [given[name] for name in OFFSETS if name in given]
+    if offsets:
+        placed.add("lateral", reduce(hypot, (offset.value for offset in offsets), 0.0), *offsets)
+    return bool(offsets)
 
 
 def require_height(solved: Solved) -> None:

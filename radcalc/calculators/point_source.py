@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from functools import partial, reduce
+from functools import partial
 
 from radcalc.answer import Answer
 from radcalc.calculators.page import Page
@@ -24,6 +24,8 @@ from radcalc.calculators.point_laws import (
     lies_at_incidence,
     place_at_incidence,
     place_hemisphere,
+    place_incidence,
+    place_offsets,
     refuse_light_of_surfaces,
     require_height,
     solve_facing,
@@ -35,7 +37,7 @@ from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, RadcalcError, mention
 from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs, angle_of
+from radcalc.inputs.given import Inputs
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,
@@ -68,7 +70,7 @@ from radcalc.laws.point import (
 from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import reached
 from radcalc.laws.solver import solve as follow
-from radcalc.maths import any_true, hypot, is_array, power
+from radcalc.maths import any_true, is_array, power
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
 PAGE = Page(
@@ -281,7 +283,7 @@ def _with_remarks(solved: Solved, shape: str) -> Answer:
 def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
     """Place a receiver on the source's axis, or anywhere around an isotropic source."""
     given = sheet.given
-    _place_incidence(given, placed)
+    place_incidence(given, placed)
     placed.laws += [INVERSE_SQUARE, RECEIVER_ON_AXIS[shape]]
     if "height" in given:
         placed.add("lateral", 0.0)
@@ -294,12 +296,9 @@ def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
 
 def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
     given, laws = sheet.given, placed.laws
-    _place_incidence(given, placed)
+    place_incidence(given, placed)
     laws.append(AXIS)
-    offsets = [given[name] for name in OFFSETS if name in given]
-    if offsets:
-        placed.add("lateral", reduce(hypot, (offset.value for offset in offsets), 0.0), *offsets)
-    else:
+    if not place_offsets(given, placed):
         laws.append(OFFSET)
     is_flat = "incidence" not in given or lies_at_incidence(given)
     if "incidence" in given:
@@ -327,11 +326,6 @@ def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
         placed.assume("the receiver is inside the cone", of=["relative-intensity"])
         laws.remove(INSIDE)
         placed.add("relative-intensity", 1.0)
-
-
-def _place_incidence(given: Inputs, placed: Placed) -> None:
-    if "incidence" in given:
-        placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
 
 
 def _compare_cone(solved: Solved) -> None:

@@ -13,7 +13,7 @@ from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
-from radcalc.derivation import Formula, format_angle, format_number
+from radcalc.derivation import Formula, format_angle, format_number, format_value
 from radcalc.errors import (
     ConditionError,
     Exclusive,
@@ -415,12 +415,12 @@ class _Sky:
         placed.steps.append(self._luminance())
         over_ground = each(lambda *at: projected_sky(sky, UP, at)[0], sun[0], 0.0)
         placed.add("horizontal-sky", over_ground)
-        placed.steps.append(HORIZONTAL_SKY.step({}, _solid(over_ground)))
+        placed.steps.append(HORIZONTAL_SKY.step({}, format_value(over_ground, "sr")))
         if self.has_plane:
             facing = _facing(given)
             before = each(lambda x, y, z, *at: projected_sky(sky, (x, y, z), at)[0], *facing, *sun)
             placed.add("plane-sky", before)
-            placed.steps.append(PLANE_SKY.step({}, _solid(before)))
+            placed.steps.append(PLANE_SKY.step({}, format_value(before, "sr")))
         if self.is_sunlit:
             placed.add("sun-height", sin(given["sun-elevation"].value))
         if self.has_plane and self.is_sunlit:
@@ -510,7 +510,3 @@ def _facing(given: Inputs) -> Vector:
         return unit(given["normal"].value)
     tilt, azimuth = given["tilt"].value, given["azimuth"].value if "azimuth" in given else 0.0
     return sin(tilt) * cos(azimuth), sin(tilt) * sin(azimuth), cos(tilt)
-
-
-def _solid(size: Number) -> str:
-    return f"{format_number(size)} sr"

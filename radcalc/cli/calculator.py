@@ -107,7 +107,7 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
 
     assert request.check is not None
     if len(cases) > 1 or cases[0].size > 1:
-        options = [name for names in page_of(task.command).sections.values() for name in names]
+        options = page_of(task.command).listed
         varied = [given for given in cases[0].varied if given.name in options]
         operands = [(given.text, given.text.split(",")[0]) for given in cases[0].varied]
         raise check.several(varied, operands)

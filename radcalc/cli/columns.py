@@ -2,13 +2,13 @@
 
 from typing import Any
 
-from radcalc.answer import Result, texts_of
+from radcalc.answer import texts_of
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.cli.command import define
-from radcalc.cli.files import proposed
+from radcalc.cli.files import only_file, proposed
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import quoted
-from radcalc.errors import ConditionError, UsageError, quote, quote_path
+from radcalc.errors import ConditionError, quote_path
 from radcalc.errors import command as call_of
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.units import offered
@@ -38,11 +38,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
     command converts the column.
     """
     refuse_number_options(output, "columns")
-    if len(words) != 1:
-        missing = "the file of the table is missing"
-        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
-        raise UsageError(problem, call_of("columns", "FILE"))
-    path = words[0]
+    path = only_file(words, "table", call_of("columns", "FILE"))
     found = contents_of(path)
     if found.rows is None:
         problem = f"{quote_path(path)} is {NAMES[found.kind]}, not a table"
@@ -52,9 +48,7 @@ def command(words: tuple[str, ...], output: Output) -> None:
     table = [{key: str(cell) for key, cell in row.items()} for row in rows]
     notes = (f"{listed.rows} rows", *listed.notes)
     right = ("numbers", "from", "to", "mean")
-    output.records(Records(rows, notes, table, right, texts_of({"file": path})))
-    if output.format not in (JSON, TABLE):
-        output.remark([Result((), notes=notes)])
+    output.records(Records(rows, notes, table, right, texts_of({"file": path})), (JSON, TABLE))
 
 
 def _row(path: str, rows: FirstRows, column: ColumnSummary, form: str) -> dict[str, Any]:

@@ -6,7 +6,7 @@ completion does not load the commands or Click.
 
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import chdir
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -43,7 +43,7 @@ from radcalc.quantities.symbols import (
     Symbol,
     names_of_kinds,
 )
-from radcalc.quantities.targets import GENERIC, names_starting
+from radcalc.quantities.targets import GENERIC, names_with_units
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra import listing
 from radcalc.units.dimensions import TEMPERATURE
@@ -56,11 +56,7 @@ ENDINGS = {
     DISTRIBUTION: (".ies", ".ldt", *COLUMNS),
     ENVIRONMENT: tuple(MAPS),
 }
-HEAD = '''"""The table of completion, printed by `radcalc.cli.compile` from the commands."""
-
-# command: (its line in the help, what its operands are, its options)
-# operands: (form, values); an option: (names, form, values, help, is hidden, is repeatable)
-'''
+HEAD = '"""The table of completion, printed by `radcalc.cli.compile` from the commands."""\n'
 EXAMPLE = re.compile(r"^ +radcalc (.*)$", re.MULTILINE)
 RESULT, CLAIM = "result", "claim"
 FIGURE = "figure"  # an option with an optional file
@@ -78,37 +74,23 @@ class Compiler:
             self.quantities(SYMBOLS[name])
 
     def text(self) -> str:
-        rows: dict[str, Row] = {}
+        commands: dict[str, Row] = {}
         for name, line in COMMANDS.items():
             command = command_of(name)
-            rows[name] = line, self._operands(command), self._options(command)
-        own_rows = [self._option(option, {}) for option in main_options()]
-        printed = "".join(
-            f"    {name!r}: ({line!r}, {operands!r}, (\n{_lines(listed)}    )),\n"
-            for name, (line, operands, listed) in rows.items()
-        )
-        units = "".join(f"    {key!r}: {row!r},\n" for key, row in self._light_first())
-        quantities = "".join(
-            f"    {name!r}: {('', False) if name in GENERIC else (unit, _leaves(name))},\n"
-            for name, unit in names_starting("")
-        )
-        spectra = "".join(
-            f"    {name!r}: {description!r},\n"
-            for name, description in listing.described(listing.search())
-        )
-        found = "".join(f"    {name!r}: {calls!r},\n" for name, calls in self.results.items())
-        return (
-            f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own_rows)})\n\n"
-            f"# units of the quantities, with their names\n"
-            f"UNITS = {{\n{units}}}\n"
-            "# names of quantities: the unit (none if the source's kind decides it),\n"
-            "# and whether it is an exitance\n"
-            f"NAMES = {{\n{quantities}}}\n"
-            f"# endings of files, by the form of the value\nENDINGS = {ENDINGS}\n"
-            f"# the named spectra\nSPECTRA = {{\n{spectra}}}\n"
-            "# results: the commands that have them, each with the words of a call that shows it\n"
-            f"RESULTS = {{\n{found}}}\n"
-        )
+            commands[name] = line, self._operands(command), self._options(command)
+        parts = {
+            "COMMANDS": commands,
+            "RADCALC": [self._option(option, {}) for option in main_options()],
+            "UNITS": dict(self._light_first()),
+            "NAMES": {
+                name: ("", False) if name in GENERIC else (unit, target_of(name).is_exitance)
+                for name, unit in names_with_units()
+            },
+            "ENDINGS": ENDINGS,
+            "SPECTRA": dict(listing.described(listing.search())),
+            "RESULTS": self.results,
+        }
+        return HEAD + "".join(f"{name} = {part!r}\n" for name, part in parts.items())
 
     def _light_first(self) -> list[tuple[str, tuple[tuple[str, str], ...]]]:
         light = {name for names, _ in GEOMETRIES.values() for name in names}
@@ -254,18 +236,10 @@ def _without_results(words: list[str]) -> list[str]:
 
 def examples_of(command: SectionedCommand) -> Iterator[list[str]]:
     """Yield the words of the examples of a command in its help."""
-    for line in EXAMPLE.findall((command.help or "").replace("\\\n", " ")):
+    for line in EXAMPLE.findall(command.help or ""):
         words = line.partition("  ")[0].split()
         if words[0] == command.name:
             yield protect_negatives(words)
-
-
-def _leaves(name: str) -> bool:
-    return target_of(name).is_exitance
-
-
-def _lines(rows: Iterable[Row]) -> str:
-    return "".join(f"        {row!r},\n" for row in rows)
 
 
 def made() -> str:

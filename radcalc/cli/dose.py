@@ -13,11 +13,12 @@ from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.check import several
 from radcalc.cli.command import define
+from radcalc.cli.files import only_file
 from radcalc.cli.line_options import refuse_second_reader
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.cli.streams import complain
-from radcalc.errors import UsageError, quote
+from radcalc.errors import UsageError
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
@@ -196,13 +197,10 @@ def _asks_for_dli(request: Request) -> bool:
 
 def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
     """Return the file of the samples, or - for standard input, which no other input may read."""
-    if len(words) != 1:
-        missing = "the file of the samples is missing"
-        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
-        raise UsageError(problem, call_of("dose", "FILE"))
-    if words[0] == "-":
+    path = only_file(words, "samples", call_of("dose", "FILE"))
+    if path == "-":
         refuse_second_reader(typed)
-    return words[0]
+    return path
 
 
 def _gap(all_cases: Sequence[Case]) -> float:

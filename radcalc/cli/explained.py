@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import click
 
 from radcalc import terminal
-from radcalc.answer import Result, texts_of
+from radcalc.answer import texts_of
 from radcalc.cli import files, habits
 from radcalc.cli.cases import is_stream
 from radcalc.cli.heard import hear
@@ -30,11 +30,7 @@ Rows = list[dict[str, str]]
 def explain(words: Words, listener: "Listener | None" = None) -> int:
     """Write how a call without a command is read; do not answer it."""
     output, records = explained(words, listener)
-    if output.format == JSON:
-        output.records(records)
-    else:
-        output.records(records._replace(notes=()))
-        output.remark([Result((), notes=tuple(records.notes))])
+    output.records(records, (JSON,))
     return terminal.ANSWERED
 
 

@@ -6,13 +6,14 @@ from contextlib import suppress
 from radcalc import terminal
 from radcalc.cli.names import COMMANDS
 from radcalc.cli.spelling import pasted
-from radcalc.errors import RadcalcError, Try, call, quote_path
+from radcalc.errors import RadcalcError, Try, UsageError, call, quote, quote_path
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from radcalc.cli.output import Listener
+    from radcalc.errors import Hint
 
 # The kind of file that each command reads as an operand, and each option.
 OPERANDS = {
@@ -78,6 +79,14 @@ def meant(words: list[str]) -> list[str]:
         if is_relative(words[0]):
             routed[2:2] = ["--unit", "1"]
     return routed
+
+
+def only_file(words: "Sequence[str]", contents: str, hint: "Hint") -> str:
+    """Return the file that a command reads, its only operand."""
+    if len(words) == 1:
+        return words[0]
+    missing = f"the file of the {contents} is missing"
+    raise UsageError(f"unexpected argument '{quote(words[1])}'" if words else missing, hint)
 
 
 def say(

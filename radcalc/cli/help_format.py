@@ -76,9 +76,7 @@ def joined(lines: Iterable[str]) -> Iterator[str]:
     for line in lines:
         start = len(line) - len(line.lstrip())
         parts = BETWEEN_COLUMNS.split(joined_line.lstrip())
-        if joined_line.endswith("\\"):
-            joined_line = f"{joined_line[:-1].rstrip()} {line.strip()}"
-        elif len(parts) == 2 and start == len(joined_line) - len(parts[1]) and start > DEEPER:
+        if len(parts) == 2 and start == len(joined_line) - len(parts[1]) and start > DEEPER:
             joined_line += f"\n{line.strip()}"
         else:
             yield from [joined_line] if joined_line else []

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
-from radcalc.answer import Result, texts_of
+from radcalc.answer import texts_of
 from radcalc.calculators.page import SEARCH, Operand, Page
 from radcalc.cli.command import define
 from radcalc.cli.findings import EXACT, Finding, find, near
@@ -58,28 +58,11 @@ def command(words: tuple[str, ...], output: Output) -> None:
         {"kind": one.kind, "name": one.name, "what": one.what, "command": pasted(one.call)}
         for one in shown
     ]
-    table = [
-        {
-            "kind": row["kind"],
-            "name": row["name"],
-            "what it is": row["what"],
-            "command to type": row["command"],
-        }
-        for row in rows
-    ]
+    titles = ("kind", "name", "what it is", "command to type")
+    table = [dict(zip(titles, row.values(), strict=True)) for row in rows]
     notes = [*_more(text, found, shown), *_tasks(text)]
-    in_json = output.format == JSON
-    output.records(
-        Records(
-            rows,
-            notes if in_json else (),
-            table,
-            inputs=texts_of({"search": text}),
-            unfolded=("command to type",),
-        )
-    )
-    if not in_json:
-        output.remark([Result((), notes=tuple(notes))])
+    inputs, unfolded = texts_of({"search": text}), ("command to type",)
+    output.records(Records(rows, notes, table, inputs=inputs, unfolded=unfolded), (JSON,))
 
 
 def _best(found: Sequence[Finding], text: str) -> list[Finding]:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import click
 
 from radcalc import terminal
-from radcalc.answer import Result, texts_of
+from radcalc.answer import texts_of
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import said_of
 from radcalc.cli import files, sentence, trials
@@ -104,21 +104,16 @@ def command(
     Every other column has the answers of a student, whose name is its title.
     """
     refuse_number_options(output, "mark")
-    if len(words) != 1:
-        missing = "the file of the sheet is missing"
-        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
-        raise UsageError(problem, call_of("mark", "FILE"))
+    path = files.only_file(words, "sheet", call_of("mark", "FILE"))
     parts = read_parts(points) if points is not None else PARTS
-    sheet = read_sheet(words[0])
+    sheet = read_sheet(path)
     keys = [_key(sheet, row, tolerance) for row in sheet.rows]
     marked = [*_marked(sheet, keys, parts)]
     notes = _assumptions(sheet, keys)
     rows = [*_with_totals(sheet, marked)]
     table = [_cells(row, len(sheet.students) > 1) for row in rows]
-    inputs = texts_of({"file": words[0], "points": points or "", "tolerance": tolerance or ""})
-    output.records(Records(rows, notes, table, ("points", "of"), inputs))
-    if output.format not in (JSON, TABLE):
-        output.remark([Result((), notes=tuple(notes))])
+    inputs = texts_of({"file": path, "points": points or "", "tolerance": tolerance or ""})
+    output.records(Records(rows, notes, table, ("points", "of"), inputs), (JSON, TABLE))
     is_right = all(one.mark.verdict == RIGHT for one in marked)
     return terminal.ANSWERED if is_right else terminal.WRONG
 
@@ -136,7 +131,6 @@ def _key(sheet: Sheet, row: Row, tolerance: str | None) -> Key:
             return key(of_value(row.expected), "", "", tolerance)
         refuse_long(row.command)
         words = split(row.command)
-        words = words[1:] if words[:1] == ["radcalc"] else words
         question, wanted, own = _asked(words)
         found = key(question, wanted, row.expected, own or tolerance)
         if row.expected:

@@ -10,6 +10,7 @@ from radcalc.errors import Hint, UsageError, leave_out, one_of
 from radcalc.quantities.language import ENGLISH, language
 from radcalc.render.formats import (
     CSV,
+    FORMATS,
     JSON,
     PLAIN,
     TABLE,
@@ -86,8 +87,13 @@ class Output(NamedTuple):
                 results = [r._replace(notes=(*r.notes, *omitted(r.rows))) for r in results]
             self.remark(results)
 
-    def records(self, records: Records) -> None:
-        terminal.write(renderer(self.format).records(records, self._on_terminal()))
+    def records(self, records: Records, notes_in: Sequence[str] = FORMATS) -> None:
+        """Write a list, with its notes apart if its format is not among some."""
+        is_apart = self.format not in notes_in
+        shown = records._replace(notes=()) if is_apart else records
+        terminal.write(renderer(self.format).records(shown, self._on_terminal()))
+        if is_apart:
+            self.remark([Result((), notes=tuple(records.notes))])
 
     def judge(self, judgement: Judgement) -> None:
         """Write whether an answer is right; the listener hears the right one."""

@@ -65,9 +65,8 @@ def _join_unit(error: MissingUnit, words: list[str]) -> RadcalcError | None:
 def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     """Return Click's error about an option or a command, with the nearest correct ones."""
     called = called_in(words)
-    help_ = f"{f'radcalc {called}'.strip()} --help"
     if isinstance(error, click.NoSuchOption):
-        return _no_such_option(error.option_name, called, help_, words)
+        return _no_such_option(error.option_name, called, words)
     message = one_line(error.format_message().replace(MINUS, "-"))  # as it was typed
     message = message.replace("a valid integer range", "a whole number in its range")
     if "unexpected extra argument" in message:
@@ -124,7 +123,7 @@ def _one_word(unit: str, words: list[str]) -> list[Try]:
     return []
 
 
-def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> RadcalcError:
+def _no_such_option(typed: str, called: str, words: list[str]) -> RadcalcError:
     from radcalc.cli.command import GET
 
     if after_command := options_behind(words):

@@ -15,6 +15,7 @@ from radcalc.cli.answers import Answered, refuse_bare, result, show
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
+from radcalc.cli.files import only_file
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import ConditionError, UsageError, leave_out, one_of, quote
@@ -85,10 +86,7 @@ def command(
     output: Output,
 ) -> int:
     """Answer for the points of a scene."""
-    if len(words) != 1:
-        missing = "the file of the scene is missing"
-        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
-        raise UsageError(problem, f"{call_of('scene', 'FILE.csv')} --at X,Y,Z")
+    path = only_file(words, "scene", f"{call_of('scene', 'FILE.csv')} --at X,Y,Z")
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1:
         raise UsageError(
@@ -96,7 +94,7 @@ def command(
         )
     given = all_cases[0].given
     refuse_uncertain(given.values(), "a scene")
-    places = texts_of({"file": words[0], "at": " ".join(at)})
+    places = texts_of({"file": path, "at": " ".join(at)})
     all_inputs = (*places, *shown_inputs(given))
     points = _points(at, given.pop("grid", None))
     normal = given.pop("normal").value if "normal" in given else None
@@ -106,7 +104,7 @@ def command(
         _refuse_one_of_many(request, points.size)
 
     def survey(given: Inputs) -> page.Survey:
-        scene = page.scene(words[0], given, points.assumptions)
+        scene = page.scene(path, given, points.assumptions)
         few = bool(at) and 1 < len(scene.sources) <= FEW
         return page.Survey(scene, normal, few or any(map(page.is_share, names)))
 

@@ -153,8 +153,6 @@ class Session:
     def read(self, line: str) -> list[str]:
         self.used: set[int] = set()  # origins of the uncertainties in it
         words = split(line)
-        if words[:1] == ["radcalc"]:
-            words = words[1:]
         called = words[0] if words else ""
         if EXPLAIN in words:
             return self._in_sentence(words)
@@ -357,7 +355,6 @@ def _as_typed(called: list[str], typed: list[str]) -> list[str]:
 
     A call in which names or arithmetic were replaced keeps its order.
     """
-    typed = typed[1:] if typed[:1] == ["radcalc"] else typed
     if called[:1] == ["convert"] != typed[:1] and is_sentence(called[1:]):
         called = called[1:]
     return typed if sorted(typed) == sorted(called) else called

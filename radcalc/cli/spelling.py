@@ -50,15 +50,16 @@ def refuse_long(line: str) -> None:
 
 
 def split(line: str) -> list[str]:
-    """Split a line into words, with quotes as at a shell."""
+    """Split a line into words, with quotes as at a shell; `radcalc` may be the first of them."""
     import shlex  # slow, and rarely needed
 
     try:
-        return shlex.split(line)
+        words = shlex.split(line)
     except ValueError as error:
         mark = "\\" if "escaped" in str(error) else '"' if line.count('"') % 2 else "'"
         missing = "nothing after it" if mark == "\\" else "no second one"
         raise UsageError(f"the {mark} has {missing}", f"the line without {mark}") from None
+    return words[1:] if words[:1] == ["radcalc"] else words
 
 
 def pasted(words: "Sequence[str]") -> str:

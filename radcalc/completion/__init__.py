@@ -65,8 +65,7 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
     if not line.is_closed:
         name, equals, text = incomplete.partition("=")
         if equals and (option := line.option(name)):
-            candidates = _values(option, text)
-            return [Completion(name + equals + o.text, o.description, o.closes) for o in candidates]
+            return [value.after(name + equals) for value in _values(option, text)]
         if incomplete == "-" or is_option(incomplete):
             return _fitting_options(line, incomplete)
     form, values = line.operand

@@ -22,6 +22,10 @@ class Completion:
         self.description = description
         self.closes = closes
 
+    def after(self, text: str) -> "Completion":
+        """Return the completion of a word that begins with a text."""
+        return Completion(text + self.text, self.description, self.closes)
+
     def __repr__(self) -> str:
         """Show the word, and its blank."""
         return f"Completion({self.text + ' ' * self.closes!r}, {self.description!r})"

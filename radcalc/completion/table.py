@@ -9,12 +9,19 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from typing import Any
 
+# A command: its line in the help, the form and the values of its operands, and its options.
 COMMANDS: "dict[str, Any]" = {}
+# The options of radcalc itself: names, form, values, help, is hidden, is repeatable.
 RADCALC: "list[Any]" = []
+# The units of the quantities, with their names.
 UNITS: "dict[str, Any]" = {}
+# Names of quantities: the unit ("" if the kind of the source decides it), and is an exitance.
 NAMES: "dict[str, Any]" = {}
+# Endings of files, by the form of the value.
 ENDINGS: "dict[str, Any]" = {}
+# The named spectra.
 SPECTRA: "dict[str, Any]" = {}
+# Results: the commands that have them, each with the words of a call that shows it.
 RESULTS: "dict[str, Any]" = {}
 
 

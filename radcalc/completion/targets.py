@@ -54,10 +54,7 @@ def operands(words: "Sequence[str]", given: "Mapping[str, str]", typed: str) -> 
     if not words:
         head, number, unit = split_number(typed)
         units = _units("", unit) if number and unit else []
-        return [
-            Completion(head + number + completion.text, completion.description)
-            for completion in units
-        ]
+        return [completion.after(head + number) for completion in units]
     source, has_separator, target_words = _read(words)
     if source is None:
         return _units("", typed) if len(words) == 1 else []
@@ -66,10 +63,7 @@ def operands(words: "Sequence[str]", given: "Mapping[str, str]", typed: str) -> 
     head = f"{' '.join(target_words)} " if target_words else ""
     before, comma, last = typed.rpartition(",")  # a list of targets
     targets = Reach(source, _conditions(given)).units(head, last)
-    return [
-        Completion(before + comma + completion.text, completion.description)
-        for completion in targets
-    ]
+    return [completion.after(before + comma) for completion in targets]
 
 
 def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ...]:

@@ -23,10 +23,6 @@ def starting(texts: "Iterable[str]", prefix: str, closes: bool = True) -> list[C
     return [Completion(text, "", closes) for text in texts if text.startswith(prefix)]
 
 
-def _choices(choices: "Sequence[str]", incomplete: str) -> list[Completion]:
-    return starting(choices, incomplete)
-
-
 def _quantities(values: "Sequence[Any]", incomplete: str) -> list[Completion]:
     """Return a number with units that fit, also at the end of a list or range; or an example."""
     example, quantities = values
@@ -41,18 +37,14 @@ def in_units(quantities: "Sequence[str]", incomplete: str, likely: str = "") -> 
     head, number, typed = split_number(incomplete)
     if not number:
         return []
-    completions = [
-        Completion(f"{head}{number}{text}", description)
-        for text, description in units_of(quantities, typed)
-    ]
-    likely = f"{head}{number}{likely}"
-    return sorted(completions, key=lambda completion: completion.text != likely)
+    units = sorted(units_of(quantities, typed), key=lambda unit: unit.text != likely)
+    return [unit.after(head + number) for unit in units]
 
 
-def units_of(quantities: "Sequence[str]", typed: str) -> list[tuple[str, str]]:
+def units_of(quantities: "Iterable[str]", typed: str) -> list[Completion]:
     """Return the units with this beginning and their names; long names only once typed."""
     return [
-        (text, description)
+        Completion(text, description)
         for name in quantities
         for text, description in UNITS[name]
         if text.startswith(typed) and (typed or "_" not in text)
@@ -77,10 +69,7 @@ def _results(results: Results, incomplete: str) -> list[Completion]:
     fitting = _named(results, name)
     if name in results and (colon or len(fitting) == 1):
         completions = [] if colon else [Completion(name)]
-        units = units_of(results[name][1], unit)
-        return completions + [
-            Completion(f"{name}:{text}", description) for text, description in units
-        ]
+        return completions + [u.after(f"{name}:") for u in units_of(results[name][1], unit)]
     return [Completion(result, "", False) for result in fitting]
 
 
@@ -95,10 +84,7 @@ def _claims(results: Results, incomplete: str) -> list[Completion]:
     if not equals:
         return [Completion(f"{result}=", "", False) for result in _named(results, name)]
     in_each_unit = in_units(results[name][1], value) if name in results else []
-    return [
-        Completion(f"{name}={completion.text}", completion.description)
-        for completion in in_each_unit
-    ]
+    return [completion.after(f"{name}=") for completion in in_each_unit]
 
 
 def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -122,15 +108,11 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     named = [Completion(name, row[0]) for name, row in NAMES.items() if name.startswith(incomplete)]
-    units = units_of(list(UNITS), incomplete) if incomplete else []
-    return named + [Completion(text, description) for text, description in units]
+    return named + (units_of(UNITS, incomplete) if incomplete else [])
 
 
 def _units(quantities: "Sequence[str]", incomplete: str) -> list[Completion]:
-    return [
-        Completion(text, description)
-        for text, description in [*units_of(quantities, incomplete), ("1", "")]
-    ]
+    return [*units_of(quantities, incomplete), Completion("1")]
 
 
 def _distributions(values: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -142,10 +124,6 @@ def _environments(skies: "Sequence[str]", incomplete: str) -> list[Completion]:
     if ":" in incomplete:
         return starting([f"sky:{name}" for name in skies], incomplete)
     return starting(["sky:"], incomplete, closes=False) + completions
-
-
-def _files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
-    return files(endings, incomplete)
 
 
 def _figures(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -187,7 +165,7 @@ def _place(text: str, endings: "Sequence[str]") -> int:
 
 
 READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
-    "choice": _choices,
+    "choice": starting,
     "quantity": _quantities,
     "interval": _quantities,
     "range of wavelengths": _quantities,
@@ -196,7 +174,7 @@ READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
     "spectrum": _spectra,
     "distribution": _distributions,
     "environment": _environments,
-    "file": _files,
+    "file": files,
     "figure": _figures,
     "search": _searches,
     "unit": _units,

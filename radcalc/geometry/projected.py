@@ -42,7 +42,6 @@ from radcalc.maths import (
     square,
 )
 
-HEMISPHERE = math.pi  # [sr] also that of all directions: a surface sees half of them
 RIGHT = math.pi / 2  # [rad] a right angle
 
 

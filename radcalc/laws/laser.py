@@ -8,6 +8,7 @@ distance, beyond which it is less.  A receiver is a round aperture on the axis.
 A divergence is small: phi d is within 0.6 % of 2 d tan(phi/2) up to 0.25 rad.
 """
 
+import operator
 from typing import Any
 
 from radcalc.geometry import cones
@@ -29,14 +30,6 @@ def _leg(whole: Any, part: Any) -> Any:
     return sqrt((whole - part) * (whole + part))
 
 
-def _minus(whole: Any, part: Any) -> Any:
-    return whole - part
-
-
-def _plus(first: Any, second: Any) -> Any:
-    return first + second
-
-
 def _widened(far: Any, near: Any) -> Any:
     cones.refuse(far < near, "the beam would become narrower with distance", WIDER)
     return far
@@ -44,7 +37,7 @@ def _widened(far: Any, near: Any) -> Any:
 
 SPREADS = {  # sum and difference of diameters, template of the formula, and its reference
     GAUSSIAN: (hypot, _leg, "sqrt({diameter}^2 + ({divergence} {%s})^2)", WAIST),
-    UNIFORM: (_plus, _minus, "{diameter} + {divergence} {%s}", RANGE),
+    UNIFORM: (operator.add, operator.sub, "{diameter} + {divergence} {%s}", RANGE),
 }
 
 

@@ -13,7 +13,7 @@ from radcalc.spectra.spectrum import Spectrum
 IN_THE_PLANE = ("x", "y", "duv", *HUE, *SCREEN)  # results that the diagram explains
 BODIES = [1e6 / mired for mired in range(1000, 9, -30)]  # K, evenly along the locus
 NAMED = (460, 480, 500, 520, 540, 560, 580, 600, 620)  # nm, of the spectrum locus
-ROUND = 72  # pieces of a circle
+TURNS = [2 * math.pi * k / 72 for k in range(72)]  # of a circle
 REACH = 1.5  # of the colour vectors, in radii of the reference
 
 
@@ -63,7 +63,7 @@ def vectors(source: Spectrum) -> ColourDiagram:
         raise ConditionError(
             f"no colour vectors of {source.label}: {error}", "white light"
         ) from None
-    circle = [(math.cos(turn), math.sin(turn)) for turn in _turns(ROUND)]
+    circle = [(math.cos(turn), math.sin(turn)) for turn in TURNS]
     radii = [math.hypot(*mean) for mean in found.reference]
     lit = [(a / size, b / size) for (a, b), size in zip(found.test, radii, strict=True)]
     series = [
@@ -81,10 +81,6 @@ def vectors(source: Spectrum) -> ColourDiagram:
         for (a, b), size, end in zip(found.reference, radii, lit, strict=True)
     ]
     return ColourDiagram(title, x, y, series, marks, arrows)
-
-
-def _turns(count: int) -> list[float]:
-    return [2 * math.pi * k / count for k in range(count)]
 
 
 def _columns(points: Sequence[tuple[float, float]]) -> tuple[list[float], list[float]]:

@@ -47,7 +47,7 @@ class Series(NamedTuple):
         return [y for values in (self.y, *(self.band or ())) for y in values]
 
 
-class Hue(NamedTuple):
+class Tint(NamedTuple):
     """The colour of a position on an axis, in sRGB from 0 to 1."""
 
     place: float
@@ -67,7 +67,7 @@ class Chart(NamedTuple):
     y: Axis
     series: Sequence[Series]
     marks: Sequence[tuple[str, float]] = ()
-    hues: Sequence[Hue] = ()
+    hues: Sequence[Tint] = ()
     note: str = ""
 
     @property

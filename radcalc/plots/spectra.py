@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from radcalc.errors import ConditionError, option
-from radcalc.plots.data import LINE, LINES, REFERENCE, Axis, Chart, Hue, Series
+from radcalc.plots.data import LINE, LINES, REFERENCE, Axis, Chart, Series, Tint
 from radcalc.quantities.light import RADIANT
 from radcalc.quantities.symbols import light_unit, specific_name
 from radcalc.spectra import planck
@@ -67,17 +67,16 @@ def efficiency(eye: Observer, most: float = 1.0) -> Series:
     return Series(label, x, [most * value for value in eye.values], REFERENCE)
 
 
-def hues() -> list[Hue]:
+def hues() -> list[Tint]:
     """Return the colours of wavelengths, as close as a screen can show them, at full brightness.
 
     No single wavelength is within sRGB: negative components are omitted.
     """
-    visible = []
-    for k in range(0, len(X), APART):
-        nm = START + k
-        if VISIBLE[0] <= nm <= VISIBLE[1]:
-            visible.append(Hue(float(nm), *srgb((X[k], Y[k], Z[k]))))
-    return visible
+    return [
+        Tint(float(START + k), *srgb((X[k], Y[k], Z[k])))
+        for k in range(0, len(X), APART)
+        if VISIBLE[0] <= START + k <= VISIBLE[1]
+    ]
 
 
 def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:

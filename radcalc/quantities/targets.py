@@ -66,9 +66,15 @@ def is_name(text: str) -> bool:
     return bool(_meanings(text, None)) or comparable(text) in index().names
 
 
-def names_starting(prefix: str) -> list[tuple[str, str]]:
-    """Return the names of quantities with that prefix, each as one word, with their usual units."""
-    return sorted((name, target.unit) for name, target in _targets(comparable(prefix)).items())
+def names_with_units() -> list[tuple[str, str]]:
+    """Return the unambiguous names of quantities, each as one word, with their usual units."""
+    units = {}
+    for folded, name in _names().items():
+        if unit_of(name) is None:
+            meanings = _meanings(name, None)
+            if len(meanings) == 1 or folded in GENERIC:
+                units[name.replace(" ", "-")] = meanings[0].unit
+    return sorted(units.items())
 
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
@@ -122,17 +128,6 @@ def _other(other: Other) -> Target | None:
     units = (symbol.unit if symbol else "", *composed(other.unit), COHERENT.get(dimension, ""))
     usual = next((u for u in units if u and resolve(u).dimension == dimension), None)
     return Target(name, usual) if usual else None
-
-
-def _targets(start: str) -> dict[str, Target]:
-    """Return the unambiguous names with that prefix, as one word."""
-    targets = {}
-    for folded, name in _names().items():
-        if folded.startswith(start) and unit_of(name) is None:
-            meanings = _meanings(name, None)
-            if len(meanings) == 1 or folded in GENERIC:
-                targets[name.replace(" ", "-")] = meanings[0]
-    return targets
 
 
 def _names() -> dict[str, str]:

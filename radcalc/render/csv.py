@@ -80,7 +80,6 @@ def records(records: Records, style: Style) -> str:
 def verdict(judgement: Judgement, style: Style) -> str:
     """Raise an error: a judgement is not a table of values."""
     refuse_verdict()
-    return ""
 
 
 def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from radcalc.units.unit import unit_behind
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
-    from typing import Any
+    from typing import Any, NoReturn
 
     from radcalc.answer import Ends, Result, Row, Step
     from radcalc.render.formats import Judgement, Records, Style
@@ -175,7 +175,7 @@ def _mistakes(diagnoses: "Sequence[Any]", language: str) -> "Iterator[str]":
         yield in_language("no usual mistake gives this number", language)
 
 
-def refuse_verdict() -> None:
+def refuse_verdict() -> "NoReturn":
     """Raise an error for a verdict in a format of values only."""
     from radcalc.errors import Try, UsageError, option
 

@@ -1,6 +1,6 @@
 """The call of a command that a sentence means: its facts decide."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import (
@@ -197,12 +197,8 @@ def _refuse_height_of_sun(sentence: Sentence) -> None:
         is_plain = fact.symbols == ("incidence",) and "incidence" not in fact.typed
         is_given = "normal" in fact.typed or fact.text[:6] == "90deg-"
         if is_plain and not is_given and sentence.has(SUN):
-            height = fact._replace(text=f"90deg-{fact.text}")
-            tries = [
-                Try(words=call, remark=remark)
-                for other, remark in ((fact, "from the normal"), (height, "the sun's height"))
-                for call in _answerable(_with_fact(sentence, fact, other))[:1]
-            ]
+            height = _with_text(sentence, fact, f"90deg-{fact.text}")
+            tries = _proposed([(sentence, "from the normal"), (height, "the sun's height")])
             problem = f"'{quote(fact.typed)}' is the angle from the normal, or the sun's height"
             raise UsageError(problem, tries)
 
@@ -388,12 +384,11 @@ def _with_led(sentence: Sentence) -> Sentence:
     first, second = sorted(LEDS, key=lambda led: abs(LEDS[led] - temperature))[:2]
     others = sentence._replace(facts=tuple([fact for fact in facts if fact is not colours[0]]))
     if abs(LEDS[first] - temperature) <= NEAR * temperature:
-        return _with_fact(others, leds[0], leds[0]._replace(text=first))
-    tries = [
-        Try(words=call, remark=f"an LED of {LEDS[name]} K")
-        for name in (first, second)
-        for call in _answerable(_with_fact(others, leds[0], leds[0]._replace(text=name)))[:1]
-    ]
+        return _with_text(others, leds[0], first)
+    names = (first, second)
+    tries = _proposed(
+        (_with_text(others, leds[0], name), f"an LED of {LEDS[name]} K") for name in names
+    )
     raise UsageError(f"no LED of the CIE has about {quote(colours[0].typed)}", tries or first)
 
 
@@ -463,13 +458,10 @@ def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError
     radiant = _with_fact(sentence, fact, fact._replace(symbols=("flux",)))
     if "led" in fact.typed.lower().split():
         radiant = radiant._replace(facts=(*radiant.facts, Fact(("spectrum",), "LED", "LED")))
-    ways = (
-        (radiant, "watts of light"),
-        (_with_fact(sentence, fact, electrical), f"electrical watts, {efficacy} as an example"),
+    remark = f"electrical watts, {efficacy} as an example"
+    tries = _proposed(
+        [(radiant, "watts of light"), (_with_fact(sentence, fact, electrical), remark)]
     )
-    tries = [
-        Try(words=call, remark=remark) for way, remark in ways for call in _answerable(way)[:1]
-    ]
     problem = f"'{quote(fact.typed)}': the watts of a lamp are electrical or of its light"
     return UsageError(problem, tries or "its flux in lm, or its radiant flux")
 
@@ -485,12 +477,9 @@ def _is_of_photons(goal: Goal) -> bool:
 def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
     """Return the error for a place without its value, as the reflectance of white paper."""
     if fact.symbols == ("spectrum",):
-        ways = {name: _with_fact(sentence, fact, fact._replace(text=name)) for name in FLUORESCENT}
-        tries = [
-            Try(words=call, remark=FLUORESCENT[name])
-            for name, way in ways.items()
-            for call in _answerable(way)[:1]
-        ]
+        tries = _proposed(
+            (_with_text(sentence, fact, name), remark) for name, remark in FLUORESCENT.items()
+        )
         return UsageError(f"'{quote(fact.typed)}': lamps of this kind differ", tries or "FL2")
     symbol = SYMBOLS[fact.symbols[0]]
     tries = _with(sentence, fact, fact._replace(text=symbol.example), goal, "an example")
@@ -501,6 +490,11 @@ def _with_fact(sentence: Sentence, fact: Fact, other: Fact) -> Sentence:
     """Return a sentence with another fact in place of one."""
     facts = [other if one is fact else one for one in sentence.facts]
     return sentence._replace(facts=tuple(facts))
+
+
+def _with_text(sentence: Sentence, fact: Fact, text: str) -> Sentence:
+    """Return a sentence with another value of a fact."""
+    return _with_fact(sentence, fact, fact._replace(text=text))
 
 
 def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark: str) -> list[Try]:
@@ -559,3 +553,8 @@ def _answerable(sentence: Sentence) -> list[tuple[str, ...]]:
         return _calls_of(sentence)
     except UsageError:
         return []
+
+
+def _proposed(ways: Iterable[tuple[Sentence, str]]) -> list[Try]:
+    """Propose the first call of each of several sentences, with its remark."""
+    return [Try(words=call, remark=remark) for way, remark in ways for call in _answerable(way)[:1]]

@@ -207,10 +207,10 @@ def inputs_of(command: str, unit: Unit, given: Iterable[str] = ()) -> list[str]:
     taken = taken_by(page)
     names, light = [*meant(amount)], light_of(amount)
     if light and names != [VALUE]:
-        alike = [n for n in listed_by(page) if SYMBOLS[n].geometry == SYMBOLS[names[0]].geometry]
+        alike = [n for n in page.listed if SYMBOLS[n].geometry == SYMBOLS[names[0]].geometry]
         names += [name for name in alike if not name.startswith("peak-")]
     elif amount.is_wavelength:
-        alike = [n for n in listed_by(page) if SYMBOLS[n].unit in ("nm", "um")]
+        alike = [n for n in page.listed if SYMBOLS[n].unit in ("nm", "um")]
         names = [name for name in alike if amount.dimension in SYMBOLS[name].dimensions]
     found = [in_kind(name, light.kind) if light else name for name in names]
     for frame in FRAMES:
@@ -324,14 +324,9 @@ def one_word(fact: Fact) -> str:
     return number + unit if blank and is_amount else fact.text
 
 
-def listed_by(page: Page) -> list[str]:
-    """Return the symbols of a page's options, in their order."""
-    return [name for names in page.sections.values() for name in names]
-
-
 def taken_by(page: Page) -> set[str]:
     """Return the symbols that a page takes, with the names of one kind of light."""
-    names = {*listed_by(page)}
+    names = {*page.listed}
     return names | {other for name in names for other in names_of_kinds(name)}
 
 
@@ -373,7 +368,7 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
         name = own if is_irradiance(goal) else _generic(own)  # a spectrum has all three kinds
         return [f"{name}:{goal.text}"] if is_result else []
     angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
-    return [n for n in goal.names if n in listed_by(page)] or angles or list(goal.names[:1])
+    return [n for n in goal.names if n in page.listed] or angles or list(goal.names[:1])
 
 
 def _called(goal: Goal, listed: list[str], own: set[str]) -> list[str]:

@@ -25,7 +25,7 @@ from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Dimension, Unit
 
 DISTANCE = ("distance",)
-EFFICACY, EFFICACIES = "efficacy", ("lm/W", "umol/J")
+OF_EFFICACY = ("lm/W", "umol/J")  # light per power, or its photons
 INVERSE_SQUARE = re.compile(r"\(.+\) \* \(.+\)\^2 / \(.+\)\^2|.+ \* sqrt\(\(.+\) / \(.+\)\)")
 SMALL_SOURCE = "a source small compared to both distances (the inverse square law)"
 PPFD = "umol/m2/s"  # which is a unit in expressions
@@ -47,16 +47,10 @@ def quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
         ways = _of_two(amounts)
     else:
         return []
-    target = _unit_of(goal, amounts)
-    found = [["convert", way, target] for way, dimension in ways.items() if dimension in dimensions]
-    if goal.names[:1] == (EFFICACY,) and not goal.unit:  # light per power, or its photons
-        found = [
-            ["convert", way, unit]
-            for way, dimension in ways.items()
-            for unit in EFFICACIES
-            if resolve(unit).dimension == dimension
-        ]
-    return found
+    targets = dict.fromkeys(dimensions, _unit_of(goal, amounts))
+    if goal.names[:1] == ("efficacy",) and not goal.unit:
+        targets = {resolve(unit).dimension: unit for unit in OF_EFFICACY}
+    return [["convert", way, targets[of]] for way, of in ways.items() if of in targets]
 
 
 def _product_of_three(amounts: Sequence[Amount]) -> dict[str, Dimension]:

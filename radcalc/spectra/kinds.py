@@ -16,11 +16,6 @@ FORMS = {
 }
 
 
-def forms() -> list[str]:
-    """Return the kinds with the names of their parameters."""
-    return [f"{kind}:{parameters}" for kind, (parameters, *_) in FORMS.items()]
-
-
 def example(kind: str) -> str:
     """Return an example of a kind of spectrum."""
     return FORMS[kind][2]

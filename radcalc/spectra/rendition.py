@@ -18,7 +18,6 @@ from radcalc.tuples import NamedTuple
 SAMPLED = 380, 780  # nm: CIE 224
 COARSEST = 5.0  # nm: widest step of data for CIE 224
 COLDEST = 1000.0  # K: lowest temperature of the reference that colour-science finds
-BINS = 16  # of hue, in TM-30
 Point = tuple[float, float]
 
 

@@ -178,17 +178,13 @@ def compile_units(text: str) -> tuple[str, str]:
         f"PREFIX_NAMES = {_lines(definitions.prefix_names)}\n"
         f"PREFIX_SYMBOLS = {_lines(definitions.prefix_symbols)}\n"
     )
-    entries = "".join(
-        f"    {u.name!r}: ({u.symbols}, {u.names}, {u.value!r}, {u.source!r}),\n"
-        for u in definitions.units
-    )
-    constants = "".join(
-        f"    {c.name!r}: ({c.letters + c.symbols}, {c.names}, {c.value!r}, {c.source!r}),\n"
-        for c in definitions.constants
+    entries, constants = (
+        _lines({d.name: (d.letters + d.symbols, d.names, d.value, d.source) for d in listed})
+        for listed in (definitions.units, definitions.constants)
     )
     catalogue = (
-        f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {{\n{entries}}}\n"
-        f"CONSTANTS = {{\n{constants}}}\n"
+        f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {entries}\n"
+        f"CONSTANTS = {constants}\n"
     )
     return table, catalogue
 

@@ -6,9 +6,9 @@ import re
 
 import pytest
 from conftest import run
-from helpers import for_each, terminal_of
+from helpers import displays_of, for_each, terminal_of
 
-from radcalc.cli import man, manual
+from radcalc.cli import man
 from radcalc.sentences.tasks import FILE, search, tasks
 
 TRADES = {
@@ -133,5 +133,5 @@ def test_the_page_has_the_tasks():
     (source,) = [
         path.read_text(encoding="utf-8") for path in page if path.name == "radcalc-examples.7"
     ]
-    shown = [re.sub(r" \\\n +", " ", command) for command, _ in manual.transcripts(source)]
+    shown = [re.sub(r" \\\n +", " ", command) for command, _ in displays_of(source)]
     assert shown == [call.command for task in tasks() for call in task.calls]

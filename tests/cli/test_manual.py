@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 import pytest
 from conftest import ROOT
-from helpers import for_each, require
+from helpers import displays_of, for_each, require
 from test_cases import answered
 
 from radcalc.cli import habits, manual
@@ -277,7 +277,7 @@ TRANSCRIPTS = [
     pytest.param(command, output, id=f"{name}: {command}")
     for name in PAGES
     if name != "radcalc-examples(7)"  # generated from a transcript of test_cases
-    for command, output in manual.transcripts(SOURCES[name])
+    for command, output in displays_of(SOURCES[name])
 ]
 
 
@@ -296,7 +296,7 @@ def test_no_line_of_a_display_is_wider_than_80_columns(name):
 
 @for_each(COMMANDS)
 def test_every_command_has_examples_that_run(name):
-    ran = [command for command, _ in manual.transcripts(SOURCES[f"radcalc-{name}(1)"])]
+    ran = [command for command, _ in displays_of(SOURCES[f"radcalc-{name}(1)"])]
     assert any(f"radcalc {name}" in command for command in ran)
 
 

@@ -10,7 +10,6 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 
 from radcalc.cli.manual import commands, phrases, reference, tasks
-from radcalc.render.mdoc import displayed
 
 MARKED = re.compile(
     r'^(\.\\" generated: (\w+)(?: of (.+))?\n)(?:.*\n)*?(\.\\" end of generated\n)', re.MULTILINE
@@ -42,14 +41,3 @@ def rewritten(page: str) -> str:
         return match[1] + "".join(f"{line}\n" for line in lines) + match[4]
 
     return MARKED.sub(write, page)
-
-
-def transcripts(page: str) -> list[tuple[str, str]]:
-    """Yield every command of a page's displays, with the output below it."""
-    displays = []
-    for block in re.findall(r"^\.Bd -literal[^\n]*\n(.*?)^\.Ed$", page, re.M | re.S):
-        for entry in re.split(r"^\$ ", displayed(block), flags=re.M)[1:]:
-            lines = entry.split("\n")
-            length = next(i for i, line in enumerate(lines, 1) if not line.endswith(("\\", "|")))
-            displays.append(("\n".join(lines[:length]), "\n".join(lines[length:])))
-    return displays
