@@ -11,6 +11,7 @@ from conftest import ROOT, run
 
 from radcalc import terminal
 from radcalc.cli.names import COMMANDS
+from radcalc.errors import OutputError
 
 # What Python lacks on Windows.  asyncio and subprocess, which need it here, are imported before.
 WITHOUT_POSIX = """
@@ -125,7 +126,7 @@ def test_a_closed_pipe_of_windows_ends_quietly(monkeypatch, tmp_path):
     terminal.write("100 lx\n")
     with open(tmp_path / "answer", "wb") as file:  # of a file it is another error
         monkeypatch.setattr(sys, "stdout", Pipe(file.fileno()))
-        with pytest.raises(terminal.OutputError):
+        with pytest.raises(OutputError):
             terminal.write("100 lx\n")
     os.close(reader)
     os.close(writer)
