@@ -8,8 +8,7 @@ import os
 
 from radcalc import terminal
 from radcalc.calculators.pages import SUMMARIES
-from radcalc.cli import habits
-from radcalc.cli.names import COMMANDS, EXPLAIN
+from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
 from radcalc.errors import RadcalcError
 
 VARIABLE = "RADCALC_DEFINITIONS"
@@ -24,12 +23,17 @@ def run(words: list[str]) -> int:
             definitions.load(path)
         except RadcalcError as error:
             return terminal.complain(error)
-    try:
-        words = words if EXPLAIN in words else habits.canonical(words)
-    except RadcalcError as error:
-        from radcalc.cli import trials
+    if words and words[-1] in HELP_NAMES:
+        return _with_click(words)
+    if EXPLAIN not in words:
+        from radcalc.cli import habits
 
-        return trials.refuse(error, words)
+        try:
+            words = habits.canonical(words)
+        except RadcalcError as error:
+            from radcalc.cli import trials
+
+            return trials.refuse(error, words)
     status: int | BaseException | None = None
     if may_be_sentence(words):
         from radcalc.cli import lane
@@ -39,11 +43,13 @@ def run(words: list[str]) -> int:
         from radcalc.cli import plain_call
 
         status = plain_call.answer(words)
-    if not isinstance(status, int):
-        from radcalc.cli import boundary
+    return status if isinstance(status, int) else _with_click(words, status)
 
-        status = boundary.run(words, status)
-    return status
+
+def _with_click(words: list[str], error: BaseException | None = None) -> int:
+    from radcalc.cli import boundary
+
+    return boundary.run(words, error)
 
 
 def _definitions(words: list[str]) -> str:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator
+from functools import cache
 from itertools import chain
 
 from radcalc.errors import (
@@ -184,7 +185,7 @@ class Cut:
         mark = self.delimiter or _only_blank(block)
         if self.delimiter and b'"' in block:
             mark = b""
-        if mark and b"#" not in block:
+        if len(mark) == 1 and b"#" not in block:
             converted = self._table(block, mark, fields, texts, width, adds)
         return converted or self._matched(block, fields, texts.column, width, adds)
 
@@ -195,31 +196,34 @@ class Cut:
         """Convert column by column, if all lines have the same number of fields."""
         rows = block.count(b"\n")
         width = block.count(mark, 0, block.index(b"\n")) + 1
-        # the ends of the lines as separate cells: in a table they are a column
-        end = mark + b"\n" + mark
-        cells = block[:-1].replace(b"\n", end).split(mark)
-        ends = cells[width :: width + 1]
-        regular = len(cells) == rows * (width + 1) - 1 and ends.count(b"\n") == rows - 1
-        if not regular or width < fields.last or expected not in (0, width):
+        is_regular = block.translate(None, _all_but(mark)) == (mark * (width - 1) + b"\n") * rows
+        if not is_regular or width < fields.last or expected not in (0, width):
             return None
-        if texts.form and fields.is_one and b"%" not in block:
-            # the lines are the form of their results, which are written at once
-            place = slice(fields.last - 1, None, width + 1)
-            values = texts.values(cells[place])
-            if values is not None and adds:
-                return block.replace(b"\n", mark + texts.form + b"\n") % tuple(values)
-            if values is not None:
-                cells[place] = [texts.form] * rows
-                return (mark.join(cells).replace(end, b"\n") + b"\n") % tuple(values)
-        for index in fields.of(width):
-            column = texts.column(cells[index :: width + 1])
+        # Two cells of two lines stay together, unless one of them is converted.
+        places = [*fields.of(width)]
+        is_inner = all(0 < index < width - 1 for index in places)
+        step = width - 1 if is_inner else width
+        end = b"\n" if is_inner else b"\n" + mark
+        cells = block.replace(b"\n", end).split(mark)
+        for index in places:
+            place, is_last = slice(index, rows * step, step), index == width - 1
+            old = [cell[:-1] for cell in cells[place]] if is_last else cells[place]
+            if texts.form and fields.is_one and b"%" not in block:
+                # the lines are the form of their results, which are written at once
+                values = texts.values(old)
+                if values is not None and adds:
+                    return block.replace(b"\n", mark + texts.form + b"\n") % tuple(values)
+                if values is not None:
+                    cells[place] = [texts.form + b"\n" * is_last] * rows
+                    return mark.join(cells).replace(end, b"\n") % tuple(values)
+            column = texts.column(old)
             if column is None:
                 return None
             if adds:
                 lines = zip(block[:-1].split(b"\n"), column, strict=True)
                 return b"\n".join(map(mark.join, lines)) + b"\n"
-            cells[index :: width + 1] = column
-        return mark.join(cells).replace(end, b"\n") + b"\n"
+            cells[place] = [cell + b"\n" for cell in column] if is_last else column
+        return mark.join(cells).replace(end, b"\n")
 
     def _matched(
         self, block: bytes, fields: Fields, convert: Convert, width: int, adds: bool
@@ -262,6 +266,12 @@ class Cut:
         opened = rf'"{blanks}(?={field}{blanks}"{line_end})|(?={field}{line_end})'
         text = rf"^(?![ \t]*#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"
         return re.compile(text.encode("latin-1"), re.MULTILINE)
+
+
+@cache
+def _all_but(mark: bytes) -> bytes:
+    """Return the bytes of lines besides a mark of one byte and the ends of the lines."""
+    return bytes(set(range(256)) - {*mark, *b"\n"})
 
 
 def _only_blank(block: bytes) -> bytes:
