@@ -17,6 +17,7 @@ WAVELENGTH = Axis("wavelength \u03bb", "nm")
 RELATIVE = Axis("relative spectral power")
 APART = 2  # nm between two hues
 POINTS = 400  # of a black body
+SLIVER = 0.05  # of the width of a chart, in which a curve is not readable
 WIDEST = 4  # upper limit of a black body's curve, in wavelengths of its peak
 EACH = "each relative to its own peak"
 
@@ -39,7 +40,9 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
         several = len(sources) > 1
         axis = RELATIVE._replace(label=f"{RELATIVE.label}, {EACH}" if several else RELATIVE.label)
     drawn = []
-    thermal = _thermal([source for source in sources if isinstance(source, BlackBody)], limits)
+    bodies = [source for source in sources if isinstance(source, BlackBody)]
+    tables = [_points(source, limits)[0] for source in sources if source not in bodies]
+    thermal = _ends(list(filter(None, tables)), limits) if any(tables) else _thermal(bodies, limits)
     for source in sources:
         x, y = _points(source, thermal if isinstance(source, BlackBody) else limits)
         if not any(y):
@@ -57,7 +60,9 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
         reference = reference._replace(label=name)
     ends = _ends([series.x for series in drawn], limits)
     axis = axis._replace(limits=(0.0, most))
-    return Chart("", WAVELENGTH._replace(limits=ends), axis, [*drawn, reference], hues=hues())
+    if VISIBLE[1] - VISIBLE[0] > SLIVER * (ends[1] - ends[0]):
+        drawn.append(reference)
+    return Chart("", WAVELENGTH._replace(limits=ends), axis, drawn, hues=hues())
 
 
 def efficiency(eye: Observer, most: float = 1.0) -> Series:

@@ -252,7 +252,7 @@ def _not_understood(sentence: Sentence) -> UsageError:
     if changing and not tries:
         hint: Hint = call("manual", "sentences", remark="which has the words of sentences")
     else:
-        hint = tries or f"without {quote(unknown[0])}, or with another word for it"
+        hint = tries or f"leave out {quote(unknown[0])}, or use another word"
     return UsageError(f"{known}not understood: {listed(unknown)}", hint)
 
 

@@ -75,3 +75,17 @@ def test_hues_are_those_of_a_screen():
     assert green == pytest.approx(1.0)
     assert red < 0.5
     assert blue == 0.0
+
+
+def test_a_black_body_beside_a_lamp_ends_where_the_lamp_does():
+    lamp, body, _ = spectra([spectrum("HPS"), spectrum("blackbody:2856K")], DAY).series
+    assert (body.x[0], body.x[-1]) == pytest.approx((380, 780))  # CIE 15:2018: the table of HP1
+    assert lamp.x[-1] == body.x[-1]
+
+
+def test_an_infrared_spectrum_is_drawn_without_the_eye():
+    """At 300 K the peak is at 9659 nm, by Wien's law (CODATA 2018: 2897.771955 um K)."""
+    chart = spectra([spectrum("blackbody:300K")], DAY)
+    (body,) = chart.series
+    peak = body.x[body.y.index(max(body.y))]
+    assert peak == pytest.approx(2897771.955 / 300, abs=body.x[1] - body.x[0])
