@@ -554,6 +554,10 @@ COMMANDS = {
         "convert 5 mag dBm", "illuminance (lx) to radiant flux", "--area"),
     "a range of readings needs steps in the scale": (
         "point-source --flux 0dBm:10dBm:5mW --distance 2m", "mixes quantities", "0dBm:10dBm:5dBm"),
+    "the reciprocal of a difference of temperatures is not a shift": (
+        "5600 K - 3200 K to mired", "a sum or a difference", "'1/(5600 K) - 1/(3200 K)' MK-1"),
+    "a sum of temperatures has no reciprocal either": (
+        "convert 5600K+3200K MK-1", "a sum or a difference", "'1/(5600K)+1/(3200K)' MK-1"),
     "a number of a range keeps its own unit in a hint": (
         "point-source --flux 800lm --height 50cm:4m:20", "mixes quantities", "50cm:4m:20cm"),
     "a reflectance is not a gain": (

@@ -1,8 +1,8 @@
 """Conversion: a plan from one unit to another, applied to a number or an array."""
 
-from radcalc.conversion.linear import Plan, between, is_function
+from radcalc.conversion.linear import Plan, are_reciprocal, between, is_function
 from radcalc.units.table import unit_of
-from radcalc.units.unit import Unit
+from radcalc.units.unit import TEMPERATURE_ALONE, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -37,12 +37,19 @@ def source_of(amount: "Amount", target: Unit, given: "Sequence[Input]" = ()) -> 
     """Return the unit of an amount, as the target counts it.
 
     A formula of a textbook has the steradian of its law, one with h or c the target's photons.
+    Raises ConversionError for the reciprocal of a difference of temperatures.
     """
     source = amount.typed[1]
     if source is None or amount.rounding is None:
         return source
     from radcalc.units.constants import fit
 
+    if source.dimension == TEMPERATURE_ALONE and (
+        target.is_scale or are_reciprocal(source, target)
+    ):
+        from radcalc.conversion.scaled import refuse_difference
+
+        refuse_difference(amount.text, target)
     source = fit(source, target.dimension)
     if given:
         return source

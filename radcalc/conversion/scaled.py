@@ -3,6 +3,7 @@
 Field strengths and reciprocal temperatures are treated as scales.
 """
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,6 +16,7 @@ from radcalc.errors import (
     RadcalcError,
     Unused,
     add,
+    call,
     correct,
     option,
     quote,
@@ -22,11 +24,35 @@ from radcalc.errors import (
 from radcalc.inputs.given import Input
 from radcalc.quantities.light import describe
 from radcalc.units.electric_fields import PEAK, RMS, FieldUnit, plane_wave
+from radcalc.units.reading import read_amount
 from radcalc.units.scale_table import CONSTANTS
 from radcalc.units.scales import ScaleUnit, reciprocal
-from radcalc.units.unit import FIELD_STRENGTH, INVERSE_TEMPERATURE, Unit
+from radcalc.units.unit import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit
 
+SUM = re.compile(r"(\s*[-+\u2212]\s*)")  # between terms
 LOSS = "OD"  # counts losses, while the other ratios count gains
+
+
+def refuse_difference(text: str, target: Unit) -> None:
+    """Raise for 5600 K - 3200 K in mired, whose shift is a difference of reciprocals."""
+    if target.dimension not in (TEMPERATURE_ALONE, INVERSE_TEMPERATURE):
+        return
+    terms = SUM.split(text)
+    if len(terms) == 1 or not all(map(_is_temperature, terms[::2])):
+        return
+    shift = "".join([term if k % 2 else f"1/({term})" for k, term in enumerate(terms)])
+    raise ConversionError(
+        f"'{quote(text)}' is a sum or a difference, whose reciprocal is not a colour temperature",
+        call("convert", shift, "MK-1", remark="the shift"),
+    )
+
+
+def _is_temperature(text: str) -> bool:
+    try:
+        unit = read_amount(text).unit
+    except RadcalcError:
+        return False
+    return unit is not None and unit.dimension == TEMPERATURE_ALONE
 
 
 class ScaledPlan(Plan):
