@@ -22,7 +22,8 @@ def meant(args: list[str]) -> Hint:
     if names:
         tries = corrections(args[0], *names[:2])
         return tries if args[1:] else [call(names[0], "--help")]
-    return looked_up(args[0]) or looked_up(" ".join(args)) or "radcalc --help"
+    whole = " ".join(args)
+    return looked_up(args[0]) or looked_up(whole) or typical_of(whole) or "radcalc --help"
 
 
 def absent_file(args: list[str]) -> UsageError | None:
@@ -43,6 +44,13 @@ def absent_file(args: list[str]) -> UsageError | None:
     paths = [os.path.join(folder, one) for one in near]
     hint = corrections(absent[0], *paths) or "the path of a file"
     return UsageError(f"there is no file '{quote(absent[0])}'", hint)
+
+
+def typical_of(text: str) -> Try | None:
+    """Return the call that lists typical values of a thing; None if there are none."""
+    from radcalc.quantities.typical import is_seen
+
+    return call("typical", *text.split()) if is_seen(text) else None
 
 
 def looked_up(word: str) -> Try | None:

@@ -72,6 +72,11 @@ def search(text: str) -> list[Typical]:
     )
 
 
+def is_seen(text: str) -> bool:
+    """Return whether words are in the name of a thing with a typical value: full moon."""
+    return bool(matching(text, VALUES, _names))
+
+
 def _names(value: Typical) -> str:
     return " ".join((*value.names, value.quantity, value.unit, value.also))
 

@@ -28,6 +28,7 @@ from radcalc.quantities.symbols import (
     SPECIFIC,
     SYMBOLS,
 )
+from radcalc.quantities.typical import is_seen
 from radcalc.sentences.facts import (
     DAYS,
     Facts,
@@ -249,8 +250,11 @@ def _not_understood(sentence: Sentence) -> UsageError:
     corrected = next(filter(None, map(_corrected, unknown)), [])
     tries = [*corrected[:1], *_without(sentence)] or corrected
     changing = [word for text in unknown for word in text.split() if comparable(word) in MEANINGFUL]
-    if changing and not tries:
-        hint: Hint = call("manual", "sentences", remark="which has the words of sentences")
+    seen = next(filter(is_seen, (sentence.text, " ".join(unknown))), "")
+    if seen and not tries:
+        hint: Hint = call("typical", *seen.split())
+    elif changing and not tries:
+        hint = call("manual", "sentences", remark="which has the words of sentences")
     else:
         hint = tries or f"leave out {quote(unknown[0])}, or use another word"
     return UsageError(f"{known}not understood: {listed(unknown)}", hint)
