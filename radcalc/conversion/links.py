@@ -51,9 +51,11 @@ from radcalc.errors import (
 from radcalc.inputs.given import Input, require
 from radcalc.maths import any_true, power
 from radcalc.quantities.light import (
+    LUMINOUS,
     NONE,
     PHOTON_NAMES,
     RADIANT,
+    RATIOS,
     Reading,
     coherent_text,
     is_incident,
@@ -290,13 +292,18 @@ def _unlike(bridge: Bridge) -> RadcalcError:
                 get=f"{PHOTON_NAMES[target.dimension]}:{quote(target.text)}",
             ),
         )
+    if source.dimension in PHOTON_NAMES and target.dimension == RATIOS[LUMINOUS, RADIANT]:
+        return ConversionError(
+            f"{heading}: no condition links them, but light of one wavelength has an efficacy",
+            call("photon", bridge.amount, get=f"luminous-efficacy:{quote(target.text)}"),
+        )
     if TEMPERATURE in (source.dimension, target.dimension):
         return _unlike_heat(bridge)
     if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
-        name = "half-angle" if source.dimension == ANGLE else "solid-angle"
+        names = ("apex-angle", "half-angle") if source.dimension == ANGLE else ("solid-angle",)
         return ConversionError(
             f"{heading}: no condition links them, since a solid angle depends on the shape",
-            call("solid-angle", "cone", **{name: bridge.amount}),
+            [call("solid-angle", "cone", **{name: bridge.amount}) for name in names],
         )
     hint = f"{command('units', 'UNIT')}, which shows what a unit measures"
     if notes := source.notes + target.notes:

@@ -76,6 +76,7 @@ EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.05  # of a temperature
+JUDGING = frozenset(["right", "correct", "true", "wrong", "ok"])  # words of a question
 # Usual fluorescent lamps of the CIE, with their colour temperatures as `spectrum` gives them.
 FLUORESCENT = {
     "FL2": "cool white, 4225 K",
@@ -107,6 +108,7 @@ def call_of(sentence: Sentence) -> list[str]:
         if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
             raise _without_value(sentence, fact, _goal_of(sentence))
     _refuse_percentage(sentence)
+    _refuse_exitance(sentence)
     calls = _calls_of(sentence)
     if len(calls) == 1:
         _refuse_room(calls[0])
@@ -136,6 +138,21 @@ def _refuse_percentage(sentence: Sentence) -> None:
     if percentages and not _is_of_shining(_goal_of(sentence)):
         problem = f"{percentages[0]} may be a reflectance, a transmittance or another part"
         raise UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
+
+
+def _refuse_exitance(sentence: Sentence) -> None:
+    """Refuse `exitance of 500 lx, reflectance 0.8`: 500 lx leave the surface, or fall on it."""
+    if sentence.goals or not any("reflectance" in fact.symbols for fact in sentence.facts):
+        return
+    for fact in sentence.facts:
+        names = [name for name in fact.symbols if SPECIFIC.get(name, (name,))[0] == "exitance"]
+        if names and fact.amount and not fact.amount.unit.is_exitance:
+            goal = Goal(SYMBOLS[names[0]].label, None, (names[0],))
+            fallen = _with_fact(sentence, fact, fact._replace(symbols=()))
+            ways = [(fallen._replace(goals=(goal,)), "it falls on the surface")]
+            ways.append((sentence, "it leaves the surface"))
+            problem = f"{quote(fact.text)} may fall on the surface or leave it"
+            raise SeveralReadings(problem, _proposed(ways))
 
 
 def _is_of_shining(goal: Goal | None) -> bool:
@@ -247,12 +264,15 @@ def _not_understood(sentence: Sentence) -> UsageError:
             read_amount(word)  # its error says more
     understood = [fact.typed for fact in sentence.facts] + [goal.text for goal in sentence.goals]
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
-    corrected = next(filter(None, map(_corrected, unknown)), [])
+    is_unit = any(map(is_bare, sentence.facts))  # 5 mw
+    corrected = next(filter(None, [_corrected(word, is_unit) for word in unknown]), [])
     tries = [*corrected[:1], *_without(sentence)] or corrected
     changing = [word for text in unknown for word in text.split() if comparable(word) in MEANINGFUL]
     seen = next(filter(is_seen, (sentence.text, " ".join(unknown))), "")
-    if seen and not tries:
-        hint: Hint = call("typical", *seen.split())
+    if checks := _checks(sentence):
+        hint: Hint = checks
+    elif seen and not tries:
+        hint = call("typical", *seen.split())
     elif changing and not tries:
         hint = call("manual", "sentences", remark="which has the words of sentences")
     else:
@@ -260,11 +280,28 @@ def _not_understood(sentence: Sentence) -> UsageError:
     return UsageError(f"{known}not understood: {listed(unknown)}", hint)
 
 
-def _corrected(word: str) -> list[Try]:
-    """Propose the known words that are like an unknown one, and units in another case."""
-    if len(word) < SHORTEST or comparable(word) in MEANINGFUL:
+def _checks(sentence: Sentence) -> list[Try]:
+    """Propose to check the answer that a sentence asks about: is 1.59 lx right for ..."""
+    words = {comparable(word) for text in sentence.unknown for word in text.split()}
+    if words.isdisjoint(JUDGING):
         return []
-    if units := _in_other_case(word):
+    for fact in sentence.facts:
+        if fact.amount and not fact.symbols and f"is {fact.text}" in sentence.text:
+            facts = tuple([one for one in sentence.facts if one is not fact])
+            goal = Goal(fact.amount.unit.text, fact.amount.unit)
+            question = sentence._replace(facts=facts, goals=(goal,), unknown=())
+            calls = [[w for w in one if w[:4] != "get="] for one in _answerable(question)[:1]]
+            answer = fact.text.replace(" ", "")
+            return [Try(words=(*one, f"check={answer}")) for one in calls]
+    return []
+
+
+def _corrected(word: str, is_unit: bool) -> list[Try]:
+    """Propose the known words that are like an unknown one, and units in another case."""
+    if (len(word) < SHORTEST and not is_unit) or comparable(word) in MEANINGFUL:
+        return []
+    units = [one for one in _in_other_case(word) if is_unit or "/" in word]
+    if units or is_unit:
         return units
     near = [n for n in (*suggest(word), *near_words(word)) if comparable(n) not in {*FILLERS, word}]
     others = [n for n in near if not word.startswith(n)]  # rough for roughly
@@ -278,7 +315,7 @@ def _in_other_case(word: str) -> list[Try]:
     except UnitError as error:
         pairs = [one.instead for one in error.tries if len(one.instead) == 2]
         units = [word.replace(typed, other) for typed, other in pairs]
-        return [correct(word, unit) for unit in units if "/" in unit and unit_of(unit)]
+        return [correct(word, unit) for unit in units if unit_of(unit)]
     return []
 
 

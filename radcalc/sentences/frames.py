@@ -111,7 +111,7 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
         return []
     named = facts.get(COMMAND)
     facts = {name: fact for name, fact in facts.items() if name != COMMAND}
-    if goal and ("room-index" in goal.names or _is_solid_angle(goal)):
+    if goal and ("room-index" in goal.names or is_solid_angle(goal)):
         facts = _with_sides(facts)
     facts = _filtered(facts) if FILTER in facts else facts
     called_for, results = {*_generic_names(facts)}, {*goal.names} if goal else set()
@@ -147,7 +147,8 @@ def is_irradiance(goal: Goal) -> bool:
     return any(_generic(name) == "irradiance" for name in goal.names)
 
 
-def _is_solid_angle(goal: Goal) -> bool:
+def is_solid_angle(goal: Goal) -> bool:
+    """Return whether a goal is a unit, or the name, of a solid angle."""
     return goal.unit.dimension == SOLID_ANGLE if goal.unit else "solid-angle" in goal.names
 
 
@@ -364,7 +365,7 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
     """Return the result of a page whose results depend on its inputs: by its name or its unit."""
     if goal.unit:
         own = result_name(goal.unit)
-        is_result = _is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
+        is_result = is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
         name = own if is_irradiance(goal) else _generic(own)  # a spectrum has all three kinds
         return [f"{name}:{goal.text}"] if is_result else []
     angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []

@@ -155,9 +155,34 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         at = end
     found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
     sentence = Sentence(*found, text, tuple(ignored), _named_in(text))
-    for tidied in (_with_one_light, _of_line, _of_cone, _of_area):
+    for tidied in (_with_one_light, _of_line, _of_cone, _of_area, _of_other_quantity):
         sentence = tidied(sentence)
     return sentence
+
+
+def _of_other_quantity(sentence: Sentence) -> Sentence:
+    """Return a sentence that asks for another quantity of its only amount: wavelength of 2 eV."""
+    if len(sentence.facts) != 1 or sentence.goals or sentence.files:
+        return sentence
+    (fact,) = sentence.facts
+    amount = fact.amount
+    if not amount or not fact.symbols or not fact.typed.endswith(amount.text):
+        return sentence
+    *name, last = fact.typed.removesuffix(amount.text).split() or [""]
+    unit = _usual_unit(" ".join([*name, *([] if last in BEFORE_AMOUNT else [last])]), amount)
+    if unit is None or unit.dimension == amount.dimension:
+        return sentence
+    alone = Fact((), amount.text, amount.text, amount)
+    return sentence._replace(facts=(alone,), goals=(Goal(unit.text, unit),))
+
+
+def _usual_unit(name: str, amount: Amount) -> Unit | None:
+    from radcalc.quantities.targets import named
+
+    try:
+        return named(name, amount.unit)
+    except UsageError:
+        return None
 
 
 def _with_one_light(sentence: Sentence) -> Sentence:

@@ -7,7 +7,7 @@ from radcalc.calculators.pages import page_of
 from radcalc.errors import MOST, Try, input_of, mention
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS
 from radcalc.sentences.facts import OF_DIMENSION, VALUE, Facts, is_light, light_of, meant
-from radcalc.sentences.frames import taken_by
+from radcalc.sentences.frames import is_solid_angle, taken_by
 from radcalc.sentences.phrases import BESIDE
 from radcalc.sentences.reader import Fact, Sentence
 from radcalc.sentences.words import Amount
@@ -58,6 +58,8 @@ def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
         return ("divergence",)
     if amount.dimension == ANGLE and wanted & {"beam-diameter", "diameter"}:
         return OF_DIMENSION[ANGLE]
+    if amount.dimension == ANGLE and any(map(is_solid_angle, sentence.goals)):
+        return ("apex-angle", "half-angle")
     first = next(fact.amount for fact in sentence.facts if not fact.symbols)
     others = {name for fact in sentence.facts for name in fact.symbols}
     is_converted = first is amount and others <= taken_by(page_of("convert"))

@@ -34,6 +34,14 @@ ANSWERED = [
     ("svítivost 80 cd, vzdálenost 2.4 m, plocha 600 cm2, kolik lm", 80 / 2.4**2 * 0.06, "lm"),
     ("25 лк на 2 м под углом 30 градусов сила света", 25 * 4 / math.cos(math.radians(30)), "cd"),
     ("photon energy 1064nm eV", EV_NM / 1064, "eV"),
+    ("wavelength of 2 eV", EV_NM / 2, "nm"),
+    ("wavelength of 5e14 Hz", 299792458 / 5e14 * 1e9, "nm"),
+    ("solid angle of a cone 30° half angle", 2 * math.pi * (1 - math.cos(math.radians(30))), "sr"),
+    (
+        "solid angle of a cone with a full angle of 60 degrees",
+        2 * math.pi * (1 - math.cos(math.radians(30))),
+        "sr",
+    ),
     ("400 J/m2 at 150 mW/m2 how long", 400 / 0.15, "s"),
     ("136 fc at 16 m, how much at 20 m", 136 * 16**2 / 20**2, "fc"),
     ("3 mW in a 1 mm spot to W/cm2", 3e-3 / (math.pi * 0.05**2), "W/cm2"),
@@ -135,6 +143,26 @@ def test_a_sentence_means_a_command(sentence, command):
 
 # Words, and parts of the message and of the hint.
 REFUSED = [
+    ("irradiance of 500 lx", "illuminance (lx) to irradiance (W/m2)", "--spectrum sun"),
+    ("radiance of 100 cd/m2", "luminance (cd/m2) to radiance (W/m2/sr)", "--spectrum sun"),
+    (
+        "luminous exitance of 500 lx reflectance 0.8",
+        "may fall on the surface or leave it",
+        "radcalc convert 500 lx 'luminous exitance' --reflectance 0.8",
+    ),
+    ("solid angle of the moon 0.5 degrees", "has 2 readings", "cone --apex-angle 0.5degrees"),
+    (
+        "is 1.59 lx right for 20 cd at 3.5 m",
+        "not understood: right",
+        "radcalc point-source --intensity 20cd --distance 3.5m --check 1.59lx",
+    ),
+    ("5 mw at 532 nm to lm", "not understood: mw", "radcalc 5 mW at 532 nm to lm"),
+    (
+        "luminous efficacy at 532 nm",
+        "light of one wavelength has an efficacy",
+        "radcalc photon 532nm -g luminous-efficacy:lm/W",
+    ),
+    ("full moon", "not understood: full", "radcalc typical full moon"),
     ("24 degree beam 800 lm to cd", "2 readings", "--beam-angle 24degree"),
     ("800 lm 30 deg cone at 5 m lux", "2 readings", "--apex-angle 30deg"),
     ("60 W led at 2 m", "electrical or of its light", "--flux 60W"),
