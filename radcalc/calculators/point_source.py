@@ -35,7 +35,7 @@ from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.task import Task, Wants
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
-from radcalc.errors import ConditionError, MissingInput, RadcalcError, mention
+from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs
 from radcalc.laws.law import AnyLaw
@@ -231,7 +231,14 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_explicit:
         beam = mention("the source is taken as isotropic; for a beam, give {beam-angle}")
         placed.note(beam, of=even)
-    solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
+    try:
+        solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
+    except Contradiction as error:
+        if shape != ISOTROPIC or is_explicit or not {"flux", "intensity"} <= {*sheet.lit.values}:
+            raise
+        cone = add("distribution", "cone", "evenly in a cone, whose width follows")
+        problem = f"{error.message}, as an isotropic source"
+        raise error.reworded(problem, tries=[cone, *error.tries]) from None
     if is_aside:
         require_height(solutions[0])
     for solved in solutions:

@@ -36,7 +36,6 @@ from radcalc.sentences.facts import (
     is_efficacy,
     is_lamp,
     is_light,
-    size_of,
 )
 from radcalc.sentences.frames import calls_of, on_page
 from radcalc.sentences.phrases import (
@@ -57,7 +56,7 @@ from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.readings import explained, readings_of
 from radcalc.sentences.vocabulary import near_words
-from radcalc.sentences.words import amount_of
+from radcalc.sentences.words import amount_of, size_of
 from radcalc.units.dimensions import (
     POWER,
     TEMPERATURE,

@@ -13,7 +13,6 @@ from radcalc.units.dimensions import (
     LENGTH,
     TIME,
 )
-from radcalc.units.reading import read_amount
 from radcalc.units.unit import NUMBER
 
 VALUE = "value"  # the amount that is converted
@@ -84,8 +83,3 @@ def generic(amount: Amount) -> str:
         return "exitance"
     names = [name for name in LIGHT[::-1] if amount.dimension in SYMBOLS[name].dimensions]
     return next((name for name in names if name != "exitance"), "")
-
-
-def size_of(amount: Amount) -> float:
-    """Return the value of an amount [SI]."""
-    return read_amount(amount.text).number * amount.unit.factor

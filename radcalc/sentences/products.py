@@ -10,10 +10,10 @@ from radcalc.quantities.symbols import (
     SYMBOLS,
     light_unit,
 )
-from radcalc.sentences.facts import generic, is_number, size_of
+from radcalc.sentences.facts import generic, is_number
 from radcalc.sentences.frames import is_irradiance
 from radcalc.sentences.reader import Fact, Goal
-from radcalc.sentences.words import Amount
+from radcalc.sentences.words import Amount, size_of
 from radcalc.units.dimensions import (
     ANGLE,
     LENGTH,

@@ -26,10 +26,19 @@ from radcalc.sentences.phrases import (
     UNKNOWN,
 )
 from radcalc.sentences.vocabulary import ENGLISH_ALONE, literals, names, patterns, symbols_of
-from radcalc.sentences.words import ASPECT, Amount, Word, amount_at, joined, unit_in, words_of
+from radcalc.sentences.words import (
+    ASPECT,
+    Amount,
+    Word,
+    amount_at,
+    joined,
+    size_of,
+    unit_in,
+    words_of,
+)
 from radcalc.tuples import NamedTuple
 from radcalc.units import horticulture
-from radcalc.units.dimensions import AREA, LENGTH
+from radcalc.units.dimensions import AREA, ENERGY, LENGTH
 from radcalc.units.reading import read_amount
 from radcalc.units.unit import NUMBER, Unit
 
@@ -49,6 +58,7 @@ GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
 DENSITY = re.compile(r"nd\d+(?:\.\d+)?", re.IGNORECASE)
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
 ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
+OF_PHOTONS = 1e-9  # J: far above the energy of any photon of light
 LARGEST_EV = 40  # the sun's disc has 34
 MEAN = ("mean", "average")
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
@@ -504,6 +514,8 @@ def fits(amount: Amount, name: str) -> bool:
         return False
     if name == "percent":
         return amount.unit.text == "%"
+    if amount.dimension == ENERGY and size_of(amount) > OF_PHOTONS:  # a pulse of 1 mJ
+        return False
     is_of_light = amount.dimension == LENGTH and name != "size"
     return not is_of_light or amount.is_wavelength == (name == "wavelength")
 

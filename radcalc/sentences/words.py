@@ -266,3 +266,8 @@ def amount_of(text: str, end: int) -> Amount | None:
     if unit is None:
         return Amount(text, unit_of("1") or Unit("1", 1, 1, NUMBER, ()), end)
     return Amount(text, unit, end)
+
+
+def size_of(amount: Amount) -> float:
+    """Return the value of an amount [SI]."""
+    return read_amount(amount.text).number * amount.unit.factor
