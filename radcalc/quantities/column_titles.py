@@ -93,6 +93,7 @@ BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # the preposition, not an inch: E at 2
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
 SYMBOL = re.compile(r"[EL](?![^\W_²³])")  # symbols, not the einstein and the lambert
 BRACKETS = re.compile(r"[()\[\]]")
+NUMBERED = re.compile(r"([^\W\d_]{2,})\d+")  # the second of several meters, lux2, not a square
 # Names of photon quantities: PPFD, but PAR may also be in watts; PPF was once a name of PPFD.
 PHOTON_IRRADIANCES = ("pfd", "spfd", "sppfd", *[name for name in PPFD if name != "par"])
 PHOTONS = ("photon", "photons", "quanta", *PPF)
@@ -370,6 +371,9 @@ def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
             start, end = words[first][0], words[first + count - 1][1]
             if count > 1 and BETWEEN.search(text, start, end):
                 continue
+            if numbered := NUMBERED.fullmatch(text, start, end):
+                unit = unit_of(numbered[1])
+                end = numbered.end(1) if unit and read(unit) else end
             if title := _title(text, start, start, end, end):
                 yield title, False
     if divided := QUANTITY_OVER_UNIT.fullmatch(text):

@@ -365,6 +365,9 @@ class Head(FirstRows):
                     f"{option('column', 'NAME')} of {listed(choices)}",
                 )
             place = of_light[0]
+            if titles and len(candidates) > 1:
+                chosen = f"{place + 1} {quote(titles[0][place])}".strip()
+                self.assumptions.append(f"the values are in column {chosen}")
         if place in times:
             raise UsageError("one column has the times and the values", "two columns")
         return place
