@@ -213,6 +213,8 @@ def _again(given: Mapping[str, Any]) -> Any:
 
 def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
     """Return the value and the target of a call; of three operands the second is a unit."""
+    if isinstance(value, bool):
+        raise ConditionError("a truth value is not a number", WITH_UNIT)
     if to is None:
         return value, unit
     _require_texts(unit, to)

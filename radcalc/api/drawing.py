@@ -41,4 +41,8 @@ class Drawing:
         """
         from radcalc.plots.figure import write
 
+        if not isinstance(path, os.PathLike):
+            from radcalc.api.reading import require_texts
+
+            require_texts("picture.svg", path=path)
         write(os.fspath(path), self.picture)

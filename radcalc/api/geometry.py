@@ -11,7 +11,7 @@ import numpy
 from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Points, Shape, Vector
 from radcalc.api.pages import of_page
-from radcalc.api.reading import in_metres, one_of, read_inputs, refuse_arrays
+from radcalc.api.reading import in_metres, one_of, read_inputs, refuse_arrays, require_texts
 from radcalc.api.result import Result
 from radcalc.calculators.direction import direction as of_direction
 from radcalc.calculators.integrate import BARE, integrand
@@ -88,6 +88,7 @@ def integrate(expression: str, *, unit: str = "", **given: Any) -> Result:
     if not isinstance(expression, str):
         problem = f"an expression is a text, not {article(type(expression).__name__)}"
         raise ConditionError(problem, '"cos(theta)"')
+    require_texts("cd", unit=unit)
     refuse_arrays(read_inputs(given, page_of("integrate").intervals), "an integral")
     of = integrand(unit) if unit else BARE
     work_out = partial(of_expression, expression, of=of)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
-from radcalc.api.quantity import Quantity, quantity
-from radcalc.api.reading import as_text
+from radcalc.api.quantity import Quantity, is_quantity, quantity
+from radcalc.api.reading import as_text, require_texts
 from radcalc.api.refusals import in_python
 from radcalc.quantities.typical import FIELDS, how_far
 from radcalc.quantities.typical import search as values_for
@@ -81,6 +81,8 @@ def typical(search: str | Quantity = "") -> Listing[TypicalValue]:
     >>> print(typical("office")[0].low.to("fc").round(1))
     46.5 footcandle
     """
+    if not is_quantity(search):
+        require_texts("office", search=search)
     text = as_text(search)
     found = values_for(text)
     far = how_far(text, found)
@@ -119,4 +121,5 @@ def examples(search: str = "") -> Listing[Task]:
     >>> [task.title for task in examples("museum log")]
     ['A log']
     """
-    return Listing(tasks_for(as_text(search)))
+    require_texts("museum", search=search)
+    return Listing(tasks_for(search))

@@ -18,7 +18,14 @@ from radcalc.api.conversion import as_array
 from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
 from radcalc.api.pages import of_page
 from radcalc.api.quantity import is_quantity, magnitude_of, unit_of
-from radcalc.api.reading import one_of, read_inputs, refuse_arrays, refuse_lazy
+from radcalc.api.reading import (
+    one_of,
+    read_inputs,
+    refuse_arrays,
+    refuse_lazy,
+    refuse_unlike_index,
+    require_texts,
+)
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_words
 from radcalc.calculators.dose import MEANS_OF_STEPS, READINGS
@@ -88,7 +95,7 @@ def dose(
     *,
     unit: str = "",
     column: str | int | None = None,
-    time_column: str | Sequence[str] = (),
+    time_column: str | int | Sequence[str | int] = (),
     time_unit: str = "",
     time_zone: str = "",
     time_format: str = "",
@@ -110,7 +117,7 @@ def dose(
         numbers with `time_unit`.  By default those of the index of a pandas Series.
     unit : str, optional
         The unit of the values, if they have none: ``"lx"``, ``"W/m2"``, ``"umol/m2/s"`` ...
-    column, time_column : str, optional
+    column, time_column : str or int, optional
         The columns of a file, by title or number; several for a date and a time of day.
     time_unit : str, optional
         The unit of times that are numbers since the start: ``"s"``.
@@ -142,11 +149,16 @@ def dose(
     means = one_of(samples, READINGS, "kind of samples") == MEANS_OF_STEPS
     one_of(invalid, SKIPPING, "treatment of an invalid reading")
     period = "" if by is None else one_of(by, PERIODS, "period")
+    require_texts("lx", unit=unit)
+    require_texts("Europe/Prague", time_zone=time_zone)
+    require_texts("s", time_unit=time_unit)
+    require_texts("%d.%m.%Y", time_format=time_format)
     inputs = read_inputs(given)
     refuse_uncertain([inputs["max-gap"]] if "max-gap" in inputs else [], "a log")
     refuse_arrays(inputs, "the whole log")
     clock = TimeSettings(time_zone, time_unit, time_format)
-    columns = (time_column,) if isinstance(time_column, str) else tuple(time_column)
+    times_in = [time_column] if isinstance(time_column, (str, int)) else time_column
+    columns = tuple(map(str, times_in))
     place = "" if column is None else str(column)
     chosen = LogSettings(tuple(filter(None, columns)), place, unit, "", invalid, clock)
     path = os.fspath(readings) if isinstance(readings, (str, os.PathLike)) else None
@@ -191,6 +203,7 @@ def _table(readings: Any, times: Any, unit: str) -> Table:
         if not hasattr(times, "freq"):  # an index of dates or of timedeltas
             raise MissingInput("the times of the readings are missing", TIMES)
     of_times = _elements(times, "times")
+    refuse_unlike_index(values, times)
     if len(of_values) != len(of_times):
         problem = f"there are {len(of_values)} readings and {len(of_times)} times"
         raise ConditionError(problem, "a time for each reading")

@@ -28,15 +28,14 @@ SHOWN = 3  # elements of an array in a message
 
 def is_quantity(value: Any) -> bool:
     """Return whether a value is a quantity; refuse one of another registry."""
-    if isinstance(value, light_registry().Quantity):
-        return True
-    if hasattr(value, "magnitude"):
-        if getattr(value, "_REGISTRY", None) is light_registry():
-            return True  # a Measurement from Quantity.plus_minus
+    own = getattr(value, "_REGISTRY", None) is light_registry()  # also a Measurement
+    other = getattr(value, "magnitude", None) if own else value
+    if hasattr(other, "magnitude"):
         raise UnitError(
-            f"'{quote(str(value))}' is a quantity of another registry", "radcalc.Quantity"
+            f"'{quote(str(other))}' is a quantity of another registry",
+            "radcalc.Quantity(q.magnitude, str(q.units)), where q is that quantity",
         )
-    return False
+    return own
 
 
 def magnitude_of(value: Any) -> Any:
@@ -76,7 +75,7 @@ def in_short(value: Any) -> str:
         number, unit = plain(value)
         return f"{in_short(number)} {unit.text}"
     numbers = value.ravel().tolist() if hasattr(value, "ravel") else [value]
-    texts = [f"{number:.6g}" for number in numbers[: SHOWN + 1]]
+    texts = ["--" if number is None else f"{number:.6g}" for number in numbers[: SHOWN + 1]]
     if len(texts) > SHOWN:
         return f"{', '.join(texts[:SHOWN])} ..."
     return " or ".join(dict.fromkeys(texts))
@@ -91,6 +90,9 @@ def _in_words(pint_method: Callable[..., Any]) -> Callable[..., Any]:
 
     @wraps(pint_method)
     def to(self: Any, other: Any = None, *contexts: Any, **settings: Any) -> Any:
+        if not (isinstance(other, (str, Mapping)) or hasattr(other, "_REGISTRY")):
+            problem = f"a unit is a text, not {type(other).__name__}"
+            raise UnitError(problem, "a text such as 'lx'")
         try:
             return pint_method(self, other, *contexts, **settings)
         except (DimensionalityError, UnitError) as error:

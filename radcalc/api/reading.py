@@ -15,7 +15,7 @@ from radcalc.api.quantity import (
     unit_of,
 )
 from radcalc.api.spelling import symbol_name
-from radcalc.errors import ConditionError, option, quote
+from radcalc.errors import ConditionError, add, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.places import TOO_FAR, read_place
 from radcalc.inputs.reading import read, read_interval, split_values
@@ -33,7 +33,7 @@ from radcalc.quantities.symbols import (
     article,
 )
 from radcalc.units.dimensions import COHERENT, LENGTH
-from radcalc.units.ranges import real
+from radcalc.units.ranges import real, refuse_masked
 from radcalc.units.scales import ScaleUnit
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
@@ -65,6 +65,9 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
     if name in intervals:
         return read_interval(name, as_interval(value))
     form = SYMBOLS[name].form
+    if form == SPECTRUM and isinstance(value, Mapping):  # a result of radcalc.spectrum
+        problem = f"{keyword} is {article(type(value).__name__)}, not a source of light"
+        raise ConditionError(problem, add(name, "D65", "its source"))
     if form == SPECTRUM and _is_table(value):
         from radcalc.spectra.files import read_text
 
@@ -142,6 +145,23 @@ def as_interval(value: Any) -> str:
     return ":".join(map(as_text, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
+def require_texts(example: str, **given: Any) -> None:
+    """Refuse an argument that is not a text; `example` is one that is."""
+    for keyword, value in given.items():
+        if not isinstance(value, str):
+            problem = f"{keyword} is a text, not {article(type(value).__name__)}"
+            raise ConditionError(problem, f"a text such as '{example}'")
+
+
+def refuse_unlike_index(first: Any, second: Any) -> None:
+    """Refuse two series of pandas whose rows have other labels, by which they do not match."""
+    own: Any = getattr(first, "index", None)
+    other: Any = getattr(second, "index", None)
+    if hasattr(own, "equals") and hasattr(other, "equals") and not own.equals(other):
+        problem = "the two series have other labels in their indices"
+        raise ConditionError(problem, ".to_numpy() of both, if their rows have the same order")
+
+
 def refuse_lazy(value: Any, what: str) -> None:
     """Refuse a Dask collection if its value is needed at once."""
     if is_lazy(value):
@@ -172,6 +192,10 @@ def table_of(source: Any) -> tuple[str, str]:
             'radcalc.spectrum((wavelengths, values), unit="W/m2/nm")'
         )
         raise ConditionError(f"a spectrum is a text or a table, not of type {name}", hint)
+    for values in columns.values():
+        refuse_masked(magnitude_of(values), "the spectrum")
+    if _is_pair(source):
+        refuse_unlike_index(*source)
     arrays = [numpy.asarray(magnitude_of(values)) for values in columns.values()]
     if any(array.ndim != 1 or array.shape != arrays[0].shape for array in arrays):
         shapes = " and ".join(str(array.shape) for array in arrays)

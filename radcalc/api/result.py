@@ -10,6 +10,7 @@ from radcalc import answer
 from radcalc.answer import Answer, Row, ShownInput, Step
 from radcalc.api.drawing import Drawing
 from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, quantity, unit_of
+from radcalc.api.reading import require_texts
 from radcalc.api.refusals import in_python
 from radcalc.api.spelling import in_words, keyword, symbol_name
 from radcalc.calculators.page import NOTHING
@@ -256,6 +257,8 @@ class Result(Mapping[str, Quantity]):
         radcalc.RadcalcError
             If there is nothing to draw.
         """
+        for name in wanted:
+            require_texts("illuminance:fc", wanted=name)
         return _drawing(self, self._solved, wanted)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from radcalc.api.quantity import Quantity
+from radcalc.api.reading import require_texts
 from radcalc.api.refusals import in_python, other_call
 from radcalc.api.result import Result
 from radcalc.errors import Try, UsageError, input_of
@@ -36,6 +37,7 @@ def ask(sentence: str) -> Result | Quantity:
     >>> print(ask("20000 cd at 8 m to lx"))
     312.5 lux
     """
+    require_texts("20000 cd at 8 m to lx", sentence=sentence)
     found = read([sentence])
     command, *words = call_of(found)
     if command == "convert":

@@ -15,6 +15,7 @@ from radcalc.calculators.lambertian import lambertian as of_surface
 from radcalc.calculators.point_source import point_source as of_point
 from radcalc.calculators.shapes import SHAPES
 from radcalc.calculators.uberlight import uberlight as of_uberlight
+from radcalc.errors import MissingInput
 
 
 @of_page("point-source", amounts=True)
@@ -75,4 +76,6 @@ def uberlight(point: Points, **given: Any) -> Result:
     >>> print(light.irradiance.round(6), light.attenuation.round(6))
     [100.0 50.0] lux [1.0 0.5] dimensionless
     """
+    if point is None:
+        raise MissingInput("the point is missing", '"1m,0m,2m", for one point')
     return calculate("uberlight", {"point": point, **given}, of_uberlight)

@@ -8,7 +8,7 @@ from typing import Any
 from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Amount, Path
 from radcalc.api.pages import of_page
-from radcalc.api.reading import table_of
+from radcalc.api.reading import require_texts, table_of
 from radcalc.api.result import Result
 from radcalc.calculators.photon import named
 from radcalc.calculators.photon import photon as of_photon
@@ -62,6 +62,7 @@ def spectrum(
     >>> print(lamp.irradiance)
     500.0 watt / metre ** 2
     """
+    require_texts("W/m2/nm", unit=unit)
     texts = {"column": "" if column is None else str(column), "unit": unit}
     operands = {name: chosen for name, chosen in texts.items() if chosen}
     if isinstance(source, (str, os.PathLike)):

@@ -62,7 +62,7 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
 )
 from radcalc.units.reading import read_amount
-from radcalc.units.table import resolve, suggest, unit_of
+from radcalc.units.table import resolve, suggest
 from radcalc.units.unit import Daily
 
 FRACTION = "range-fraction"
@@ -75,6 +75,7 @@ EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.05  # of a temperature
+GREY = "0.18"  # the reflectance of a grey card of photographers
 JUDGING = frozenset(["right", "correct", "true", "wrong", "ok"])  # words of a question
 # Usual fluorescent lamps of the CIE, with their colour temperatures as `spectrum` gives them.
 FLUORESCENT = {
@@ -299,8 +300,8 @@ def _corrected(word: str, is_unit: bool) -> list[Try]:
     """Propose the known words that are like an unknown one, and units in another case."""
     if (len(word) < SHORTEST and not is_unit) or comparable(word) in MEANINGFUL:
         return []
-    units = [one for one in _in_other_case(word) if is_unit or "/" in word]
-    if units or is_unit:
+    units = _in_other_case(word) if is_unit or "/" in word else []
+    if units or len(word) < SHORTEST:
         return units
     near = [n for n in (*suggest(word), *near_words(word)) if comparable(n) not in {*FILLERS, word}]
     others = [n for n in near if not word.startswith(n)]  # rough for roughly
@@ -314,7 +315,7 @@ def _in_other_case(word: str) -> list[Try]:
     except UnitError as error:
         pairs = [one.instead for one in error.tries if len(one.instead) == 2]
         units = [word.replace(typed, other) for typed, other in pairs]
-        return [correct(word, unit) for unit in units if unit_of(unit)]
+        return [correct(word, one) for one in units if one.lower() == word.lower()]
     return []
 
 
@@ -362,6 +363,7 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if not found and not has_beam:
         found = moved(sentence.facts, goal)
     _refuse_wide(sentence, goal, found)
+    _refuse_field(sentence, goal)
     if not found and not readings:
         texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
         tries = [] if has_beam else moved_either_way(sentence.facts, goal)
@@ -370,6 +372,18 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
             lambda: tries or _with_less(sentence) or "a call for each of them",
         )
     return list(dict.fromkeys(map(tuple, found)))
+
+
+def _refuse_field(sentence: Sentence, goal: Goal | None) -> None:
+    """Refuse the diameter of a field, which is not that of the beam: 19 degree field angle."""
+    fields = [fact for fact in sentence.facts if "field-angle" in fact.symbols]
+    if not fields or goal is None or {"diameter", "beam-diameter"}.isdisjoint(goal.names):
+        return
+    edge = _with_fact(sentence, fields[0], fields[0]._replace(symbols=("apex-angle",)))
+    calls = [call for facts in readings_of(sentence) for call in calls_of(facts, goal)]
+    tries = _proposed([(edge, "to the edge of the field")])
+    tries += [Try(words=tuple(one), remark="of the beam, at half of the peak") for one in calls[:1]]
+    raise SeveralReadings("the field and the beam have two diameters", tries)
 
 
 def _in_frames(sentence: Sentence, readings: Sequence[Facts], goal: Goal | None) -> list[list[str]]:
@@ -522,7 +536,9 @@ def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageEr
         )
         return UsageError(f"'{quote(fact.typed)}': lamps of this kind differ", tries or "FL2")
     symbol = SYMBOLS[fact.symbols[0]]
-    tries = _with(sentence, fact, fact._replace(text=symbol.example), goal, "an example")
+    is_grey = not {"grey", "gray"}.isdisjoint(fact.typed.lower().split())
+    example = GREY if is_grey else symbol.example
+    tries = _with(sentence, fact, fact._replace(text=example), goal, "an example")
     return UsageError(f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number")
 
 

@@ -92,6 +92,7 @@ TIMES_OF_FILTERS = {"time", "unfiltered-time", "stops", "nd"}
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
 EV = "EV"
+PERCENT = ("%", "percent")
 # Results that an input is for: they come before the others of their unit.
 OF_INPUT = {
     "receiver-area": "received-flux",
@@ -107,6 +108,8 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
         return [same]
     if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
         return [["convert", *facts[FILTER].text.split(), "%"]]
+    if {*facts} == {"nd"} and goal and _is_part(goal) and "." in facts["nd"].text:
+        return [["convert", facts["nd"].text, "OD", "%"]]
     if _is_of_unknown_side(facts, goal):
         return []
     named = facts.get(COMMAND)
@@ -130,6 +133,11 @@ def _is_of_unknown_side(facts: Facts, goal: Goal | None) -> bool:
     if not {"stops", "nd"}.isdisjoint(facts) and goal:
         return TIMES_OF_FILTERS.isdisjoint((*goal.names, goal.text))
     return FILTER in facts and not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}
+
+
+def _is_part(goal: Goal) -> bool:
+    """Return whether a goal is a part of the light, as a transmittance or in percent."""
+    return "transmittance" in goal.names or (goal.unit is not None and goal.unit.text in PERCENT)
 
 
 def _on_sensor(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:

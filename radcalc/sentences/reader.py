@@ -165,7 +165,9 @@ def _found(text: str, reading: "_Reading") -> Sentence:
         at = end
     found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
     sentence = Sentence(*found, text, tuple(ignored), _named_in(text))
-    for tidied in (_with_one_light, _of_line, _of_cone, _of_area, _of_other_quantity):
+    for tidied in (
+        _with_one_light, _of_line, _of_cone, _of_area, _of_other_quantity, _of_named_number,
+    ):  # fmt: skip
         sentence = tidied(sentence)
     return sentence
 
@@ -184,6 +186,20 @@ def _of_other_quantity(sentence: Sentence) -> Sentence:
         return sentence
     alone = Fact((), amount.text, amount.text, amount)
     return sentence._replace(facts=(alone,), goals=(Goal(unit.text, unit),))
+
+
+def _of_named_number(sentence: Sentence) -> Sentence:
+    """Return a sentence with the number of a name before it, which it does not ask for: 0.9 ND."""
+    for goal in sentence.goals:
+        for k, fact in enumerate(sentence.facts):
+            is_bare = fact.amount and not fact.symbols and fact.amount.unit.text == "1"
+            typed = f"{fact.typed} {goal.text}"
+            if is_bare and goal.names and not goal.unit and typed in sentence.text:
+                named = Fact(goal.names, fact.text, typed, fact.amount)
+                facts = (*sentence.facts[:k], named, *sentence.facts[k + 1 :])
+                goals = tuple([one for one in sentence.goals if one is not goal])
+                return sentence._replace(facts=facts, goals=goals)
+    return sentence
 
 
 def _usual_unit(name: str, amount: Amount) -> Unit | None:

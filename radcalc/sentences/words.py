@@ -33,7 +33,10 @@ SPELLED = {"average": "mean", "avg": "mean"}
 OF_AMOUNTS = ("mean", "average")  # add nothing to an amount before them
 LARGEST_DLI = 100  # mol/m2; outdoors it is at most 70
 TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
-MARKS_IN_WORDS = {"=>": " to ", "=?": " to ", "@": " at ", "klux": "klx"}
+MARKS_IN_WORDS = {"=>": " to ", "=?": " to ", "@": " at "}
+WITHIN = (["in"], ["a"])  # before a time, not inches and years: dli 17 in 16 h
+HOURS = re.compile(r"(?<![\d./])(\d{1,2})/(\d{1,2})(?![\d./])")  # of light and darkness: 18/6
+KILOLUX = re.compile(r"klux(?![\w.])")
 DAY_OF_LIGHT = re.compile(rf"\b({'|'.join(DLI)})\b")
 MICROMOLE = re.compile(r"(?<=\d) ?[uµμ]mol(?![\w/])")
 OF_PEAK = re.compile(r"\(?1/e\^?[2²]\)?,?")  # of the diameter of a beam
@@ -104,10 +107,9 @@ def words_of(typed: "list[str]") -> list[Word]:
 
 def _plain_words(text: str) -> list[str]:
     """Return the parts of a text in plain words: `per` for `each`, 1 for `one`, `to` for `=>`."""
-    for mark, word in MARKS_IN_WORDS.items():
-        text = text.replace(mark, word)
+    text = " ".join([part if os.path.isfile(part) else _marked(part) for part in text.split()])
     if DAY_OF_LIGHT.search(text.lower()):  # 450umol 18h dli
-        text = MICROMOLE.sub(" ppfd", text)
+        text = HOURS.sub(_of_light, MICROMOLE.sub(" ppfd", text))
     parts = [part for part in text.split() if not OF_PEAK.fullmatch(part)]
     plain: list[str] = []
     for part, following in zip(parts, [*parts[1:], ""], strict=False):
@@ -121,6 +123,16 @@ def _plain_words(text: str) -> list[str]:
             part = "per"
         plain.append(part.removesuffix("'s"))
     return [part for part in plain if part]
+
+
+def _of_light(hours: re.Match[str]) -> str:
+    return f"{hours[1]}h" if int(hours[1]) + int(hours[2]) == 24 else hours[0]
+
+
+def _marked(part: str) -> str:
+    for mark, word in MARKS_IN_WORDS.items():
+        part = part.replace(mark, word)
+    return KILOLUX.sub("klx", part)
 
 
 def _adds_nothing(text: str, words: Sequence[Word]) -> bool:
@@ -143,7 +155,9 @@ def _reordered(parts: list[str]) -> list[str]:
         following = parts[at + 1 : at + 2]
         is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
         is_number = bool(following) and following[0][0].isdigit()
-        is_bare = is_number and not unit_in(parts[at + 2 : at + 3])
+        behind = parts[at + 2 : at + 3]
+        is_alone = is_number and not any(map(str.isalpha, following[0]))
+        is_bare = is_alone and (name != part or behind in WITHIN or not unit_in(behind))
         asks_rate = not {*map(str.lower, parts[2:])}.isdisjoint(PPFD)
         is_daily = name.lower() in DLI and at == 0 and not asks_rate
         if is_number and is_daily and (is_bare or parts[2] in MICROMOLES):

@@ -34,7 +34,6 @@ def test_the_tasks_are_those_of_the_command():
         (lambda: radcalc.typical("ofice"), 'radcalc.typical("office")'),
         (lambda: radcalc.examples("musem"), 'radcalc.examples("museum")'),
         (lambda: radcalc.typical("zzzz"), "radcalc.typical()"),
-        (lambda: radcalc.typical(b"x"), "radcalc.typical()"),
     ],
 )
 def test_a_search_that_finds_nothing_is_refused_with_a_call(call, hint):

@@ -35,6 +35,13 @@ ANSWERED = [
     ("25 лк на 2 м под углом 30 градусов сила света", 25 * 4 / math.cos(math.radians(30)), "cd"),
     ("photon energy 1064nm eV", EV_NM / 1064, "eV"),
     ("wavelength of 2 eV", EV_NM / 2, "nm"),
+    ("ND 1.2 in %", 100 * 10**-1.2, "%"),
+    ("0.9 ND to stops", 0.9 * math.log2(10), "1"),
+    ("800 lx through ND 0.6 to lx", 800 * 10**-0.6, "lx"),
+    ("--lux 200 fc", 200 * FC, "fc"),
+    ("600 ppfd 18/6 dli", 600e-6 * 18 * 3600, "mol/m2"),
+    ("600 ppfd photoperiod 18 dli", 600e-6 * 18 * 3600, "mol/m2"),
+    ("ppfd for dli 17 in 16 hours", 17e6 / (16 * 3600), "umol/m2/s"),
     ("wavelength of 5e14 Hz", 299792458 / 5e14 * 1e9, "nm"),
     ("solid angle of a cone 30° half angle", 2 * math.pi * (1 - math.cos(math.radians(30))), "sr"),
     (
@@ -143,6 +150,15 @@ def test_a_sentence_means_a_command(sentence, command):
 
 # Words, and parts of the message and of the hint.
 REFUSED = [
+    ("8 ND to stops", "--nd 8 is ambiguous", "radcalc ev --nd ND8 -g stops"),
+    ("5600 CCT to mired", "no command takes 5600 CCT", ""),
+    ("800 ISO to stops", "the light or the setting of the camera is missing", ""),
+    (
+        "19 degree field angle at 15 m to diameter",
+        "the field and the beam have two diameters",
+        "--apex-angle 19degree --distance 15m -g beam-diameter",
+    ),
+    ("100 lx on grey card to nits", "the reflectance is missing", "--reflectance 0.18"),
     ("irradiance of 500 lx", "illuminance (lx) to irradiance (W/m2)", "--spectrum sun"),
     ("radiance of 100 cd/m2", "luminance (cd/m2) to radiance (W/m2/sr)", "--spectrum sun"),
     (
@@ -223,7 +239,6 @@ REFUSED = [
     ("24 deg x 12 deg 800 lm cd", "no command takes", ""),
     ("ev 12 2 stops to lx", "", ""),
     ("ND 64 in stops", "a density or a factor", "--nd ND64"),
-    ("ND 1.2 in %", "no command takes", ""),
     ("intensity 2.5 m from a 100 W source isotropic", "2 readings", "-g irradiance"),
     ("800 lm at 2 m intensity", "2 readings", "63.662 cd"),  # 800 / (4 pi), not 800 / (16 pi)
     ("EV f/5.6 1/125 ISO 800", "2 readings", "-g ev100"),
