@@ -5,8 +5,10 @@ from math import inf
 
 from radcalc.answer import Answer
 from radcalc.calculators import dose as page
+from radcalc.errors import MissingInput, add
 from radcalc.inputs.given import Inputs
 from radcalc.streams.samples import Log
+from radcalc.units import horticulture
 
 EXPECTED = "a file with a time and a value in each line"
 
@@ -54,12 +56,22 @@ class LogDose:
         """Return the answer for the whole log, or for its first period."""
         if self.by:
             return next(self.periods(given))[1]
-        return self._with_remarks(self.summed.of_all(_light(given)))
+        return self._with_remarks(self.summed.of_all(self._light(given)))
 
     def periods(self, given: Inputs) -> Iterator[tuple[str, Answer]]:
         """Yield the name of each period and its answer."""
-        for label, answer in self.summed.of_periods(_light(given)):
+        for label, answer in self.summed.of_periods(self._light(given)):
             yield label, self._with_remarks(answer)
+
+    def _light(self, given: Inputs) -> Inputs:
+        """Return the inputs for the light of the samples, without those for the times.
+
+        A spectrum of PAR needs its range: the watts are those from 400 nm to 700 nm.
+        """
+        if self.log.layout.is_par and "spectrum" in given and "range" not in given:
+            problem = "the values are PAR in watts, which are counted from 400 nm to 700 nm"
+            raise MissingInput(problem, add("range", horticulture.PAR_RANGE))
+        return {name: condition for name, condition in given.items() if name != "max-gap"}
 
     def _with_remarks(self, answer: Answer) -> Answer:
         log = self.log
@@ -71,8 +83,3 @@ class LogDose:
 def longest_step(given: Inputs) -> float:
     """Return the longest step that is bridged [s]."""
     return given["max-gap"].value if "max-gap" in given else inf
-
-
-def _light(given: Inputs) -> Inputs:
-    """Return the inputs for the light of the samples, without those for the times."""
-    return {name: condition for name, condition in given.items() if name != "max-gap"}

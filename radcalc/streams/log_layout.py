@@ -80,6 +80,7 @@ class LogLayout(NamedTuple):
     clock: Clock
     unit: Unit
     units: int | None = None  # the column with the unit of each value
+    is_par: bool = False  # of watts from 400 nm to 700 nm, by the title
 
 
 def error(name: str, number: int, problem: str, hint: str, row: str) -> LineError:
@@ -314,7 +315,10 @@ class Head(FirstRows):
             clock = clock_for(text, settings)
         except (NumberError, UnitError) as error:
             raise self.error(number, error.message, error.hint) from None
-        return LogLayout(table, times, place, clock, unit, units)
+        light = read_light(unit)
+        is_of_watts = light is not None and light.kind == RADIANT
+        is_par = is_of_watts and any("par" in _words(title) for title in above)
+        return LogLayout(table, times, place, clock, unit, units, is_par)
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
         if self.settings.times:

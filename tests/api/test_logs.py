@@ -115,3 +115,75 @@ def test_a_hint_has_the_answer_of_the_first_day():
     """The readings of 2024-06-01 are two triangles of 250 umol/m2/s over 12 h on average."""
     with pytest.raises(TypeError, match=r"max_gap=.*\n.*2024-06-01: exposure 10\.8 mol/m2"):
         radcalc.dose(SERIES, by="day", maxgap="9h")
+
+
+def test_watts_of_par_need_their_range_beside_a_spectrum():
+    """Photons of 550 nm have h c N_A / (550 nm) joules a mole (exact constants of the SI)."""
+    log = pd.Series(
+        [100.0, 100.0], ["2024-06-01 08:00", "2024-06-01 09:00"], name="PAR [W/m2]"
+    )  # fmt: skip
+    log.index = pd.DatetimeIndex(log.index)
+    with pytest.raises(RadcalcError, match="counted from 400 nm to 700 nm") as caught:
+        radcalc.dose(log, spectrum="line:550nm")
+    assert 'range="400nm:700nm"' in caught.value.hint
+    found = radcalc.dose(log, spectrum="line:550nm", range="400 nm:700 nm")
+    per_mole = 6.62607015e-34 * 299792458 * 6.02214076e23 / 550e-9
+    assert found.photon_exposure.to("mol/m2").magnitude == pytest.approx(100 * 3600 / per_mole)
+    assert radcalc.dose(log).exposure.to("J/m2").magnitude == pytest.approx(100 * 3600)
+
+
+def test_two_meters_in_a_file_are_not_powers_of_a_unit(tmp_path):
+    path = tmp_path / "two.csv"
+    path.write_text("time,lux1,lux2\n2024-06-01 08:00,1,10\n2024-06-01 09:00,2,20\n")
+    with pytest.raises(RadcalcError, match="2 columns of values"):
+        radcalc.dose(path)
+    found = radcalc.dose(path, column="lux2")
+    assert found.exposure.to("lx h").magnitude == pytest.approx(15)
+
+
+def test_series_are_joined_by_their_labels_or_refused():
+    times = pd.Series(["2024-06-01 08:00", "2024-06-01 09:00"])
+    values = pd.Series([1.0, 2.0], index=[1, 0], name="E [lx]")
+    with pytest.raises(RadcalcError, match="other labels"):
+        radcalc.dose(values, times)
+    waves, powers = pd.Series([400, 500, 600]), pd.Series([1, 2, 5], index=[2, 1, 0])
+    with pytest.raises(RadcalcError, match="other labels"):
+        radcalc.spectrum((waves, powers), unit="W/m2/nm")
+
+
+def test_masked_values_of_a_spectrum_are_refused():
+    masked = np.ma.array([1.0, 2.0, 9999.0], mask=[0, 0, 1])
+    for pair in (([400, 500, 600], masked), (masked, [1, 2, 3])):
+        with pytest.raises(RadcalcError, match="masked"):
+            radcalc.spectrum(pair, unit="W/m2/nm")
+
+
+NOT_TEXTS = {
+    "unit of a log": lambda: radcalc.dose([1], unit=5),
+    "zone": lambda: radcalc.dose([1], time_zone=5),
+    "unit of times": lambda: radcalc.dose([1], time_unit=5),
+    "format of times": lambda: radcalc.dose([1], time_format=5),
+    "unit of a spectrum": lambda: radcalc.spectrum(([400, 500], [1, 2]), unit=5),
+    "sentence": lambda: radcalc.ask(None),
+    "unit of an integrand": lambda: radcalc.integrate("cos(theta)", unit=5),
+    "result to draw": lambda: radcalc.spectrum("D65").plot(1),
+    "search": lambda: radcalc.examples(5),
+    "value to look up": lambda: radcalc.typical(None),
+    "target of a quantity": lambda: radcalc.Quantity(5, "lx").to(5),
+    "path of a picture": lambda: radcalc.spectrum("D65").plot().save(5),
+}
+
+
+@pytest.mark.parametrize("name", NOT_TEXTS)
+def test_what_is_not_a_text_is_refused_in_words(name):
+    with pytest.raises(RadcalcError, match="is a text, not"):
+        NOT_TEXTS[name]()
+
+
+def test_a_truth_value_and_a_result_are_not_taken_for_others():
+    with pytest.raises(RadcalcError, match="a truth value"):
+        radcalc.convert(True, "lx", "fc")
+    with pytest.raises(RadcalcError, match="not a source of light"):
+        radcalc.convert("500 lx", "ppfd", spectrum=radcalc.spectrum("D65"))
+    with pytest.raises(RadcalcError, match="the point is missing"):
+        radcalc.uberlight(None, intensity="1 cd")
