@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from radcalc import terminal
+from radcalc.calculators.missing import on_page
 from radcalc.cli.cases import is_stream
 from radcalc.cli.files import say
 from radcalc.cli.group import parameters
@@ -70,7 +71,7 @@ def instead(words: Words, error: RadcalcError, gate: Gate) -> int:
         if not is_missing and _is_clear(error, words, gate.has_answers):
             raise error from None
         words[:] = [*call, *options]
-        raise
+        raise on_page(refused, call[0]) from None
 
 
 def _is_clear(error: RadcalcError, words: Words, has_answers: Callable[..., bool]) -> bool:

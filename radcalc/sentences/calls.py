@@ -191,6 +191,7 @@ def _with_less(sentence: Sentence) -> list[Try]:
     shorter = [
         (fact.typed, sentence._replace(facts=tuple([one for one in facts if one is not fact])))
         for fact in facts
+        if fact.amount is None
     ]
     shorter += [
         (goal.text, sentence._replace(goals=tuple([one for one in goals if one is not goal])))

@@ -92,6 +92,8 @@ TIMES_OF_FILTERS = {"time", "unfiltered-time", "stops", "nd"}
 # With the size of a beam, an intensity is an irradiance.
 SIZES = ("area", "diameter", "radius")
 EV = "EV"
+RECTANGLE = "rectangle"
+PANEL = {"radiance", "area", "distance"}  # a rectangle with two sides shines from nearby
 PERCENT = ("%", "percent")
 # Results that an input is for: they come before the others of their unit.
 OF_INPUT = {
@@ -114,8 +116,12 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
         return []
     named = facts.get(COMMAND)
     facts = {name: fact for name, fact in facts.items() if name != COMMAND}
-    if goal and ("room-index" in goal.names or is_solid_angle(goal)):
+    is_of_sides = goal is not None and ("room-index" in goal.names or is_solid_angle(goal))
+    if is_of_sides or (SHAPE in facts and facts[SHAPE].text == RECTANGLE):
         facts = _with_sides(facts)
+    elif goal and is_irradiance(goal) and {*_generic_names(facts)} >= PANEL and SHAPE not in facts:
+        sides = _with_sides(facts)
+        facts = sides if sides is facts else {**sides, SHAPE: Fact((SHAPE,), RECTANGLE, "")}
     facts = _filtered(facts) if FILTER in facts else facts
     called_for, results = {*_generic_names(facts)}, {*goal.names} if goal else set()
     for frame in FRAMES:
@@ -361,7 +367,8 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     result = result_name(goal.unit)
     found = _called(goal, listed, own) if goal.names else _in_unit(goal.unit, listed, own)
     names = [result if SPECIFIC.get(result, ("",))[0] == name else name for name in found]
-    return [f"{name}:{goal.text}" for name in names]
+    units = goal.text.split(",")
+    return [",".join([f"{name}:{unit}" for unit in units]) for name in names]
 
 
 def _has_other_speed(given: Facts) -> bool:
