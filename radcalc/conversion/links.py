@@ -53,6 +53,7 @@ from radcalc.maths import any_true, power
 from radcalc.quantities.light import (
     LUMINOUS,
     NONE,
+    PHOTON,
     PHOTON_NAMES,
     RADIANT,
     RATIOS,
@@ -216,6 +217,10 @@ def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 # Everything between two quantities
 
 
+# The efficacies of lamps, and the light of each watt.
+OF_LAMPS = {RATIOS[LUMINOUS, RADIANT]: "lm", RATIOS[PHOTON, RADIANT]: "umol/s"}
+
+
 def link(source: Unit, target: Unit, given: Sequence[Input], number: str = "1") -> Links:
     """Return the factors, with their powers, from the source's quantity to the target's."""
     notes: tuple[str, ...] = ()
@@ -296,6 +301,16 @@ def _unlike(bridge: Bridge) -> RadcalcError:
         return ConversionError(
             f"{heading}: no condition links them, but light of one wavelength has an efficacy",
             call("photon", bridge.amount, get=f"luminous-efficacy:{quote(target.text)}"),
+        )
+    if source.dimension in OF_LAMPS and target.dimension in OF_LAMPS:
+        given = bridge.conditions.given.get(slot_of("spectrum"))
+        spectrum = given.text if given and given.name == "spectrum" else "LED-B3"
+        light = call(
+            "convert", f"{bridge.amount}*1W", OF_LAMPS[target.dimension], spectrum=spectrum,
+            remark="of each watt",
+        )  # fmt: skip
+        return ConversionError(
+            f"{heading}: no condition links them, but a spectrum links the light", light
         )
     if TEMPERATURE in (source.dimension, target.dimension):
         return _unlike_heat(bridge)

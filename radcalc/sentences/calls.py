@@ -403,7 +403,10 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
     units += [goal.unit] if goal and goal.unit else []
     if not units or any(map(is_bare, sentence.facts)):  # cri hps; 1 sun has an unknown unit
         return sentence
-    has_efficacy = any(unit.dimension in SYMBOLS["efficacy"].dimensions for unit in units)
+    efficacies = {u.dimension for u in units if u.dimension in SYMBOLS["efficacy"].dimensions}
+    if len(efficacies) > 1:  # 150 lm/W in umol/J
+        return sentence
+    has_efficacy = bool(efficacies)
     if not has_efficacy and len({light.kind for unit in units if (light := read_light(unit))}) > 1:
         return sentence
     facts = [fact for fact in sentence.facts if not is_lamp(fact)]

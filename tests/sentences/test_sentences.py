@@ -18,6 +18,10 @@ from radcalc.sentences.reader import read
 # h c / e in eV nm, with the exact constants of the SI (BIPM brochure, 9th edition, 2.2).
 EV_NM = 6.62607015e-34 * 299792458 / 1.602176634e-19 * 1e9
 FC = 0.3048**2  # lx in fc: 1 fc = 1 lm/ft2
+# Four corners of a/c and b/c: F = 2/pi (A/W atan(B/W) + B/V atan(A/V)), W^2 = 1 + A^2 ...
+A, B = 2.5 / 4, 1.5 / 4
+W, V = math.sqrt(1 + A**2), math.sqrt(1 + B**2)
+CORNERS = 4 / (2 * math.pi) * (A / W * math.atan(B / W) + B / V * math.atan(A / V))
 # E = I / d^2, I = Phi / Omega, and N = K t / S of a light meter (ISO 2720).
 ANSWERED = [
     ("20000 cd at 8 m to lx", 20000 / 8**2, "lx"),
@@ -39,6 +43,8 @@ ANSWERED = [
     ("0.9 ND to stops", 0.9 * math.log2(10), "1"),
     ("800 lx through ND 0.6 to lx", 800 * 10**-0.6, "lx"),
     ("--lux 200 fc", 200 * FC, "fc"),
+    # the configuration factor of a rectangle from its centre: four corners of 2.5 m x 1.5 m
+    ("1200 nits LED wall 5 m x 3 m at 4 m to lux", 1200 * math.pi * CORNERS, "lux"),
     ("600 ppfd 18/6 dli", 600e-6 * 18 * 3600, "mol/m2"),
     ("600 ppfd photoperiod 18 dli", 600e-6 * 18 * 3600, "mol/m2"),
     ("ppfd for dli 17 in 16 hours", 17e6 / (16 * 3600), "umol/m2/s"),
@@ -150,6 +156,17 @@ def test_a_sentence_means_a_command(sentence, command):
 
 # Words, and parts of the message and of the hint.
 REFUSED = [
+    (
+        "150 lm/W hps to umol/J",
+        "a spectrum links the light",
+        "radcalc convert '150lm/W*1W' umol/s --spectrum hps",
+    ),
+    ("f/4 shutter 50 iso 800 to lux", "the unit of --time 50 is missing", "--time 1/50s"),
+    (
+        "150000 cd at 12 m to lux and foot-candles",
+        "asks for several results",
+        "-g illuminance:lux,illuminance:foot-candles",
+    ),
     ("8 ND to stops", "--nd 8 is ambiguous", "radcalc ev --nd ND8 -g stops"),
     ("5600 CCT to mired", "no command takes 5600 CCT", ""),
     ("800 ISO to stops", "the light or the setting of the camera is missing", ""),
