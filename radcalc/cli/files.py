@@ -36,7 +36,7 @@ def begins_with_file(words: list[str]) -> bool:
     word = words[0] if words else ""
     if word in COMMANDS or word == "help" or word[:1] in ("", "-") or not os.path.isfile(word):
         return False
-    if words[1:] and words[1][:1] != "-":  # a sentence
+    if words[1:] and (words[1][:1] != "-" or "to" in words):  # a sentence
         return False
     if "/" in word:
         return True

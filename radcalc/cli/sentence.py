@@ -9,7 +9,7 @@ import click
 from radcalc import terminal
 from radcalc.calculators.missing import on_page
 from radcalc.cli.cases import is_stream
-from radcalc.cli.files import say
+from radcalc.cli.files import route, say
 from radcalc.cli.group import parameters
 from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other
@@ -84,7 +84,7 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
     others = {*HELP_NAMES, "help", "--version", EXPLAIN}
     if not words or any(map(is_stream, words)) or {*words} & others:
         return False
-    asked, _ = options_of(words)
+    asked, _ = options_of(options_of(words)[0], _of_file(words))
     is_read = isinstance(error, (ExpressionError, MissingCondition))
     if is_read or all(word[:1] == "-" for word in asked):
         return False
@@ -111,11 +111,12 @@ def meant(
     sentence if that is more useful.
     """
     asked, options = options_of(words)
+    asked, own = options_of(asked, _of_file(words))
     understood = False
     try:
         sentence = read(asked)
         understood = _is_understood(sentence, asked)
-        call = list(typed(call_of(sentence)))
+        call = [*typed(call_of(sentence)), *own]
     except RadcalcError as problem:
         has_readings = any(one.is_call for one in problem.tries)
         is_several = isinstance(problem, SeveralReadings)
@@ -201,6 +202,17 @@ def options_of(
         if not known[name].is_flag and not equals:
             options += [value for value in [next(rest, None)] if value is not None]
     return asked, options
+
+
+def _of_file(words: Sequence[str]) -> Sequence[click.Option]:
+    """Return the options of the command that the file of a sentence means, except -g."""
+    path = next(filter(os.path.isfile, words), "")
+    try:
+        command = route(path)[0] if path and words[0] not in COMMANDS else ""
+    except RadcalcError:
+        return ()
+    own = parameters(command) if command else ()
+    return [one for one in own if isinstance(one, click.Option) and one.name != "wanted"]
 
 
 def values_of(options: Words, listener: "Listener | None") -> dict[str, Any]:

@@ -417,3 +417,31 @@ def test_a_file_is_asked_for_several_results():
     done = run("examples/downlight.ies", "flux", "and", "intensity", cwd=ROOT)
     assert [line.split()[1] for line in done.stdout.splitlines()] == ["lm", "cd"]
     assert done.stdout.splitlines()[1].split()[0] == "420"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "log.csv to dli --time-zone Europe/Berlin",
+        "log.csv --time-zone Europe/Berlin to dli",
+        "log.csv to dli --column PPFD --time-zone=Europe/Berlin",
+    ],
+)
+def test_options_of_a_file_go_with_its_sentence(words, tmp_path, monkeypatch):
+    """Two hours of 100 umol/m2/s are 0.72 mol/m2."""
+    monkeypatch.chdir(tmp_path)
+    rows = [f"2024-06-01 {hour:02}:00,100" for hour in (8, 9, 10)]
+    (tmp_path / "log.csv").write_text("\n".join(["time,PPFD [umol/m2/s]", *rows]) + "\n")
+    done = run(*words.split())
+    assert done.stdout == "0.72\tdli\n"
+    assert done.stderr.count("read as: radcalc dose log.csv") == 1
+    assert "--time-zone Europe/Berlin" in done.stderr.replace("=", " ")
+
+
+def test_the_name_of_a_file_is_never_changed(tmp_path, monkeypatch):
+    """`klux` is a spelling of klx, and `=>` and `@` are marks of sentences."""
+    monkeypatch.chdir(tmp_path)
+    for name, value in (("klux.csv", 100), ("klx.csv", 900), ("a@b.csv", 200)):
+        rows = [f"2024-06-01 {hour:02}:00,{value}" for hour in (8, 9)]
+        (tmp_path / name).write_text("\n".join(["time,PPFD [umol/m2/s]", *rows]) + "\n")
+        assert run(name, "to", "dli").stdout == f"{value * 3600 / 1e6:.12g}\tdli\n"
