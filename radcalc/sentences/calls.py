@@ -28,7 +28,6 @@ from radcalc.quantities.symbols import (
     SPECIFIC,
     SYMBOLS,
 )
-from radcalc.quantities.typical import is_seen
 from radcalc.sentences.facts import (
     DAYS,
     Facts,
@@ -269,6 +268,8 @@ def _not_understood(sentence: Sentence) -> UsageError:
     corrected = next(filter(None, [_corrected(word, is_unit) for word in unknown]), [])
     tries = [*corrected[:1], *_without(sentence)] or corrected
     changing = [word for text in unknown for word in text.split() if comparable(word) in MEANINGFUL]
+    from radcalc.quantities.typical import is_seen  # the values
+
     seen = next(filter(is_seen, (sentence.text, " ".join(unknown))), "")
     if checks := _checks(sentence):
         hint: Hint = checks
