@@ -230,7 +230,7 @@ def _text(answer: Any) -> str:
         return str(answer[0]).partition("\n")[0]
     if isinstance(answer, dict):  # an answer for each day
         return next((f"{period}: {_text(one)}" for period, one in answer.items()), "")
-    return next(_rows(answer), "")
+    return next(_rows(answer), "") if hasattr(answer, "rows") else str(answer)  # or uncertain
 
 
 def _rows(result: Any) -> Iterator[str]:

@@ -45,7 +45,7 @@ IN_SHORT = {"get": "-g", "number": "-n"}
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 # Options of calls that write, draw or list.
 WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--reproject", "--list")
-UNTRIED = ("--auto", "--check", "--invalid", *WITH_EFFECTS)
+UNTRIED = ("--auto", "--invalid", *WITH_EFFECTS)
 
 
 class Trial(NamedTuple):
@@ -74,14 +74,19 @@ class Trial(NamedTuple):
         return mark.join(filter(None, [", ".join([*texts, *more]), remark]))
 
     def answered(self) -> "Trial":
-        """Return the trial with its results; raise the error of a call that is refused."""
+        """Return the trial with its results; raise the error of a call that is refused.
+
+        A call with an answer to check is made without it, and shows no result.
+        """
+        words, _ = _without(_without(self.words, "--check", {})[0], "--tolerance", {})
+        has_check = len(words) < len(self.words)
         try:
-            rows = _results(self.words) if _is_short(self.words) else ()
+            rows = _results(words) if _is_short(words) else ()
         except (RadcalcError, click.UsageError) as error:
             from radcalc.cli import sentence
 
-            rows = _results(sentence.as_call(self.words, error, lambda *_: False))
-        return self._replace(rows=rows)
+            rows = _results(sentence.as_call(words, error, lambda *_: False))
+        return self._replace(rows=() if has_check else rows)
 
     def record(self) -> dict[str, Any]:
         """Return the fields of JSON."""
@@ -171,6 +176,7 @@ def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
             with suppress(RadcalcError):
                 readings.append(Trial([*typed(one.words)], one.remark).answered())
         return readings
+    typed_words = trial.words
     for _ in range(MOST - 1):
         added = [one for one in further.tries if one.inputs and not one.without]
         if not added:  # another word of the same kind: 1/2 m + 1/2 m
@@ -178,7 +184,8 @@ def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
         call = changed(trial.words, added[0]) if added else None
         if call is None or call == trial.words:
             return []
-        remark = ", ".join(filter(None, [trial.remark, added[0].remark]))
+        example = added[0].remark or _example_in(added[0], typed_words)
+        remark = ", ".join(dict.fromkeys(filter(None, [trial.remark, example])))
         trial = Trial(call, remark)
         try:
             return [trial.answered()]

@@ -147,6 +147,7 @@ def _without_unit(text: str) -> UnitError | None:
 
 
 def _unknown(text: str) -> UnitError:
+    unknown = UnitError(f"'{quote(text)}' is a unit, not the name of a quantity", "a name")
     try:
         resolve(text)
     except UnitError as error:

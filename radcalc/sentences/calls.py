@@ -1,6 +1,6 @@
 """The call of a command that a sentence means: its facts decide."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import (
@@ -62,7 +62,7 @@ from radcalc.units.dimensions import (
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest
-from radcalc.units.unit import Daily
+from radcalc.units.unit import NUMBER, Daily
 
 FRACTION = "range-fraction"
 SHORTEST = 4  # letters of a word with a misspelling
@@ -83,6 +83,7 @@ FLUORESCENT = {
     "FL11": "three bands, 4000 K",
 }
 OF_ROOM = {"flux", "irradiance", "receiver-area"}
+UNDER_LAMP = {"irradiance", "receiver-area", "height"}
 # Directions of light, and examples of them.
 DIRECTIONS = {"isotropic", "hemisphere", "solid-angle", "exponent"}
 DIRECTIONS |= {"half-angle", "apex-angle", "beam-angle"}
@@ -108,6 +109,8 @@ def call_of(sentence: Sentence) -> list[str]:
             raise _without_value(sentence, fact, _goal_of(sentence))
     _refuse_percentage(sentence)
     _refuse_exitance(sentence)
+    _refuse_density(sentence)
+    _refuse_bare(sentence)
     calls = _calls_of(sentence)
     if len(calls) == 1:
         _refuse_room(calls[0])
@@ -141,17 +144,45 @@ def _refuse_percentage(sentence: Sentence) -> None:
 
 def _refuse_exitance(sentence: Sentence) -> None:
     """Refuse `exitance of 500 lx, reflectance 0.8`: 500 lx leave the surface, or fall on it."""
-    if sentence.goals or not any("reflectance" in fact.symbols for fact in sentence.facts):
+    others = [fact for fact in sentence.facts if "reflectance" not in fact.symbols]
+    if len(others) == len(sentence.facts):
         return
-    for fact in sentence.facts:
+    for fact in others:
         names = [name for name in fact.symbols if SPECIFIC.get(name, (name,))[0] == "exitance"]
         if names and fact.amount and not fact.amount.unit.is_exitance:
             goal = Goal(SYMBOLS[names[0]].label, None, (names[0],))
             fallen = _with_fact(sentence, fact, fact._replace(symbols=()))
-            ways = [(fallen._replace(goals=(goal,)), "it falls on the surface")]
-            ways.append((sentence, "it leaves the surface"))
+            left = sentence._replace(facts=tuple(others)) if sentence.goals else sentence
+            ways = [(fallen._replace(goals=sentence.goals or (goal,)), "it falls on the surface")]
+            ways.append((left, "it leaves the surface"))
             problem = f"{quote(fact.text)} may fall on the surface or leave it"
             raise SeveralReadings(problem, _proposed(ways))
+
+
+def _refuse_density(sentence: Sentence) -> None:
+    """Refuse `through ND 8`, whose number is a density or, as photographers write, a factor."""
+    for fact in sentence.facts:
+        number = fact.amount.text if fact.amount else ""
+        is_nd = fact.symbols == (FILTER,) and "nd" in fact.typed.lower().split()
+        if is_nd and number.isdigit() and int(number) > 1:
+            ways = [
+                (_with_text(sentence, fact, f"{number}.0 OD"), "the density"),
+                (_with_text(sentence, fact, f"1/{number}"), "the factor"),
+            ]
+            problem = f"{quote(fact.typed)} is ambiguous: a density or a factor"
+            raise SeveralReadings(problem, _proposed(ways))
+
+
+def _refuse_bare(sentence: Sentence) -> None:
+    """Refuse a number whose unit is missing, as `10 S to ms`: it is not in that of the goal."""
+    if len(sentence.facts) != 1 or len(sentence.goals) != 1 or not is_bare(sentence.facts[0]):
+        return
+    number, goal = sentence.facts[0].text, sentence.goals[0]
+    if goal.unit is None or (goal.unit.dimension == NUMBER and not goal.unit.is_scale):
+        return
+    is_behind = sentence.text.rfind(goal.text) > sentence.text.find(number)
+    if goal.unit.is_scale or (is_behind and sentence.ignored):
+        raise UsageError(f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}")
 
 
 def _is_of_shining(goal: Goal | None) -> bool:
@@ -169,6 +200,8 @@ def _refuse_room(call: Sequence[str]) -> None:
     for word in call[1:]:
         name, _ = input_of(word)
         values[SPECIFIC.get(name, (name,))[0]] = word
+    if call[0] == "point-source" and {*values} - {"get"} == UNDER_LAMP:
+        _refuse_lamp_above(call, values)
     if call[0] != "point-source" or {*values} != OF_ROOM:
         return
     size = input_of(values["receiver-area"])[1]
@@ -180,6 +213,19 @@ def _refuse_room(call: Sequence[str]) -> None:
         Try(words=(*call, "get=distance"), remark="distance of one lamp"),
     ]
     raise SeveralReadings(f"{quote(size)} is the area of a receiver or of a room", tries)
+
+
+def _refuse_lamp_above(call: Sequence[str], values: Mapping[str, str]) -> None:
+    """Refuse the flux on an area of a room, which is lit evenly or by one lamp at its height."""
+    result, _, unit = input_of(values.get("get", ""))[1].partition(":")
+    if not result.startswith("received"):
+        return
+    light, size = (input_of(values[name])[1] for name in ("irradiance", "receiver-area"))
+    tries = [
+        Try(words=("convert", light, unit or "lm", f"area={size}"), remark="lit evenly"),
+        Try(words=tuple(call), remark="by one lamp above the middle, which has that irradiance"),
+    ]
+    raise SeveralReadings("the light may be even, or that of one lamp at this height", tries)
 
 
 def _with_less(sentence: Sentence) -> list[Try]:
@@ -266,7 +312,7 @@ def _not_understood(sentence: Sentence) -> UsageError:
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
     is_unit = any(map(is_bare, sentence.facts))  # 5 mw
     corrected = next(filter(None, [_corrected(word, is_unit) for word in unknown]), [])
-    tries = [*corrected[:1], *_without(sentence)] or corrected
+    tries = [*corrected[: 2 if is_unit else 1], *_without(sentence)] or corrected
     changing = [word for text in unknown for word in text.split() if comparable(word) in MEANINGFUL]
     from radcalc.quantities.typical import is_seen  # the values
 
@@ -291,7 +337,8 @@ def _checks(sentence: Sentence) -> list[Try]:
         if fact.amount and not fact.symbols and f"is {fact.text}" in sentence.text:
             facts = tuple([one for one in sentence.facts if one is not fact])
             goal = Goal(fact.amount.unit.text, fact.amount.unit)
-            question = sentence._replace(facts=facts, goals=(goal,), unknown=())
+            goals = sentence.goals or (goal,)
+            question = sentence._replace(facts=facts, goals=goals, unknown=())
             calls = [[w for w in one if w[:4] != "get="] for one in _answerable(question)[:1]]
             answer = fact.text.replace(" ", "")
             return [Try(words=(*one, f"check={answer}")) for one in calls]

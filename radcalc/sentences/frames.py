@@ -93,7 +93,6 @@ TIMES_OF_FILTERS = {"time", "unfiltered-time", "stops", "nd"}
 SIZES = ("area", "diameter", "radius")
 EV = "EV"
 RECTANGLE = "rectangle"
-PANEL = {"radiance", "area", "distance"}  # a rectangle with two sides shines from nearby
 PERCENT = ("%", "percent")
 # Results that an input is for: they come before the others of their unit.
 OF_INPUT = {
@@ -119,7 +118,7 @@ def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
     is_of_sides = goal is not None and ("room-index" in goal.names or is_solid_angle(goal))
     if is_of_sides or (SHAPE in facts and facts[SHAPE].text == RECTANGLE):
         facts = _with_sides(facts)
-    elif goal and is_irradiance(goal) and {*_generic_names(facts)} >= PANEL and SHAPE not in facts:
+    elif SHAPE not in facts and _is_panel({*_generic_names(facts)}, goal):
         sides = _with_sides(facts)
         facts = sides if sides is facts else {**sides, SHAPE: Fact((SHAPE,), RECTANGLE, "")}
     facts = _filtered(facts) if FILTER in facts else facts
@@ -139,6 +138,16 @@ def _is_of_unknown_side(facts: Facts, goal: Goal | None) -> bool:
     if not {"stops", "nd"}.isdisjoint(facts) and goal:
         return TIMES_OF_FILTERS.isdisjoint((*goal.names, goal.text))
     return FILTER in facts and not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}
+
+
+def _is_panel(given: set[str], goal: Goal | None) -> bool:
+    """Return whether a surface shines, or is to shine, on a place near it."""
+    if "area" not in given or given.isdisjoint(("distance", "height")):
+        return False
+    if given.isdisjoint(("radiance", "exitance")):
+        is_of_surface = goal and goal.unit and goal.unit.dimension in SYMBOLS["radiance"].dimensions
+        return "irradiance" in given and bool(is_of_surface)
+    return goal is None or is_irradiance(goal)
 
 
 def _is_part(goal: Goal) -> bool:

@@ -6,7 +6,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from radcalc.calculators.pages import SUMMARIES
-from radcalc.errors import UsageError
+from radcalc.errors import RadcalcError, UsageError
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import RADIANT
 from radcalc.quantities.light import read as read_light
@@ -181,8 +181,11 @@ def _of_other_quantity(sentence: Sentence) -> Sentence:
     if not amount or not fact.symbols or not fact.typed.endswith(amount.text):
         return sentence
     *name, last = fact.typed.removesuffix(amount.text).split() or [""]
-    unit = _usual_unit(" ".join([*name, *([] if last in BEFORE_AMOUNT else [last])]), amount)
-    if unit is None or unit.dimension == amount.dimension:
+    parts = [*name, *([] if last in BEFORE_AMOUNT else [last])]
+    unit = own = unit_in(parts)  # lux of 100 fc
+    if own is None:
+        unit = _usual_unit(" ".join(parts), amount)
+    if unit is None or (own is None and unit.dimension == amount.dimension):
         return sentence
     alone = Fact((), amount.text, amount.text, amount)
     return sentence._replace(facts=(alone,), goals=(Goal(unit.text, unit),))
@@ -203,11 +206,11 @@ def _of_named_number(sentence: Sentence) -> Sentence:
 
 
 def _usual_unit(name: str, amount: Amount) -> Unit | None:
-    from radcalc.quantities.targets import named
+    from radcalc.quantities.targets import is_name, named
 
     try:
-        return named(name, amount.unit)
-    except UsageError:
+        return named(name, amount.unit) if is_name(name) else None
+    except RadcalcError:  # a name of several quantities
         return None
 
 

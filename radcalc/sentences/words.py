@@ -35,9 +35,11 @@ LARGEST_DLI = 100  # mol/m2; outdoors it is at most 70
 TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
 MARKS_IN_WORDS = {"=>": " to ", "=?": " to ", "@": " at "}
 WITHIN = (["in"], ["a"])  # before a time, not inches and years: dli 17 in 16 h
-HOURS = re.compile(r"(?<![\d./])(\d{1,2})/(\d{1,2})(?![\d./])")  # of light and darkness: 18/6
+# Hours of light and darkness: 18/6
+HOURS = re.compile(r"(?<![\d./])(\d{1,2}(?:\.\d+)?)/(\d{1,2}(?:\.\d+)?)(?![\d./])")
+DAY, NEARLY = 24.0, 5.0  # h; a quotient is another number
 KILOLUX = re.compile(r"klux(?![\w.])")
-DAY_OF_LIGHT = re.compile(rf"\b({'|'.join(DLI)})\b")
+DAY_OF_LIGHT = re.compile(rf"(?<![^\W\d])({'|'.join(DLI)})\b")
 MICROMOLE = re.compile(r"(?<=\d) ?[uµμ]mol(?![\w/])")
 OF_PEAK = re.compile(r"\(?1/e\^?[2²]\)?,?")  # of the diameter of a beam
 ANSI = "ansi"  # between a number and lumens
@@ -126,7 +128,12 @@ def _plain_words(text: str) -> list[str]:
 
 
 def _of_light(hours: re.Match[str]) -> str:
-    return f"{hours[1]}h" if int(hours[1]) + int(hours[2]) == 24 else hours[0]
+    total = float(hours[1]) + float(hours[2])
+    if total != DAY and abs(total - DAY) < NEARLY:
+        raise UsageError(
+            f"the hours of light and darkness {hours[0]} are not those of a day", f"{hours[1]}h"
+        )
+    return f"{hours[1]}h " if total == DAY else hours[0]
 
 
 def _marked(part: str) -> str:

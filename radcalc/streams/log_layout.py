@@ -42,6 +42,7 @@ from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
+NAMES_OF_PAR = ("par", "qpar", "фар")
 HEAD = 1000  # lines searched for the data, without comments and blank lines
 MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
@@ -317,7 +318,7 @@ class Head(FirstRows):
             raise self.error(number, error.message, error.hint) from None
         light = read_light(unit)
         is_of_watts = light is not None and light.kind == RADIANT
-        is_par = is_of_watts and any("par" in _words(title) for title in above)
+        is_par = is_of_watts and any(map(_is_par, above))
         return LogLayout(table, times, place, clock, unit, units, is_par)
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
@@ -488,6 +489,12 @@ def _may_be_light(title: str) -> bool:
     except UnitError:
         return True
     return bool(unit_of_name(title))
+
+
+def _is_par(title: str) -> bool:
+    """Return whether a title names photosynthetically active radiation: PAR, PAR1, QPAR, ФАР."""
+    words = {word.rstrip("0123456789") for word in _words(title)}
+    return not words.isdisjoint(NAMES_OF_PAR) or "photosynthetic" in title.lower()
 
 
 def _words(title: str) -> set[str]:

@@ -43,6 +43,10 @@ ANSWERED = [
     ("0.9 ND to stops", 0.9 * math.log2(10), "1"),
     ("800 lx through ND 0.6 to lx", 800 * 10**-0.6, "lx"),
     ("--lux 200 fc", 200 * FC, "fc"),
+    ("how many lux is 100 fc", 100 / FC, "lux"),
+    ("600 ppfd 16.5/7.5 dli", 600e-6 * 16.5 * 3600, "mol/m2"),
+    ("1000 cd/m2 5 m x 3 m height 4 m to lx", 1000 * math.pi * CORNERS, "lx"),
+    ("500 lx from a 5 m x 3 m panel at 4 m to cd/m2", 500 / (math.pi * CORNERS), "cd/m2"),
     # the configuration factor of a rectangle from its centre: four corners of 2.5 m x 1.5 m
     ("1200 nits LED wall 5 m x 3 m at 4 m to lux", 1200 * math.pi * CORNERS, "lux"),
     ("600 ppfd 18/6 dli", 600e-6 * 18 * 3600, "mol/m2"),
@@ -156,6 +160,27 @@ def test_a_sentence_means_a_command(sentence, command):
 
 # Words, and parts of the message and of the hint.
 REFUSED = [
+    (
+        "how many lumens for a 5 m x 3 m room at 500 lux with height 2.5 m",
+        "may be even",
+        "radcalc convert 500lux lumens --area '5m*3m'",
+    ),
+    ("500 lx through ND 8 to lx", "a density or a factor", "radcalc convert '500 lx * (1/8)' lx"),
+    (
+        "exitance 500 lm/m2 reflectance 0.5 to cd/m2",
+        "may fall on the surface or leave it",
+        "radcalc convert 500 lm/m2 cd/m2 --reflectance 0.5",
+    ),
+    ("10 S to ms", "unknown unit 'S'", "radcalc 10 s to ms"),
+    ("60 bulb to lm", "unknown unit 'bulb'", ""),
+    ("mired of 5600", "unknown command 'mired'", ""),
+    ("500 ppfd 18/8 dli", "too many words", ""),
+    (
+        "is 4.5 correct for 500 lx to fc",
+        "not understood: correct",
+        "radcalc convert 500 lx fc --check 4.5",
+    ),
+    ("100 cd at 2 MM to lx", "not understood: MM", "radcalc 100 cd at 2 mm to lx"),
     (
         "150 lm/W hps to umol/J",
         "a spectrum links the light",
