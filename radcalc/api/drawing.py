@@ -44,5 +44,5 @@ class Drawing:
         if not isinstance(path, os.PathLike):
             from radcalc.api.reading import require_texts
 
-            require_texts("picture.svg", path=path)
+            require_texts(path=path)
         write(os.fspath(path), self.picture)

@@ -88,7 +88,7 @@ def integrate(expression: str, *, unit: str = "", **given: Any) -> Result:
     if not isinstance(expression, str):
         problem = f"an expression is a text, not {article(type(expression).__name__)}"
         raise ConditionError(problem, '"cos(theta)"')
-    require_texts("cd", unit=unit)
+    require_texts(unit=unit)
     refuse_arrays(read_inputs(given, page_of("integrate").intervals), "an integral")
     of = integrand(unit) if unit else BARE
     work_out = partial(of_expression, expression, of=of)

@@ -82,7 +82,7 @@ def typical(search: str | Quantity = "") -> Listing[TypicalValue]:
     46.5 footcandle
     """
     if not is_quantity(search):
-        require_texts("office", search=search)
+        require_texts(search=search)
     text = as_text(search)
     found = values_for(text)
     far = how_far(text, found)
@@ -121,5 +121,5 @@ def examples(search: str = "") -> Listing[Task]:
     >>> [task.title for task in examples("museum log")]
     ['A log']
     """
-    require_texts("museum", search=search)
+    require_texts(search=search)
     return Listing(tasks_for(search))

@@ -149,16 +149,12 @@ def dose(
     means = one_of(samples, READINGS, "kind of samples") == MEANS_OF_STEPS
     one_of(invalid, SKIPPING, "treatment of an invalid reading")
     period = "" if by is None else one_of(by, PERIODS, "period")
-    require_texts("lx", unit=unit)
-    require_texts("Europe/Prague", time_zone=time_zone)
-    require_texts("s", time_unit=time_unit)
-    require_texts("%d.%m.%Y", time_format=time_format)
+    require_texts(unit=unit, time_zone=time_zone, time_unit=time_unit, time_format=time_format)
     inputs = read_inputs(given)
     refuse_uncertain([inputs["max-gap"]] if "max-gap" in inputs else [], "a log")
     refuse_arrays(inputs, "the whole log")
     clock = TimeSettings(time_zone, time_unit, time_format)
-    times_in = [time_column] if isinstance(time_column, (str, int)) else time_column
-    columns = tuple(map(str, times_in))
+    columns = tuple(map(str, _listed(time_column)))
     place = "" if column is None else str(column)
     chosen = LogSettings(tuple(filter(None, columns)), place, unit, "", invalid, clock)
     path = os.fspath(readings) if isinstance(readings, (str, os.PathLike)) else None
@@ -192,6 +188,10 @@ def dose(
         listed = (*shown, ShownInput(period, text=label, tells=True))
         results[label] = of_answer("dose", answer, listed, None, UNDRAWN)
     return results
+
+
+def _listed(columns: str | int | Sequence[str | int]) -> Sequence[str | int]:
+    return [columns] if isinstance(columns, (str, int)) else columns
 
 
 def _table(readings: Any, times: Any, unit: str) -> Table:

@@ -39,6 +39,16 @@ from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
 T = TypeVar("T")
+TEXTS = {
+    "unit": "W/m2",
+    "time_zone": "Europe/Prague",
+    "time_unit": "s",
+    "time_format": "%d.%m.%Y",
+    "wanted": "illuminance:fc",
+    "search": "museum",
+    "sentence": "20000 cd at 8 m to lx",
+    "path": "picture.svg",
+}
 LIBRARIES = (
     "pandas",
     "polars",
@@ -145,12 +155,12 @@ def as_interval(value: Any) -> str:
     return ":".join(map(as_text, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
-def require_texts(example: str, **given: Any) -> None:
-    """Refuse an argument that is not a text; `example` is one that is."""
+def require_texts(**given: Any) -> None:
+    """Refuse an argument that is not a text, of those with an example in `TEXTS`."""
     for keyword, value in given.items():
         if not isinstance(value, str):
             problem = f"{keyword} is a text, not {article(type(value).__name__)}"
-            raise ConditionError(problem, f"a text such as '{example}'")
+            raise ConditionError(problem, f"a text such as '{TEXTS[keyword]}'")
 
 
 def refuse_unlike_index(first: Any, second: Any) -> None:

@@ -258,7 +258,7 @@ class Result(Mapping[str, Quantity]):
             If there is nothing to draw.
         """
         for name in wanted:
-            require_texts("illuminance:fc", wanted=name)
+            require_texts(wanted=name)
         return _drawing(self, self._solved, wanted)
 
 

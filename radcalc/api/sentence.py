@@ -37,7 +37,7 @@ def ask(sentence: str) -> Result | Quantity:
     >>> print(ask("20000 cd at 8 m to lx"))
     312.5 lux
     """
-    require_texts("20000 cd at 8 m to lx", sentence=sentence)
+    require_texts(sentence=sentence)
     found = read([sentence])
     command, *words = call_of(found)
     if command == "convert":

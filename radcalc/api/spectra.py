@@ -62,7 +62,7 @@ def spectrum(
     >>> print(lamp.irradiance)
     500.0 watt / metre ** 2
     """
-    require_texts("W/m2/nm", unit=unit)
+    require_texts(unit=unit)
     texts = {"column": "" if column is None else str(column), "unit": unit}
     operands = {name: chosen for name, chosen in texts.items() if chosen}
     if isinstance(source, (str, os.PathLike)):

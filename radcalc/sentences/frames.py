@@ -105,22 +105,13 @@ OF_INPUT = {
 
 def calls_of(facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the calls of the first frame that takes all facts."""
-    if len(facts) == 1 and goal and goal.unit and (same := _same(next(iter(facts.values())), goal)):
-        return [same]
-    if {*facts} == {FILTER} and goal and "transmittance" in goal.names:
-        return [["convert", *facts[FILTER].text.split(), "%"]]
-    if {*facts} == {"nd"} and goal and _is_part(goal) and "." in facts["nd"].text:
-        return [["convert", facts["nd"].text, "OD", "%"]]
+    if len(facts) == 1 and goal and (alone := _alone(*next(iter(facts.items())), goal)):
+        return [alone]
     if _is_of_unknown_side(facts, goal):
         return []
     named = facts.get(COMMAND)
     facts = {name: fact for name, fact in facts.items() if name != COMMAND}
-    is_of_sides = goal is not None and ("room-index" in goal.names or is_solid_angle(goal))
-    if is_of_sides or (SHAPE in facts and facts[SHAPE].text == RECTANGLE):
-        facts = _with_sides(facts)
-    elif SHAPE not in facts and _is_panel({*_generic_names(facts)}, goal):
-        sides = _with_sides(facts)
-        facts = sides if sides is facts else {**sides, SHAPE: Fact((SHAPE,), RECTANGLE, "")}
+    facts = _of_rectangle(facts, goal)
     facts = _filtered(facts) if FILTER in facts else facts
     called_for, results = {*_generic_names(facts)}, {*goal.names} if goal else set()
     for frame in FRAMES:
@@ -138,6 +129,29 @@ def _is_of_unknown_side(facts: Facts, goal: Goal | None) -> bool:
     if not {"stops", "nd"}.isdisjoint(facts) and goal:
         return TIMES_OF_FILTERS.isdisjoint((*goal.names, goal.text))
     return FILTER in facts and not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}
+
+
+def _alone(name: str, fact: Fact, goal: Goal) -> list[str]:
+    """Return the conversion of the only fact: of its amount, or of a filter to the light it passes.
+
+    Return none for another goal.
+    """
+    if name == FILTER and "transmittance" in goal.names:
+        return ["convert", *fact.text.split(), "%"]
+    if name == "nd" and _is_part(goal) and "." in fact.text:
+        return ["convert", fact.text, "OD", "%"]
+    return _same(fact, goal)
+
+
+def _of_rectangle(facts: Facts, goal: Goal | None) -> Facts:
+    """Return facts with the two sides of an area in its place, if they are of a rectangle."""
+    is_of_sides = goal is not None and ("room-index" in goal.names or is_solid_angle(goal))
+    if is_of_sides or (SHAPE in facts and facts[SHAPE].text == RECTANGLE):
+        return _with_sides(facts)
+    if SHAPE in facts or not _is_panel({*_generic_names(facts)}, goal):
+        return facts
+    sides = _with_sides(facts)
+    return facts if sides is facts else {**sides, SHAPE: Fact((SHAPE,), RECTANGLE, "")}
 
 
 def _is_panel(given: set[str], goal: Goal | None) -> bool:
@@ -371,8 +385,12 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
     if "diameter" in goal.names and "beam-diameter" in listed and "diameter" not in listed:
         return ["beam-diameter"]
     own = {OF_INPUT[name] for name in given if name in OF_INPUT}
-    if not goal.unit:
-        return _called(goal, listed, own)
+    return _with_units(goal, listed, own) if goal.unit else _called(goal, listed, own)
+
+
+def _with_units(goal: Goal, listed: list[str], own: set[str]) -> list[str]:
+    """Return the results that a goal with a unit, or with several, may mean."""
+    assert goal.unit is not None
     result = result_name(goal.unit)
     found = _called(goal, listed, own) if goal.names else _in_unit(goal.unit, listed, own)
     names = [result if SPECIFIC.get(result, ("",))[0] == name else name for name in found]
