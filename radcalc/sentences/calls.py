@@ -152,11 +152,13 @@ def _refuse_exitance(sentence: Sentence) -> None:
         if names and fact.amount and not fact.amount.unit.is_exitance:
             goal = Goal(SYMBOLS[names[0]].label, None, (names[0],))
             fallen = _with_fact(sentence, fact, fact._replace(symbols=()))
-            left = sentence._replace(facts=tuple(others)) if sentence.goals else sentence
-            ways = [(fallen._replace(goals=sentence.goals or (goal,)), "it falls on the surface")]
-            ways.append((left, "it leaves the surface"))
+            fallen = fallen._replace(goals=sentence.goals or (goal,))
+            tries = _proposed([(fallen, "it falls on the surface")])
+            page, light = page_of("lambertian"), {names[0]: fact}
+            left = on_page(["lambertian"], page, light, _goal_of(sentence))[:1]
+            tries += [Try(words=tuple(one), remark="it leaves the surface") for one in left]
             problem = f"{quote(fact.text)} may fall on the surface or leave it"
-            raise SeveralReadings(problem, _proposed(ways))
+            raise SeveralReadings(problem, tries)
 
 
 def _refuse_density(sentence: Sentence) -> None:
