@@ -16,7 +16,7 @@ from radcalc.calculators.page import Page, words_of
 from radcalc.calculators.pages import SUBJECTS, SUMMARIES, page_of
 from radcalc.conversion.plan import target_of
 from radcalc.errors import RadcalcError, Try, nearest
-from radcalc.quantities.symbols import SPECIFIC
+from radcalc.quantities.symbols import generic_name
 from radcalc.spectra.sources import find_named
 
 CONVERSION = re.compile(r"(?:convert_)?(.+?)(?:_to_|_?2_?)(.+)")  # lux_to_fc, lux2fc
@@ -87,7 +87,7 @@ def _input(name: str) -> Iterator[str]:
 def _names(name: str) -> set[str]:
     """Return a symbol, and that of its light of any kind."""
     symbol = symbol_name(name)
-    return {symbol, SPECIFIC.get(symbol, (symbol, ""))[0]}
+    return {symbol, generic_name(symbol)}
 
 
 def _function(name: str) -> Iterator[str]:

@@ -27,12 +27,7 @@ from radcalc.errors import (
 from radcalc.floats import SMALLEST
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
-from radcalc.maths import (
-    is_array,
-    is_column,
-    is_lost,
-    is_uncertain,
-)
+from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import (

@@ -4,12 +4,7 @@ The errors are imported only when one is raised: that takes a tenth of a convers
 """
 
 from radcalc.floats import LARGEST, SMALLEST, divide
-from radcalc.units.unit import (
-    FIELD_STRENGTH,
-    INVERSE_TEMPERATURE,
-    TEMPERATURE_ALONE,
-    Unit,
-)
+from radcalc.units.unit import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:

@@ -74,6 +74,9 @@ from radcalc.units.dimensions import (
 )
 from radcalc.units.unit import Daily, Unit
 
+# The efficacies of lamps, and the light of each watt.
+OF_LAMPS = {RATIOS[LUMINOUS, RADIANT]: "lm", RATIOS[PHOTON, RADIANT]: "umol/s"}
+
 # ---------------------------------------------------------------------------------------------
 # Area and solid angle
 
@@ -215,10 +218,6 @@ def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 
 # ---------------------------------------------------------------------------------------------
 # Everything between two quantities
-
-
-# The efficacies of lamps, and the light of each watt.
-OF_LAMPS = {RATIOS[LUMINOUS, RADIANT]: "lm", RATIOS[PHOTON, RADIANT]: "umol/s"}
 
 
 def link(source: Unit, target: Unit, given: Sequence[Input], number: str = "1") -> Links:

@@ -25,8 +25,8 @@ from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import (
     FLAG,
-    SPECIFIC,
     SYMBOLS,
+    generic_name,
 )
 from radcalc.sentences.facts import (
     DAYS,
@@ -148,7 +148,7 @@ def _refuse_exitance(sentence: Sentence) -> None:
     if len(others) == len(sentence.facts):
         return
     for fact in others:
-        names = [name for name in fact.symbols if SPECIFIC.get(name, (name,))[0] == "exitance"]
+        names = [name for name in fact.symbols if generic_name(name) == "exitance"]
         if names and fact.amount and not fact.amount.unit.is_exitance:
             goal = Goal(SYMBOLS[names[0]].label, None, (names[0],))
             fallen = _with_fact(sentence, fact, fact._replace(symbols=()))
@@ -192,7 +192,7 @@ def _is_of_shining(goal: Goal | None) -> bool:
     if goal is None:
         return False
     reading = read_light(goal.unit) if goal.unit else None
-    names = {SPECIFIC.get(name, (name,))[0] for name in goal.names}
+    names = {generic_name(name) for name in goal.names}
     return bool(reading and reading.is_radiance) or not names.isdisjoint(("radiance", "exitance"))
 
 
@@ -201,7 +201,7 @@ def _refuse_room(call: Sequence[str]) -> None:
     values = {}
     for word in call[1:]:
         name, _ = input_of(word)
-        values[SPECIFIC.get(name, (name,))[0]] = word
+        values[generic_name(name)] = word
     if call[0] == "point-source" and {*values} - {"get"} == UNDER_LAMP:
         _refuse_lamp_above(call, values)
     if call[0] != "point-source" or {*values} != OF_ROOM:

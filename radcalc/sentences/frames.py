@@ -10,6 +10,7 @@ from radcalc.quantities.symbols import (
     FLAG,
     SPECIFIC,
     SYMBOLS,
+    generic_name,
     in_kind,
     names_of_kinds,
     specific_name,
@@ -181,7 +182,7 @@ def is_irradiance(goal: Goal) -> bool:
     """Return whether a goal is a unit, or the name, of light on a surface."""
     if goal.unit:
         return goal.unit.dimension in SYMBOLS["irradiance"].dimensions
-    return any(_generic(name) == "irradiance" for name in goal.names)
+    return any(generic_name(name) == "irradiance" for name in goal.names)
 
 
 def is_solid_angle(goal: Goal) -> bool:
@@ -306,7 +307,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     value, given = values[0], {**facts}
     fact = given.pop(value)
     amount = fact.amount
-    usual = USUAL_GOALS.get((SPECIFIC.get(value, (value,))[0], *given), "")  # for one condition
+    usual = USUAL_GOALS.get((generic_name(value), *given), "")  # for one condition
     target = _target(goal, fact, given) if goal else usual
     if amount is None or ((given or goal) and not target):
         return []
@@ -408,7 +409,7 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
     if goal.unit:
         own = result_name(goal.unit)
         is_result = is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
-        name = own if is_irradiance(goal) else _generic(own)  # a spectrum has all three kinds
+        name = own if is_irradiance(goal) else generic_name(own)  # a spectrum has all three kinds
         return [f"{name}:{goal.text}"] if is_result else []
     angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
     return [n for n in goal.names if n in page.listed] or angles or list(goal.names[:1])
@@ -416,7 +417,7 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
 
 def _called(goal: Goal, listed: list[str], own: set[str]) -> list[str]:
     """Return the results with the names of a goal, or of its quantity if an input is for it."""
-    wanted = {*goal.names, *map(_generic, goal.names)}
+    wanted = {*goal.names, *map(generic_name, goal.names)}
     dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
     wanted |= {name for name in own if dimensions & {*SYMBOLS[name].dimensions}}
     return [name for name in listed if name in wanted]
@@ -426,10 +427,5 @@ def _in_unit(unit: Unit, listed: list[str], own: set[str]) -> list[str]:
     """Return the results in a unit: those that an input is for, of its quantity, or all."""
     fitting = [name for name in listed if unit.dimension in SYMBOLS[name].dimensions]
     result = result_name(unit)
-    wanted = own & {*fitting} or {result, _generic(result)}
+    wanted = own & {*fitting} or {result, generic_name(result)}
     return [name for name in fitting if name in wanted] or fitting
-
-
-def _generic(name: str) -> str:
-    """Return the name for every kind of light of a result: irradiance for illuminance."""
-    return SPECIFIC.get(name, (name,))[0]

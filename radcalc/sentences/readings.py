@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
 from radcalc.errors import MOST, Try, input_of, mention
-from radcalc.quantities.symbols import SPECIFIC, SYMBOLS
+from radcalc.quantities.symbols import SYMBOLS, generic_name
 from radcalc.sentences.facts import OF_DIMENSION, VALUE, Facts, is_light, light_of, meant
 from radcalc.sentences.frames import is_solid_angle, taken_by
 from radcalc.sentences.phrases import BESIDE
@@ -88,6 +88,6 @@ def explained(calls: Sequence[tuple[str, ...]]) -> list[Try]:
 
 def _meaning(page: Page, name: str) -> str:
     """Return the first clause of the help of an input or a result, or its label."""
-    symbol = page.symbol(name if name in page.texts else SPECIFIC.get(name, (name,))[0])
+    symbol = page.symbol(name if name in page.texts else generic_name(name))
     text = symbol.help.partition("; ")[0].partition(". ")[0].rstrip(".")
     return mention(text[:1].lower() + text[1:]) if text else SYMBOLS[name].label

@@ -50,14 +50,7 @@ from radcalc.units.numbers import (
     typed_digits,
 )
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import (
-    BASES,
-    NUMBER,
-    PI,
-    Dimension,
-    Unit,
-    lookup,
-)
+from radcalc.units.unit import BASES, NUMBER, PI, Dimension, Unit, lookup
 from radcalc.units.values import KEPT, Term, Value, is_part
 from radcalc.units.words import are_run_together, find, word_at
 
