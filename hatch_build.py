@@ -1,6 +1,7 @@
 """Build hook of the wheel: the table of completion, the manual, and the start of `radcalc`.
 
-The table is printed from the commands.  Sources make it on demand, so an editable install has none.
+The table is printed from the pages of the commands.  Sources make it on demand, so an editable
+install has none.
 A wheel has the manual twice: in share/man, where `man` looks, and in the package, where
 `radcalc manual` finds it however the wheel was installed.
 
@@ -53,8 +54,9 @@ def _print_table(root: str, path: str) -> None:
     The path of the tree is not in PYTHONPATH: pip takes it out if the tree is also installed as
     editable.
     """
-    code = "import sys; sys.path.insert(0, sys.argv.pop(1)); from radcalc.cli import compile as c"
-    subprocess.run([sys.executable, "-B", "-c", f"{code}; c.main()", root, path], check=True)
+    code = "import runpy, sys; sys.path.insert(0, sys.argv.pop(1))"
+    run = "runpy.run_module('radcalc.completion.rows', run_name='__main__')"
+    subprocess.run([sys.executable, "-B", "-c", f"{code}; {run}", root, path], check=True)
 
 
 def _platform() -> str:

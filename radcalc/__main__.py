@@ -35,12 +35,8 @@ def main() -> None:
 def run(words: list[str]) -> int:
     """Answer the words of a command line, or a shell's Tab; return the exit status."""
     if asked := os.environ.get("_RADCALC_COMPLETE"):
-        from radcalc.completion import shells, table
+        from radcalc.completion import shells
 
-        if not table.COMMANDS:
-            from radcalc.cli.compile import fill_table
-
-            fill_table()
         return shells.answer(asked)
     answered = quick_lane(words)
     if answered is None:

@@ -56,9 +56,10 @@ else:
         new.__kwdefaults__ = dict.fromkeys(others)
         return new
 
-    def _new(cls, a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v):
-        """Make a tuple of as many arguments as a class has fields, at most 21."""
-        return make(cls, (a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v)[:count])  # noqa: F821
+    def _new(cls, a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v, w, x, y):
+        """Make a tuple of as many arguments as a class has fields, at most 24."""
+        fields = a, b, c, d, e, f, g, h, i, j, k, m, n, o, p, q, r, s, t, u, v, w, x, y
+        return make(cls, fields[:count])  # noqa: F821
 
     # With a blank, so that no call can name those that a class has no fields for.
     _PARAMETERS = tuple([f" {name}" for name in _new.__code__.co_varnames[1:]])

@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 from radcalc import errors
 from radcalc.api.refusals import in_python as of_function
 from radcalc.calculators.integrate import integrate
+from radcalc.calculators.pages import COMMANDS
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick
 from radcalc.calculators.solid_angle import solid_angle
-from radcalc.cli.names import COMMANDS
 from radcalc.conversion.plan import plan
 from radcalc.errors import (
     END,

@@ -13,7 +13,7 @@ from conftest import ROOT
 from helpers import for_each
 from packaging.tags import sys_tags
 
-from radcalc.cli.compile import made
+from radcalc.completion.rows import module_text
 
 PACKAGE = ROOT / "radcalc"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -67,7 +67,7 @@ def test_the_wheel_has_only_the_package_its_table_and_the_manual(tmp_path):
     about = {name for name in names if ".dist-info/" in name}
     manual = {f"radcalc/{name}" for name in files("man")}
     assert names - data - about == files("radcalc") | {TABLE} | manual
-    assert table == made()
+    assert table == module_text()
     pages = {os.path.basename(name) for name in data if "/share/man/" in name}
     assert pages == {os.path.basename(name) for name in files("man")}
     scripts = {name.partition(".data/")[2] for name in data if "/scripts/" in name}

@@ -10,7 +10,7 @@ import pytest
 from conftest import ROOT, run
 
 from radcalc import terminal
-from radcalc.cli.names import COMMANDS
+from radcalc.calculators.pages import COMMANDS
 from radcalc.errors import OutputError
 
 # What Python lacks on Windows.  asyncio and subprocess, which need it here, are imported before.

@@ -8,9 +8,8 @@ from typing import NamedTuple, TypeVar
 from radcalc.api.quantity import Quantity, is_quantity, quantity
 from radcalc.api.reading import as_text, require_texts
 from radcalc.api.refusals import in_python
-from radcalc.quantities.typical import FIELDS, how_far
+from radcalc.quantities.typical import FIELDS, Typical, how_far
 from radcalc.quantities.typical import search as values_for
-from radcalc.quantities.typical_values import Typical
 from radcalc.sentences.tasks import Task
 from radcalc.sentences.tasks import search as tasks_for
 from radcalc.units.unit import unit_behind

@@ -29,11 +29,12 @@ from radcalc.api.reading import (
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_words
 from radcalc.calculators.dose import MEANS_OF_STEPS, READINGS
+from radcalc.calculators.options import PERIODS
 from radcalc.errors import ConditionError, LineError, MissingInput, mention
 from radcalc.files.text import reading as opened
 from radcalc.inputs.given import refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import article
-from radcalc.streams.clocks import PERIODS, TimeSettings
+from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.dose import EXPECTED, LogDose, longest_step
 from radcalc.streams.log_layout import LogSettings
 from radcalc.streams.samples import Log

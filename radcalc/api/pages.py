@@ -189,7 +189,7 @@ def _keywords(page: Page, without: Sequence[str]) -> list[Keyword]:
     """Return the keywords of a page; a light quantity also has those of its kinds."""
     groups = {
         kind_name: group
-        for group, names in page.sections.items()
+        for group, names in page.symbols.items()
         for name in names
         if name not in without
         for kind_name in (name, *names_of_kinds(name))

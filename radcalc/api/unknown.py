@@ -80,7 +80,7 @@ def _input(name: str) -> Iterator[str]:
     """Yield calls with an input of that name."""
     for command in SUMMARIES:
         page = page_of(command)
-        if any(_names(name) & {*section} for section in page.sections.values()):
+        if any(_names(name) & {*section} for section in page.symbols.values()):
             yield from (with_answer(*a) for a in _examples(command, page) if f"{name}=" in a[0])
 
 

@@ -1,5 +1,6 @@
 """The page of conversions; `conversion` has the calculations."""
 
+from radcalc.calculators.options import CHECKS, OF_LINES
 from radcalc.calculators.page import CONVERSION, Operand, Page
 from radcalc.quantities.symbols import LINKS, METER_UNITS, REFINEMENTS
 
@@ -30,7 +31,10 @@ PAGE = Page(
         "Detectors, fields and heat": ("responsivity", "electric-field", "emissivity"),
         "Light meters (EV)": ("k", "c"),
         "Time and bandwidth": ("time", "photoperiod", "bandwidth"),
+        "Homework": CHECKS,
+        "Streams (with - as VALUE)": OF_LINES,
     },
+    calculates=False,
     texts={
         "radius": "Radius of a circular area.",
         "diameter": "Diameter of a circular area.",

@@ -37,6 +37,16 @@ from radcalc.units.unit import NUMBER
 ANGLES, MIRRORS = ("polar", "elevation", "azimuth"), ("reflect-at", "reflect-to")
 ON_BALL = ("mirror-ball-u", "mirror-ball-v", "mirror-ball-w")
 PAGE = Page(
+    results=(
+        "x",
+        "y",
+        "z",
+        "length",
+        "mirror-ball-u",
+        "mirror-ball-v",
+        "mirror-ball-w",
+        "incidence",
+    ),
     about="Express a direction, or its reflection, in spherical coordinates and as a unit vector.",
     operand=Operand("vector", "[X Y Z]"),
     sections={"Angles": ANGLES, "Mirrors": ("mirror-ball", *MIRRORS)},

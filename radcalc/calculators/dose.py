@@ -12,6 +12,7 @@ from operator import add, mul, sub
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Value
+from radcalc.calculators.options import PERIODS, choice, text
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
@@ -25,6 +26,7 @@ from radcalc.laws.law import law
 from radcalc.quantities.light import PHOTON, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
+from radcalc.terminal import ABORT, INVALID
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
@@ -73,7 +75,56 @@ PAGE = Page(
     ("exposure", "energy", *MEANS, *PEAKS),
     about="Add up samples of light over time: exposure, energy, daily light integral.",
     operand=Operand("file", "FILE|-", FILE, ENDINGS),
-    sections={"Times": ("max-gap",), "Light": ("receiver-area", *LINKS, *REFINEMENTS)},
+    sections={
+        "Columns": (
+            text("column", "NAME", "Column with the values: its title or its number."),
+            text("unit", "lx", "Unit of the values, if their title has none: lx, W/m2 ..."),
+            text(
+                "time-column",
+                "NAME",
+                "Column with the times: its title or its number (repeatable: date and time of "
+                "day).",
+                repeats=True,
+            ),
+            text("d delimiter", "X", "Field separator: one character, or tab (default: detected)."),
+            choice(
+                "invalid",
+                INVALID,
+                "Treatment of unreadable lines.  abort (default): stop at the first.  fail, warn, "
+                "ignore: skip them, and fail at the end (status 2), warn (status 0) or say "
+                "nothing (status 0).",
+                default=ABORT,
+            ),
+        ),
+        "Times": (
+            text(
+                "time-zone",
+                "ZONE",
+                "Time zone of local times and of days: Europe/Prague, +02:00, UTC.",
+            ),
+            text(
+                "time-format",
+                "FORMAT",
+                "Format of dates and times, as in strptime: %d/%m/%Y %H:%M.",
+            ),
+            text(
+                "time-unit",
+                "s",
+                "Unit of the times, if they are numbers that count from the start of the "
+                "measurement.",
+            ),
+            choice(
+                "samples",
+                READINGS,
+                "Samples at points in time, with straight lines between them (the default), or "
+                "means from each time to the next.",
+                default=POINTS,
+            ),
+            "max-gap",
+            choice("by", PERIODS, "Give an answer for each local day or hour."),
+        ),
+        "Light": ("receiver-area", *LINKS, *REFINEMENTS),
+    },
     takes_lines=False,
 )
 # Customary units of an exposure or an energy, by the coherent unit.

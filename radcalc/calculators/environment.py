@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators import kinds
 from radcalc.calculators.maps import RenderedMap
+from radcalc.calculators.options import choice, text
 from radcalc.calculators.page import ENVIRONMENT, Operand, Page
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.worksheet import refuse_foreign
@@ -24,6 +25,7 @@ from radcalc.quantities.symbols import (
     LINKS,
     REFINEMENTS,
     SYMBOLS,
+    WHOLE_SPHERE,
     light_unit,
     specific_name,
 )
@@ -46,13 +48,41 @@ OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
 PAGE = Page(
+    results=(
+        "irradiance",
+        "mean-radiance",
+        "peak-radiance",
+        "peak-polar",
+        "peak-azimuth",
+        "coverage",
+        "error",
+        "radiance-toward",
+        "polar",
+        "azimuth",
+    ),
     about="Calculate the light that a receiver gets from a radiance map, a sky or an expression.",
     operand=Operand("source", "SOURCE", ENVIRONMENT, NAMES),
     sections={
         "Map": OF_MAP,
         "Sky": (*OF_SKY, *SCALES),
         "Receiver": RECEIVER,
-        "Maps to write": ("size",),
+        "Maps to write": (
+            text(
+                "irradiance-map",
+                "FILE",
+                "Write the irradiances of receivers facing every direction as a latlong map "
+                "(.hdr, .exr, .pfm).",
+            ),
+            choice(
+                "order",
+                ("2",),
+                "Use spherical harmonics up to this order, instead of the exact sum over all "
+                "pixels.",
+            ),
+            text("reproject", "FILE", "Write the map in another projection (with {to})."),
+            choice("to", WHOLE_SPHERE, "Projection of the map written by {reproject}."),
+            "size",
+        ),
         "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={

@@ -44,6 +44,7 @@ PAGE = Page(
     (),
     ("flux", "radiance"),
     goal="etendue",
+    results=RESULTS,
     about="Calculate the etendue of a beam, and its flux from the radiance of the source.",
     sections={
         "Source": (*SOURCES, "tilt"),

@@ -5,6 +5,7 @@ import re
 from typing import NamedTuple
 
 from radcalc.answer import Answer
+from radcalc.calculators.options import text
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_angle, format_number
@@ -37,7 +38,10 @@ PAGE = Page(
     operand=Operand("expression", "EXPRESSION"),
     sections={
         "Directions": ("sphere", "hemisphere", "half-angle", "polar", "azimuth"),
-        "Results": ("accuracy",),
+        "Results": (
+            text("unit", "cd", "Unit of the expression: a unit of intensity or radiance, or 1/sr."),
+            "accuracy",
+        ),
     },
     texts={
         "half-angle": "Cone with this half angle about +z.",

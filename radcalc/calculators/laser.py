@@ -31,6 +31,7 @@ PAGE = Page(
     ("irradiance", "peak-irradiance", "exposure", "flux", "energy", "received-flux", "limit"),
     ("spot-diameter", HAZARD, "distance", "diameter", "divergence", "time", "receiver-diameter"),
     goal="spot-diameter",
+    results=("luminous-efficacy",),
     about="Calculate the spot and the irradiance of a laser beam, and its hazard distance.",
     sections={
         "Beam": (*BEAM, *LIGHT),

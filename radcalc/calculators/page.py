@@ -5,7 +5,8 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NoReturn
 
-from radcalc.errors import UsageError, corrections, nearest, quote
+from radcalc.calculators.options import CHECKS, GET, OF_ANSWERS, OF_LINES, PLOT, Option
+from radcalc.errors import UsageError, corrections, mention, nearest, quote
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import (
     QUANTITY,
@@ -13,12 +14,15 @@ from radcalc.quantities.symbols import (
     SYMBOLS,
     WORD,
     Symbol,
+    light_unit,
     names_of_kinds,
 )
 from radcalc.tuples import NamedTuple
 
 # Forms of operands, in addition to those of symbols.
 CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"
+ALSO = "also --"  # before the names of the kinds
+RESULTS, LINES, OUTPUTS = "Results", "Streams", "Output"  # titles of sections
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 
@@ -58,10 +62,13 @@ class Page(NamedTuple):
     Fields for the worksheet: `takes` are the accepted symbols; `light` the results that are light
     quantities (generic names), and `others` the other results, in the order of the answer; `goal`
     is a result that inputs must lead to if it is not light, and `goals` are further ones.
-    `on_request` are results that are calculated only if they are requested.
+    `on_request` are results that are calculated only if they are requested, and `results` those of
+    a calculator without a worksheet.
 
     Fields for the command and the Python function: `about` is a one-line summary; `sections` map
-    titles of the help to the symbols of options, `kinds` are their kinds of light.  `texts` replace
+    titles of the help to the options: names of symbols, and rows of others.  A command that
+    `calculates` has options for results.  `output` are the options of its output; `kinds` are
+    the kinds of light of its symbols.  `texts` replace
     the example and the help of a symbol, or the help alone.  `like` maps a result to the symbol of
     the same quantity.  `draws` allows pictures, `takes_lines` lines of standard input.
     `mistakes` are names of `homework` for this calculator.
@@ -81,9 +88,12 @@ class Page(NamedTuple):
     goal: str = ""
     goals: tuple[str, ...] = ()
     on_request: tuple[str, ...] = ()
+    results: tuple[str, ...] = ()
     about: str = ""
     operand: Operand | None = None
-    sections: Mapping[str, tuple[str, ...]] = NOTHING
+    sections: Mapping[str, tuple[str | Option, ...]] = NOTHING
+    calculates: bool = True
+    output: tuple[Option, ...] = OF_ANSWERS
     texts: Mapping[str, str | tuple[str, str]] = NOTHING
     examples: tuple[str, ...] = ()
     remarks: str = ""
@@ -119,7 +129,58 @@ class Page(NamedTuple):
     @property
     def listed(self) -> list[str]:
         """The symbols of the options, in their order."""
-        return [name for section in self.sections.values() for name in section]
+        return [name for names in self.symbols.values() for name in names]
+
+    @property
+    def symbols(self) -> dict[str, list[str]]:
+        """The symbols of the options, by the titles of their sections."""
+        return {
+            title: [name for name in members if isinstance(name, str)]
+            for title, members in self.sections.items()
+        }
+
+    @property
+    def options(self) -> dict[str, list[Option]]:
+        """The rows of all options, by the titles of their sections."""
+        sections = {title: [*members] for title, members in self.sections.items()}
+        if self.calculates:
+            of_results = [GET, *CHECKS, *([PLOT] if self.draws else [])]
+            sections[RESULTS] = [*sections.pop(RESULTS, ()), *of_results]
+            if self.takes_lines:
+                sections[LINES] = [row._replace(hidden=True) for row in OF_LINES]
+        sections[OUTPUTS] = [*self.output]
+        return {
+            title: [row for member in members for row in self._rows(member)]
+            for title, members in sections.items()
+        }
+
+    def _rows(self, member: str | Option) -> list[Option]:
+        """Return the row of an option; a light quantity has hidden ones for its kinds."""
+        if not isinstance(member, str):
+            return [member]
+        symbol, text = self.symbol(member), self.symbol(member).help
+        if member != symbol.generic:
+            return [_row(symbol)]
+        other_names = self.kinds_of(member)
+        if other_names:
+            text = text.rstrip(".")
+            start = f"{text[:-1]}; " if text.endswith(")") else f"{text} ("
+            symbol = symbol._replace(help=f"{start}{ALSO}{', --'.join(other_names)}).")
+        if len(self.kinds) == 1:
+            example = f"100{light_unit(member, self.kinds[0])}".replace(" ", ".")
+            symbol = symbol._replace(example=example)
+        hidden = [_row(self.symbol(other))._replace(hidden=True) for other in other_names]
+        return [_row(symbol), *hidden]
+
+    @property
+    def result_names(self) -> list[str]:
+        """The results by their names: those with laws, those for one kind of light, the others."""
+        names = [*self.listed, *self.light, *self.others, *self.goals]
+        of_kinds = [other for name in names for other in names_of_kinds(name)]
+        further = [*self.results, *self.on_request]
+        of_kinds += [other for name in further for other in names_of_kinds(name)]
+        names += [*filter(None, [self.goal]), *of_kinds, *further]
+        return [name for name in dict.fromkeys(names) if SYMBOLS[name].dimensions]
 
     def accepts(self, name: str) -> bool:
         """Return whether a call may give a symbol: of a section, or for one kind of light."""
@@ -139,6 +200,12 @@ class Page(NamedTuple):
             for name in self.texts
             if ":" in self.symbol(name).example and SYMBOLS[name].form == QUANTITY
         )
+
+
+def _row(symbol: Symbol) -> Option:
+    spellings = (f"--{symbol.name}",)
+    return Option(spellings, symbol.example, mention(symbol.help), symbol.form, symbol.choices,
+                  symbol=symbol)  # fmt: skip
 
 
 def words_of(example: str) -> tuple[list[str], str]:

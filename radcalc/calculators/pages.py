@@ -32,6 +32,18 @@ SUMMARIES = {
     "mesopic": "Mesopic luminance by CIE 191:2010.",
 }
 
+COMMANDS = {
+    **SUMMARIES,
+    "mark": "Marks and points for the answers of students to a sheet.",
+    "columns": "Columns of a table (CSV): units, extremes, means.",
+    "units": "Units, their definitions and sources.",
+    "quantities": "Names of quantities in three languages.",
+    "typical": "Typical values: sun, sky, rooms, lamps, screens.",
+    "examples": "Tasks with their commands, answers and explanations.",
+    "manual": "Pages of the manual.",
+    "help": "Help for a command, or a search for words.",
+    "prompt": "Interactive prompt, with ans and variables.",
+}
 # Words for the subjects of commands, if unlike the command's name.
 SUBJECTS = {
     "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
@@ -53,8 +65,12 @@ SUBJECTS = {
 
 
 def page_of(name: str) -> "Page":
-    """Import the page of a calculator."""
+    """Import the page of a command."""
     from importlib import import_module
 
+    if name not in SUMMARIES:
+        from radcalc.calculators.lists import PAGES
+
+        return PAGES[name]
     page: Page = import_module(f"radcalc.calculators.{name.replace('-', '_')}").PAGE
     return page

@@ -18,6 +18,16 @@ from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import LENGTH
 
 PAGE = Page(
+    results=(
+        "wavelength",
+        "frequency",
+        "wavenumber",
+        "photon-energy",
+        "luminous-efficiency",
+        "luminous-efficacy",
+        "scotopic-luminous-efficiency",
+        "scotopic-luminous-efficacy",
+    ),
     about="Calculate wavelength, frequency, wavenumber, energy and luminous efficacy of a photon.",
     operand=Operand("wavelength", "WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY", QUANTITY),
     sections={"Light": ("observer",)},

@@ -87,6 +87,7 @@ PAGE = Page(
         "beam-flux",
     ),
     ("beam-diameter",),
+    results=("off-axis", "luminous-efficacy"),
     about="Calculate the intensity, illuminance, distance or beam of a small source of light.",
     sections={
         "Light": (*QUANTITIES, "peak-intensity"),

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import kinds
+from radcalc.calculators.options import text
 from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import element, value
 from radcalc.calculators.scene_rows import NamedSource, Reader, rows_of_dicts, rows_of_file
@@ -23,7 +24,16 @@ PAGE = Page(
     about="Calculate the light that many sources together give at points or on a grid.",
     operand=Operand("file", "FILE.csv", FILE, ENDINGS),
     sections={
-        "Points": ("grid", "normal"),
+        "Points": (
+            text(
+                "at",
+                "X,Y,Z",
+                "Illuminated point (repeatable), in metres or with units.",
+                repeats=True,
+            ),
+            "grid",
+            "normal",
+        ),
         "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={"normal": "Normal of the receivers (default 0,0,1: up)."},

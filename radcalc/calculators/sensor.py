@@ -111,6 +111,7 @@ PAGE = Page(
     ("photons", *DETECTOR, "etendue", *LENS, *PIXEL),
     goal="electrons",
     goals=("working-f-number", "responsivity"),
+    results=("luminous-efficacy",),
     about="Calculate the light that a lens sends to a sensor, its photons, electrons and current.",
     sections={
         "Light": ("radiance", *ON_SENSOR),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from radcalc.answer import Answer, Step
 from radcalc.calculators.kinds import kind_of
+from radcalc.calculators.options import text
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
@@ -138,6 +139,7 @@ PAGE = Page(
     LIGHT,
     (SHARED, *ANGLES),
     goal=SHARED,
+    results=("luminous-efficacy",),
     about="Calculate the radiance of the sky in a direction, and its irradiance on the ground and "
     "on a plane.",
     operand=OPERAND,
@@ -152,7 +154,15 @@ PAGE = Page(
             "sun-radius",
         ),
         "Plane and direction": ("tilt", "azimuth", "normal", "toward"),
-        "Map": ("size",),
+        "Map": (
+            text(
+                "save",
+                "FILE.hdr",
+                "Write a latlong map of the sky (.hdr, .exr or .pfm; default 1024x512), with the "
+                "disc of the sun if its light is given.",
+            ),
+            "size",
+        ),
         "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
     },
     texts={

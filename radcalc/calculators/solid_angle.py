@@ -499,6 +499,7 @@ USUAL = ("cone", "disc", "rectangle")  # to propose
 NAMES = (*SHAPES, "pixel", *ALIASES)  # `pixel.py` has the pixel
 OPERAND = Operand("shape", "SHAPE [X,Y,Z ...]", CHOICE, NAMES)
 PAGE = Page(
+    results=("sphere-fraction",),
     about="Calculate the solid angle of a shape, and its projected solid angle.",
     operand=OPERAND,
     sections={

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nanometres
+from radcalc.calculators.options import flag, text
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent, on_request, value
 from radcalc.derivation import Formula
@@ -26,9 +27,52 @@ from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import PAR, WHOLE, BlackBody, Lines, Spectrum, range_text
 
 PAGE = Page(
+    results=(
+        "peak-wavelength",
+        "centroid-wavelength",
+        "fwhm",
+        "range-start",
+        "range-end",
+        "range-fraction",
+        "luminous-efficiency",
+        "luminous-efficacy",
+        "scotopic-luminous-efficacy",
+        "sp-ratio",
+        "photon-energy",
+        "photon-efficacy",
+        "lux-per-ppfd",
+        "x",
+        "y",
+        "cct",
+        "duv",
+        "cri",
+        "exitance",
+        "radiance",
+        "luminance",
+        "temperature",
+        "irradiance",
+        "illuminance",
+        "photon-irradiance",
+    ),
     about="Describe a spectrum: peak, width, efficacies, photons, colour; or compare several.",
     operand=Operand("spectrum", "SOURCE ...", SPECTRUM),
-    sections={"Light": ("observer", "range", "photon-range", "reference")},
+    sections={
+        "Source": (
+            text(
+                "column",
+                "NAME",
+                "Column with the values: its title, with or without its unit, or its number.",
+            ),
+            text(
+                "unit",
+                "W/m2/nm",
+                "Unit of the values of a file: W/m2/nm, umol/m2/s/nm ...; for relative values, "
+                "the word relative (proportional to watts) or photons (proportional to photons).",
+            ),
+            flag("list", "List the named sources, or those of one kind.", name="list_"),
+        ),
+        "Light": ("observer", "range", "photon-range", "reference"),
+    },
     on_request=ON_REQUEST,
     texts={
         "observer": "Observer (eye response) of the luminous efficacy.",

@@ -55,6 +55,7 @@ PAGE = Page(
     ("intensity", "irradiance", "intensity-toward"),
     ("attenuation", *(f"{part}-attenuation" for part in PARTS), "distance", "incidence", *NUMBERS),
     goal="attenuation",
+    results=("x", "y", "z"),
     about='Calculate the light that a cinematographer\'s light ("uberlight") sends to points.',
     operand=Operand("point", "X,Y,Z ..."),
     sections={

@@ -7,8 +7,8 @@ plain call of a calculator do without it.
 import os
 
 from radcalc import terminal
-from radcalc.calculators.pages import SUMMARIES
-from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
+from radcalc.calculators.pages import COMMANDS, SUMMARIES
+from radcalc.cli.names import EXPLAIN, HELP_NAMES
 from radcalc.errors import RadcalcError
 
 VARIABLE = "RADCALC_DEFINITIONS"

@@ -11,8 +11,8 @@ from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import MissingInput, Try, UsageError, add, leave_out
 from radcalc.maths import is_array
-from radcalc.render.formats import CSV, TABLE
 from radcalc.render.plain import omitted
+from radcalc.terminal import CSV, TABLE
 from radcalc.tuples import NamedTuple
 
 

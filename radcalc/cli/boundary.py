@@ -7,9 +7,10 @@ from functools import partial
 import click
 
 from radcalc import terminal
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import files
 from radcalc.cli.group import commands, protect_negatives
-from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
+from radcalc.cli.names import EXPLAIN, HELP_NAMES
 from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
 
 TYPE_CHECKING = False  # typing is slow to import

@@ -21,7 +21,7 @@ from radcalc.errors import Hint, RadcalcError, Try, UsageError, add, command, le
 from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import QUANTITY
-from radcalc.render.formats import CSV
+from radcalc.terminal import CSV
 from radcalc.units.ranges import MOST
 
 BLOCK = 100_000  # values of a long range in one calculation

@@ -3,7 +3,7 @@
 from typing import Any
 
 from radcalc.answer import texts_of
-from radcalc.calculators.page import FILE, Operand, Page
+from radcalc.calculators.pages import page_of
 from radcalc.cli.command import define
 from radcalc.cli.files import only_file, proposed
 from radcalc.cli.output import Output, refuse_number_options
@@ -12,18 +12,19 @@ from radcalc.errors import ConditionError, quote_path
 from radcalc.errors import command as call_of
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.units import offered
-from radcalc.render.formats import CSV, JSON, TABLE, Records
+from radcalc.render.formats import Records
 from radcalc.render.plain import number
 from radcalc.routes.kinds import NAMES, contents_of
 from radcalc.routes.listing import ColumnSummary, listing
 from radcalc.streams.log_layout import FirstRows
+from radcalc.terminal import CSV, JSON, TABLE
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
 DIGITS = 6
 
 
-@define("columns", Page(operand=Operand("file", "FILE", FILE)), calculates=False)
+@define("columns", page_of("columns"))
 def command(words: tuple[str, ...], output: Output) -> None:
     """List the columns of a table: units, extremes, mean, and a command for each.
 

@@ -1,89 +1,49 @@
 """Commands whose help lists the options in sections, after the examples."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any
 
 import click
 
-from radcalc.calculators.page import Page, words_of
+from radcalc.calculators.options import DEFAULTS, WHOLE, Option
+from radcalc.calculators.page import LINES, OUTPUTS, Page, words_of
 from radcalc.calculators.pages import page_of
-from radcalc.cli import options
 from radcalc.cli.help import HELPS, Helped
-from radcalc.cli.names import own_module
 from radcalc.cli.output import decide
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
 from radcalc.errors import Try, UsageError, add, mention, quote
-from radcalc.quantities.symbols import (
-    CHOICE,
-    FLAG,
-    SYMBOLS,
-    Symbol,
-    light_unit,
-)
+from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 
-GET = click.Option(
-    ["-g", "--get", "wanted"],
-    multiple=True,
-    metavar="NAME[:UNIT]",
-    help="Print only this result, as a bare number or in the format of --format.  "
-    "Without UNIT, the unit is that of the full answer.  Several: flux,illuminance:klx.",
-)
-PLOT = click.Option(
-    ["--plot"],
-    metavar="[FILE]",
-    help="Draw a picture below the answer, or in FILE (.svg, .png).",
-)
 # Endings of a word after --plot that is its file, not an operand.
 FIGURES = (".svg", ".png", ".pdf", ".ps", ".eps", ".jpg", ".jpeg", ".gif", ".webp", ".tif", "/")
-ALSO = "also --"  # before the names of the kinds
-LINES = "Streams"
-Member = str | click.Option  # the name of a symbol, or another option
 
 
 def define(
-    name: str,
-    page: Page,
-    sections: Mapping[str, Sequence[Member]] | None = None,
-    calculates: bool = True,
-    output: Sequence[click.Option] = (),
-    text: str | None = None,
+    name: str, page: Page, text: str | None = None
 ) -> Callable[[Callable[..., Any]], "SectionedCommand"]:
     """Make a command of its page and of a function.
 
-    `sections` replace those of the page if some options are not symbols; `text` replaces its
-    examples and remarks in the help.  Without a page the help is the function's docstring.  A
-    command that `calculates` has options for results, and for lines and a picture if its page
-    allows them; `output` are more options of the output.
+    `text` replaces the page's examples and remarks in the help.  Without an `about` of the page,
+    the help is the function's docstring.
 
     The function is called with `typed`, the texts of the given symbols; `shown`, the output;
     `request`, if it calculates; and all other parameters by name.
     """
-    sections = dict(page.sections if sections is None else sections)
-    if calculates:
-        of_results = (GET, *options.OF_CHECKS, *([PLOT] if page.draws else []))
-        sections["Results"] = (*sections.pop("Results", ()), *of_results)
-        if page.takes_lines:
-            sections[LINES] = [_hidden(option) for option in options.OF_LINES]
-    groups = {
-        title: [option for member in members for option in _options(member, page)]
-        for title, members in sections.items()
-    }
-    own = [option for group in groups.values() for option in group]
-    shared = options.OPTIONS if calculates or output else options.OF_LISTS
-    last = [*shared, *([options.STEPS] if calculates else output)]
-    params: list[click.Parameter] = [*own, *last]
+    groups = sections_of(page)
+    own = [option for title, group in groups.items() if title != OUTPUTS for option in group]
+    params: list[click.Parameter] = [*own, *groups[OUTPUTS]]
     if page.operand:
         params.insert(0, click.Argument(["words"], nargs=-1, metavar=page.operand.usage))
 
     def decorate(function: Callable[..., Any]) -> "SectionedCommand":
         return SectionedCommand(
             name,
-            callback=_callback(function, name, own, page if calculates else None),
+            callback=_callback(function, name, own, page),
             params=params,
             help=f"{page.about}\n\n{text}" if text else None if page.about else function.__doc__,
-            sections={**groups, "Output": last},
+            sections=groups,
             page=page,
         )
 
@@ -91,20 +51,21 @@ def define(
 
 
 def _callback(
-    function: Callable[..., Any], name: str, own: Sequence[click.Option], calculator: Page | None
+    function: Callable[..., Any], name: str, own: Sequence[click.Option], page: Page
 ) -> Callable[..., Any]:
     """Return the function that Click calls: it adds what all commands of their kind have."""
     symbols = {one.name: one.symbol.name for one in own if isinstance(one, SymbolOption)}
+    output_names = [row.parameter for row in page.output if row.parameter in DEFAULTS]
 
     def call(**values: Any) -> Any:
         root = click.get_current_context().find_root()
-        of_output = {key: values.pop(key) for key in options.NAMES}
+        of_output = {key: values.pop(key) for key in output_names}
         output = decide(**of_output, command=name, listener=root.obj)
         typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
-        if calculator:
+        if page.calculates:
             from radcalc.cli.request import Request
 
-            values["request"] = Request.of(values, calculator.takes_lines)
+            values["request"] = Request.of(values, page.takes_lines)
         if symbols:
             values["typed"] = {k: text for k, text in typed.items() if text not in (None, False)}
         return function(output=output, **values)
@@ -114,7 +75,7 @@ def _callback(
 
 @cache
 def of_page(name: str) -> "SectionedCommand":
-    """Make a command of a calculator's page, and of the `FURTHER` options of its module."""
+    """Make a command of a calculator's page, answered by its function."""
 
     def answer(**values: Any) -> int:
         from radcalc.cli.calculator import answerer  # help does without it
@@ -123,57 +84,57 @@ def of_page(name: str) -> "SectionedCommand":
         assert function is not None
         return function(**values)
 
-    page = page_of(name)
-    sections: dict[str, Sequence[Member]] = dict(page.sections)
-    for title, further in getattr(own_module(name), "FURTHER", {}).items():
-        texts = [(f"--{key}", metavar, text) for key, (metavar, text) in further.items()]
-        added = [click.Option([key], metavar=shown, help=text) for key, shown, text in texts]
-        sections[title] = (*added, *sections[title])
-    return define(name, page, sections)(answer)
+    return define(name, page_of(name))(answer)
+
+
+class Whole(click.Option):
+    """An option for a whole number, whose help states the limits in words."""
+
+    def get_help_extra(self, ctx: click.Context) -> Any:
+        return {}
+
+
+def sections_of(page: Page) -> dict[str, Sequence[click.Option]]:
+    """Return Click's options of a page, by the titles of their sections."""
+    return {title: [option_of(row) for row in rows] for title, rows in page.options.items()}
+
+
+def option_of(row: Option) -> click.Option:
+    """Return Click's option of a row."""
+    kind: dict[str, Any] = {"metavar": row.example or None}
+    if row.form == FLAG:
+        kind = {"is_flag": True}
+    elif row.form == CHOICE:
+        kind = {"type": click.Choice(row.choices, case_sensitive=not row.symbol)}
+    elif row.form == WHOLE:
+        kind["type"] = click.IntRange(row.least, row.most)
+    if row.symbol:
+        return SymbolOption(row, **kind)
+    names = [*row.spellings, row.parameter]
+    return (Whole if row.form == WHOLE else click.Option)(
+        names,
+        help=spelled(row.help),
+        hidden=row.hidden,
+        multiple=row.repeats,
+        default=row.default,
+        **kind,
+    )
 
 
 class SymbolOption(click.Option):
     """An option for a symbol of the vocabulary; its help is made on demand."""
 
-    def __init__(self, symbol: Symbol, hidden: bool, **kind: Any) -> None:
-        self.symbol = symbol
-        super().__init__([f"--{symbol.name}"], hidden=hidden, **kind)
+    def __init__(self, row: Option, **kind: Any) -> None:
+        self.row, self.symbol = row, row.symbol
+        super().__init__([*row.spellings], hidden=row.hidden, **kind)
 
     @property
     def help(self) -> str:
-        return spelled(mention(self.symbol.help))
+        return spelled(self.row.help)
 
     @help.setter
     def help(self, text: str | None) -> None:
         """Ignore a help text: the options of Click set theirs at once."""
-
-
-def _options(member: Member, page: Page) -> list[click.Option]:
-    """Return the options of a symbol; a light quantity has hidden ones for its kinds."""
-    if isinstance(member, click.Option):
-        return [member]
-    symbol = page.symbol(member)
-    if member != symbol.generic:
-        return [_option(symbol)]
-    other_names = page.kinds_of(member)
-    if other_names:
-        text = symbol.help.rstrip(".")
-        start = f"{text[:-1]}; " if text.endswith(")") else f"{text} ("
-        symbol = symbol._replace(help=f"{start}{ALSO}{', --'.join(other_names)}).")
-    if len(page.kinds) == 1:
-        example = f"100{light_unit(member, page.kinds[0])}".replace(" ", ".")
-        symbol = symbol._replace(example=example)
-    hidden = [_option(page.symbol(other), hidden=True) for other in other_names]
-    return [_option(symbol), *hidden]
-
-
-def _option(symbol: Symbol, hidden: bool = False) -> SymbolOption:
-    kind: dict[str, Any] = {"metavar": symbol.example}
-    if symbol.form == FLAG:
-        kind = {"is_flag": True}
-    elif symbol.form == CHOICE:
-        kind = {"type": click.Choice(symbol.choices, case_sensitive=False)}
-    return SymbolOption(symbol, hidden, **kind)
 
 
 class SectionedCommand(Helped):
@@ -201,7 +162,7 @@ class SectionedCommand(Helped):
         """
         end = args.index("--") if "--" in args else len(args)
         args = ["--header=1" if word == "--header" else word for word in args[:end]] + args[end:]
-        if PLOT in self.params:
+        if self.page.draws:
             args = with_plot(args[:end]) + args[end:]
         several = {
             name
@@ -226,7 +187,7 @@ class SectionedCommand(Helped):
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         for title, listed in self.sections.items():
-            of_output = title == "Output"
+            of_output = title == OUTPUTS
             visible = [*listed, *HELPS] if of_output else listed
             records = [option.get_help_record(ctx) for option in visible]
             if title == LINES:
@@ -267,13 +228,6 @@ def with_plot(args: Sequence[str]) -> list[str]:
         else:
             words.append(word)
     return [f"--plot={TO_TERMINAL}" if word == "--plot" else word for word in words]
-
-
-def _hidden(option: click.Option) -> click.Option:
-    """Return a hidden copy of an option that another command documents."""
-    hidden = click.Option.__new__(click.Option)  # as `copy` does, which takes longer to load
-    vars(hidden).update(vars(option), hidden=True)
-    return hidden
 
 
 def _of_lines(listed: Sequence[click.Option]) -> tuple[str, str]:

@@ -15,7 +15,6 @@ from radcalc.cli.conversions import (
     show,
     with_target,
 )
-from radcalc.cli.options import OF_CHECKS, OF_LINES, STEPS
 from radcalc.cli.output import Output
 from radcalc.errors import (
     MissingUnit,
@@ -67,18 +66,7 @@ and --to TARGET may stand for the operands.
 """
 
 
-@define(
-    "convert",
-    PAGE,
-    {
-        **PAGE.sections,
-        "Homework": OF_CHECKS,
-        "Streams (with - as VALUE)": OF_LINES,
-    },
-    calculates=False,
-    output=(STEPS,),
-    text=HELP,
-)
+@define("convert", PAGE, text=HELP)
 def command(
     words: tuple[str, ...],
     typed: dict[str, Any],

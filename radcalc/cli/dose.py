@@ -2,11 +2,10 @@
 
 from collections.abc import Sequence
 
-import click
-
 from radcalc import terminal
 from radcalc.answer import ShownInput, texts_of
 from radcalc.calculators import dose as page
+from radcalc.calculators.options import PER_DAY
 from radcalc.calculators.task import Task
 from radcalc.cli.answers import Answered, show
 from radcalc.cli.calculator import run
@@ -23,62 +22,13 @@ from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
 from radcalc.quantities.names import DLI
-from radcalc.streams.clocks import PER_DAY, PERIODS, TimeSettings
+from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.dose import EXPECTED, LogDose, longest_step
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import LogSettings
 from radcalc.streams.samples import Log
-from radcalc.terminal import ABORT, INVALID
+from radcalc.terminal import ABORT
 
-TIME_COLUMN = click.Option(
-    ["--time-column"],
-    multiple=True,
-    metavar="NAME",
-    help="Column with the times: its title or its number (repeatable: date and time of day).",
-)
-COLUMN = click.Option(
-    ["--column"], metavar="NAME", help="Column with the values: its title or its number."
-)
-UNIT = click.Option(
-    ["--unit"], metavar="lx", help="Unit of the values, if their title has none: lx, W/m2 ..."
-)
-DELIMITER = click.Option(
-    ["-d", "--delimiter"],
-    metavar="X",
-    help="Field separator: one character, or tab (default: detected).",
-)
-INVALID_LINES = click.Option(
-    ["--invalid"],
-    type=click.Choice(INVALID),
-    default=ABORT,
-    help="Treatment of unreadable lines.  abort (default): stop at the first.  fail, warn, "
-    "ignore: skip them, and fail at the end (status 2), warn (status 0) or say nothing (status 0).",
-)
-TIME_ZONE = click.Option(
-    ["--time-zone"],
-    metavar="ZONE",
-    help="Time zone of local times and of days: Europe/Prague, +02:00, UTC.",
-)
-TIME_UNIT = click.Option(
-    ["--time-unit"],
-    metavar="s",
-    help="Unit of the times, if they are numbers that count from the start of the measurement.",
-)
-TIME_FORMAT = click.Option(
-    ["--time-format"],
-    metavar="FORMAT",
-    help="Format of dates and times, as in strptime: %d/%m/%Y %H:%M.",
-)
-SAMPLES = click.Option(
-    ["--samples"],
-    type=click.Choice(tuple(page.READINGS)),
-    default=page.POINTS,
-    help="Samples at points in time, with straight lines between them (the default), or means from "
-    "each time to the next.",
-)
-BY = click.Option(
-    ["--by"], type=click.Choice(PERIODS), help="Give an answer for each local day or hour."
-)
 HELP = """\
 \b
 Examples:
@@ -109,16 +59,7 @@ and coverage 0.
 """
 
 
-@define(
-    "dose",
-    page.PAGE,
-    {
-        "Columns": (COLUMN, UNIT, TIME_COLUMN, DELIMITER, INVALID_LINES),
-        "Times": (TIME_ZONE, TIME_FORMAT, TIME_UNIT, SAMPLES, *page.PAGE.sections["Times"], BY),
-        "Light": page.PAGE.sections["Light"],
-    },
-    text=HELP,
-)
+@define("dose", page.PAGE, text=HELP)
 def command(
     words: tuple[str, ...],
     typed: dict[str, str],

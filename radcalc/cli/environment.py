@@ -3,8 +3,6 @@
 import os
 from functools import partial
 
-import click
-
 from radcalc.answer import Answer, texts_of
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source, environment
@@ -23,30 +21,9 @@ EXAMPLES = (
     call("environment", "sky:overcast"),
     call("environment", "map.hdr", unit="cd/m2", remark="for a picture"),
 )
-IRRADIANCE_MAP = click.Option(
-    ["--irradiance-map"],
-    metavar="FILE",
-    help="Write the irradiances of receivers facing every direction as a latlong map (.hdr, .exr, "
-    ".pfm).",
-)
-ORDER = click.Option(
-    ["--order"],
-    type=click.Choice(["2"]),
-    help="Use spherical harmonics up to this order, instead of the exact sum over all pixels.",
-)
-REPROJECT = click.Option(
-    ["--reproject"], metavar="FILE", help="Write the map in another projection (with --to)."
-)
-TO = click.Option(
-    ["--to"], type=click.Choice(WHOLE_SPHERE), help="Projection of the map written by --reproject."
-)
 
 
-@define(
-    "environment",
-    page.PAGE,
-    {**page.PAGE.sections, "Maps to write": (IRRADIANCE_MAP, ORDER, REPROJECT, TO, "size")},
-)
+@define("environment", page.PAGE)
 def command(
     words: tuple[str, ...],
     typed: dict[str, str],

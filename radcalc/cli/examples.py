@@ -6,20 +6,16 @@ from typing import Any
 
 from radcalc import terminal
 from radcalc.answer import texts_of
-from radcalc.calculators.page import Operand, Page
+from radcalc.calculators.pages import page_of
 from radcalc.cli.command import define
 from radcalc.cli.help_format import narrowed
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
-from radcalc.quantities.symbols import CHOICE
-from radcalc.render.formats import PLAIN, TABLE, Records
+from radcalc.render.formats import Records
 from radcalc.sentences.tasks import Task, search
-from radcalc.sentences.tasks import words as searches
-from radcalc.terminal import BOLD, RESET
+from radcalc.terminal import BOLD, PLAIN, RESET, TABLE
 
 
-@define(
-    "examples", Page(operand=Operand("search", "[WORD ...]", CHOICE, searches())), calculates=False
-)
+@define("examples", page_of("examples"))
 def command(words: tuple[str, ...], output: Output) -> None:
     """List tasks with the commands that answer them, or show those that mention all words.
 

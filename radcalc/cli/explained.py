@@ -6,19 +6,22 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import texts_of
+from radcalc.calculators.options import CHECKS
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import files, habits
 from radcalc.cli.cases import is_stream
 from radcalc.cli.heard import hear
 from radcalc.cli.lane import plain
-from radcalc.cli.names import COMMANDS, EXPLAIN
+from radcalc.cli.names import EXPLAIN
 from radcalc.cli.output import Output, decide, refuse_number_options
-from radcalc.cli.sentence import CHECKS, Words, options_of, values_of
+from radcalc.cli.sentence import Words, options_of, values_of
 from radcalc.cli.spelling import pasted, quoted, typed
 from radcalc.errors import RadcalcError, UsageError, call, drop, leave_out
-from radcalc.render.formats import JSON, Records
+from radcalc.render.formats import Records
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.parts import parts_of
 from radcalc.sentences.reader import read
+from radcalc.terminal import JSON
 
 if TYPE_CHECKING:
     from radcalc.cli.output import Listener
@@ -42,7 +45,7 @@ def explained(words: Words, listener: "Listener | None" = None) -> tuple[Output,
     if asked[0] in COMMANDS:
         raise UsageError(f"{EXPLAIN} does not apply to {asked[0]}", drop(EXPLAIN))
     values = values_of(options, listener)
-    others = {name: values.pop(name) for name in ("steps", *CHECKS)}
+    others = {name: values.pop(name) for name in ("steps", *[row.parameter for row in CHECKS])}
     output = decide(**values, command="explain", listener=listener)
     refuse_number_options(output, EXPLAIN)
     for name, value in others.items():

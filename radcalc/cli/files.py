@@ -4,7 +4,7 @@ import os
 from contextlib import suppress
 
 from radcalc import terminal
-from radcalc.cli.names import COMMANDS
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.spelling import pasted
 from radcalc.errors import RadcalcError, Try, UsageError, call, quote, quote_path
 

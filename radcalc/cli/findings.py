@@ -6,13 +6,18 @@ spectra and typical values from the searches of their own commands.
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import suppress
-from typing import Any
+from contextlib import chdir, suppress
+from functools import cache
+from tempfile import TemporaryDirectory
 
-from radcalc.calculators.pages import SUBJECTS, SUMMARIES
-from radcalc.cli.names import COMMANDS
+import click
+
+from radcalc.calculators.options import RESULT
+from radcalc.calculators.pages import COMMANDS, SUBJECTS, SUMMARIES, page_of
+from radcalc.cli.group import examples_of
+from radcalc.cli.heard import hear
 from radcalc.completion import table
-from radcalc.errors import RadcalcError, nearest
+from radcalc.errors import RadcalcError, UnknownResult, nearest
 from radcalc.quantities import entries, search, typical
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import QUANTITIES
@@ -82,7 +87,7 @@ def near(text: str, count: int) -> list[str]:
 def _names() -> Iterator[str]:
     yield from COMMANDS
     yield from (name.lstrip("-") for name in _rows())
-    yield from table.RESULTS
+    yield from _results()
     yield from (name for q in QUANTITIES for code in LANGUAGES for name in q.names(code))
     yield from UNITS
     yield from TAKEN
@@ -106,7 +111,7 @@ def _of_commands(text: str) -> Iterable[Finding]:
 
 def _shapes(name: str) -> Sequence[str]:
     """Return the operands that a calculator takes by name: cone, disc, overcast."""
-    form, choices = _table()[name][1]
+    form, choices = table.COMMANDS[name][1]
     return tuple(choices) if form == "choice" and name in SUMMARIES else ()
 
 
@@ -136,16 +141,58 @@ def _options(are_hidden: bool) -> Iterator[Finding]:
 def _of_results(text: str) -> Iterable[Finding]:
     """Return the results of commands that are not options, by any of their names."""
     options = _rows()
-    every = [_result(*row) for row in table.RESULTS.items() if f"--{row[0]}" not in options]
-    return matching(text, every, _all_words)
+    every = [_result(*row) for row in _results().items() if f"--{row[0]}" not in options]
+    found = [_with_call(finding) for finding in matching(text, every, _all_words)]
+    return [finding for finding in found if finding]
 
 
-def _result(name: str, calls: dict[str, tuple[str, ...]]) -> Finding:
+@cache
+def _results() -> dict[str, list[str]]:
+    """Return the results by their names, each with the calculators that have it."""
+    results: dict[str, list[str]] = {}
+    for command, (_, _, rows) in table.COMMANDS.items():
+        for _, form, values, *_ in rows:
+            for name in values if form == RESULT else ():
+                results.setdefault(name, []).append(command)
+    return results
+
+
+def _result(name: str, commands: Sequence[str]) -> Finding:
     symbol = SYMBOLS[name]
     letter = symbol.letter.replace("_", "")
     names = (name, symbol.label, letter, *names_elsewhere(symbol.label))
-    what = f"{symbol.label} ({_listed([*calls])})"
-    return Finding("result", name, what, next(iter(calls.values())), names, SYNONYMS.get(name, ""))
+    what = f"{symbol.label} ({_listed(commands)})"
+    return Finding("result", name, what, (), names, SYNONYMS.get(name, ""))
+
+
+def _with_call(finding: Finding) -> Finding | None:
+    """Return a result with an example that answers it; None if no example does."""
+    for command in _results()[finding.name]:
+        for call, names in _examples(command):
+            if finding.name in names:
+                return finding._replace(call=(*call, "-g", finding.name))
+    return None
+
+
+@cache
+def _examples(command: str) -> list[tuple[list[str], Sequence[str]]]:
+    """Return the examples of a command, with the results that each has.
+
+    The error about an unknown name has them.  Results on request are not calculated.  In an empty
+    folder the files of examples are missing.
+    """
+    answered: list[tuple[list[str], Sequence[str]]] = []
+    with TemporaryDirectory() as folder, chdir(folder):
+        for words in examples_of(command):
+            pairs = zip(words, ["", *words], strict=False)
+            call = [word for word, before in pairs if "-g" not in (word, before)]
+            try:
+                hear([*call, "-g", "?"])
+            except UnknownResult as error:
+                answered.append((call, (*error.names, *page_of(command).on_request)))
+            except (RadcalcError, click.ClickException):
+                continue
+    return answered
 
 
 def _listed(commands: Sequence[str]) -> str:
@@ -158,18 +205,10 @@ def _listed(commands: Sequence[str]) -> str:
 def _rows() -> dict[str, list[tuple[str, str, bool]]]:
     """Return the rows of the options by their long names: command, help, and whether hidden."""
     options: dict[str, list[tuple[str, str, bool]]] = {}
-    for command, (_, _, rows) in _table().items():
+    for command, (_, _, rows) in table.COMMANDS.items():
         for names, _, _, help_text, hidden, _ in rows:
             options.setdefault(names[-1], []).append((command, help_text, hidden))
     return options
-
-
-def _table() -> dict[str, Any]:
-    if not table.COMMANDS:
-        from radcalc.cli.compile import fill_table
-
-        fill_table()
-    return table.COMMANDS
 
 
 def _of_quantities(text: str) -> Iterator[Finding]:

@@ -3,8 +3,11 @@
 import click
 
 from radcalc import terminal
+from radcalc.calculators.options import EXPLAIN as OF_EXPLAIN
+from radcalc.calculators.options import VERSION
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.help import Helped
-from radcalc.cli.names import COMMANDS, EXPLAIN, GROUPS, HELP_NAMES, own_module
+from radcalc.cli.names import EXPLAIN, GROUPS, HELP_NAMES, own_module
 from radcalc.errors import MINUS, UsageError, quote
 from radcalc.units.numbers import is_sentence
 
@@ -13,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
+    from radcalc.cli.command import SectionedCommand
     from radcalc.cli.output import Listener
 
 # The module `help` has what all commands share, and `manual` makes generated parts of the pages.
@@ -78,13 +82,13 @@ class Commands(Helped, click.Group):
     is_eager=True,
     expose_value=False,
     callback=_version,
-    help="Show the version and exit.",
+    help=VERSION.help,
 )
 @click.option(
     EXPLAIN,
     is_flag=True,
     expose_value=False,
-    help="Show how a sentence is read, without answering it.",
+    help=OF_EXPLAIN.help,
 )
 def commands() -> None:
     """Calculate with light: units, photometry, radiometry, photons, geometry.
@@ -114,6 +118,24 @@ def parameters(called: str) -> list[click.Parameter]:
     """Return the options and arguments of a command, or of `radcalc` itself."""
     top = context()
     return (commands.get_command(top, called) or commands).get_params(top)
+
+
+def command_of(name: str) -> "SectionedCommand":
+    """Return a command by its name."""
+    command = commands.get_command(context(), name)
+    assert command is not None, name
+    return command  # type: ignore[return-value]
+
+
+def examples_of(name: str) -> list[list[str]]:
+    """Return the words of the examples in the help of a command."""
+    examples = []
+    for line in (command_of(name).help or "").splitlines():
+        start, _, call = line.partition("radcalc ")
+        words = call.partition("  ")[0].split()
+        if line[:1] == " " and not start.strip() and words[0] == name:
+            examples.append(protect_negatives(words))
+    return examples
 
 
 def called_in(words: "Sequence[str]") -> str:

@@ -4,8 +4,8 @@ import os
 import select
 import stat
 
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.files import say
-from radcalc.cli.names import COMMANDS
 from radcalc.errors import RadcalcError, UsageError, call
 from radcalc.units.amounts import ALSO_UNITS
 from radcalc.units.numbers import SEPARATORS, is_sentence

@@ -7,6 +7,7 @@ from types import MappingProxyType
 import click
 
 from radcalc import terminal
+from radcalc.calculators import options
 from radcalc.cli.names import COMPLETE_HELP, SHORT_HELP
 
 TYPE_CHECKING = False  # typing is slow to import
@@ -82,17 +83,18 @@ def _is_paged(text: str) -> bool:
 # Click's own option looks for a translation at every start.  The names are not that of the command
 # `help`, whose settings at the prompt would be taken for the option's.
 _FLAG: "dict[str, Any]" = {"is_flag": True, "is_eager": True, "expose_value": False}
+SHORT, COMPLETE = options.HELPS
 HELPS = (
     click.Option(
         [SHORT_HELP, "wants_short_help"],
         callback=_short,
-        help="Show the help on one screen and exit.",
+        help=SHORT.help,
         **_FLAG,
     ),
     click.Option(
         [COMPLETE_HELP, "wants_help"],
         callback=_complete,
-        help="Show the complete help and exit.",
+        help=COMPLETE.help,
         **_FLAG,
     ),
 )

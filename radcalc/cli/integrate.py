@@ -9,9 +9,6 @@ from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, call
 
-UNIT = "cd", "Unit of the expression: a unit of intensity or radiance, or 1/sr."
-FURTHER = {"Results": {"unit": UNIT}}
-
 
 def answer(
     typed: dict[str, str],

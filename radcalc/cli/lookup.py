@@ -4,15 +4,15 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
 from radcalc.answer import texts_of
-from radcalc.calculators.page import SEARCH, Operand, Page
+from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.cli.command import define
 from radcalc.cli.findings import EXACT, Finding, find, near
-from radcalc.cli.names import COMMANDS
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import pasted
 from radcalc.errors import UsageError, call, quote
-from radcalc.render.formats import JSON, Records
+from radcalc.render.formats import Records
 from radcalc.sentences import tasks
+from radcalc.terminal import JSON
 
 MOST, OF_A_KIND = 20, 5  # findings shown, and of one kind unless they have the exact name
 # The kinds with their plurals, and the commands that list all of one kind.
@@ -27,7 +27,7 @@ KINDS = {
 }
 
 
-@define("help", Page(operand=Operand("search", "[WORD ...]", SEARCH)), calculates=False)
+@define("help", page_of("help"))
 def command(words: tuple[str, ...], output: Output) -> None:
     """Show the help of a command, or search for words.
 

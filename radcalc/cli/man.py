@@ -7,37 +7,19 @@ from pathlib import Path
 import click
 
 from radcalc import terminal
-from radcalc.calculators.page import Operand, Page
-from radcalc.cli.command import SectionedCommand
+from radcalc.calculators import lists, options
+from radcalc.calculators.lists import MAIN
+from radcalc.calculators.pages import page_of
+from radcalc.cli.command import SectionedCommand, option_of
 from radcalc.cli.help import is_colored, show
-from radcalc.cli.options import COLOR
 from radcalc.cli.output import width_of_terminal
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, call, nearest, quote
-from radcalc.quantities.symbols import CHOICE
 from radcalc.render.mdoc import displayed, typeset
 
-MAIN = "radcalc"
 PREFIX = f"{MAIN}-"
 SECTIONS = ("1", "7")
 WIDEST = 100  # columns of a page
-
-
-def folder() -> Path:
-    """Return the folder of the pages: a wheel has them in the package, sources next to it."""
-    package = Path(__file__).parents[1]
-    inside = package / "man"
-    return inside if inside.is_dir() else package.parent / "man"
-
-
-def pages(place: Path) -> list[Path]:
-    """Return the pages in man1 and man7 of a folder."""
-    return sorted(place.glob(f"man?/{MAIN}*.?"))
-
-
-def names() -> tuple[str, ...]:
-    """Return the names of the pages, as they are typed."""
-    return tuple(sorted({_name(page) for page in pages(folder())}))
 
 
 def find(words: Sequence[str]) -> list[Path]:
@@ -55,9 +37,9 @@ def find(words: Sequence[str]) -> list[Path]:
     section = words[0] if words and words[0] in SECTIONS else ""
     typed = " ".join(words[1:] if section else words)
     name = "-".join(typed.split()).lower().removeprefix(PREFIX) or MAIN
-    known = pages(folder())
+    known = lists.manual_pages()
     if not known:
-        problem = f"cannot read '{quote(str(folder()))}': it has no pages"
+        problem = f"cannot read '{quote(str(lists.manual_folder()))}': it has no pages"
         raise RadcalcError(problem, "a new installation of radcalc")
     named = [page for page in known if _name(page) == name]
     found = [page for page in named if _section(page) in (section or SECTIONS)]
@@ -104,12 +86,13 @@ def _mention(page: Path) -> str:
     return f"{typed} has {displayed(about[1])}" if about else typed
 
 
-OPERAND = Operand("page", "[SECTION] [PAGE]", CHOICE, names())
+PAGE = page_of("manual")
+COLOR = option_of(options.COLOR)
 command = SectionedCommand(
     "manual",
     callback=manual,
-    params=[click.Argument(["words"], nargs=-1, metavar=OPERAND.usage), COLOR],
+    params=[click.Argument(["words"], nargs=-1, metavar="[SECTION] [PAGE]"), COLOR],
     help=manual.__doc__,
     sections={"Output": (COLOR,)},
-    page=Page(operand=OPERAND),
+    page=PAGE,
 )

@@ -7,12 +7,12 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import texts_of
-from radcalc.calculators.page import FILE, Operand, Page
+from radcalc.calculators.options import OF_ANSWERS
+from radcalc.calculators.pages import page_of
 from radcalc.calculators.results import said_of
 from radcalc.cli import files, sentence, trials
 from radcalc.cli.command import define
 from radcalc.cli.heard import Asked, asked
-from radcalc.cli.options import TOLERANCE
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.refusals import of_click
 from radcalc.cli.spelling import Shell, refuse_long, spelled, split
@@ -31,18 +31,12 @@ from radcalc.homework.marks import (
     refuse_unlike,
 )
 from radcalc.homework.sheet import COMMAND, EXPECTED, Row, Sheet, read_sheet
-from radcalc.render.formats import JSON, TABLE, Records
+from radcalc.render.formats import Records
 from radcalc.render.plain import number
+from radcalc.terminal import JSON, TABLE
 
 TOTAL = "total"
 DIGITS = 6  # of points
-POINTS = click.Option(
-    ["--points"],
-    metavar="mistake=0.5",
-    help="Parts of a question's points, as unit=0.5,digits=0.75,mistake=0.5 (the default): for a "
-    "right number without its unit, a number with too few digits, one named mistake.",
-)
-SECTIONS = {"Marks": (POINTS, TOLERANCE)}
 
 
 class Marked(NamedTuple):
@@ -76,7 +70,7 @@ class InCell(Shell):
         return value if name == "check" else Shell.option(name, value)
 
 
-@define("mark", Page(operand=Operand("sheet", "FILE", FILE)), SECTIONS, calculates=False)
+@define("mark", page_of("mark"))
 def command(
     words: tuple[str, ...], points: str | None, tolerance: str | None, output: Output
 ) -> int:
@@ -153,7 +147,7 @@ def _asked(words: list[str]) -> Asked:
     if not words:
         raise UsageError("the command is missing", "a command after radcalc")
     trials.refuse_effects(words)
-    _, options = sentence.options_of(words, sentence.OF_OUTPUT)
+    _, options = sentence.options_of(words, OF_ANSWERS)
     if options:
         problem = f"{quote(options[0])} does not apply to a question"
         raise UsageError(problem, drop(options[0]))

@@ -1,23 +1,9 @@
 """Names of the commands and of options that need no command."""
 
-from radcalc.calculators.pages import SUMMARIES
-
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from types import ModuleType
 
-COMMANDS = {
-    **SUMMARIES,
-    "mark": "Marks and points for the answers of students to a sheet.",
-    "columns": "Columns of a table (CSV): units, extremes, means.",
-    "units": "Units, their definitions and sources.",
-    "quantities": "Names of quantities in three languages.",
-    "typical": "Typical values: sun, sky, rooms, lamps, screens.",
-    "examples": "Tasks with their commands, answers and explanations.",
-    "manual": "Pages of the manual.",
-    "help": "Help for a command, or a search for words.",
-    "prompt": "Interactive prompt, with ans and variables.",
-}
 # The groups of the help, in its order.  That of COMMANDS is the order of proposals.
 GROUPS = {
     "Convert": ("convert",),

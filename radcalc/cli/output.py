@@ -8,18 +8,9 @@ from radcalc.answer import Result
 from radcalc.cli.spelling import spelled
 from radcalc.errors import Hint, UsageError, leave_out, one_of
 from radcalc.quantities.language import ENGLISH, language
-from radcalc.render.formats import (
-    CSV,
-    FORMATS,
-    JSON,
-    PLAIN,
-    TABLE,
-    Judgement,
-    Records,
-    Style,
-    renderer,
-)
+from radcalc.render.formats import Judgement, Records, Style, renderer
 from radcalc.render.plain import derivation, omitted
+from radcalc.terminal import CSV, FORMATS, JSON, PLAIN, TABLE
 from radcalc.tuples import NamedTuple
 
 FEW = 3  # remarks that differ only in numbers and are all shown

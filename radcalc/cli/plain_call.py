@@ -6,7 +6,7 @@ from radcalc.cli.output import Output, decide
 from radcalc.cli.request import Request
 from radcalc.errors import OutputError
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
-from radcalc.render.formats import FORMATS
+from radcalc.terminal import FORMATS
 from radcalc.tuples import NamedTuple
 
 TYPE_CHECKING = False  # typing is slow to import

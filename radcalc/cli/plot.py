@@ -12,7 +12,7 @@ from radcalc.cli.output import Output, height_of_terminal, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request
 from radcalc.errors import UsageError, add, leave_out, one_of
 from radcalc.inputs.given import Inputs
-from radcalc.render.formats import CSV, JSON, TABLE
+from radcalc.terminal import CSV, JSON, TABLE
 
 if TYPE_CHECKING:
     from radcalc.plots.data import Picture

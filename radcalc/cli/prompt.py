@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 from radcalc import terminal
 from radcalc._version import __version__
-from radcalc.calculators.page import Page
-from radcalc.cli.command import SectionedCommand
-from radcalc.cli.options import OPTIONS, defaults
+from radcalc.calculators.options import DEFAULTS
+from radcalc.calculators.pages import page_of
+from radcalc.cli.command import SectionedCommand, sections_of
 from radcalc.cli.output import decide
 from radcalc.cli.session import ASSIGNMENT, Session
 from radcalc.errors import RadcalcError
@@ -69,20 +69,20 @@ def prompt(**values: Any) -> int:
     the highest status of any line.  The options apply to every line.
     """
     decide(**values)  # refuses contradictory options
-    unset = defaults()
-    settings = {name: value for name, value in values.items() if value != unset[name]}
+    settings = {name: value for name, value in values.items() if value != DEFAULTS[name]}
     if os.isatty(0) and (os.isatty(1) or os.isatty(2)):
         return _converse(Session(settings))
     return answer_lines(Session(settings, has_stdin=False))
 
 
+SECTIONS = sections_of(page_of("prompt"))
 command = SectionedCommand(
     "prompt",
     callback=prompt,
-    params=[*OPTIONS],
+    params=[option for group in SECTIONS.values() for option in group],
     help=prompt.__doc__,
-    sections={"Output": OPTIONS},
-    page=Page(),
+    sections=SECTIONS,
+    page=page_of("prompt"),
 )
 
 
@@ -171,13 +171,8 @@ def _asking(session: Session) -> "PromptSession[str]":
 def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
     """Return the words that may follow in a line, and the typed part of them."""
     from radcalc.completion import completions as words_after
-    from radcalc.completion import table
     from radcalc.completion.line import Completion
 
-    if not table.COMMANDS:
-        from radcalc.cli.compile import fill_table
-
-        fill_table()
     assigned = ASSIGNMENT.fullmatch(line)
     expression = assigned[2] if assigned else line
     words = expression.split()

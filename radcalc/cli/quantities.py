@@ -1,28 +1,15 @@
 """`radcalc quantities [SEARCH]`: names of the quantities of light, in three languages."""
 
-import click
-
 from radcalc.answer import texts_of
-from radcalc.calculators.page import SEARCH, Operand, Page
+from radcalc.calculators.pages import page_of
 from radcalc.cli.command import define
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language
 from radcalc.quantities.search import search
 from radcalc.render.formats import Records
 
-LANG = click.Option(
-    ["--lang"],
-    type=click.Choice(LANGUAGES),
-    help="Language of the names (default: the locale's, else English).",
-)
 
-
-@define(
-    "quantities",
-    Page(operand=Operand("search", "[SEARCH]", SEARCH)),
-    {"Names": (LANG,)},
-    calculates=False,
-)
+@define("quantities", page_of("quantities"))
 def command(words: tuple[str, ...], lang: str | None, output: Output) -> None:
     """List the quantities of light: names in English, Czech and Russian, symbols and units.
 

@@ -5,8 +5,8 @@ from itertools import pairwise
 import click
 
 from radcalc.calculators.missing import on_page
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.group import called_in, parameters
-from radcalc.cli.names import COMMANDS
 from radcalc.errors import (
     MINUS,
     Hint,
@@ -23,7 +23,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.quantities.synonyms import meant
-from radcalc.render.formats import FORMATS
+from radcalc.terminal import FORMATS
 from radcalc.units.numbers import is_sentence
 
 # Words for the operand of a command, typed as options.
@@ -124,12 +124,12 @@ def _one_word(unit: str, words: list[str]) -> list[Try]:
 
 
 def _no_such_option(typed: str, called: str, words: list[str]) -> RadcalcError:
-    from radcalc.cli.command import GET
+    from radcalc.calculators.options import GET
 
     if after_command := options_behind(words):
         problem = f"'{quote(words[0])}' is before the command: options go after it"
         return RadcalcError(problem, after_command)
-    if called == "convert" and typed in GET.opts:
+    if called == "convert" and typed in GET.spellings:
         problem = f"convert has no {quote(typed)} option: a conversion has one result"
         return RadcalcError(problem, call(*_with_values(_bare(words))))
     problem = f"{called or 'radcalc'} has no {quote(typed)} option"
@@ -186,13 +186,13 @@ def _operand(typed: str, called: str, words: list[str]) -> Try | None:
 
 def _bare(words: list[str]) -> list[str]:
     """Return a conversion without its -g NAME, and with -n."""
-    from radcalc.cli.command import GET
+    from radcalc.calculators.options import GET
 
     kept: list[str] = []
     rest = iter(words)
     for word in rest:
         name, equals, _ = word.partition("=")
-        if name not in GET.opts:
+        if name not in GET.spellings:
             kept.append(word)
         elif not equals:
             next(rest, "")

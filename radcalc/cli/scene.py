@@ -4,8 +4,6 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
-import click
-
 from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput, texts_of
 from radcalc.calculators import scene as page
@@ -24,17 +22,11 @@ from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render import columns
-from radcalc.render.formats import CSV, JSON
+from radcalc.terminal import CSV, JSON
 from radcalc.units.ranges import MOST
 
 COORDINATES = ("x", "y", "z")
 FEW = 12  # sources whose shares are shown by default
-AT = click.Option(
-    ["--at"],
-    multiple=True,
-    metavar="X,Y,Z",
-    help="Illuminated point (repeatable), in metres or with units.",
-)
 HELP = """\
 \b
 Examples:
@@ -72,12 +64,7 @@ and the uniformity; --format csv, or -g x,y,irradiance:lx, prints the points.
 """
 
 
-@define(
-    "scene",
-    page.PAGE,
-    {**page.PAGE.sections, "Points": (AT, *page.PAGE.sections["Points"])},
-    text=HELP,
-)
+@define("scene", page.PAGE, text=HELP)
 def command(
     words: tuple[str, ...],
     typed: dict[str, str],

@@ -8,13 +8,15 @@ import click
 
 from radcalc import terminal
 from radcalc.calculators.missing import on_page
+from radcalc.calculators.options import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, Option
+from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.cli.cases import is_stream
+from radcalc.cli.command import option_of
 from radcalc.cli.files import route, say
 from radcalc.cli.group import parameters
 from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other
-from radcalc.cli.names import COMMANDS, EXPLAIN, HELP_NAMES
-from radcalc.cli.options import NAMES, OF_CHECKS, OPTIONS, STEPS, defaults
+from radcalc.cli.names import EXPLAIN, HELP_NAMES
 from radcalc.cli.output import decide
 from radcalc.cli.spelling import typed
 from radcalc.errors import (
@@ -26,6 +28,7 @@ from radcalc.errors import (
     TooManyWords,
     UsageError,
 )
+from radcalc.quantities.symbols import FLAG
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.products import assumptions_of
 from radcalc.sentences.reader import Sentence, read
@@ -38,11 +41,9 @@ Words = list[str]
 LONG = 6  # words of a call that is rather a sentence than a command
 SHORT = 3  # words of a call that is rather a command with a mistake
 # Options of a call in words: those of the output and of a check.
-OF_OUTPUT = (*OPTIONS, STEPS)
-OF_SENTENCES = (*OF_OUTPUT, *OF_CHECKS)
-CHECKS = tuple([option.name or "" for option in OF_CHECKS])
+OF_SENTENCES = (*OF_ANSWERS, *CHECKS)
 # With a value and its unit.
-PLAIN_OPTIONS = {"precision", "quiet", "color", "auto", STEPS.name}
+PLAIN_OPTIONS = {"precision", "quiet", "color", "auto", STEPS.parameter}
 
 
 class Gate(NamedTuple):
@@ -166,8 +167,8 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
     if values["check"] is not None and "-g" in call:
         call, options = _for_check(call, options, values["check"])
     if "-g" in call and _has_unit(values):
-        results = hear([*call, *STEPS.opts[:1]] if values[STEPS.name or ""] else call)
-        output = decide(**{name: values[name] for name in NAMES}, listener=gate.listener)
+        results = hear([*call, *STEPS.spellings] if values[STEPS.parameter] else call)
+        output = decide(**{name: values[name] for name in DEFAULTS}, listener=gate.listener)
         output.show([result._replace(named=False) for result in results])
         status = terminal.ANSWERED
     else:
@@ -186,10 +187,10 @@ def _for_check(call: Words, options: Words, claim: str) -> tuple[Words, Words]:
 
 
 def options_of(
-    words: Sequence[str], options_known: Sequence[click.Option] = OF_SENTENCES
+    words: Sequence[str], options_known: Sequence[Option] = OF_SENTENCES
 ) -> tuple[Words, Words]:
     """Return the words of a call, and its known options with their values."""
-    known = {name: option for option in options_known for name in option.opts}
+    known = {name: option for option in options_known for name in option.spellings}
     asked: Words = []
     options: Words = []
     rest = iter(words)
@@ -199,30 +200,30 @@ def options_of(
             asked.append(word)
             continue
         options.append(word)
-        if not known[name].is_flag and not equals:
+        if known[name].form != FLAG and not equals:
             options += [value for value in [next(rest, None)] if value is not None]
     return asked, options
 
 
-def _of_file(words: Sequence[str]) -> Sequence[click.Option]:
+def _of_file(words: Sequence[str]) -> Sequence[Option]:
     """Return the options of the command that the file of a sentence means, except -g."""
     path = next(filter(os.path.isfile, words), "")
     try:
         command = route(path)[0] if path and words[0] not in COMMANDS else ""
     except RadcalcError:
         return ()
-    own = parameters(command) if command else ()
-    return [one for one in own if isinstance(one, click.Option) and one.name != "wanted"]
+    own = page_of(command).options.values() if command else ()
+    return [row for rows in own for row in rows if row != GET]
 
 
 def values_of(options: Words, listener: "Listener | None") -> dict[str, Any]:
     """Return the values of the options of the output; a listener has those of all lines."""
-    nothing = click.Command(None, params=[*OF_SENTENCES], add_help_option=False)
+    nothing = click.Command(None, params=[*map(option_of, OF_SENTENCES)], add_help_option=False)
     settings = dict(listener.settings) if listener else {}
     return nothing.make_context("", list(options), default_map=settings).params
 
 
 def _has_unit(values: Mapping[str, Any]) -> bool:
     """Return whether a result keeps its unit with these values of options."""
-    default = {**defaults(), STEPS.name: False, **dict.fromkeys(CHECKS)}
+    default = {**DEFAULTS, STEPS.parameter: False, **dict.fromkeys(row.parameter for row in CHECKS)}
     return {name for name, value in values.items() if value != default[name]} <= PLAIN_OPTIONS

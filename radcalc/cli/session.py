@@ -14,10 +14,11 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Result, Row
+from radcalc.calculators.options import DEFAULTS
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import boundary, group
 from radcalc.cli.cases import is_stream
-from radcalc.cli.names import COMMANDS, EXPLAIN
-from radcalc.cli.options import defaults
+from radcalc.cli.names import EXPLAIN
 from radcalc.cli.output import decide
 from radcalc.cli.spelling import refuse_long, split
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
@@ -295,7 +296,7 @@ class Session:
     def _show(self, amount: Amount, words: list[str]) -> int:
         if unit := amount.typed[1]:
             return boundary.answered([*words, "to", unit.text], self)
-        output = decide(**(defaults() | self.settings), listener=self)
+        output = decide(**(DEFAULTS | self.settings), listener=self)
         row = Row("", "", amount.number, "1", name="number", uncertainty=amount.uncertainty)
         output.show([Result((row,), named=False)])
         return terminal.ANSWERED

@@ -10,13 +10,6 @@ from radcalc.cli.request import Request
 from radcalc.errors import UsageError, quote
 from radcalc.inputs.given import shown_inputs
 
-SAVE = (
-    "FILE.hdr",
-    "Write a latlong map of the sky (.hdr, .exr or .pfm; default 1024x512), with the disc of the "
-    "sun if its light is given.",
-)
-FURTHER = {"Map": {"save": SAVE}}
-
 
 def answer(
     typed: dict[str, str],

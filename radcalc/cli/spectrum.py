@@ -2,8 +2,6 @@
 
 from typing import Any
 
-import click
-
 from radcalc import terminal
 from radcalc.answer import texts_of
 from radcalc.calculators.spectrum import PAGE
@@ -19,10 +17,11 @@ from radcalc.inputs.given import Input
 from radcalc.inputs.reading import read
 from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.render.formats import CSV, JSON, TABLE, Records
+from radcalc.render.formats import Records
 from radcalc.render.plain import number
 from radcalc.spectra.kinds import FORMS
 from radcalc.spectra.sources import read_spectra, spectrum
+from radcalc.terminal import CSV, JSON, TABLE
 
 STDIN = "-"
 FILES = {"FILE": "a measured spectrum", STDIN: "a measured spectrum, from standard input"}
@@ -30,23 +29,9 @@ TITLES = ("source", "kind", "T_cp [K]", "lux/PPFD [lm.s/umol]")  # in a list for
 FIELDS = ("source", "kind", "cct:K", "lux-per-ppfd:lm.s/umol")  # in CSV
 KEYS = ("source", "kind", "cct", "lux_per_ppfd")  # in JSON, in the same units
 DIGITS = 4
-COLUMN = click.Option(
-    ["--column"],
-    metavar="NAME",
-    help="Column with the values: its title, with or without its unit, or its number.",
-)
-UNIT = click.Option(
-    ["--unit"],
-    metavar="W/m2/nm",
-    help="Unit of the values of a file: W/m2/nm, umol/m2/s/nm ...; for relative values, the word "
-    "relative (proportional to watts) or photons (proportional to photons).",
-)
-LIST = click.Option(
-    ["--list", "list_"], is_flag=True, help="List the named sources, or those of one kind."
-)
 
 
-@define("spectrum", PAGE, {"Source": (COLUMN, UNIT, LIST), **PAGE.sections})
+@define("spectrum", PAGE)
 def command(
     words: tuple[str, ...],
     column: str | None,

@@ -29,9 +29,8 @@ from radcalc.errors import (
 )
 from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import Source
-from radcalc.terminal import ABORT
+from radcalc.terminal import ABORT, CSV, JSON, TABLE
 from radcalc.units.reading import read_stream_operands
 from radcalc.units.scales import resolve_any, resolve_given
 from radcalc.units.table import resolve

@@ -4,8 +4,7 @@ import os
 from contextlib import suppress
 from itertools import takewhile
 
-from radcalc.calculators.pages import SUBJECTS
-from radcalc.cli.names import COMMANDS
+from radcalc.calculators.pages import COMMANDS, SUBJECTS
 from radcalc.errors import Hint, Try, UsageError, call, correct, corrections, nearest, quote
 
 

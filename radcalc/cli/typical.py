@@ -1,19 +1,16 @@
 """`radcalc typical [SEARCH]`: typical values, with their sources."""
 
 from radcalc.answer import Result, texts_of
-from radcalc.calculators.page import Operand, Page
+from radcalc.calculators.pages import page_of
 from radcalc.cli.command import define
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.quantities.language import translate
-from radcalc.quantities.symbols import CHOICE
 from radcalc.quantities.typical import BOUNDS, FIELDS, how_far, search
-from radcalc.quantities.typical import words as searches
-from radcalc.render.formats import CSV, JSON, Records
+from radcalc.render.formats import Records
+from radcalc.terminal import CSV, JSON
 
 
-@define(
-    "typical", Page(operand=Operand("search", "[SEARCH]", CHOICE, searches())), calculates=False
-)
+@define("typical", page_of("typical"))
 def command(words: tuple[str, ...], output: Output) -> None:
     """List typical values: sun, sky, rooms, lamps, screens, plants, with sources.
 

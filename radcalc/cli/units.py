@@ -1,7 +1,7 @@
 """`radcalc units [SEARCH]`: the units, with their definitions and sources."""
 
 from radcalc.answer import texts_of
-from radcalc.calculators.page import SEARCH, Operand, Page
+from radcalc.calculators.pages import page_of
 from radcalc.cli.command import define
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.quantities.entries import search
@@ -9,7 +9,7 @@ from radcalc.quantities.language import translate
 from radcalc.render.formats import Records
 
 
-@define("units", Page(operand=Operand("search", "[SEARCH]", SEARCH)), calculates=False)
+@define("units", page_of("units"))
 def command(words: tuple[str, ...], output: Output) -> None:
     """List the units, with their definitions and sources.
 

@@ -111,6 +111,24 @@ def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     return named + (units_of(UNITS, incomplete) if incomplete else [])
 
 
+def _typical_values(values: "Sequence[str]", incomplete: str) -> list[Completion]:
+    from radcalc.quantities.typical import words
+
+    return starting(words(), incomplete)
+
+
+def _tasks(values: "Sequence[str]", incomplete: str) -> list[Completion]:
+    from radcalc.sentences.tasks import words
+
+    return starting(words(), incomplete)
+
+
+def _pages(values: "Sequence[str]", incomplete: str) -> list[Completion]:
+    from radcalc.calculators.lists import manual_names
+
+    return starting(manual_names(), incomplete)
+
+
 def _units(quantities: "Sequence[str]", incomplete: str) -> list[Completion]:
     return [*units_of(quantities, incomplete), Completion("1")]
 
@@ -178,4 +196,7 @@ READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
     "figure": _figures,
     "search": _searches,
     "unit": _units,
+    "typical value": _typical_values,
+    "task": _tasks,
+    "manual": _pages,
 }

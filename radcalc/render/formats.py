@@ -11,9 +11,6 @@ from radcalc.answer import Result, Row, ShownInput
 from radcalc.quantities.language import ENGLISH
 from radcalc.tuples import NamedTuple
 
-TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
-FORMATS = (TABLE, PLAIN, JSON, CSV)
-
 
 class Style(NamedTuple):
     """Style of a text: digits, bare numbers, width, colour, language, remarks.

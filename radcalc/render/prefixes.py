@@ -9,7 +9,7 @@ from radcalc.conversion.linear import exact_ratio
 from radcalc.conversion.plan import plan
 from radcalc.floats import LARGEST, SMALLEST
 from radcalc.render import plain
-from radcalc.render.formats import CSV, TABLE
+from radcalc.terminal import CSV, TABLE
 from radcalc.units.prefixes import prefixes_of
 from radcalc.units.table import resolve
 

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
 from typing import NamedTuple, TypeVar
 
+from radcalc.calculators.options import PER_DAY
 from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option, quote
 from radcalc.files import columns
 from radcalc.streams.timestamps import (
@@ -31,7 +32,6 @@ from radcalc.units.dimensions import TIME
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
-PERIODS = PER_DAY, PER_HOUR = "day", "hour"
 LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
 MOST_KNOWN = 200_000  # texts of dates or times in the cache
 # Unix time from 2001 to 2286: ticks by the digits before the point.

@@ -13,7 +13,7 @@ from test_docstrings import entries, sections
 import radcalc
 from radcalc.api import stub
 from radcalc.api.spelling import AT_A_SHELL, keyword
-from radcalc.cli.names import COMMANDS
+from radcalc.calculators.pages import COMMANDS
 
 FUNCTIONS = [name for name in radcalc.__all__ if inspect.isfunction(getattr(radcalc, name))]
 

@@ -23,7 +23,7 @@ def test_the_list_has_every_page_that_describes_a_command():
 @for_each(SUMMARIES)
 def test_texts_and_units_are_those_of_symbols_that_the_page_takes(name):
     page = page_of(name)
-    taken = {symbol for section in page.sections.values() for symbol in section}
+    taken = {symbol for section in page.symbols.values() for symbol in section}
     taken |= {specific for generic in taken for specific in names_of_kinds(generic)}
     assert page.about.endswith(".")
     assert page.texts.keys() <= taken

@@ -12,8 +12,7 @@ import radcalc
 from radcalc.answer import Remark
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.calculators.results import pick, said_of
-from radcalc.cli.compile import examples_of
-from radcalc.cli.group import commands, context
+from radcalc.cli.group import examples_of
 from radcalc.cli.heard import asked, hear
 from radcalc.errors import RadcalcError
 from radcalc.laws.solver import Derivation
@@ -63,8 +62,7 @@ def calls() -> list[list[str]]:
     """Return the examples of all pages, and some calls with more assumptions."""
     found = [shlex.split(call) for call in MORE]
     for name in [*SUMMARIES][1:]:  # a conversion has one result
-        command = commands.get_command(context(), name)
-        found += [without_output(words) for words in examples_of(command)]
+        found += [without_output(words) for words in examples_of(name)]
     unique = {" ".join(words): words for words in found if not {"-", MANY} & set(words)}
     return [*unique.values()]
 

@@ -6,10 +6,7 @@ import pytest
 from conftest import run
 from helpers import for_each
 
-from radcalc.cli.compile import fill_table
-from radcalc.cli.prompt import completions as prompted
-from radcalc.cli.session import Session
-from radcalc.completion import completions, shells, sources
+from radcalc.completion import completions, shells
 from radcalc.completion.line import Completion
 from radcalc.completion.table import COMMANDS, UNITS
 from radcalc.completion.values import READERS
@@ -19,9 +16,6 @@ from radcalc.quantities import typical
 from radcalc.quantities.light import name_of
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import unit_of
-
-if not COMMANDS:  # the sources have changed
-    fill_table()
 
 
 def complete(line: str) -> list[Completion]:
@@ -36,38 +30,6 @@ def texts(line: str) -> list[str]:
 
 def said(line: str, text: str) -> str:
     return next(one.description for one in complete(line) if one.text == text)
-
-
-def test_sources_keep_their_table_until_they_change(tmp_path, monkeypatch):
-    monkeypatch.setattr(sources, "KEPT", tmp_path / "__pycache__" / "table.txt")
-    assert sources.kept() == {}
-    fill_table()
-    assert sources.kept()["COMMANDS"] == COMMANDS
-    (tmp_path / "new.py").touch()
-    monkeypatch.setattr(sources, "PACKAGE", tmp_path)
-    assert sources.kept() == {}
-
-
-@pytest.mark.parametrize(
-    "ask", [lambda: run(), lambda: prompted(Session(), "ra")], ids=["Tab", "prompt"]
-)
-def test_sources_that_have_changed_make_their_table(ask, monkeypatch):
-    monkeypatch.setenv("_RADCALC_COMPLETE", "bash_complete")
-    monkeypatch.setenv("COMP_LINE", "radcalc ev")
-    expected = dict(COMMANDS)
-    COMMANDS.clear()
-    ask()
-    assert expected == COMMANDS
-
-
-def test_a_table_that_cannot_be_kept_is_made(tmp_path, monkeypatch):
-    (tmp_path / "file").touch()
-    monkeypatch.setattr(sources, "KEPT", tmp_path / "file" / "table.txt")
-    units = dict(UNITS)
-    UNITS.clear()
-    fill_table()
-    assert units == UNITS
-    assert sources.kept() == {}
 
 
 # ---------------------------------------------------------------------------------------------
@@ -255,7 +217,7 @@ def test_an_option_is_offered_once_unless_it_repeats():
         ("sky ov", ["overcast"]),
         ("environment sky:ov", ["sky:overcast"]),
         ("point-source --distribution co", ["cone"]),
-        ("point-source -g lumi", ["luminous-intensity", "luminous-flux", "luminous-efficacy"]),
+        ("point-source -g lumi", ["luminous-flux", "luminous-intensity"]),
         ("point-source -g ", ["flux", "intensity", "irradiance", "exposure", "energy"]),
         ("environment map.hdr --unit c", ["cd/m2"]),
         ("point-source -g illuminance:", ["illuminance:lx"]),

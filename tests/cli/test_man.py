@@ -1,13 +1,14 @@
 """`radcalc manual`: which page is shown, where pages are, and how they are written."""
 
 import pytest
-from conftest import ROOT, run
+from conftest import run
 from helpers import screen_of, terminal_of
 
+from radcalc.calculators import lists
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import man
-from radcalc.cli.names import COMMANDS
 
-PAGES = {page.name for page in man.pages(ROOT / "man")}
+PAGES = {page.name for page in lists.manual_pages()}
 
 
 @pytest.mark.parametrize(
@@ -44,7 +45,7 @@ def test_the_other_page_of_a_name_is_mentioned():
 
 
 def test_every_page_has_a_name_and_every_command_its_page_first():
-    assert {page.name for name in man.names() for page in man.find([name])} == PAGES
+    assert {page.name for name in lists.manual_names() for page in man.find([name])} == PAGES
     for name in COMMANDS:
         assert man.find([name])[0].name == f"radcalc-{name}.1"
 
@@ -70,7 +71,7 @@ def test_an_unknown_page_is_refused(words, problem, hint):
 
 
 def test_an_installation_without_pages_is_refused(monkeypatch, tmp_path):
-    monkeypatch.setattr(man, "folder", lambda: tmp_path)
+    monkeypatch.setattr(lists, "manual_folder", lambda: tmp_path)
     done = run("manual", "convert")
     assert done.returncode == 2
     assert done.stderr.startswith("radcalc: cannot read '/")
@@ -80,10 +81,10 @@ def test_an_installation_without_pages_is_refused(monkeypatch, tmp_path):
 def test_pages_of_a_wheel_are_in_the_package(monkeypatch, tmp_path):
     package = tmp_path / "radcalc"
     (package / "cli").mkdir(parents=True)
-    monkeypatch.setattr(man, "__file__", str(package / "cli" / "man.py"))
-    assert man.folder() == tmp_path / "man"
+    monkeypatch.setattr(lists, "__file__", str(package / "calculators" / "lists.py"))
+    assert lists.manual_folder() == tmp_path / "man"
     (package / "man").mkdir()
-    assert man.folder() == package / "man"
+    assert lists.manual_folder() == package / "man"
 
 
 @pytest.mark.parametrize(("columns", "widest"), [(50, 50), (200, 100)])

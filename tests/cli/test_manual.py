@@ -11,16 +11,17 @@ from conftest import ROOT
 from helpers import displays_of, for_each, require
 from test_cases import answered
 
+from radcalc.calculators.lists import manual_pages
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import habits, manual
 from radcalc.cli.group import commands
-from radcalc.cli.man import find, pages
-from radcalc.cli.names import COMMANDS
+from radcalc.cli.man import find
 from radcalc.quantities.names import QUANTITIES
 from radcalc.render.mdoc import displayed
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
 
 MAN = ROOT / "man"
-PAGES = {f"{path.stem}({path.suffix[1:]})": path for path in pages(MAN)}
+PAGES = {f"{path.stem}({path.suffix[1:]})": path for path in manual_pages()}
 SOURCES = {name: path.read_text(encoding="utf-8") for name, path in PAGES.items()}
 MAIN, STREAMS = "radcalc(1)", "radcalc-streams(7)"
 ELSEWHERE = {"man(1)", "numfmt(1)", "qalc(1)", "units(1)"}

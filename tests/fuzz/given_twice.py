@@ -167,7 +167,7 @@ def varied(call: Call, rng: random.Random) -> Call:
 
 def sizes(call: Call, answer: Answer) -> dict[str, tuple[float, str]]:
     """Return numbers and units of the results that the call takes as options."""
-    takes = {name for names in page_of(call.command).sections.values() for name in names}
+    takes = {name for names in page_of(call.command).symbols.values() for name in names}
     if call.command == "solid-angle":
         takes &= {*SHAPES[call.words[0]].takes}
     if call.command == "direction" and call.words:

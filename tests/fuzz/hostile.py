@@ -24,8 +24,8 @@ from distributions.maps.hdr import flat, head
 from fuzz.edges import ending
 from fuzz.processes import Seen, call
 
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.group import commands, context
-from radcalc.cli.names import COMMANDS
 
 SHORT, LONG = 200, 200_000
 ROOT = Path(__file__).parents[2]

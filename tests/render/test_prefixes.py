@@ -10,8 +10,8 @@ from helpers import for_each
 
 from radcalc.answer import Result, Row
 from radcalc.conversion.plan import plan
-from radcalc.render.formats import PLAIN
 from radcalc.render.prefixes import with_prefixes
+from radcalc.terminal import PLAIN
 from radcalc.units.table import resolve, spellings
 
 

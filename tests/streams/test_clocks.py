@@ -11,8 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radcalc.calculators.options import PER_DAY, PER_HOUR
 from radcalc.errors import RadcalcError
-from radcalc.streams.clocks import PER_DAY, PER_HOUR, TimeSettings, clock_for
+from radcalc.streams.clocks import TimeSettings, clock_for
 from radcalc.streams.timestamps import SECOND
 from radcalc.units.table import resolve
 

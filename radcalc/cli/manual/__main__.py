@@ -3,10 +3,9 @@
 import sys
 from pathlib import Path
 
-from radcalc.cli.man import pages
 from radcalc.cli.manual import rewritten
 
-page_paths = pages(Path(sys.argv[1]))
+page_paths = sorted(Path(sys.argv[1]).glob("man?/radcalc*.?"))
 if not page_paths:
     sys.exit(f"there are no pages in {sys.argv[1]}/man1")
 for page in page_paths:

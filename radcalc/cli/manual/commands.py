@@ -8,17 +8,19 @@ from textwrap import dedent
 import click
 
 from radcalc.answer import Row, Step
-from radcalc.cli.command import ALSO, LINES, SectionedCommand
-from radcalc.cli.compile import command_of, examples_of, main_options, results_of
+from radcalc.calculators.options import HELPS, OF_LINES, OF_RADCALC, OUTPUT, Option
+from radcalc.calculators.page import ALSO, LINES, OUTPUTS, Page
+from radcalc.calculators.pages import COMMANDS, page_of
+from radcalc.cli.group import command_of, examples_of
 from radcalc.cli.heard import hear
-from radcalc.cli.help import HELPS
 from radcalc.cli.help_format import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, argument, filled, literal, plain, sentences, text
-from radcalc.cli.names import COMMANDS
-from radcalc.cli.options import OF_LINES, OPTIONS
+from radcalc.cli.spelling import spelled
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import KINDS, RADIANT
 from radcalc.quantities.symbols import (
+    CHOICE,
+    FLAG,
     LINKS,
     SPECIFIC,
     SYMBOLS,
@@ -49,7 +51,7 @@ IN_FULL = {  # labels that are short for tables
     **{f"{axis} on a mirror ball": "coordinate on a mirror ball" for axis in "uvw"},
 }
 VERBATIM, EXAMPLES, DRAWN = "\b", "Examples:", "__"
-Sections = Mapping[str, Sequence[click.Option]]
+Sections = Mapping[str, Sequence[Option]]
 
 
 def name(of: str) -> Iterator[str]:
@@ -103,25 +105,29 @@ def options(of: str) -> Iterator[str]:
 def sections_of(of: str) -> Sections:
     """Return the options of a block by the titles of the help; a single list has no title."""
     if of == "every command":
-        return {"": [*OPTIONS, *HELPS]}
+        return {"": [*OUTPUT, *HELPS]}
     if of == "every stream":
         return {"": OF_LINES}
     if of == "radcalc":
-        return {"": main_options()}
-    sections = {title: group for title, group in command_of(of).sections.items() if title != LINES}
+        return {"": OF_RADCALC}
+    sections = {title: group for title, group in page_of(of).options.items() if title != LINES}
     # a hidden option of the output does not apply to the command
-    shown = [option for option in sections["Output"] if not option.hidden]
-    return sections | {"Output": [*shown, *HELPS]}
+    shown = [option for option in sections[OUTPUTS] if not option.hidden]
+    return sections | {OUTPUTS: [*shown, *HELPS]}
 
 
 def results(of: str) -> Iterator[str]:
     """Yield the results by their names for --get, with letter and unit."""
-    command = command_of(of)
-    names = [name for name in results_of(command) if of == "photon" or name not in LINKS]
-    kinds, (rows, _) = _kinds(command), _heard(of)
+    page = page_of(of)
+    names = [
+        name
+        for name in page.result_names
+        if name not in page.on_request and (of == "photon" or name not in LINKS)
+    ]
+    kinds, (rows, _) = _kinds(page), _heard(of)
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
     for name in names:
-        symbol = command.page.symbol(name)
+        symbol = page.symbol(name)
         if symbol.kind and symbol.generic in names:
             continue
         yield f".It Cm {name}"
@@ -149,16 +155,16 @@ def laws(of: str) -> Iterator[str]:
 @cache
 def _heard(of: str) -> tuple[dict[str, Row], list[Step]]:
     """Return rows by name, and steps, of the examples of a help that can run and write no file."""
-    command = command_of(of)
     rows: dict[str, Row] = {}
     steps: list[Step] = []
     writes = {
         spelling
-        for parameter in command.params
-        if isinstance(parameter, click.Option) and "FILE" in (parameter.metavar or "")
-        for spelling in parameter.opts
+        for options in page_of(of).options.values()
+        for option in options
+        if "FILE" in option.example
+        for spelling in option.spellings
     }
-    for words in examples_of(command):
+    for words in examples_of(of):
         if writes.intersection(words) or "--list" in words:
             continue
         try:
@@ -170,13 +176,16 @@ def _heard(of: str) -> tuple[dict[str, Row], list[Step]]:
     return rows, steps
 
 
-def _kinds(command: SectionedCommand) -> list[str]:
+def _kinds(page: Page) -> list[str]:
     """Return the kinds of light that a command takes, by the names of its options.
 
     A name such as irradiance belongs to every kind, and to the radiant one.
     """
     options = {
-        spelling.removeprefix("--") for parameter in command.params for spelling in parameter.opts
+        spelling.removeprefix("--")
+        for rows in page.options.values()
+        for row in rows
+        for spelling in row.spellings
     }
     kinds = {SPECIFIC[name][1] for name in options if name in SPECIFIC}
     generic = [name for name in options if name in SYMBOLS and SYMBOLS[name].generic == name]
@@ -211,7 +220,7 @@ def _either(words: Sequence[str]) -> str:
     return f"{', '.join(first)} or {last}" if first else last
 
 
-def _items(listed: Sequence[click.Option]) -> Iterator[str]:
+def _items(listed: Sequence[Option]) -> Iterator[str]:
     """Yield an item for each option; hidden ones are other names of the one before."""
     visible = [option for option in listed if not option.hidden]
     starts = [listed.index(option) for option in visible]
@@ -219,7 +228,7 @@ def _items(listed: Sequence[click.Option]) -> Iterator[str]:
         spellings = [spelling for alias in listed[start:end] for spelling in _spellings(alias)]
         flags = " , ".join(f"Fl {plain(spelling[1:])}" for spelling in spellings)
         yield f".It {flags}{_argument(option)}"
-        yield from sentences(_without_names(option.help or ""))
+        yield from sentences(_without_names(spelled(option.help)))
 
 
 def _without_names(text: str) -> str:
@@ -230,18 +239,18 @@ def _without_names(text: str) -> str:
     return f"{description.removesuffix(' (')}." if also else text
 
 
-def _spellings(option: click.Option) -> list[str]:
-    return sorted(option.opts, key=len)
+def _spellings(option: Option) -> list[str]:
+    return sorted(option.spellings, key=len)
 
 
-def _argument(option: click.Option) -> str:
-    if option.is_flag or option.count:
+def _argument(option: Option) -> str:
+    if option.form == FLAG:
         return ""
-    if isinstance(option.type, click.Choice):
+    if option.form == CHOICE:
         # a lone punctuation mark must not be mdoc's
-        choices = [rf"\&{word}" if word in (".", ",") else word for word in option.type.choices]
+        choices = [rf"\&{word}" if word in (".", ",") else word for word in option.choices]
         return f" Cm {' | '.join(choices)}"
-    metavar = option.metavar or "VALUE"
+    metavar = option.example or "VALUE"
     if "[" not in metavar:
         return f" Ar {plain(metavar)}"
     macros = {"[": "Oo", "]": "Oc", "=": "=", ":": ":"}

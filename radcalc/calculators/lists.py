@@ -1,0 +1,67 @@
+"""The pages of commands that list, search or talk, and calculate nothing."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from radcalc.calculators.options import COLOR, OF_LISTS, OUTPUT, TOLERANCE, choice, text
+from radcalc.calculators.page import FILE, SEARCH, Operand, Page
+from radcalc.quantities.language import LANGUAGES
+
+# Forms of operands: words of typical values, of tasks, and names of pages of the manual.
+TYPICAL, TASK, MANUAL = "typical value", "task", "manual"
+MAIN = "radcalc"
+LIST = Page(calculates=False, output=OF_LISTS)
+
+PAGES: Mapping[str, Page] = {
+    "mark": LIST._replace(
+        operand=Operand("sheet", "FILE", FILE),
+        sections={
+            "Marks": (
+                text(
+                    "points",
+                    "mistake=0.5",
+                    "Parts of a question's points, as unit=0.5,digits=0.75,mistake=0.5 (the "
+                    "default): for a right number without its unit, a number with too few digits, "
+                    "one named mistake.",
+                ),
+                TOLERANCE,
+            )
+        },
+    ),
+    "columns": LIST._replace(operand=Operand("file", "FILE", FILE)),
+    "units": LIST._replace(operand=Operand("search", "[SEARCH]", SEARCH)),
+    "quantities": LIST._replace(
+        operand=Operand("search", "[SEARCH]", SEARCH),
+        sections={
+            "Names": (
+                choice(
+                    "lang",
+                    LANGUAGES,
+                    "Language of the names (default: the locale's, else English).",
+                ),
+            )
+        },
+    ),
+    "typical": LIST._replace(operand=Operand("search", "[SEARCH]", TYPICAL)),
+    "examples": LIST._replace(operand=Operand("search", "[WORD ...]", TASK)),
+    "manual": LIST._replace(operand=Operand("page", "[SECTION] [PAGE]", MANUAL), output=(COLOR,)),
+    "help": LIST._replace(operand=Operand("search", "[WORD ...]", SEARCH)),
+    "prompt": LIST._replace(output=OUTPUT),
+}
+
+
+def manual_folder() -> Path:
+    """Return the folder of the manual: a wheel has it in the package, sources next to it."""
+    package = Path(__file__).parents[1]
+    inside = package / "man"
+    return inside if inside.is_dir() else package.parent / "man"
+
+
+def manual_pages() -> list[Path]:
+    """Return the pages of the manual."""
+    return sorted(manual_folder().glob(f"man?/{MAIN}*.?"))
+
+
+def manual_names() -> list[str]:
+    """Return the names of the pages, as they are typed."""
+    return sorted({page.stem.removeprefix(f"{MAIN}-") for page in manual_pages()})
