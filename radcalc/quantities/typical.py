@@ -1,6 +1,11 @@
-"""Search of the typical values by subject, by quantity, by unit, or near a value."""
+"""Typical values, and the search for them by subject, by quantity, by unit, or near a value.
+
+The values are in `data/typical.tsv`.
+"""
 
 import math
+from collections.abc import Sequence
+from typing import NamedTuple
 
 from radcalc.errors import (
     NumberError,
@@ -12,9 +17,9 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.quantities.language import ENGLISH, LANGUAGES
-from radcalc.quantities.names import QUANTITIES
+from radcalc.quantities.light import name_of
+from radcalc.quantities.names import QUANTITIES, data_rows
 from radcalc.quantities.search import called, comparable, matching
-from radcalc.quantities.typical_values import VALUES, Typical
 from radcalc.units.amount import Amount
 from radcalc.units.reading import read_amount
 from radcalc.units.scales import ScaleUnit, resolve_any
@@ -37,6 +42,47 @@ LEAST, MOST = 1e-99, 1e99  # sizes to look near
 FAR = 10.0  # ratio above which a value is not near
 ENDING = 2  # letters of a word that declension may change, in Czech and Russian
 STEM = 4  # letters that do not change
+
+
+class Typical(NamedTuple):
+    """A value in a unit: a number, or a range such as `0.1 to 0.3`.
+
+    `names` are those of its subject in English, Czech and Russian; `also` has other search words.
+    """
+
+    names: Sequence[str]
+    value: str
+    unit: str
+    source: str
+    note: str = ""
+    also: str = ""
+
+    @property
+    def what(self) -> str:
+        return self.names[0]
+
+    def name(self, language: str) -> str:
+        return self.names[LANGUAGES.index(language)]
+
+    @property
+    def low(self) -> float:
+        return float(self.value.partition(" to ")[0])
+
+    @property
+    def high(self) -> float:
+        return float(self.value.rpartition(" to ")[2])
+
+    @property
+    def measured(self) -> Unit:
+        return resolve_any(self.unit)
+
+    @property
+    def quantity(self) -> str:
+        """The English name of the quantity of its unit."""
+        return name_of(self.measured)
+
+
+VALUES = tuple([Typical(row[:3], *row[3:]) for row in data_rows("typical")])
 
 
 def words() -> tuple[str, ...]:
