@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 import pytest
 from conftest import ROOT
-from helpers import displays_of, for_each, require
+from helpers import displayed, displays_of, for_each, require
 from test_cases import answered
 
 from radcalc.cli import habits, manual
@@ -16,7 +16,6 @@ from radcalc.cli.group import commands
 from radcalc.cli.man import find, pages
 from radcalc.cli.names import COMMANDS
 from radcalc.quantities.names import QUANTITIES
-from radcalc.render.mdoc import displayed
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
 
 MAN = ROOT / "man"
