@@ -3,12 +3,10 @@
 Only this module loads prompt_toolkit, and only on a terminal.
 """
 
-import io
 import os
 import shlex
 from collections.abc import Iterable, Iterator
-from contextlib import redirect_stderr, redirect_stdout, suppress
-from importlib import import_module
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,14 +30,6 @@ BOM = "\ufeff"
 BLOCK = 1 << 16
 LONGEST = 1 << 20  # bytes of a line
 WORST = (terminal.BUG, terminal.FAILED, terminal.WRONG)  # of the statuses of lines
-WARM = (  # modules of the first answers
-    "radcalc.cli.convert",
-    "radcalc.cli.command",
-    "radcalc.calculators.point_source",
-    "radcalc.render.table",
-    "radcalc.cli.calculator",
-    "radcalc.conversion.geometric",
-)
 
 
 def prompt(**values: Any) -> int:
@@ -114,11 +104,12 @@ def _lines() -> Iterator[str]:
 
 
 def _converse(session: Session) -> int:
+    """Ask for lines on the terminal and answer them, until the user leaves."""
     asking = _asking(session)
     terminal.say([f"radcalc {__version__}: type help for help, exit to quit"])
     while True:
         try:
-            text = asking.prompt(PROMPT, pre_run=_warm_up)
+            text = asking.prompt(PROMPT)
         except KeyboardInterrupt:
             continue
         except EOFError:
@@ -133,6 +124,7 @@ def _converse(session: Session) -> int:
 
 
 def _asking(session: Session) -> "PromptSession[str]":
+    """Return the line editor, with completion of words and the history."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import CompleteEvent, Completer, Completion
     from prompt_toolkit.document import Document
@@ -191,30 +183,6 @@ def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
 def quoted(text: str) -> str:
     """Return a word as typed: in quotes if it has blanks."""
     return shlex.quote(text) if " " in text else text
-
-
-def _warm_up() -> None:
-    """Load the modules of the first answers while the user reads and types."""
-    import asyncio
-
-    from prompt_toolkit.application import get_app
-
-    async def load() -> None:
-        for _ in load_what_answers_need():
-            await asyncio.sleep(0)  # the keys come first
-
-    get_app().create_background_task(load())
-
-
-def load_what_answers_need() -> Iterator[None]:
-    """Load modules one by one, and answer a conversion without output."""
-    for name in WARM:
-        yield
-        import_module(name)
-    yield
-    nowhere = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
-    with redirect_stdout(nowhere), redirect_stderr(nowhere):
-        Session().answer("1 lx fc")
 
 
 def history_path() -> Path | None:
