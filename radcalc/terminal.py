@@ -17,7 +17,7 @@ AUTO, ALWAYS, NEVER = COLORING = "auto", "always", "never"
 # The effects of a line of standard input that cannot be converted.
 ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
 TABLE, PLAIN, JSON, CSV = FORMATS = "table", "plain", "json", "csv"  # of answers
-BOLD, FAINT, UNDERLINE, RESET = "\033[1m", "\033[2m", "\033[4m", "\033[0m"
+BOLD, FAINT, RESET = "\033[1m", "\033[2m", "\033[0m"
 RED, GREEN, MAGENTA, CYAN = "\033[1;31m", "\033[1;32m", "\033[35m", "\033[36m"
 # The colour of a line's first word, which is the kind of the line.  Only that word is coloured, so
 # that the text stays readable on any background.

@@ -27,7 +27,6 @@ from radcalc.cli.spelling import Shell
 from radcalc.derivation import coherent_unit_of
 from radcalc.errors import RadcalcError
 from radcalc.laws.law import AnyLaw
-from radcalc.render.mdoc import displayed
 
 PACKAGE = str(Path(radcalc.__file__).parent)
 Q = radcalc.Quantity
@@ -240,6 +239,19 @@ def screen_of(*words: str, columns: int = 80, **environment: str) -> str:
             screen += part
         process.wait(60)
     return screen.decode().replace("\r\n", "\n")
+
+
+ESCAPES = {
+    r"\(aq": "'", r"\(dq": '"', r"\(ga": "`", r"\(ha": "^", r"\(ti": "~", r"\-": "-", r"\&": "",
+    r"\e": "\\", r"\(+-": "±", r"\[+-]": "±", r"\(de": "°", r"\(mc": "µ", r"\(S2": "²",
+    r"\[*D]": "Δ", r"\[*F]": "Φ", r"\[*h]": "θ", r"\[*p]": "π", r"\[*t]": "τ",
+}  # fmt: skip
+ESCAPED = re.compile(r"\\\[u([0-9A-F]{4,5})\]|\\\[[^]]*\]|\\\(..|\\.")
+
+
+def displayed(source: str) -> str:
+    """Return the text that the source of a manual page shows."""
+    return ESCAPED.sub(lambda m: chr(int(m[1], 16)) if m[1] else ESCAPES[m[0]], source)
 
 
 def displays_of(page):

@@ -1,5 +1,6 @@
 """The pages of commands that list, search or talk, and calculate nothing."""
 
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -51,15 +52,15 @@ PAGES: Mapping[str, Page] = {
 
 
 def manual_folder() -> Path:
-    """Return the folder of the manual: a wheel has it in the package, sources next to it."""
+    """Return the folder of the manual: in the package of a wheel, next to sources, or share/man."""
     package = Path(__file__).parents[1]
-    inside = package / "man"
-    return inside if inside.is_dir() else package.parent / "man"
+    places = (package / "man", package.parent / "man", Path(sys.prefix) / "share" / "man")
+    return next(filter(manual_pages, places), places[0])
 
 
-def manual_pages() -> list[Path]:
+def manual_pages(folder: Path | None = None) -> list[Path]:
     """Return the pages of the manual."""
-    return sorted(manual_folder().glob(f"man?/{MAIN}*.?"))
+    return sorted((folder or manual_folder()).glob(f"man?/{MAIN}*.?"))
 
 
 def manual_names() -> list[str]:

@@ -37,7 +37,7 @@ def _complete(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> N
 
 
 def is_colored() -> bool:
-    """Return whether help and pages of the manual are coloured."""
+    """Return whether help is coloured."""
     return terminal.wants_color(terminal.chosen_color(), terminal.is_terminal())
 
 

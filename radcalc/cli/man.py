@@ -1,6 +1,7 @@
-"""`radcalc manual [PAGE]`: the pages of the manual, also where `man` does not find them."""
+"""`radcalc manual [PAGE]`: find a page of the manual, and let `man` show it."""
 
 import re
+import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,15 +12,18 @@ from radcalc.calculators import lists, options
 from radcalc.calculators.lists import MAIN
 from radcalc.calculators.pages import page_of
 from radcalc.cli.command import SectionedCommand, option_of
+from radcalc.cli.group import commands, context
 from radcalc.cli.help import is_colored, show
-from radcalc.cli.output import width_of_terminal
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, call, nearest, quote
-from radcalc.render.mdoc import displayed, typeset
 
 PREFIX = f"{MAIN}-"
-SECTIONS = ("1", "7")
-WIDEST = 100  # columns of a page
+OF_COMMANDS = "1"
+SECTIONS = (OF_COMMANDS, "7")
+# Programs that show a page; the first that is installed does.  Every `man` takes an argument with a
+# slash as the path of a page.  With -a, mandoc shows a page screen by screen, as `man` does.
+PROGRAMS = (["man"], ["mandoc", "-a"])
+OVERSTRUCK = re.compile(".\b")  # a letter below the next one, which is then bold or underlined
 
 
 def find(words: Sequence[str]) -> list[Path]:
@@ -60,7 +64,7 @@ def _section(page: Path) -> str:
 
 
 def manual(words: Sequence[str], color: str) -> None:
-    """Show a page of the manual.
+    """Show a page of the manual with man.
 
     \b
     Examples:
@@ -70,20 +74,48 @@ def manual(words: Sequence[str], color: str) -> None:
       radcalc manual sentences       a page on a subject
       radcalc manual 7 units         a page that has the name of a command
 
-    radcalc sets the pages itself, so it needs no other program for them.  On a terminal a page is
-    shown as --help is, with the program that PAGER names.
+    On a terminal, man shows the page screen by screen; in a pipe, the page is plain text.  Without
+    man and mandoc, the path of the page is printed, and the --help of its command.
     """
     page, *others = find(words)
-    source = page.read_text(encoding="utf-8")
-    show(typeset(source, min(width_of_terminal(), WIDEST), is_colored()))
+    if not _has_shown(page):
+        show("\n\n".join([str(page), *_helps(page)]))
+        problem = "neither man nor mandoc is available: this is the path of the page"
+        terminal.say(terminal.remarks((), [problem]))
     terminal.say(terminal.remarks((), [_mention(other) for other in others]))
+
+
+def _has_shown(page: Path) -> bool:
+    """Show a page with one of `PROGRAMS`; return whether one could show it."""
+    output = None if terminal.is_terminal() else subprocess.PIPE
+    for program in PROGRAMS:
+        words = [*program, str(page)]
+        try:
+            done = subprocess.run(words, stdout=output, text=True, errors="replace", check=False)
+        except OSError:  # it is not installed
+            continue
+        if done.returncode == 0:
+            terminal.write(OVERSTRUCK.sub("", done.stdout or ""))
+            return True
+    return False
+
+
+def _helps(page: Path) -> list[str]:
+    """Return the help of the command that a page describes; none for a page on a subject."""
+    if _section(page) != OF_COMMANDS:
+        return []
+    top = context()
+    name = _name(page)
+    command = commands.get_command(top, name)
+    of_page = click.Context(command, top, name, color=is_colored()) if command else top
+    return [of_page.get_help()]
 
 
 def _mention(page: Path) -> str:
     """Return the call that shows a page, with what the page is about."""
     about = re.search(r"^\.Nd (.*)$", page.read_text(encoding="utf-8"), re.M)
     typed = Shell.command("manual", _section(page), _name(page))
-    return f"{typed} has {displayed(about[1])}" if about else typed
+    return f"{typed} has {about[1]}" if about else typed
 
 
 PAGE = page_of("manual")

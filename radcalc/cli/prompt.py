@@ -3,12 +3,10 @@
 Only this module loads prompt_toolkit, and only on a terminal.
 """
 
-import io
 import os
 import shlex
 from collections.abc import Iterable, Iterator
-from contextlib import redirect_stderr, redirect_stdout, suppress
-from importlib import import_module
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,22 +21,15 @@ from radcalc.errors import RadcalcError
 
 if TYPE_CHECKING:
     from prompt_toolkit import PromptSession
+    from prompt_toolkit.history import History
 
     from radcalc.completion.line import Completion
 
 PROMPT = "> "
 BOM = "\ufeff"
 BLOCK = 1 << 16
-LONGEST = 1 << 20  # bytes of a line, and of the history to read
+LONGEST = 1 << 20  # bytes of a line
 WORST = (terminal.BUG, terminal.FAILED, terminal.WRONG)  # of the statuses of lines
-WARM = (  # modules of the first answers
-    "radcalc.cli.convert",
-    "radcalc.cli.command",
-    "radcalc.calculators.point_source",
-    "radcalc.render.table",
-    "radcalc.cli.calculator",
-    "radcalc.conversion.geometric",
-)
 
 
 def prompt(**values: Any) -> int:
@@ -113,11 +104,12 @@ def _lines() -> Iterator[str]:
 
 
 def _converse(session: Session) -> int:
+    """Ask for lines on the terminal and answer them, until the user leaves."""
     asking = _asking(session)
     terminal.say([f"radcalc {__version__}: type help for help, exit to quit"])
     while True:
         try:
-            text = asking.prompt(PROMPT, pre_run=_warm_up)
+            text = asking.prompt(PROMPT)
         except KeyboardInterrupt:
             continue
         except EOFError:
@@ -132,11 +124,10 @@ def _converse(session: Session) -> int:
 
 
 def _asking(session: Session) -> "PromptSession[str]":
+    """Return the line editor, with completion of words and the history."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import CompleteEvent, Completer, Completion
     from prompt_toolkit.document import Document
-    from prompt_toolkit.history import History
-    from prompt_toolkit.output import ColorDepth
     from prompt_toolkit.output.defaults import create_output
 
     class Words(Completer):
@@ -150,21 +141,11 @@ def _asking(session: Session) -> "PromptSession[str]":
                     text, -len(typed), display=word.text, display_meta=word.description
                 )
 
-    class Kept(History):
-        def load_history_strings(self) -> Iterable[str]:
-            return reversed(past_lines(path))
-
-        def store_string(self, string: str) -> None:
-            keep_line(path, string)
-
-    path = history_path()
-    color = terminal.wants_color(terminal.AUTO, True)
     return PromptSession(
-        history=Kept(),
+        history=history(),
         completer=Words(),
         complete_while_typing=False,
         output=create_output(always_prefer_tty=True),
-        color_depth=None if color else ColorDepth.DEPTH_1_BIT,
     )
 
 
@@ -199,30 +180,6 @@ def quoted(text: str) -> str:
     return shlex.quote(text) if " " in text else text
 
 
-def _warm_up() -> None:
-    """Load the modules of the first answers while the user reads and types."""
-    import asyncio
-
-    from prompt_toolkit.application import get_app
-
-    async def load() -> None:
-        for _ in load_what_answers_need():
-            await asyncio.sleep(0)  # the keys come first
-
-    get_app().create_background_task(load())
-
-
-def load_what_answers_need() -> Iterator[None]:
-    """Load modules one by one, and answer a conversion without output."""
-    for name in WARM:
-        yield
-        import_module(name)
-    yield
-    nowhere = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
-    with redirect_stdout(nowhere), redirect_stderr(nowhere):
-        Session().answer("1 lx fc")
-
-
 def history_path() -> Path | None:
     """Return the file of the history: RADCALC_HISTORY ('' for none), or the platform's."""
     setting = os.environ.get("RADCALC_HISTORY")
@@ -237,30 +194,20 @@ def history_path() -> Path | None:
     return Path(state) / "radcalc" / "history"
 
 
-def past_lines(path: Path | None) -> list[str]:
-    """Return the lines of the history, oldest first; none if the file is unreadable."""
-    try:
-        if path is None or not path.is_file():  # a device may have no end
-            return []
-        with path.open("rb") as file:
-            size = file.seek(0, os.SEEK_END)
-            file.seek(max(size - LONGEST, 0))
-            lines = file.read(LONGEST).decode(errors="replace").splitlines()
-    except OSError:
-        return []
-    return lines[1:] if size > LONGEST else lines
+def history() -> "History":
+    """Return the lines of earlier prompts, from a file of the owner's only, if one can be kept."""
+    from prompt_toolkit.history import FileHistory, InMemoryHistory
 
+    class Kept(FileHistory):
+        def store_string(self, string: str) -> None:
+            with suppress(OSError):  # of a full disk, say
+                super().store_string(string)
 
-def keep_line(path: Path | None, text: str) -> None:
-    """Append lines to the history, readable only by its owner; ignore failures."""
-    if path is None:
-        return
-    try:
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        if path.exists() and not path.is_file():  # opening a pipe waits for its reader
-            return
-        file = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
-        with open(file, "ab") as kept:
-            kept.write("".join(f"{line}\n" for line in text.splitlines()).encode(errors="replace"))
-    except OSError:
-        return
+    path = history_path()
+    with suppress(OSError):
+        if path and not path.exists():
+            path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+            path.touch(mode=0o600)
+        if path and path.is_file() and os.access(path, os.R_OK):  # a device may have no end
+            return Kept(path)
+    return InMemoryHistory()

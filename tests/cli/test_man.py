@@ -1,14 +1,19 @@
-"""`radcalc manual`: which page is shown, where pages are, and how they are written."""
+"""`radcalc manual`: which page is shown, where pages are, and which program shows them."""
+
+import os
+import shutil
+import sys
 
 import pytest
-from conftest import run
-from helpers import screen_of, terminal_of
+from conftest import ROOT, run
+from helpers import require, screen_of
 
 from radcalc.calculators import lists
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import man
 
 PAGES = {page.name for page in lists.manual_pages()}
+OTHER = "radcalc manual 7 units has units, numbers, expressions and scales in radcalc"
 
 
 @pytest.mark.parametrize(
@@ -27,21 +32,6 @@ PAGES = {page.name for page in lists.manual_pages()}
 )
 def test_a_page_is_found(words, page):
     assert [found.name for found in man.find(words)] == [page]
-    name, _, section = page.rpartition(".")
-    done = run("manual", *words)
-    assert done.stdout.splitlines()[1].startswith(f"     {name} - ")
-    assert (done.returncode, done.stderr) == (0, "")
-    assert f"radcalc-{section}" not in done.stdout
-
-
-def test_the_other_page_of_a_name_is_mentioned():
-    done = run("manual", "units")
-    assert done.stdout.startswith(
-        "NAME\n     radcalc-units - units, their definitions and sources\n"
-    )
-    assert done.stderr == (
-        "note: radcalc manual 7 units has units, numbers, expressions and scales in radcalc\n"
-    )
 
 
 def test_every_page_has_a_name_and_every_command_its_page_first():
@@ -78,23 +68,60 @@ def test_an_installation_without_pages_is_refused(monkeypatch, tmp_path):
     assert ": it has no pages\n" in done.stderr
 
 
-def test_pages_of_a_wheel_are_in_the_package(monkeypatch, tmp_path):
+def test_pages_are_in_the_package_next_to_it_or_where_man_looks(monkeypatch, tmp_path):
     package = tmp_path / "radcalc"
-    (package / "cli").mkdir(parents=True)
     monkeypatch.setattr(lists, "__file__", str(package / "calculators" / "lists.py"))
-    assert lists.manual_folder() == tmp_path / "man"
-    (package / "man").mkdir()
-    assert lists.manual_folder() == package / "man"
+    monkeypatch.setattr(sys, "prefix", str(tmp_path / "prefix"))
+    assert lists.manual_folder() == package / "man"  # the place that a refusal names
+    for place in (tmp_path / "prefix" / "share" / "man", tmp_path / "man", package / "man"):
+        (place / "man1").mkdir(parents=True)
+        (place / "man1" / "radcalc.1").touch()
+        assert lists.manual_folder() == place
 
 
-@pytest.mark.parametrize(("columns", "widest"), [(50, 50), (200, 100)])
-def test_a_page_is_as_wide_as_the_terminal_up_to_100_columns(columns, widest):
-    text = terminal_of("manual", "convert", columns=columns, NO_COLOR="1", PAGER="")
-    description = text.partition("DESCRIPTION\n")[2].partition("\nOPTIONS")[0]
-    assert widest - 12 < max(map(len, description.splitlines())) <= widest
+@pytest.fixture
+def only(monkeypatch, tmp_path):
+    """Let only the named programs be found."""
+
+    def links(*tools):
+        require(*tools)
+        for tool in tools:
+            (tmp_path / tool).symlink_to(shutil.which(tool))
+        monkeypatch.setenv("PATH", str(tmp_path))
+
+    return links
 
 
-def test_a_page_is_shown_by_the_pager_of_the_help():
-    assert screen_of("manual", "convert", PAGER="sed 's/^/>>/'").startswith(">>NAME")
-    coloured = screen_of("manual", "convert", PAGER="")
-    assert "\033[1mNAME\033[0m" in coloured
+def test_in_a_pipe_mandoc_prints_plain_text(only):
+    only("mandoc")
+    done = run("manual", "units")
+    assert "NAME\n     radcalc-units " in done.stdout
+    assert not {"\b", "\033"} & set(done.stdout)
+    assert (done.returncode, done.stderr) == (0, f"note: {OTHER}\n")
+
+
+def test_man_shows_a_page_and_comes_before_mandoc(monkeypatch, tmp_path):
+    shown = tmp_path / "man"
+    shown.write_text('#!/bin/sh\ntest -f "$1" && echo "S\bShown: $1"\n')
+    shown.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
+    page = ROOT / "man" / "man1" / "radcalc-ev.1"
+    assert run("manual", "ev").stdout == f"Shown: {page}\n"
+    assert screen_of("manual", "ev") == f"S\bShown: {page}\n"  # man looks after the terminal
+    shown.write_text("#!/bin/sh\nexit 1\n")
+    require("mandoc")
+    assert "NAME\n     radcalc-ev " in run("manual", "ev").stdout
+
+
+def test_without_man_the_path_and_the_help_are_printed(only):
+    only()
+    missing = "note: neither man nor mandoc is available: this is the path of the page\n"
+    done = run("manual", "units")
+    path, _, text = done.stdout.partition("\n\n")
+    assert path == str(ROOT / "man" / "man1" / "radcalc-units.1")
+    assert text == run("units", "--help").stdout
+    assert (done.returncode, done.stderr) == (0, f"{missing}note: {OTHER}\n")
+    assert run("manual").stdout.partition("\n\n")[2] == run("--help").stdout
+    done = run("manual", "7", "units")
+    assert done.stdout == f"{ROOT / 'man' / 'man7' / 'radcalc-units.7'}\n"
+    assert (done.returncode, done.stderr) == (0, missing)

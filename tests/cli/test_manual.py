@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 import pytest
 from conftest import ROOT
-from helpers import displays_of, for_each, require
+from helpers import displayed, displays_of, for_each, require
 from test_cases import answered
 
 from radcalc.calculators.lists import manual_pages
@@ -17,7 +17,6 @@ from radcalc.cli import habits, manual
 from radcalc.cli.group import commands
 from radcalc.cli.man import find
 from radcalc.quantities.names import QUANTITIES
-from radcalc.render.mdoc import displayed
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
 
 MAN = ROOT / "man"

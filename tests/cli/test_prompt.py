@@ -9,6 +9,7 @@ import sys
 import pytest
 from conftest import entry_point, process, run
 from helpers import on_terminal
+from prompt_toolkit.history import FileHistory, InMemoryHistory
 
 from radcalc.cli import prompt
 
@@ -136,7 +137,12 @@ def test_radcalc_alone_on_a_terminal_starts_a_prompt(terminal, tmp_path):
     screen.type("exit\r")
     assert process.wait(60) == 0
     history = tmp_path / "radcalc" / "history"
-    assert history.read_text() == "100 lx fc\nans klx\n100 lm 'cd\nexit\n"
+    assert [*FileHistory(history).load_history_strings()] == [
+        "exit",
+        "100 lm 'cd",
+        "ans klx",
+        "100 lx fc",
+    ]
     assert stat.S_IMODE(history.stat().st_mode) == 0o600
 
 
@@ -172,7 +178,8 @@ def test_tab_completes_a_command(terminal):
 
 def test_the_arrow_key_recalls_the_lines_of_the_last_session(tmp_path, monkeypatch):
     kept = tmp_path / "lines"
-    kept.write_text("250 cd/m2 nit\n")
+    FileHistory(kept).store_string("250 cd/m2 nit")
+    text = kept.read_text()
     monkeypatch.setenv("RADCALC_HISTORY", str(kept))
     with on_terminal(entry_point(), "prompt") as (process, leader):
         screen = Screen(leader)
@@ -181,7 +188,7 @@ def test_the_arrow_key_recalls_the_lines_of_the_last_session(tmp_path, monkeypat
         screen.answer("\x1b[A", "250 nit")
         screen.type("\x04")
         assert process.wait(60) == 0
-    assert kept.read_text() == "250 cd/m2 nit\n"  # a repeated line is kept once
+    assert kept.read_text() == text  # a repeated line is kept once
 
 
 @pytest.mark.parametrize(
@@ -273,20 +280,19 @@ def test_a_word_with_blanks_is_completed_in_quotes():
     assert prompt.quoted("cd/m2") == "cd/m2"
 
 
-def test_a_pipe_does_not_keep_the_history(tmp_path):
+def test_a_pipe_does_not_keep_the_history(tmp_path, monkeypatch):
     os.mkfifo(path := tmp_path / "pipe")
-    assert prompt.past_lines(path) == []
-    prompt.keep_line(path, "100 lx fc")  # would wait for a reader
+    monkeypatch.setenv("RADCALC_HISTORY", str(path))
+    assert isinstance(prompt.history(), InMemoryHistory)  # a file would wait for a reader
 
 
-def test_the_history_is_bounded(tmp_path):
-    path = tmp_path / "history"
-    path.write_text("".join(f"{k} lx fc\n" for k in range(200_000)))
-    found = prompt.past_lines(path)
-    assert found[-1] == "199999 lx fc"
-    assert sum(len(line) + 1 for line in found) <= prompt.LONGEST
-    assert found[0].endswith(" lx fc")
-    assert found[0] == f"{200_000 - len(found)} lx fc"
+def test_a_line_that_cannot_be_kept_does_not_stop_the_prompt(tmp_path, monkeypatch):
+    monkeypatch.setenv("RADCALC_HISTORY", str(tmp_path / "history"))
+    kept = prompt.history()
+    (tmp_path / "history").unlink()
+    (tmp_path / "history").mkdir()
+    kept.append_string("100 lx fc")
+    assert kept.get_strings() == ["100 lx fc"]
 
 
 def test_the_history_is_in_the_platforms_folder(monkeypatch, tmp_path):
