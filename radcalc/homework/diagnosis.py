@@ -1,13 +1,13 @@
 """Search for the mistakes that lead to a wrong answer."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from itertools import combinations, product
 from typing import NamedTuple
 
 from radcalc.answer import Value
-from radcalc.homework import edits, formulas, integrals, misread, outside, siblings
+from radcalc.homework import edits, integrals, misread, outside, siblings
 from radcalc.homework.answer import Claim, Diagnosis
 from radcalc.homework.chain import Worked
 from radcalc.homework.misread import SLIPS
@@ -82,40 +82,10 @@ def candidates(problem: Problem) -> list[Candidate]:
     for family in FAMILIES:
         with suppress(ArithmeticError):  # powers of an extreme input overflow
             named += family(problem)
-    wrong_values = _merged(named, formulas.find(problem))
     return sorted(
-        (candidate for candidate in wrong_values if _is_wrong(candidate.value, problem.right)),
+        (candidate for candidate in named if _is_wrong(candidate.value, problem.right)),
         key=_rank,
     )
-
-
-def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> list[Candidate]:
-    """Return all candidates; an edited formula is the step of a mistake with the same value.
-
-    The mistake has better words, the formula the learner's numbers.
-    """
-    edited: dict[float, Candidate] = {}
-    of_symbols = []
-    for candidate in of_formulas:
-        if formulas.is_of_symbol(candidate):
-            of_symbols.append(candidate)
-        else:
-            edited.setdefault(_rounded(candidate.value), candidate)
-    seen = {_rounded(one.value) for one in named if one.mistake not in WHOLE}
-    same = [(one, _rounded(one.value)) for one in named if _rounded(one.value) in edited]
-    with_steps = {(one.mistake, value) for one, value in same if _step(one)}
-    steps = {
-        id(one): edited[value].value
-        for one, value in same
-        if (one.mistake, value) not in with_steps
-    }
-    with_words = [one._replace(value=steps.get(id(one), one.value)) for one in named]
-    others = [one for value, one in edited.items() if value not in seen]
-    return [*with_words, *of_symbols, *others]
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.9e}")
 
 
 def _step(candidate: "Candidate | Pair") -> str:
@@ -186,7 +156,7 @@ def misread_and_more(problem: Problem) -> list[Candidate]:
     """Return the wrong values of a mistake in a law after a size or an angle was misread."""
     found = []
     for first, other in misread.halves_of(problem):
-        for family in (edits.find, siblings.find, outside.find, formulas.find):
+        for family in (edits.find, siblings.find, outside.find):
             with suppress(ArithmeticError):
                 found += [
                     both(first, law, law.value)

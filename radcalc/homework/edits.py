@@ -1,6 +1,7 @@
 """Mistakes in the laws of a derivation: powers forgotten, doubled or inverted, wrong constants."""
 
 import math
+import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -175,13 +176,8 @@ def _tidy(template: str) -> str:
     right = f" {right} ".replace(" / 1 ", " ").replace(" (1 ", " (")
     while " 1 " in right and not right.startswith(" 1 /"):
         right = right.replace(" 1 ", " ", 1)
-    right = (
-        right.replace(" 1)", ")")
-        .replace("/ ()", "")
-        .replace("(Omega0)", "Omega0")
-        .replace("  ", " ")
-        .strip()
-    )
+    right = re.sub(r"(?<!\+) 1\)", ")", right).replace("/ ()", "").replace("(Omega0)", "Omega0")
+    right = right.replace("  ", " ").strip()
     return f"{left} = {right or '1'}"
 
 

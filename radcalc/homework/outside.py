@@ -12,7 +12,7 @@ from radcalc.geometry import cones
 from radcalc.geometry.numerics import vectors
 from radcalc.homework.edits import scaled
 from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
-from radcalc.homework.siblings import projected_cone
+from radcalc.homework.siblings import PROJECTED
 from radcalc.homework.words import Said
 from radcalc.quantities.symbols import EFFICACIES, UNIFORM
 from radcalc.spectra.planck import AVOGADRO
@@ -51,8 +51,8 @@ def _hemisphere(p: Problem) -> Found:
     """Use a solid angle for the projected one, or a flat area for either."""
     if p.question.shape == "hemisphere":
         half = p.amount("half-angle") or PI / 2
-        for name, size in projected_cone({"half-angle": half}.__getitem__):
-            yield usual(name, p.chain.after("projected-solid-angle", size))
+        for name, wrong, *_ in PROJECTED:
+            yield usual(name, p.chain.after("projected-solid-angle", wrong(half)))
 
 
 def _rectangle(p: Problem) -> Found:
