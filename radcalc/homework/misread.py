@@ -7,7 +7,7 @@ from itertools import product
 
 from radcalc.errors import RadcalcError
 from radcalc.homework.problem import Candidate, Problem, both, usual
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.spectrum import BlackBody
@@ -256,7 +256,9 @@ def _units(p: Problem) -> Found:
             other = resolve(text)
             if other.dimension == unit.dimension and other.factor != unit.factor:
                 value = p.right * (other.factor / unit.factor) ** sign
-                yield usual("neighbour-unit", value, Said("{0} was used as {1}", unit.text, text))
+                yield usual(
+                    "neighbour-unit", value, Translatable("{0} was used as {1}", unit.text, text)
+                )
 
 
 def readings() -> Iterator[tuple[tuple[str, ...], float]]:

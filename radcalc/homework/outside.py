@@ -13,7 +13,7 @@ from radcalc.geometry.numerics import vectors
 from radcalc.homework.edits import scaled
 from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.homework.siblings import PROJECTED
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.quantities.symbols import EFFICACIES, UNIFORM
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.units.dimensions import SOLID_ANGLE, times
@@ -404,7 +404,7 @@ def _lamps(p: Problem) -> Found:
 
     for k, lamp in enumerate(LAMPS):
         value = p.anew({"spectrum": named(lamp)})
-        done = Said("the factor of another lamp was used ({0})", lamp)
+        done = Translatable("the factor of another lamp was used ({0})", lamp)
         yield usual("other-lamp", value, done, later=0.1 * k)
 
 
@@ -415,10 +415,10 @@ def _others(p: Problem) -> Found:
             continue
         apart = [times(other.dimensions[0], SOLID_ANGLE, k) for k in (0, 1, -1)]
         if p.target.dimensions[0] in apart:
-            done = Said("the {0} was given", other.label)
+            done = Translatable("the {0} was given", other.label)
             later = 0.0 if p.target.dimensions[0] == apart[0] else 0.5
             later += 0.0 if other.given is None else 1.0
-            asked = Said("the {0} was asked for", p.target.label)
+            asked = Translatable("the {0} was asked for", p.target.label)
             yield usual("other-quantity", other.amount, done, asked, later)
 
 

@@ -29,7 +29,7 @@ from radcalc.homework.answer import (
     read_tolerance,
 )
 from radcalc.homework.question import Question
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities.light import describe
 from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
@@ -184,7 +184,7 @@ def _judged(
     is_number = reading.scale is None or reading.is_logarithm
     ratio = claim.value / right if right and is_number else math.inf
     is_part = reading.scale is not None and "%" in allowed.text
-    tolerance = Said("{0} of the quantity", allowed.text) if is_part else allowed.text
+    tolerance = Translatable("{0} of the quantity", allowed.text) if is_part else allowed.text
     verdict = Verdict(
         False,
         name_in(target, unit.dimension),
@@ -298,9 +298,12 @@ def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagno
         return (Diagnosis(ROUNDED, "as marked on cameras", "whole and third stops are exact"),)
     if not is_rounded(claim, reading.right):
         return ()
-    few = "to the digit given" if claim.digits == 1 else "to the {0:digit|digits} given"
-    done = Said(few, claim.digits)
-    nearer = Said("{0} is nearer", f"{reading.right:.{max(3, claim.digits + 1)}g}")
+    done = Translatable("to the digit given")
+    if claim.digits > 1:
+        done = Translatable(
+            "to the {0} digit given", claim.digits, plural="to the {0} digits given"
+        )
+    nearer = Translatable("{0} is nearer", f"{reading.right:.{max(3, claim.digits + 1)}g}")
     return (Diagnosis(ROUNDED, done, nearer),)
 
 
@@ -312,8 +315,11 @@ def _zeros(claim: Claim, reading: Reading) -> Diagnosis | None:
     for digits in range(len(typed.rstrip("0")), claim.digits):
         if is_rounded(claim._replace(digits=digits), reading.right):
             number, power = f"{claim.value:.{digits - 1}e}".split("e")
-            done = Said("to {0:digit|digits}, but typed with {1}", digits, claim.digits)
-            return Diagnosis(ROUNDED, done, Said("write {0}", f"{number}e{int(power)}"))
+            rounded = Translatable("to {0} digit", digits, plural="to {0} digits")
+            typed_with = "but typed with {0}"
+            more = Translatable(typed_with, claim.digits, plural=typed_with)
+            done = Translatable("{0}, {1}", rounded, more)
+            return Diagnosis(ROUNDED, done, Translatable("write {0}", f"{number}e{int(power)}"))
     return None
 
 
@@ -351,8 +357,8 @@ def _relative(claim: Claim, other: Reading) -> Diagnosis:
     label, _ = of_kind(other.target, other.unit)
     name = name_in(other.target, other.unit.dimension)
     named = f"{name}={claim.number}{claim.unit.replace(' ', '.')}"
-    counts = Said("it counts only with its name: {0}", named)
-    return Diagnosis(RELATIVE, Said("this is the {0}", label), counts)
+    counts = Translatable("it counts only with its name: {0}", named)
+    return Diagnosis(RELATIVE, Translatable("this is the {0}", label), counts)
 
 
 def _in_wrong_unit(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
@@ -379,13 +385,13 @@ def _wrong_unit(claim: Claim, reading: Reading, is_near: bool) -> Diagnosis:
     target = reading.target
     return Diagnosis(
         "wrong-unit",
-        Said(
+        Translatable(
             "{0} is not {1}; {2}",
             describe(measured_in(claim.unit, target.name)),
             target.label,
             number,
         ),
-        Said("{0} is in {1}", target.label, reading.text),
+        Translatable("{0} is in {1}", target.label, reading.text),
     )
 
 
