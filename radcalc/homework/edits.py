@@ -20,16 +20,8 @@ from radcalc.units.table import resolve
 SKIES = ("horizontal-sky", "plane-sky")
 WHOLE = ("value", "q", "r", "p", "exposure-setting", "heat", "weighted-solid-angle", *SKIES)
 NO_FACTORS = (
-    "exponent",
-    "ev",
-    "ev100",
-    "iso",
-    "adaptation",
-    "part",
-    "beam-part",
-    "upward-part",
-    "cosine",
-    "magnification",
+    *("exponent", "ev", "ev100", "iso", "adaptation", "part", "beam-part", "upward-part"),
+    *("cosine", "magnification"),
 )
 LABELS = {
     "cosine": "cosine of the incidence",
