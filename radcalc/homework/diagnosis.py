@@ -30,13 +30,7 @@ WITH_CONSTANTS = ("photon-energy", "photon-efficacy", "wavelength", "temperature
 ON_THE_WAY, NARROWER = 0.004, 0.7
 
 
-FAMILIES = (
-    edits.find,
-    siblings.find,
-    integrals.find,
-    outside.find,
-    misread.find,
-)
+FAMILIES = (edits.find, siblings.find, integrals.find, outside.find, misread.find)
 
 
 def diagnose(
@@ -69,10 +63,10 @@ def diagnose(
     near = [match.wrong for match in matches if match.cost <= matches[0].cost + 1]
     seen: dict[str, Diagnosis] = {}
     for wrong in near:
-        one = wrong.together() if isinstance(wrong, Pair) else wrong
-        step = _step(one)
-        if one.mistake not in seen or (step and not seen[one.mistake].yours):
-            seen[one.mistake] = Diagnosis(one.mistake, one.done, one.right, step)
+        found = wrong.together() if isinstance(wrong, Pair) else wrong
+        step = _step(found)
+        if found.mistake not in seen or (step and not seen[found.mistake].yours):
+            seen[found.mistake] = Diagnosis(found.mistake, found.done, found.right, step)
     return tuple(seen.values())[:MOST]
 
 

@@ -126,6 +126,7 @@ def label_of(name: str) -> str:
 
 
 def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
+    """Yield the wrong values from a product with another power of one symbol."""
     power_of_target = dict(law.powers).get(target, -1.0)
     start = p.chain.values[target]
     for name, power in law.powers:
@@ -319,9 +320,9 @@ def _constants(
     """Yield the wrong values from a law with another constant of the same family."""
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
         return  # the 2 is between half and full: see `misread`
-    for one in (*_wrong_pi(number, power), *_wrong_factors(p, law)):
-        value = scaled(p, law, target, one.ratio, one.texts)
-        yield usual(one.mistake, value, one.done, text_of(law))
+    for constant in (*_wrong_pi(number, power), *_wrong_factors(p, law)):
+        value = scaled(p, law, target, constant.ratio, constant.texts)
+        yield usual(constant.mistake, value, constant.done, text_of(law))
 
 
 def _wrong_pi(number: float, power: int) -> Iterator[Constant]:

@@ -124,6 +124,7 @@ def _edits(i: Integral, whole: float) -> Iterator[tuple[str, float | None]]:
 
 
 def _limits(i: Integral, whole: float) -> Iterator[tuple[str, float | None]]:
+    """Yield the mistakes in the limits of an integral with the value `whole`."""
     low, high = i.low, i.high
     if high == PI / 2:
         yield "whole-for-half", 2 * whole

@@ -120,6 +120,7 @@ def _angles(p: Problem) -> Found:
 
 
 def _in_radians(p: Problem) -> Found:
+    """Use degrees as radians, in an input or in the result."""
     name = "degrees-as-radians"
     for quantity in _numbers(p):
         if quantity.dimension != ANGLE or quantity.unit_text == "rad":

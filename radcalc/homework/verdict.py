@@ -153,6 +153,7 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
 
 
 def _check(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
+    """Judge an answer to a question with one solution."""
     readings = _readings(question, claim, asked_tolerance)
     if not readings:
         return _in_wrong_unit(question, claim, asked_tolerance)
@@ -383,16 +384,9 @@ def _in_wrong_unit(question: Question, claim: Claim, asked_tolerance: str | None
 def _wrong_unit(claim: Claim, reading: Reading, is_near: bool) -> Diagnosis:
     number = "the number would be right" if is_near else "check both"
     target = reading.target
-    return Diagnosis(
-        "wrong-unit",
-        Translatable(
-            "{0} is not {1}; {2}",
-            describe(measured_in(claim.unit, target.name)),
-            target.label,
-            number,
-        ),
-        Translatable("{0} is in {1}", target.label, reading.text),
-    )
+    given = describe(measured_in(claim.unit, target.name))
+    done = Translatable("{0} is not {1}; {2}", given, target.label, number)
+    return Diagnosis("wrong-unit", done, Translatable("{0} is in {1}", target.label, reading.text))
 
 
 def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> list[Reading]:
@@ -454,6 +448,7 @@ def _reading(question: Question, target: Value, text: str) -> Reading:
 
 
 def _named(question: Question, claim: Claim) -> list[Value]:
+    """Return the results that have the name in an answer; refuse an unknown one."""
     named = [value for value in question.answer.values if claim.name in (value.name, value.also)]
     present = [value for value in named if not value.is_absent]
     typed = [value for value in present if value.name == claim.name]
@@ -468,16 +463,9 @@ def _named(question: Question, claim: Claim) -> list[Value]:
         return _named(question, claim._replace(name=other))
     right = [name.partition(":")[0] for name in right_names(claim.name, present)]
     alike = [v for v in present if v.name in right] or (present if claim.unit else [])
-    fitting = [v for v in alike if not claim.unit or _takes(v, claim.unit)]
+    fitting = [v for v in alike if not claim.unit or _fits(v, measured_in(claim.unit, v.name))]
     hint = _ways(fitting, claim) or ", ".join(dict.fromkeys(v.name for v in present))
     raise ConditionError(f"{option('check')}: unknown result '{quote(claim.name)}'", hint)
-
-
-def _takes(value: Value, unit: str) -> bool:
-    try:
-        return measured_in(unit, value.name).dimension in value.dimensions
-    except RadcalcError:
-        return False
 
 
 def _unnamed(question: Question) -> list[Value]:
