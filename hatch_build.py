@@ -1,4 +1,6 @@
-"""Build hook of the wheel: the table of completion, the manual, and the start of `radcalc`.
+"""Build hook of the wheel: catalogues, the table of completion, the manual, the start of `radcalc`.
+
+The catalogues of other languages are compiled: for an editable install next to their sources.
 
 The table is printed from the pages of the commands.  Sources make it on demand, so an editable
 install has none.
@@ -17,12 +19,14 @@ for the machine that builds it: it has the script if the building Python can run
 tag of that platform.  No other platform installs it, and PyPI does not accept it from Linux.
 """
 
+import glob
 import os
 import subprocess
 import sys
 import tempfile
 from typing import Any
 
+import polib
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 from packaging.tags import platform_tags  # hatchling needs packaging itself
 
@@ -33,10 +37,18 @@ class Additions(BuildHookInterface):
     """The hook of the wheel."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Add the table and the pages, and replace the entry point by the script."""
-        if version != "editable":
+        """Add the catalogues, the table and the pages; replace the entry point by the script."""
+        self.folder = tempfile.TemporaryDirectory()
+        is_editable = version == "editable"
+        for name in glob.glob("radcalc/locale/*/*/*.po", root_dir=self.root):
+            compiled = name.replace(".po", ".mo")
+            path = os.path.join(self.root if is_editable else self.folder.name, compiled)
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            polib.pofile(os.path.join(self.root, name)).save_as_mofile(path)
+            if not is_editable:
+                build_data["force_include"][path] = compiled
+        if not is_editable:
             build_data["force_include"][os.path.join(self.root, "man")] = "radcalc/man"
-            self.folder = tempfile.TemporaryDirectory()
             table = os.path.join(self.folder.name, "built.py")
             _print_table(self.root, table)
             build_data["force_include"][table] = "radcalc/completion/built.py"

@@ -19,6 +19,7 @@ PACKAGE = ROOT / "radcalc"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 BUILD = PROJECT["tool"]["hatch"]["build"]["targets"]
 TABLE = "radcalc/completion/built.py"  # generated for a wheel
+COMPILED = {".pyc", ".mo"}
 LEFTOVERS = {"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache"}
 # Means to run a text, reach a network, or read files other than those named.
 NEVER_CALLED = {"eval", "exec", "compile", "__import__", "system", "popen"}
@@ -36,7 +37,7 @@ def files(*places: str) -> set[str]:
         path = ROOT / place
         for one in path.rglob("*") if path.is_dir() else [path]:
             name = one.relative_to(ROOT)
-            if one.is_file() and not LEFTOVERS & set(name.parts) and one.suffix != ".pyc":
+            if one.is_file() and not LEFTOVERS & set(name.parts) and one.suffix not in COMPILED:
                 found.add(name.as_posix())
     return found
 
@@ -66,7 +67,9 @@ def test_the_wheel_has_only_the_package_its_table_and_the_manual(tmp_path):
     data = {name for name in names if ".data/" in name}
     about = {name for name in names if ".dist-info/" in name}
     manual = {f"radcalc/{name}" for name in files("man")}
-    assert names - data - about == files("radcalc") | {TABLE} | manual
+    sources = files("radcalc")
+    catalogues = {name.replace(".po", ".mo") for name in sources if name.endswith(".po")}
+    assert names - data - about == sources | catalogues | {TABLE} | manual
     assert table == module_text()
     pages = {os.path.basename(name) for name in data if "/share/man/" in name}
     assert pages == {os.path.basename(name) for name in files("man")}

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, add, option, quote
 from radcalc.floats import divide
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
 from radcalc.quantities.symbols import ANY, Symbol
@@ -175,7 +175,7 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
             raise ConditionError(f"{typed} is out of range", hint)
         count = int(text[:-2])
-        digits = Said("within half a unit of digit {0}", count)
+        digits = Translatable("within half a unit of digit {0}", count)
         return Tolerance(digits, "digits", count)
     takes = "a part or a quantity"
     symbol = Symbol("tolerance", "", (NUMBER, unit.dimension), "1%", limits=ANY, takes=takes)
@@ -190,6 +190,6 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         raise ConditionError(f"the unit of {typed} is missing", hint)
     is_part = given.dimension == NUMBER and unit.dimension != NUMBER
     if is_part or given.unit is None or given.unit.text in ("%", "1"):
-        return Tolerance(Said("within {0}", given.text), "relative", given.value)
+        return Tolerance(Translatable("within {0}", given.text), "relative", given.value)
     size = given.value * divide(unit.bottom, unit.top)
-    return Tolerance(Said("within {0}", given.text), "absolute", size)
+    return Tolerance(Translatable("within {0}", given.text), "absolute", size)

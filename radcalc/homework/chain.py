@@ -142,21 +142,17 @@ class Chain:
 
     def after(self, name: str, value: float) -> float | None:
         """Return the result [SI] with another value of a symbol, or None if there is no result."""
-        return self.after_all({name: value})
-
-    def after_all(self, wrong: Mapping[str, float]) -> float | None:
-        """Return the result [SI] with other values of several symbols."""
-        values, changed = {**self.values, **wrong}, {*wrong}
+        values, changed = {**self.values, name: value}, {name}
         try:
             for step_law, target in self.steps:
-                if target not in wrong and not changed.isdisjoint(step_law.names):
+                if target != name and not changed.isdisjoint(step_law.names):
                     values[target] = _single(step_law.solve(target, values.__getitem__))
                     changed.add(target)
             result = values[self.goal] * self._scale
         except FAILURES:
             return None
         is_result = self.goal in changed and math.isfinite(result)
-        return Worked(result, self, wrong) if is_result else None
+        return Worked(result, self, {name: value}) if is_result else None
 
     def solved(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
         """Return the result [SI] if `solve` gives the value of `target` from the other symbols."""

@@ -1,13 +1,13 @@
 """Search for the mistakes that lead to a wrong answer."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from itertools import combinations, product
 from typing import NamedTuple
 
 from radcalc.answer import Value
-from radcalc.homework import edits, formulas, integrals, misread, outside, siblings
+from radcalc.homework import edits, integrals, misread, outside, siblings
 from radcalc.homework.answer import Claim, Diagnosis
 from radcalc.homework.chain import Worked
 from radcalc.homework.misread import SLIPS
@@ -30,13 +30,7 @@ WITH_CONSTANTS = ("photon-energy", "photon-efficacy", "wavelength", "temperature
 ON_THE_WAY, NARROWER = 0.004, 0.7
 
 
-FAMILIES = (
-    edits.find,
-    siblings.find,
-    integrals.find,
-    outside.find,
-    misread.find,
-)
+FAMILIES = (edits.find, siblings.find, integrals.find, outside.find, misread.find)
 
 
 def diagnose(
@@ -69,10 +63,10 @@ def diagnose(
     near = [match.wrong for match in matches if match.cost <= matches[0].cost + 1]
     seen: dict[str, Diagnosis] = {}
     for wrong in near:
-        one = wrong.together() if isinstance(wrong, Pair) else wrong
-        step = _step(one)
-        if one.mistake not in seen or (step and not seen[one.mistake].yours):
-            seen[one.mistake] = Diagnosis(one.mistake, one.done, one.right, step)
+        found = wrong.together() if isinstance(wrong, Pair) else wrong
+        step = _step(found)
+        if found.mistake not in seen or (step and not seen[found.mistake].yours):
+            seen[found.mistake] = Diagnosis(found.mistake, found.done, found.right, step)
     return tuple(seen.values())[:MOST]
 
 
@@ -82,40 +76,10 @@ def candidates(problem: Problem) -> list[Candidate]:
     for family in FAMILIES:
         with suppress(ArithmeticError):  # powers of an extreme input overflow
             named += family(problem)
-    wrong_values = _merged(named, formulas.find(problem))
     return sorted(
-        (candidate for candidate in wrong_values if _is_wrong(candidate.value, problem.right)),
+        (candidate for candidate in named if _is_wrong(candidate.value, problem.right)),
         key=_rank,
     )
-
-
-def _merged(named: Sequence[Candidate], of_formulas: Iterable[Candidate]) -> list[Candidate]:
-    """Return all candidates; an edited formula is the step of a mistake with the same value.
-
-    The mistake has better words, the formula the learner's numbers.
-    """
-    edited: dict[float, Candidate] = {}
-    of_symbols = []
-    for candidate in of_formulas:
-        if formulas.is_of_symbol(candidate):
-            of_symbols.append(candidate)
-        else:
-            edited.setdefault(_rounded(candidate.value), candidate)
-    seen = {_rounded(one.value) for one in named if one.mistake not in WHOLE}
-    same = [(one, _rounded(one.value)) for one in named if _rounded(one.value) in edited]
-    with_steps = {(one.mistake, value) for one, value in same if _step(one)}
-    steps = {
-        id(one): edited[value].value
-        for one, value in same
-        if (one.mistake, value) not in with_steps
-    }
-    with_words = [one._replace(value=steps.get(id(one), one.value)) for one in named]
-    others = [one for value, one in edited.items() if value not in seen]
-    return [*with_words, *of_symbols, *others]
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.9e}")
 
 
 def _step(candidate: "Candidate | Pair") -> str:
@@ -186,7 +150,7 @@ def misread_and_more(problem: Problem) -> list[Candidate]:
     """Return the wrong values of a mistake in a law after a size or an angle was misread."""
     found = []
     for first, other in misread.halves_of(problem):
-        for family in (edits.find, siblings.find, outside.find, formulas.find):
+        for family in (edits.find, siblings.find, outside.find):
             with suppress(ArithmeticError):
                 found += [
                     both(first, law, law.value)

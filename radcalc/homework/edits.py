@@ -1,13 +1,14 @@
 """Mistakes in the laws of a derivation: powers forgotten, doubled or inverted, wrong constants."""
 
 import math
+import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from radcalc.derivation import fill, letter_of
 from radcalc.homework.chain import Worked
 from radcalc.homework.problem import BOTH, PI_FORGOTTEN, Candidate, Problem, usual
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
@@ -19,16 +20,8 @@ from radcalc.units.table import resolve
 SKIES = ("horizontal-sky", "plane-sky")
 WHOLE = ("value", "q", "r", "p", "exposure-setting", "heat", "weighted-solid-angle", *SKIES)
 NO_FACTORS = (
-    "exponent",
-    "ev",
-    "ev100",
-    "iso",
-    "adaptation",
-    "part",
-    "beam-part",
-    "upward-part",
-    "cosine",
-    "magnification",
+    *("exponent", "ev", "ev100", "iso", "adaptation", "part", "beam-part", "upward-part"),
+    *("cosine", "magnification"),
 )
 LABELS = {
     "cosine": "cosine of the incidence",
@@ -88,6 +81,7 @@ ROOTS = {
     3: "the cube root was used for the {0}, not the fourth root",
 }
 DIVIDED = "it was divided by the {0}, not multiplied"
+INVERTED = "the fraction was inverted: the result is the reciprocal of the {0}"
 MULTIPLIED = "it was multiplied by the {0}, not divided"
 WIEN_X = 4.965114231744276  # h c / (k b): the solution of x = 5 (1 - exp(-x))
 PER_FREQUENCY = 1.759780  # c / (b' b^-1), for the peak per frequency at 2.821439 k T / h
@@ -111,7 +105,7 @@ def find(p: Problem) -> Iterator[Candidate]:
             ("pi-forgotten", "pi", math.pi),
             ("wrong-sphere", "4 pi", 4 * math.pi),
         ):
-            done = Said("a factor of {0} was introduced by mistake", factor)
+            done = Translatable("a factor of {0} was introduced by mistake", factor)
             for value in (p.right * size, p.right / size):
                 yield Candidate(name, SELDOM, value, done, rule)
 
@@ -119,7 +113,7 @@ def find(p: Problem) -> Iterator[Candidate]:
 def text_of(law: AnyLaw) -> str:
     """Return the formula of a law in letters, with its name."""
     formula = fill(law.template, lambda name, _: letter_of(name) if name in SYMBOLS else name)
-    return Said("{0}: {1}", law.name, formula) if law.name else formula
+    return Translatable("{0}: {1}", law.name, formula) if law.name else formula
 
 
 def label_of(name: str) -> str:
@@ -132,6 +126,7 @@ def label_of(name: str) -> str:
 
 
 def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
+    """Yield the wrong values from a product with another power of one symbol."""
     power_of_target = dict(law.powers).get(target, -1.0)
     start = p.chain.values[target]
     for name, power in law.powers:
@@ -139,7 +134,7 @@ def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
             continue
         rule = text_of(law) or RULES[name]
         if name in WHY:
-            rule = Said(BOTH, rule, WHY[name])
+            rule = Translatable(BOTH, rule, WHY[name])
         exponent = -power / power_of_target  # in the law solved for the target
         for kind, rank, done, by in _edits(name, abs(power), exponent > 0):
             for size, later in _sizes(p, name, kind):
@@ -175,13 +170,8 @@ def _tidy(template: str) -> str:
     right = f" {right} ".replace(" / 1 ", " ").replace(" (1 ", " (")
     while " 1 " in right and not right.startswith(" 1 /"):
         right = right.replace(" 1 ", " ", 1)
-    right = (
-        right.replace(" 1)", ")")
-        .replace("/ ()", "")
-        .replace("(Omega0)", "Omega0")
-        .replace("  ", " ")
-        .strip()
-    )
+    right = re.sub(r"(?<!\+) 1\)", ")", right).replace("/ ()", "").replace("(Omega0)", "Omega0")
+    right = right.replace("  ", " ").strip()
     return f"{left} = {right or '1'}"
 
 
@@ -193,19 +183,21 @@ def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float
     label = label_of(name)
     is_bare = name in RULES or SYMBOLS[name].unit == "1"
     rank = FORGOTTEN.get(name, RARELY if is_bare else SELDOM)
-    yield "forgotten", rank, Said("the {0} was forgotten", label), -1.0
+    yield "forgotten", rank, Translatable("the {0} was forgotten", label), -1.0
     template = DIVIDED if is_above else MULTIPLIED
-    by = Said("square of the {0}", label) if power == 2 else label
-    yield "upside-down", RARELY, Said(template, by), -2.0
+    by = Translatable("square of the {0}", label) if power == 2 else label
+    yield "upside-down", RARELY, Translatable(template, by), -2.0
     if power == 2:
         rank = NOT_SQUARED.get(name, USUALLY)
-        yield "not-squared", rank, Said("the {0} was not squared", label), -0.5
+        yield "not-squared", rank, Translatable("the {0} was not squared", label), -0.5
     for other in (power - 1, power - 2, power + 1) if power > 2 else ():
-        done = Said("the power {0} of the {1} was used, not {2}", f"{other:g}", label, f"{power:g}")
+        done = Translatable(
+            "the power {0} of the {1} was used, not {2}", f"{other:g}", label, f"{power:g}"
+        )
         yield "wrong-power", USUALLY + abs(other - power) / 2, done, other / power - 1
     if name.startswith("cosine"):
         for more in (1.0, 2.0):
-            yield "squared", HARDLY, Said("the {0} was squared or cubed", label), more
+            yield "squared", HARDLY, Translatable("the {0} was squared or cubed", label), more
 
 
 def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
@@ -226,17 +218,19 @@ def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candida
     """Yield the wrong values from a law solved wrongly: no square root, or the reciprocal."""
     size, label = p.chain.values[target], label_of(target)
     if power == 2 and (value := p.chain.after(target, size**2)) is not None:
-        done = Said("the square root for the {0} was forgotten", label)
+        done = Translatable("the square root for the {0} was forgotten", label)
         rank = NOT_SQUARED.get(target, USUALLY)
         yield Candidate(f"{target}-not-squared", rank, value, done, text_of(law))
     for root in (2, 3) if power == 4 else ():
         if (value := p.chain.after(target, size ** (power / root))) is not None:
-            done = Said(ROOTS[root], label)
+            done = Translatable(ROOTS[root], label)
             yield Candidate(f"{target}-wrong-power", USUALLY, value, done, text_of(law))
     if (target == p.chain.goal or target in RATIOS) and (
         value := p.chain.after(target, 1 / size)
     ) is not None:
-        done = Said("the fraction was inverted: the result is the reciprocal of the {0}", label)
+        done = Translatable(
+            "the fraction was inverted: the result is the reciprocal of the {0}", label
+        )
         yield Candidate(f"{target}-upside-down", RARELY, value, done, text_of(law))
 
 
@@ -253,8 +247,8 @@ def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
             at = {**p.chain.values, name: other}.__getitem__
             value = p.chain.solved(target, lambda _, at=at: law.solve(target, at))  # type: ignore[misc]
             if value is not None:
-                said = Said(done, label_of(name))
-                yield Candidate(f"{name}-{kind}", rank, value, said, text_of(law))
+                sentence = Translatable(done, label_of(name))
+                yield Candidate(f"{name}-{kind}", rank, value, sentence, text_of(law))
 
 
 # ---------------------------------------------------------------------------------------------
@@ -326,9 +320,9 @@ def _constants(
     """Yield the wrong values from a law with another constant of the same family."""
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
         return  # the 2 is between half and full: see `misread`
-    for one in (*_wrong_pi(number, power), *_wrong_factors(p, law)):
-        value = scaled(p, law, target, one.ratio, one.texts)
-        yield usual(one.mistake, value, one.done, text_of(law))
+    for constant in (*_wrong_pi(number, power), *_wrong_factors(p, law)):
+        value = scaled(p, law, target, constant.ratio, constant.texts)
+        yield usual(constant.mistake, value, constant.done, text_of(law))
 
 
 def _wrong_pi(number: float, power: int) -> Iterator[Constant]:
@@ -340,11 +334,11 @@ def _wrong_pi(number: float, power: int) -> Iterator[Constant]:
             if (right, wrong) == ("pi", "2 pi"):
                 yield Constant("two-pi-for-pi", 2.0**power, (right, wrong))
             elif size != number:
-                done = Said("{0} was used for {1}", wrong, right)
+                done = Translatable("{0} was used for {1}", wrong, right)
                 yield Constant("wrong-sphere", (size / number) ** power, (right, wrong), done)
         name = "pi-forgotten" if number == 1 else "wrong-sphere"
         yield Constant(name, math.pi**-power, (right, f"{number:g}"), PI_FORGOTTEN)
-        done = Said("{0} was forgotten", right)
+        done = Translatable("{0} was forgotten", right)
         yield Constant(name, (number * math.pi) ** -power, (right, ""), done)
     elif power:
         yield Constant("pi-forgotten", math.pi**-power, (right, "1"), PI_FORGOTTEN)

@@ -105,17 +105,15 @@ BEFORE: dict[str, Steps] = {  # laws that give these symbols from other inputs
 def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Steps) -> str:
     """Return the symbol of a factor, or '' for a factor between kinds; add its laws."""
     letter, size = factor.letter, float(factor.value)
+    factor_law: Law | None = None
     name = SYMBOL_OF.get(letter, letter)
     for earlier_law, target in BEFORE.get(letter, ()):
         if target not in values and values.keys() >= set(earlier_law.names) - {target}:
             values[target] = float(earlier_law.solve(target, values.__getitem__))
             steps.append((earlier_law, target))
-    candidates = [
-        candidate for (by, of), candidate in ALL_ROUND.items() if of == letter and by in given
-    ]
-    factor_law = next(
-        (candidate for candidate in candidates if math.isclose(candidate.constant, size)), None
-    )
+    for (condition, of), all_round in ALL_ROUND.items():
+        if of == letter and condition in given and math.isclose(all_round.constant, size):
+            factor_law = all_round
     if letter == "q":
         values["cosine"] = size * values["distance"] ** 2
         factor_law = INVERSE_SQUARE

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from radcalc.derivation import format_number
+from radcalc.geometry.numerics.quadrature import integral
 from radcalc.homework.chain import FAILURES, Worked
 from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.maths import cos, sin
@@ -18,14 +19,7 @@ Over = Callable[[float, float, Function], float]  # an integral between polar an
 PI = math.pi
 DEGREES = 180 / PI
 SOLID = ("solid-angle", "projected-solid-angle")
-PANELS = 40  # of the quadrature over polar angles
-NODES = (  # Gauss-Legendre, in a panel from -1 to 1
-    (0.0, 0.5688888888888889),
-    (0.5384693101056831, 0.47862867049936647),
-    (-0.5384693101056831, 0.47862867049936647),
-    (0.906179845938664, 0.23692688505618908),
-    (-0.906179845938664, 0.23692688505618908),
-)
+POINTS = 64  # of the quadrature over polar angles
 ACCURACY = 1e-6
 OFF = 1e-3  # relative error of the quadrature, above which its edits say nothing
 
@@ -63,14 +57,8 @@ class Integral(NamedTuple):
         if self.function is None:
             assert self.by is not None
             return self.by(low, high, weight)
-        half = (high - low) / PANELS / 2
-        total = 0.0
-        for panel in range(PANELS):
-            centre = low + (2 * panel + 1) * half
-            for node, part in NODES:
-                theta = centre + node * half
-                total += part * self.function(theta) * weight(theta)
-        return total * half * self.around
+        function = self.function
+        return self.around * integral(lambda t: function(t) * weight(t), low, high, POINTS)
 
 
 ELEMENTS = {  # wrong integrands, with the element of solid angle
@@ -85,17 +73,17 @@ ELEMENTS = {  # wrong integrands, with the element of solid angle
 
 def find(p: Problem) -> Iterator[Candidate]:
     """Yield the wrong values from an edit of the integral that gives the result."""
-    for integral in filter(None, (_expression(p), _zone(p), _cone(p), _sky(p))):
-        right = p.chain.values.get(integral.symbol, p.right)
-        own = _found(integral.over, integral.low, integral.high)
+    for whole in filter(None, (_expression(p), _zone(p), _cone(p), _sky(p))):
+        right = p.chain.values.get(whole.symbol, p.right)
+        own = _found(whole.over, whole.low, whole.high)
         if not right or not own or abs(own / (right / _unit(right, own)) - 1) > OFF:
             continue
-        for name, size in _edits(integral, own):
+        for name, size in _edits(whole, own):
             if size is None:
                 continue
-            value = p.chain.after(integral.symbol, right * size / own)
+            value = p.chain.after(whole.symbol, right * size / own)
             if value is not None and name in ELEMENTS:
-                text = f"{integral.text(name)} = {format_number(size)}"
+                text = f"{whole.text(name)} = {format_number(size)}"
                 value = Worked(value, p.chain, {}, text=text)
             if candidate := usual(name, value):
                 yield candidate
@@ -136,6 +124,7 @@ def _edits(i: Integral, whole: float) -> Iterator[tuple[str, float | None]]:
 
 
 def _limits(i: Integral, whole: float) -> Iterator[tuple[str, float | None]]:
+    """Yield the mistakes in the limits of an integral with the value `whole`."""
     low, high = i.low, i.high
     if high == PI / 2:
         yield "whole-for-half", 2 * whole

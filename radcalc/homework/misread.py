@@ -7,10 +7,9 @@ from itertools import product
 
 from radcalc.errors import RadcalcError
 from radcalc.homework.problem import Candidate, Problem, both, usual
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
-from radcalc.spectra.spectrum import BlackBody
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,
@@ -95,8 +94,6 @@ def _halves(p: Problem) -> Found:
                 yield usual("full-for-half", p.anew(changed))
     if p.asks(*CONES):
         yield from _multiples("full-for-half", p.right, 2.0)
-    if p.asks("radius", "diameter"):
-        yield from _multiples("diameter-for-radius", p.right, 2.0)
 
 
 def halves_of(p: Problem) -> Iterator[tuple[Candidate, Problem]]:
@@ -123,6 +120,7 @@ def _angles(p: Problem) -> Found:
 
 
 def _in_radians(p: Problem) -> Found:
+    """Use degrees as radians, in an input or in the result."""
     name = "degrees-as-radians"
     for quantity in _numbers(p):
         if quantity.dimension != ANGLE or quantity.unit_text == "rad":
@@ -154,17 +152,9 @@ def _in_other_units(p: Problem) -> Found:
                 yield usual("kelvin-for-celsius", p.misread(quantity.name, quantity.value + shift))
     temperature = p.chain.values.get("temperature")
     if temperature and "temperature" not in p.given:
-        for shift in SHIFTS:
-            value = (
-                p.chain.after("temperature", temperature + shift)
-                if temperature + shift > 0
-                else None
-            )
-            yield usual("kelvin-for-celsius", value)
-    elif (body := p.hot_body()) and body.temperature > CELSIUS:
-        for shift in (CELSIUS, -CELSIUS):
-            changed = {"spectrum": BlackBody(body.temperature + shift)}
-            yield usual("kelvin-for-celsius", p.anew(changed))
+        for shifted in (temperature + shift for shift in SHIFTS):
+            if shifted > 0:
+                yield usual("kelvin-for-celsius", p.chain.after("temperature", shifted))
 
 
 def _in_neighbouring_units(p: Problem, quantity: Input) -> Found:
@@ -242,7 +232,6 @@ def _units(p: Problem) -> Found:
         for name, size in (("pi-forgotten", math.pi), ("pi-upside-down", math.pi**2)):
             for value in (p.right * size, p.right / size):
                 yield usual(name, value, right=CARRIES_PI)
-        yield from _multiples("two-pi-for-pi", p.right, 2.0)
     if plan.is_linear and not plan.links:
         is_prefix = not math.log10(plan.factor) % 1
         yield usual("unit-upside-down", p.right / plan.factor**2, later=2.5 * is_prefix)
@@ -256,7 +245,9 @@ def _units(p: Problem) -> Found:
             other = resolve(text)
             if other.dimension == unit.dimension and other.factor != unit.factor:
                 value = p.right * (other.factor / unit.factor) ** sign
-                yield usual("neighbour-unit", value, Said("{0} was used as {1}", unit.text, text))
+                yield usual(
+                    "neighbour-unit", value, Translatable("{0} was used as {1}", unit.text, text)
+                )
 
 
 def readings() -> Iterator[tuple[tuple[str, ...], float]]:

@@ -12,8 +12,8 @@ from radcalc.geometry import cones
 from radcalc.geometry.numerics import vectors
 from radcalc.homework.edits import scaled
 from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
-from radcalc.homework.siblings import projected_cone
-from radcalc.homework.words import Said
+from radcalc.homework.siblings import PROJECTED
+from radcalc.homework.words import Translatable
 from radcalc.quantities.symbols import EFFICACIES, UNIFORM
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.units.dimensions import SOLID_ANGLE, times
@@ -51,8 +51,8 @@ def _hemisphere(p: Problem) -> Found:
     """Use a solid angle for the projected one, or a flat area for either."""
     if p.question.shape == "hemisphere":
         half = p.amount("half-angle") or PI / 2
-        for name, size in projected_cone({"half-angle": half}.__getitem__):
-            yield usual(name, p.chain.after("projected-solid-angle", size))
+        for name, wrong, *_ in PROJECTED:
+            yield usual(name, p.chain.after("projected-solid-angle", wrong(half)))
 
 
 def _rectangle(p: Problem) -> Found:
@@ -210,7 +210,6 @@ def _sky(p: Problem) -> Found:
         for integral in (even, size):
             yield usual("two-pi-for-pi", p.chain.after(symbol, 2 * integral), right=DIFFUSE)
             yield usual("pi-forgotten", p.chain.after(symbol, integral / PI), PI_FORGOTTEN, DIFFUSE)
-            yield usual("pi-upside-down", p.chain.after(symbol, 1 / integral), right=DIFFUSE)
     if "toward" in p.given and "relative-radiance" in p.chain.symbols:
         cosine = math.cos(p.given["toward"].value[0])
         yield usual("cosine-of-zenith", p.chain.after("relative-radiance", cosine))
@@ -225,7 +224,6 @@ def _environment(p: Problem) -> Found:
     if p.lists("all around") and p.asks("irradiance"):
         yield usual("pi-forgotten", p.right / PI, PI_FORGOTTEN, DIFFUSE)
         yield usual("two-pi-for-pi", 2 * p.right, right=DIFFUSE)
-        yield usual("wrong-sphere", 4 * p.right, right=DIFFUSE)
 
 
 WHOLE_TIME = {
@@ -250,10 +248,6 @@ def _samples(p: Problem) -> Found:
             yield usual("step-forgotten", times_mean * samples["sum"] * unit / covered)
     yield usual("whole-steps", times_mean * samples["sum"] * step / covered)
     yield usual("plain-mean", times_mean * samples["sum"] / count)
-    for unit in (1.0, 60.0, 3600.0) if is_sum else ():
-        done = "the mean was used for the sum over the time"
-        yield usual("sample-for-all", times_mean * samples["sum"] / count * unit / duration, done)
-        yield usual("sample-for-all", times_mean * mean * unit / duration, done)
     for name in ("first", "last"):
         done = WHOLE_TIME[name]
         yield usual("sample-for-all", times_mean * samples[name], done)
@@ -375,8 +369,6 @@ def _swapped(p: Problem) -> Found:
     sines = {name: math.sqrt(1 - values[name] ** 2) for name in cosines if 0 < values[name] < 1}
     for name, sine in sines.items():
         yield usual("angle-from-surface", p.chain.after(name, sine))
-    if len(sines) == 2:
-        yield usual("angle-from-surface", p.chain.after_all(sines))
 
 
 LAMPS = ("D65", "AM1.5G", "blackbody:5772K", "A", "LED-B3", "HPS")  # the likeliest first
@@ -404,7 +396,7 @@ def _lamps(p: Problem) -> Found:
 
     for k, lamp in enumerate(LAMPS):
         value = p.anew({"spectrum": named(lamp)})
-        done = Said("the factor of another lamp was used ({0})", lamp)
+        done = Translatable("the factor of another lamp was used ({0})", lamp)
         yield usual("other-lamp", value, done, later=0.1 * k)
 
 
@@ -415,10 +407,10 @@ def _others(p: Problem) -> Found:
             continue
         apart = [times(other.dimensions[0], SOLID_ANGLE, k) for k in (0, 1, -1)]
         if p.target.dimensions[0] in apart:
-            done = Said("the {0} was given", other.label)
+            done = Translatable("the {0} was given", other.label)
             later = 0.0 if p.target.dimensions[0] == apart[0] else 0.5
             later += 0.0 if other.given is None else 1.0
-            asked = Said("the {0} was asked for", p.target.label)
+            asked = Translatable("the {0} was asked for", p.target.label)
             yield usual("other-quantity", other.amount, done, asked, later)
 
 

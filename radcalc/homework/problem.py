@@ -9,7 +9,7 @@ from radcalc.conversion.plan import plan
 from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.inputs.given import Inputs
 from radcalc.laws.black_body import EXITANCE, PEAK
 from radcalc.laws.surface import LAMBERTIAN
@@ -59,8 +59,8 @@ def both(first: Candidate, second: Candidate, value: float | None = None) -> Can
         f"{first.mistake} and {second.mistake}",
         first.rank + second.rank + RARER,
         second.value if value is None else value,
-        Said(AND, first.done, second.done),
-        Said(BOTH, first.right, second.right),
+        Translatable(AND, first.done, second.done),
+        Translatable(BOTH, first.right, second.right),
     )
 
 

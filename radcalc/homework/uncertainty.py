@@ -8,7 +8,7 @@ from radcalc.calculators.results import in_unit
 from radcalc.derivation import format_number, with_unit
 from radcalc.homework.answer import Claim, Diagnosis, Tolerance
 from radcalc.homework.question import Question
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.units.unit import Unit
 
 NEAR = 0.05  # of an uncertainty, which has two digits at most
@@ -32,7 +32,7 @@ def of_result(question: Question, target: Value, unit: Unit) -> Any:
 
 def tolerance(off: float, unit: str) -> Tolerance:
     """Return a tolerance of one standard uncertainty."""
-    text = Said("within {0}, the standard uncertainty", _in(off, unit))
+    text = Translatable("within {0}, the standard uncertainty", _in(off, unit))
     return Tolerance(text, "absolute", off)
 
 
@@ -47,7 +47,7 @@ def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnos
         return (Diagnosis(WRONG, "an uncertainty is claimed", EXACT),) if too_large else ()
     if not claimed or _is_near(claimed, off):
         return ()
-    right = Said("it is {0}", _in(off, unit))
+    right = Translatable("it is {0}", _in(off, unit))
     components = number.error_components()
     parts = [abs(size) for size in components.values()]
     sizes = [
@@ -78,7 +78,7 @@ def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnos
     ]
     for name, size, done, why in mistakes:
         if _is_near(claimed, size):
-            return (Diagnosis(name, done, Said("{0}: it is {1}", why, _in(off, unit))),)
+            return (Diagnosis(name, done, Translatable("{0}: it is {1}", why, _in(off, unit))),)
     return (Diagnosis(WRONG, "the uncertainty is wrong", right),)
 
 

@@ -29,7 +29,7 @@ from radcalc.homework.answer import (
     read_tolerance,
 )
 from radcalc.homework.question import Question
-from radcalc.homework.words import Said
+from radcalc.homework.words import Translatable
 from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities.light import describe
 from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
@@ -153,6 +153,7 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
 
 
 def _check(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
+    """Judge an answer to a question with one solution."""
     readings = _readings(question, claim, asked_tolerance)
     if not readings:
         return _in_wrong_unit(question, claim, asked_tolerance)
@@ -184,7 +185,7 @@ def _judged(
     is_number = reading.scale is None or reading.is_logarithm
     ratio = claim.value / right if right and is_number else math.inf
     is_part = reading.scale is not None and "%" in allowed.text
-    tolerance = Said("{0} of the quantity", allowed.text) if is_part else allowed.text
+    tolerance = Translatable("{0} of the quantity", allowed.text) if is_part else allowed.text
     verdict = Verdict(
         False,
         name_in(target, unit.dimension),
@@ -298,9 +299,12 @@ def _rounded(question: Question, claim: Claim, reading: Reading) -> tuple[Diagno
         return (Diagnosis(ROUNDED, "as marked on cameras", "whole and third stops are exact"),)
     if not is_rounded(claim, reading.right):
         return ()
-    few = "to the digit given" if claim.digits == 1 else "to the {0:digit|digits} given"
-    done = Said(few, claim.digits)
-    nearer = Said("{0} is nearer", f"{reading.right:.{max(3, claim.digits + 1)}g}")
+    done = Translatable("to the digit given")
+    if claim.digits > 1:
+        done = Translatable(
+            "to the {0} digit given", claim.digits, plural="to the {0} digits given"
+        )
+    nearer = Translatable("{0} is nearer", f"{reading.right:.{max(3, claim.digits + 1)}g}")
     return (Diagnosis(ROUNDED, done, nearer),)
 
 
@@ -312,8 +316,11 @@ def _zeros(claim: Claim, reading: Reading) -> Diagnosis | None:
     for digits in range(len(typed.rstrip("0")), claim.digits):
         if is_rounded(claim._replace(digits=digits), reading.right):
             number, power = f"{claim.value:.{digits - 1}e}".split("e")
-            done = Said("to {0:digit|digits}, but typed with {1}", digits, claim.digits)
-            return Diagnosis(ROUNDED, done, Said("write {0}", f"{number}e{int(power)}"))
+            rounded = Translatable("to {0} digit", digits, plural="to {0} digits")
+            typed_with = "but typed with {0}"
+            more = Translatable(typed_with, claim.digits, plural=typed_with)
+            done = Translatable("{0}, {1}", rounded, more)
+            return Diagnosis(ROUNDED, done, Translatable("write {0}", f"{number}e{int(power)}"))
     return None
 
 
@@ -351,8 +358,8 @@ def _relative(claim: Claim, other: Reading) -> Diagnosis:
     label, _ = of_kind(other.target, other.unit)
     name = name_in(other.target, other.unit.dimension)
     named = f"{name}={claim.number}{claim.unit.replace(' ', '.')}"
-    counts = Said("it counts only with its name: {0}", named)
-    return Diagnosis(RELATIVE, Said("this is the {0}", label), counts)
+    counts = Translatable("it counts only with its name: {0}", named)
+    return Diagnosis(RELATIVE, Translatable("this is the {0}", label), counts)
 
 
 def _in_wrong_unit(question: Question, claim: Claim, asked_tolerance: str | None) -> Verdict:
@@ -377,16 +384,9 @@ def _in_wrong_unit(question: Question, claim: Claim, asked_tolerance: str | None
 def _wrong_unit(claim: Claim, reading: Reading, is_near: bool) -> Diagnosis:
     number = "the number would be right" if is_near else "check both"
     target = reading.target
-    return Diagnosis(
-        "wrong-unit",
-        Said(
-            "{0} is not {1}; {2}",
-            describe(measured_in(claim.unit, target.name)),
-            target.label,
-            number,
-        ),
-        Said("{0} is in {1}", target.label, reading.text),
-    )
+    given = describe(measured_in(claim.unit, target.name))
+    done = Translatable("{0} is not {1}; {2}", given, target.label, number)
+    return Diagnosis("wrong-unit", done, Translatable("{0} is in {1}", target.label, reading.text))
 
 
 def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> list[Reading]:
@@ -448,6 +448,7 @@ def _reading(question: Question, target: Value, text: str) -> Reading:
 
 
 def _named(question: Question, claim: Claim) -> list[Value]:
+    """Return the results that have the name in an answer; refuse an unknown one."""
     named = [value for value in question.answer.values if claim.name in (value.name, value.also)]
     present = [value for value in named if not value.is_absent]
     typed = [value for value in present if value.name == claim.name]
@@ -462,16 +463,9 @@ def _named(question: Question, claim: Claim) -> list[Value]:
         return _named(question, claim._replace(name=other))
     right = [name.partition(":")[0] for name in right_names(claim.name, present)]
     alike = [v for v in present if v.name in right] or (present if claim.unit else [])
-    fitting = [v for v in alike if not claim.unit or _takes(v, claim.unit)]
+    fitting = [v for v in alike if not claim.unit or _fits(v, measured_in(claim.unit, v.name))]
     hint = _ways(fitting, claim) or ", ".join(dict.fromkeys(v.name for v in present))
     raise ConditionError(f"{option('check')}: unknown result '{quote(claim.name)}'", hint)
-
-
-def _takes(value: Value, unit: str) -> bool:
-    try:
-        return measured_in(unit, value.name).dimension in value.dimensions
-    except RadcalcError:
-        return False
 
 
 def _unnamed(question: Question) -> list[Value]:

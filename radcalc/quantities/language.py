@@ -15,38 +15,6 @@ def language() -> str:
     return ENGLISH
 
 
-class Count:
-    """A number of things, formatted with the form of their word that it needs in a language.
-
-    The forms are those after 1 and after other numbers in English, after 1, 2 to 4 and 5 in Czech,
-    and after 1, 2 and 5 in Russian, where the last digits decide.
-
-    Examples
-    --------
-    >>> f"{Count(4, 'cs'):clona|clony|clon}, {Count(21, 'ru'):ступень|ступени|ступеней}"
-    '4 clony, 21 ступень'
-    """
-
-    def __init__(self, number: int, language: str):
-        self.number, self.language = number, language
-
-    def __format__(self, forms: str) -> str:
-        """Return the number, with its word if the forms `one|few|many` are given."""
-        number = str(self.number)
-        return f"{number} {forms.split('|')[self._form()]}" if forms else number
-
-    def _form(self) -> int:
-        few = {2, 3, 4}
-        if self.language == "ru":
-            tens, last = divmod(self.number, 10)
-            if tens % 10 == 1:
-                return 2
-            return 0 if last == 1 else 1 if last in few else 2
-        if self.language == "cs":
-            return 0 if self.number == 1 else 1 if self.number in few else 2
-        return 0 if self.number == 1 else 1
-
-
 def translate(label: str, language: str) -> str:
     """Return a quantity's English name in a language; unchanged if there is no translation.
 

@@ -126,7 +126,7 @@ def fields(records: "Records") -> list[list[str]]:
 
 def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str:
     """Return whether an answer is right, and the most likely mistakes."""
-    from radcalc.homework.words import Said, in_language
+    from radcalc.homework.words import Translatable, in_language
     from radcalc.quantities.language import ENGLISH
 
     if style.bare:
@@ -137,36 +137,36 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     size = uncertain(verdict.value, verdict.uncertainty, style.precision, digits)
     right = f"{size}{unit_behind(verdict.unit)}"
     if verdict.right:
-        word = Said("right, as {0}", name) if verdict.is_chosen else "right"
-        said = Said("{0} ({1}): {2} is {3}", word, verdict.tolerance, name, right)
+        word = Translatable("right, as {0}", name) if verdict.is_chosen else "right"
+        sentence = Translatable("{0} ({1}): {2} is {3}", word, verdict.tolerance, name, right)
         for diagnosis in verdict.diagnoses:
-            said = Said("{0}; {1}", said, diagnosis.right)
-        return in_language(said, style.language) + "\n"
+            sentence = Translatable("{0}; {1}", sentence, diagnosis.right)
+        return in_language(sentence, style.language) + "\n"
     times = "1" if verdict.ratio is None else number(verdict.ratio + 0.0, RATIO_DIGITS)
     claimed = number(verdict.claimed, digits)  # as typed
     if verdict.claimed_uncertainty:
         claimed += f" ± {number(verdict.claimed_uncertainty, digits)}"
     claimed += unit_behind(verdict.claimed_unit)
     parts = "wrong", verdict.tolerance, name, right, claimed
-    said = Said("{0} ({1}): {2} is {3}, not {4}", *parts)
+    sentence = Translatable("{0} ({1}): {2} is {3}, not {4}", *parts)
     if times != "1":
-        said = Said("{0} ({1} times the right value)", said, times)
-    lines = [in_language(said, style.language)]
+        sentence = Translatable("{0} ({1} times the right value)", sentence, times)
+    lines = [in_language(sentence, style.language)]
     lines += _mistakes(verdict.diagnoses, style.language)
     return "\n".join(lines) + "\n"
 
 
 def _mistakes(diagnoses: "Sequence[Any]", language: str) -> "Iterator[str]":
     """Yield the lines of the likely mistakes: what was done, the wrong step, and the rule."""
-    from radcalc.homework.words import Said, in_language
+    from radcalc.homework.words import Translatable, in_language
 
     word = "likely: {0}"
     for diagnosis in diagnoses:
         if diagnosis.mistake == "rounded":
-            said = Said("rounded {0}: {1}", diagnosis.done, diagnosis.right)
-            yield in_language(said, language)
+            sentence = Translatable("rounded {0}: {1}", diagnosis.done, diagnosis.right)
+            yield in_language(sentence, language)
             continue
-        yield in_language(Said(word, diagnosis.done), language)
+        yield in_language(Translatable(word, diagnosis.done), language)
         if diagnosis.yours:
             yield f"    {in_language('yours', language)}: {diagnosis.yours}"
         yield "    " + in_language(diagnosis.right, language)

@@ -1,55 +1,108 @@
 """Verdicts in the language of the locale, and the learner's own step."""
 
+import ast
 import string
+from gettext import translation
 
+import polib
 import pytest
-from conftest import run
+from conftest import ROOT, run
 from homework.corpus import CORPUS
 from homework.families import FAMILIES, ROUNDED
 from homework.heldout import BLIND, HELD_OUT, THIRD
 from homework.questions import CONE, POINT, claim_of, verdict
 
-from radcalc.homework.translations import SENTENCES
 from radcalc.homework.usual import USUAL
-from radcalc.homework.words import Said, in_language
+from radcalc.homework.words import CATALOGUES, DOMAIN, Translatable, in_language
+from radcalc.quantities.language import ENGLISH, LANGUAGES
 
 FORMULA = set("=^/")  # characters of a rule that may be a formula without words
 ALL = (*CORPUS, *HELD_OUT, *BLIND, *THIRD, *FAMILIES, *ROUNDED)
+OTHERS = [language for language in LANGUAGES if language != ENGLISH]
+SOURCES = {
+    language: polib.pofile(f"{CATALOGUES}/{language}/LC_MESSAGES/{DOMAIN}.po")
+    for language in OTHERS
+}
+TRANSLATED = {entry.msgid for entry in SOURCES["cs"]}
 
 
 def fields(template: str) -> set[str]:
     return {name for _, name, _, _ in string.Formatter().parse(template) if name is not None}
 
 
-def test_every_translation_has_known_fields():
-    for english, others in SENTENCES.items():
-        for other in others:
-            assert other
-            assert fields(other) <= fields(english), english
+@pytest.mark.parametrize("language", OTHERS)
+def test_catalogues_are_compiled(language):
+    """An editable install compiles them; install it again after a change of a catalogue."""
+    compiled = translation(DOMAIN, CATALOGUES, [language])
+    for entry in SOURCES[language]:
+        if entry.msgid_plural:
+            found = {compiled.ngettext(entry.msgid, entry.msgid_plural, n) for n in range(100)}
+            assert found == set(entry.msgstr_plural.values())
+        else:
+            assert compiled.gettext(entry.msgid) == entry.msgstr
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_translation_has_known_fields(language):
+    for entry in SOURCES[language]:
+        for translated in entry.msgstr_plural.values() if entry.msgid_plural else [entry.msgstr]:
+            assert translated, entry.msgid
+            assert fields(translated) <= fields(entry.msgid), entry.msgid
+        assert not entry.msgid_plural or fields(entry.msgid_plural) == fields(entry.msgid)
+
+
+def test_catalogues_have_the_same_sentences_each_once():
+    for source in SOURCES.values():
+        assert not source.fuzzy_entries()
+        assert not source.obsolete_entries()
+        assert len(source) == len(TRANSLATED)
+        assert {entry.msgid for entry in source} == TRANSLATED
+
+
+def test_every_translated_sentence_is_in_the_code():
+    files = [*(ROOT / "radcalc" / "homework").glob("*.py"), ROOT / "radcalc/render/plain.py"]
+    nodes = [node for file in files for node in ast.walk(ast.parse(file.read_text("utf-8")))]
+    texts = {node.value for node in nodes if isinstance(node, ast.Constant)}
+    assert texts >= TRANSLATED
+
+
+@pytest.mark.parametrize(
+    ("language", "forms"),
+    [  # https://doc.qt.io/qt-6.4/i18n-plural-rules.html, numbers below 100
+        ("cs", {0: 2, 1: 0, 2: 1, 4: 1, 5: 2, 11: 2, 12: 2, 21: 2, 22: 2}),
+        ("ru", {0: 2, 1: 0, 2: 1, 4: 1, 5: 2, 11: 2, 12: 2, 14: 2, 21: 0, 22: 1, 25: 2, 91: 0}),
+    ],
+)
+def test_a_number_has_the_form_of_its_word(language, forms):
+    template, plural = "to {0} digit", "to {0} digits"
+    written = SOURCES[language].find(template).msgstr_plural
+    for number, form in forms.items():
+        sentence = Translatable(template, number, plural=plural)
+        assert in_language(sentence, language) == written[form].format(number)
 
 
 def test_the_sentences_of_the_usual_mistakes_are_translated():
     for name, (_, done, right) in USUAL.items():
-        assert not done or done in SENTENCES, name
+        assert not done or done in TRANSLATED, name
         words = [word for word in right.split() if word.isalpha() and len(word) > 5]
-        assert not words or right in SENTENCES or FORMULA & set(right), (name, right)
+        assert not words or right in TRANSLATED or FORMULA & set(right), (name, right)
 
 
 def templates(text: str) -> set[str]:
     """Return the templates in a sentence, with those of its fields."""
-    if not isinstance(text, Said):
+    if not isinstance(text, Translatable):
         return set()
     return {text.template}.union(*(templates(f) for f in text.fields if isinstance(f, str)))
 
 
-def test_every_template_that_is_said_is_translated():
-    said = set()
+def test_every_template_that_is_used_is_translated():
+    used = set()
     for k, wrong in enumerate(ALL):
         claim = claim_of(wrong.name, wrong.number, 3 + k % 2, wrong.unit)
-        for one in verdict(wrong.question, claim).diagnoses:
-            said |= templates(one.done) | templates(one.right)
-    assert len(said) > 20
-    assert said <= {*SENTENCES, "{0}; {1}"}
+        for diagnosis in verdict(wrong.question, claim).diagnoses:
+            used |= templates(diagnosis.done) | templates(diagnosis.right)
+    assert len(used) > 20
+    assert used <= {*TRANSLATED, "{0}; {1}", "{0}, {1}"}
 
 
 @pytest.mark.parametrize(
