@@ -5,9 +5,9 @@ from itertools import product
 from typing import Any, NamedTuple
 
 from radcalc.api.quantity import is_quantity, magnitude_of, typed, unit_of
-from radcalc.api.reading import is_absent, library_of
-from radcalc.api.refusals import spelled
-from radcalc.api.spelling import keyword, symbol_name
+from radcalc.api.reading import library_of
+from radcalc.api.refusals import with_keywords
+from radcalc.api.spelling import is_absent, keyword, symbol_name
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
 from radcalc.errors import RadcalcError, Try, UsageError, manual, options, quote
@@ -54,8 +54,7 @@ def with_amounts(
         if wrong:
             raise _unplaced(page, command, wrong, named)
     except RadcalcError as error:
-        texts = {key: typed(value) if _is_single(value) else value for key, value in named.items()}
-        raise spelled(error, function, texts) from None
+        raise with_keywords(error, function, named) from None
     return named
 
 

@@ -7,9 +7,9 @@ from typing import Any
 from radcalc.answer import Answer, texts_of
 from radcalc.api.columns import take_columns
 from radcalc.api.quantity import is_lazy
-from radcalc.api.reading import broadcast, is_absent, read_inputs, read_points
+from radcalc.api.reading import broadcast, read_inputs, read_points
 from radcalc.api.result import Result, in_columns, of_answer
-from radcalc.api.spelling import keyword
+from radcalc.api.spelling import is_absent, keyword
 from radcalc.calculators.page import NOTHING
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.task import Task, requesting

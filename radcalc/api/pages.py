@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, TypeVar, get_type_hints
 from radcalc.api import keywords
 from radcalc.api.amounts import with_amounts
 from radcalc.api.calculate import calculate
-from radcalc.api.refusals import in_python, misspelt
+from radcalc.api.refusals import in_python
 from radcalc.api.result import Result
 from radcalc.api.spelling import Documented, Python, keyword, symbol_name
 from radcalc.calculators.page import Page, words_of
@@ -162,8 +162,10 @@ def of_page(
             try:
                 bound = signature.bind(*args, **kwargs)
             except TypeError as error:
-                hint = misspelt(call, args, kwargs)
-                raise TypeError(f"{function.__name__}() {error}{hint}") from None
+                problem = f"{function.__name__}() {error}"
+                if not kwargs.keys() <= signature.parameters.keys():
+                    problem += f"; its parameters are {', '.join(signature.parameters)}"
+                raise TypeError(problem) from None
             given = bound.arguments
             if unnamed and (values := given.pop(AMOUNTS.name, ())):
                 given = with_amounts(function, command, values, given)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from radcalc.answer import Row, in_short
 from radcalc.errors import ConversionError, RadcalcError, UnitError, quote
 from radcalc.maths import frozen
 from radcalc.quantities.light import describe
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
     Quantity: TypeAlias = pint.Quantity[Any]
 else:
     Quantity = light_registry().Quantity
-
-SHOWN = 3  # elements of an array in a message
 
 
 def is_quantity(value: Any) -> bool:
@@ -69,16 +68,9 @@ def typed(value: Any) -> str:
     return f"{str(value.magnitude).removesuffix('.0')} {unit_of(value).text}"
 
 
-def in_short(value: Any) -> str:
-    """Return a number, a quantity, several solutions or an array in short, for a message."""
-    if is_quantity(value):
-        number, unit = plain(value)
-        return f"{in_short(number)} {unit.text}"
-    numbers = value.ravel().tolist() if hasattr(value, "ravel") else [value]
-    texts = ["--" if number is None else f"{number:.6g}" for number in numbers[: SHOWN + 1]]
-    if len(texts) > SHOWN:
-        return f"{', '.join(texts[:SHOWN])} ..."
-    return " or ".join(dict.fromkeys(texts))
+def row_of(value: Any) -> Row:
+    """Return a number, or a quantity, as a row of an answer."""
+    return Row("", "", magnitude_of(value), unit_of(value).text if is_quantity(value) else "1")
 
 
 class OtherQuantity(ConversionError, Dimensionality):
@@ -107,16 +99,16 @@ def _in_words(pint_method: Callable[..., Any]) -> Callable[..., Any]:
 def _refusal(value: Any, other: Any) -> RadcalcError:
     """Return the error for a unit of another quantity, or a text that is not a unit."""
     target = other if isinstance(other, str) else from_container(other._units).text
-    is_one = isinstance(value.magnitude, (int, float))
     try:
-        answer = sys.modules["radcalc"].convert(typed(value) if is_one else value, target)
+        converted = sys.modules["radcalc"].convert(value, target)
     except RadcalcError as error:
         return error
+    is_one = isinstance(value.magnitude, (int, float))
     problem = f"'{quote(target)}' is not a unit of {describe(unit_of(value))}"
     shown = f'"{typed(value)}"' if is_one else "quantity"
     hint = f'radcalc.convert({shown}, "{target}")'
     problem = f"{problem}, and Quantity.to keeps the quantity"
-    return UnitError(problem, f"{hint}\n     {in_short(answer)}" if is_one else hint)
+    return UnitError(problem, f"{hint}\n     {in_short([row_of(converted)])}" if is_one else hint)
 
 
 def _reduced(measure: Any) -> tuple[Any, ...]:

@@ -14,7 +14,7 @@ from radcalc.api.quantity import (
     typed,
     unit_of,
 )
-from radcalc.api.spelling import symbol_name
+from radcalc.api.spelling import is_absent, symbol_name
 from radcalc.errors import ConditionError, add, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.places import TOO_FAR, read_place
@@ -62,11 +62,6 @@ def read_inputs(given: Mapping[str, Any], intervals: Sequence[str] = ()) -> Inpu
         _read(keyword, value, intervals) for keyword, value in given.items() if not is_absent(value)
     ]
     return {entry.name: entry for entry in inputs}
-
-
-def is_absent(value: Any) -> bool:
-    """Return whether an argument counts as not given: None, or a flag that is False."""
-    return value is None or value is False
 
 
 def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from radcalc.api.quantity import Quantity
 from radcalc.api.reading import require_texts
-from radcalc.api.refusals import in_python, other_call
+from radcalc.api.refusals import call_function, in_python
 from radcalc.api.result import Result
-from radcalc.errors import Try, UsageError, input_of
+from radcalc.errors import UsageError, input_of
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read
 from radcalc.units.reading import read_operands
@@ -46,7 +46,7 @@ def ask(sentence: str) -> Result | Quantity:
         unit = amount.unit.text if amount.unit else "1"
         words = [amount.text, target or unit, *words[len(operands) :]]
     try:
-        answer: Result | Quantity = other_call(Try(words=(command, *words)), in_core=False)[1]
+        answer: Result | Quantity = call_function((command, *words), in_core=False)
     except (LookupError, TypeError) as error:  # no function, or one that needs more
         problem = str(error) or f"{command} is not a function of Python"
         raise UsageError(problem, "the same sentence at a shell") from None

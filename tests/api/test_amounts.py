@@ -169,7 +169,7 @@ NEED_KEYWORDS = [
     ("calorimeter", ("1000 W/m2", "20 cm2"), {}, "'20 cm2' needs a keyword",
      'calorimeter(irradiance="1000 W/m2", receiver_area="20 cm2")', "flux 2 W"),
     ("lambertian", ("patch", "500 lx"), {"reflectance": 0.5}, "'500 lx' needs a keyword",
-     'lambertian("patch", reflectance=0.5, incident_illuminance="500 lx")',
+     'lambertian("patch", reflectance="0.5", incident_illuminance="500 lx")',
      "luminance 79.5775 cd/m2"),
 ]  # fmt: skip
 
