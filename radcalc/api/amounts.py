@@ -1,16 +1,15 @@
 """Amounts without keywords: the unit of each decides which keyword it has."""
 
 from collections.abc import Callable, Mapping, Sequence
-from itertools import product
 from typing import Any, NamedTuple
 
-from radcalc.api.quantity import is_quantity, magnitude_of, typed, unit_of
-from radcalc.api.reading import library_of
+from radcalc.api.quantity import is_quantity, magnitude_of, unit_of
+from radcalc.api.reading import as_text, library_of
 from radcalc.api.refusals import with_keywords
 from radcalc.api.spelling import is_absent, keyword, symbol_name
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
-from radcalc.errors import RadcalcError, Try, UsageError, manual, options, quote
+from radcalc.errors import RadcalcError, UsageError, manual, options, quote
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, in_kind, specific_name
 from radcalc.sentences.frames import inputs_of
@@ -20,15 +19,11 @@ from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
-MOST = 10  # proposals of keywords
-FEW = 4  # amounts without a keyword, for which there are proposals
-
 
 class Unnamed(NamedTuple):
-    """An amount without a keyword: its value, its text if a call can show it, and its unit."""
+    """An amount without a keyword, and its unit."""
 
     value: Any
-    text: str
     unit: Unit | None
 
 
@@ -58,20 +53,15 @@ def with_amounts(
     return named
 
 
-def _is_single(value: Any) -> bool:
-    return is_quantity(value) and isinstance(value.magnitude, (int, float))
-
-
 def _read(value: Any) -> Unnamed:
-    one = value[0] if isinstance(value, (list, tuple)) and value else value
-    if isinstance(one, str):
-        amount = read_amount(read_values(one)[0])
-        unit = amount.typed[1] or resolve("1")
-        return Unnamed(value, value if one is value else "", unit)
-    if is_quantity(one) and not library_of(magnitude_of(one)):
-        return Unnamed(value, typed(value) if _is_single(value) else "", unit_of(one))
+    """Return an amount with its unit; a list has the unit of its first element."""
+    first = value[0] if isinstance(value, (list, tuple)) and value else value
+    if isinstance(first, str):
+        return Unnamed(value, read_amount(read_values(first)[0]).typed[1] or resolve("1"))
+    if is_quantity(first) and not library_of(magnitude_of(first)):
+        return Unnamed(value, unit_of(first))
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return Unnamed(value, str(value) if is_number else "", resolve("1") if is_number else None)
+    return Unnamed(value, resolve("1") if is_number else None)
 
 
 def _inputs(command: str, amounts: Sequence[Unnamed], given: Mapping[str, Any]) -> list[str]:
@@ -94,20 +84,14 @@ def _inputs(command: str, amounts: Sequence[Unnamed], given: Mapping[str, Any]) 
 def _unplaced(
     page: Page, command: str, wrong: Sequence[Unnamed], given: Mapping[str, Any]
 ) -> UsageError:
-    """Return the error for amounts that need keywords; it proposes those with their units."""
-    texts = [f"'{quote(amount.text or str(amount.value))}'" for amount in wrong]
+    """Return the error for amounts that need keywords, which it names."""
+    texts = [f"'{quote(as_text(amount.value))}'" for amount in wrong]
     problem = f"{', '.join(texts)} {'need keywords' if texts[1:] else 'needs a keyword'}"
     listed = [_candidates(page, amount, given) for amount in wrong]
     if not all(listed):
         return UsageError(problem, manual(command))
-    hint = f"one of {options(dict.fromkeys(name for names in listed for name in names), ', ')}"
-    if not all(amount.text for amount in wrong):
-        return UsageError(problem, hint)
-    ways = product(*listed) if len(wrong) <= FEW else ()
-    choices = [names for names in ways if len({*names}) == len(names)]
-    texts = [amount.text for amount in wrong]
-    tries = [Try(tuple(zip(names, texts, strict=True))) for names in choices[:MOST]]
-    return UsageError(problem, hint, tries)
+    names = dict.fromkeys(name for names in listed for name in names)
+    return UsageError(problem, f"one of {options(names, ', ')}")
 
 
 def _candidates(page: Page, amount: Unnamed, given: Mapping[str, Any]) -> list[str]:

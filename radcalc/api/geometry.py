@@ -22,7 +22,6 @@ from radcalc.calculators.solid_angle import ALIASES, NAMES
 from radcalc.calculators.solid_angle import solid_angle as of_shape
 from radcalc.errors import ConditionError
 from radcalc.inputs.places import read_coordinates, read_point
-from radcalc.quantities.symbols import article
 
 
 @of_page("solid-angle")
@@ -85,10 +84,7 @@ def integrate(expression: str, *, unit: str = "", **given: Any) -> Result:
     >>> print(integrate("cos(theta)", half_angle="90 deg").integral.round(6))
     3.141593 steradian
     """
-    if not isinstance(expression, str):
-        problem = f"an expression is a text, not {article(type(expression).__name__)}"
-        raise ConditionError(problem, '"cos(theta)"')
-    require_texts(unit=unit)
+    require_texts(expression=expression, unit=unit)
     refuse_arrays(read_inputs(given, page_of("integrate").intervals), "an integral")
     of = integrand(unit) if unit else BARE
     work_out = partial(of_expression, expression, of=of)

@@ -40,6 +40,10 @@ from radcalc.units.unit import Unit
 
 T = TypeVar("T")
 TEXTS = {
+    "source": "lx",
+    "target": "lx",
+    "to": "fc",
+    "expression": "cos(theta)",
     "unit": "W/m2",
     "time_zone": "Europe/Prague",
     "time_unit": "s",
