@@ -14,6 +14,9 @@ from typing import (
 from radcalc._version import (
     __version__,
 )
+from radcalc.api.arguments import (
+    Quantity,
+)
 from radcalc.api.homework import (
     Verdict,
 )
@@ -50,9 +53,6 @@ from radcalc.api.keywords import (
 from radcalc.api.lists import (
     Listing,
     TypicalValue,
-)
-from radcalc.api.quantity import (
-    Quantity,
 )
 from radcalc.api.result import (
     Result,

@@ -14,7 +14,7 @@ MODULES = {
     "radcalc.api.homework": ("Verdict", "check"),
     "radcalc.api.lists": ("Listing", "TypicalValue", "examples", "typical"),
     "radcalc.api.logs": ("dose",),
-    "radcalc.api.quantity": ("Quantity",),
+    "radcalc.api.arguments": ("Quantity",),
     "radcalc.api.result": ("Result",),
     "radcalc.api.scene": ("scene",),
     "radcalc.api.sentence": ("ask",),

@@ -3,8 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from radcalc.api.quantity import is_quantity, magnitude_of, unit_of
-from radcalc.api.reading import as_text, library_of
+from radcalc.api.arguments import as_text, is_quantity, library_of, magnitude_of, unit_of
 from radcalc.api.refusals import with_keywords
 from radcalc.api.spelling import is_absent, keyword, symbol_name
 from radcalc.calculators.page import Page

@@ -5,9 +5,8 @@ from functools import partial
 from typing import Any
 
 from radcalc.answer import Answer, texts_of
+from radcalc.api.arguments import broadcast, is_lazy, read_inputs, read_points
 from radcalc.api.columns import take_columns
-from radcalc.api.quantity import is_lazy
-from radcalc.api.reading import broadcast, read_inputs, read_points
 from radcalc.api.result import Result, in_columns, of_answer
 from radcalc.api.spelling import is_absent, keyword
 from radcalc.calculators.page import NOTHING

@@ -11,8 +11,17 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.api.quantity import is_lazy, is_quantity, magnitude_of, quantity, unit_of
-from radcalc.api.reading import LIBRARIES, gathered, library_of, refuse_column
+from radcalc.api.arguments import (
+    LIBRARIES,
+    gathered,
+    is_lazy,
+    is_quantity,
+    library_of,
+    magnitude_of,
+    quantity,
+    refuse_column,
+    unit_of,
+)
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.quantities.column_titles import is_same, read_title, refuse_misnamed

@@ -6,18 +6,23 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import ShownInput
-from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
-from radcalc.api.keywords import Number
-from radcalc.api.pages import of_page
-from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity, unit_of
-from radcalc.api.reading import (
+from radcalc.api.arguments import (
+    Quantity,
     broadcast,
+    is_lazy,
+    is_quantity,
     library_of,
+    plain,
+    quantity,
     read_inputs,
     refuse_lazy,
     require_texts,
     together,
+    unit_of,
 )
+from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
+from radcalc.api.keywords import Number
+from radcalc.api.pages import of_page
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
 from radcalc.conversion.linear import Plan

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from radcalc.answer import Row, Value
+from radcalc.api.arguments import as_text
 from radcalc.api.keywords import Scalar
-from radcalc.api.reading import as_text
 from radcalc.api.refusals import in_python
 from radcalc.api.result import Result, question_of
 from radcalc.api.spelling import in_words, keyword

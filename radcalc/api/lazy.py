@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import dask.array
 import numpy
 
-from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, unit_of
-from radcalc.api.reading import gathered
+from radcalc.api.arguments import Quantity, gathered, is_lazy, magnitude_of, unit_of
 from radcalc.api.refusals import in_python
 from radcalc.api.result import Result, all_of, waiting
 from radcalc.api.spelling import symbol_name

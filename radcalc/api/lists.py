@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
-from radcalc.api.quantity import Quantity, is_quantity, quantity
-from radcalc.api.reading import as_text, require_texts
+from radcalc.api.arguments import Quantity, as_text, is_quantity, quantity, require_texts
 from radcalc.api.refusals import in_python
 from radcalc.quantities.typical import FIELDS, how_far
 from radcalc.quantities.typical import search as values_for

@@ -8,7 +8,7 @@ from inspect import Parameter, signature
 from typing import Any, ParamSpec, TypeVar
 
 from radcalc.answer import in_short
-from radcalc.api.quantity import is_quantity, magnitude_of, row_of, typed
+from radcalc.api.arguments import is_quantity, magnitude_of, row_of, typed
 from radcalc.api.spelling import Python, PythonHint, is_absent, keyword, symbol_name
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES, page_of

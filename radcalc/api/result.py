@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import answer
 from radcalc.answer import Answer, Row, ShownInput, Step
+from radcalc.api.arguments import Quantity, is_lazy, magnitude_of, quantity, require_texts, unit_of
 from radcalc.api.drawing import Drawing
-from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, quantity, unit_of
-from radcalc.api.reading import require_texts
 from radcalc.api.refusals import in_python
 from radcalc.api.spelling import in_words, keyword, symbol_name
 from radcalc.calculators.page import NOTHING

@@ -9,10 +9,9 @@ from typing import Any
 import numpy
 
 from radcalc.answer import Value, texts_of
+from radcalc.api.arguments import plain, read_inputs, read_points, refuse_arrays
 from radcalc.api.keywords import Path, Points, Vector
 from radcalc.api.pages import of_page
-from radcalc.api.quantity import plain
-from radcalc.api.reading import read_inputs, read_points, refuse_arrays
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.calculators.scene import Survey
 from radcalc.calculators.scene import scene as add_up

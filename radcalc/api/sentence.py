@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from radcalc.api.quantity import Quantity
-from radcalc.api.reading import require_texts
+from radcalc.api.arguments import Quantity, require_texts
 from radcalc.api.refusals import call_function, in_python
 from radcalc.api.result import Result
 from radcalc.errors import UsageError, input_of

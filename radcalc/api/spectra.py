@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from typing import Any
 
+from radcalc.api.arguments import require_texts, table_of
 from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Amount, Path
 from radcalc.api.pages import of_page
-from radcalc.api.reading import require_texts, table_of
 from radcalc.api.result import Result
 from radcalc.calculators.photon import named
 from radcalc.calculators.photon import photon as of_photon

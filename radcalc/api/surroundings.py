@@ -7,11 +7,18 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, Literal
 
+from radcalc.api.arguments import (
+    Quantity,
+    is_quantity,
+    one_of,
+    quantity,
+    read_inputs,
+    refuse_column,
+    unit_of,
+)
 from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Pair, Sky, Surroundings, WholeSphere
 from radcalc.api.pages import of_page
-from radcalc.api.quantity import Quantity, is_quantity, quantity, unit_of
-from radcalc.api.reading import one_of, read_inputs, refuse_column
 from radcalc.api.result import Result
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source
