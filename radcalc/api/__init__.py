@@ -38,6 +38,6 @@ def public(name: str) -> Any:
     for module, names in MODULES.items():
         if name in names:
             return getattr(import_module(module), name)
-    from radcalc.api.pages import function
+    from radcalc.api.functions import function
 
     return function(name)

@@ -21,8 +21,8 @@ from radcalc.api.arguments import (
     unit_of,
 )
 from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
+from radcalc.api.functions import of_page
 from radcalc.api.keywords import Number
-from radcalc.api.pages import of_page
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
 from radcalc.conversion.linear import Plan

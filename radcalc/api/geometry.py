@@ -9,9 +9,8 @@ from typing import Any
 import numpy
 
 from radcalc.api.arguments import in_metres, one_of, read_inputs, refuse_arrays, require_texts
-from radcalc.api.calculate import calculate
+from radcalc.api.functions import calculate, of_page
 from radcalc.api.keywords import Points, Shape, Vector
-from radcalc.api.pages import of_page
 from radcalc.api.result import Result
 from radcalc.calculators.direction import direction as of_direction
 from radcalc.calculators.integrate import BARE, integrand

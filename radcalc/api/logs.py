@@ -24,10 +24,9 @@ from radcalc.api.arguments import (
     require_texts,
     unit_of,
 )
-from radcalc.api.calculate import calculate
 from radcalc.api.conversion import as_array
+from radcalc.api.functions import calculate, of_page
 from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
-from radcalc.api.pages import of_page
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_words
 from radcalc.calculators.dose import MEANS_OF_STEPS, READINGS

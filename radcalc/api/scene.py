@@ -10,8 +10,8 @@ import numpy
 
 from radcalc.answer import Value, texts_of
 from radcalc.api.arguments import plain, read_inputs, read_points, refuse_arrays
+from radcalc.api.functions import of_page
 from radcalc.api.keywords import Path, Points, Vector
-from radcalc.api.pages import of_page
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.calculators.scene import Survey
 from radcalc.calculators.scene import scene as add_up

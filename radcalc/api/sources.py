@@ -6,9 +6,8 @@ from functools import partial
 from typing import Any
 
 from radcalc.api.arguments import one_of
-from radcalc.api.calculate import calculate
+from radcalc.api.functions import calculate, of_page
 from radcalc.api.keywords import Diffuse, Points
-from radcalc.api.pages import of_page
 from radcalc.api.result import Result
 from radcalc.calculators.lambertian import OPERAND
 from radcalc.calculators.lambertian import lambertian as of_surface

@@ -6,9 +6,8 @@ import os
 from typing import Any
 
 from radcalc.api.arguments import require_texts, table_of
-from radcalc.api.calculate import calculate
+from radcalc.api.functions import calculate, of_page
 from radcalc.api.keywords import Amount, Path
-from radcalc.api.pages import of_page
 from radcalc.api.result import Result
 from radcalc.calculators.photon import named
 from radcalc.calculators.photon import photon as of_photon

@@ -16,9 +16,8 @@ from radcalc.api.arguments import (
     refuse_column,
     unit_of,
 )
-from radcalc.api.calculate import calculate
+from radcalc.api.functions import calculate, of_page
 from radcalc.api.keywords import Pair, Sky, Surroundings, WholeSphere
-from radcalc.api.pages import of_page
 from radcalc.api.result import Result
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source
