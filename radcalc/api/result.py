@@ -1,15 +1,15 @@
-"""Results of functions: quantities by name, with assumptions, notes and steps."""
+"""Results of functions: quantities by name, with assumptions, notes, steps and a picture."""
 
 import json
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
+from functools import cached_property, partial
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import answer
 from radcalc.answer import Answer, Row, ShownInput, Step
 from radcalc.api.arguments import Quantity, is_lazy, magnitude_of, quantity, require_texts, unit_of
-from radcalc.api.drawing import Drawing
 from radcalc.api.refusals import in_python
 from radcalc.api.spelling import in_words, keyword, symbol_name
 from radcalc.calculators.page import NOTHING
@@ -23,6 +23,48 @@ from radcalc.units.table import resolve
 if TYPE_CHECKING:
     from radcalc.api.columns import Columns
     from radcalc.homework.question import Question
+    from radcalc.plots.data import Picture
+
+
+class Drawing:
+    """A picture for a notebook, as a Matplotlib figure, or in a file."""
+
+    def __init__(self, picture: "Picture") -> None:
+        self.picture = picture
+
+    def __repr__(self) -> str:
+        """Return the picture in characters."""
+        from radcalc.plots.characters import draw, style_of
+
+        return draw(self.picture, style_of()).rstrip("\n")
+
+    @cached_property
+    def figure(self) -> Any:
+        from radcalc.plots.figure import figure
+
+        return figure(self.picture)
+
+    def _repr_svg_(self) -> str:
+        from radcalc.plots.figure import data
+
+        return data(self.picture, ".svg").decode()
+
+    def save(self, path: "str | os.PathLike[str]") -> None:
+        """Write it into an SVG or PNG file, by the ending of the name.
+
+        Raises
+        ------
+        radcalc.RadcalcError
+            If the file has another ending, or cannot be written.
+        """
+        from radcalc.plots.figure import write
+
+        if not isinstance(path, os.PathLike):
+            from radcalc.api.arguments import require_texts
+
+            require_texts(path=path)
+        write(os.fspath(path), self.picture)
+
 
 Show = Callable[[], answer.Result]
 Drawn = tuple[Inputs, Answer, Any]  # with the other inputs of a picture
