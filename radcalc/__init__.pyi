@@ -17,9 +17,6 @@ from radcalc._version import (
 from radcalc.api.arguments import (
     Quantity,
 )
-from radcalc.api.homework import (
-    Verdict,
-)
 from radcalc.api.keywords import (
     Amount,
     Diffuse,
@@ -50,9 +47,10 @@ from radcalc.api.keywords import (
     Vector,
     WholeSphere,
 )
-from radcalc.api.lists import (
+from radcalc.api.questions import (
     Listing,
     TypicalValue,
+    Verdict,
 )
 from radcalc.api.result import (
     Result,

@@ -60,8 +60,6 @@ class Drawing:
         from radcalc.plots.figure import write
 
         if not isinstance(path, os.PathLike):
-            from radcalc.api.arguments import require_texts
-
             require_texts(path=path)
         write(os.fspath(path), self.picture)
 
