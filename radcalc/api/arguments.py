@@ -111,9 +111,8 @@ def _in_words(pint_method: Callable[..., Any]) -> Callable[..., Any]:
 
     @wraps(pint_method)
     def to(self: Any, other: Any = None, *contexts: Any, **settings: Any) -> Any:
-        if not (isinstance(other, (str, Mapping)) or hasattr(other, "_REGISTRY")):
-            problem = f"a unit is a text, not {type(other).__name__}"
-            raise UnitError(problem, "a text such as 'lx'")
+        if not (isinstance(other, Mapping) or hasattr(other, "_REGISTRY")):
+            require_texts(target=other)
         try:
             return pint_method(self, other, *contexts, **settings)
         except (DimensionalityError, UnitError) as error:
@@ -200,6 +199,7 @@ def read_inputs(given: Mapping[str, Any], intervals: Sequence[str] = ()) -> Inpu
 
 
 def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
+    """Read the value of one symbol: a text, a quantity, a number, a list of these, or a table."""
     name = symbol_name(keyword)
     refuse_lazy(value, keyword)
     if name in intervals:

@@ -25,7 +25,7 @@ from radcalc.api.arguments import (
     table_of,
     unit_of,
 )
-from radcalc.api.functions import calculate, of_page
+from radcalc.api.functions import calculate, function_of_page, of_page
 from radcalc.api.keywords import (
     Amount,
     Diffuse,
@@ -40,26 +40,17 @@ from radcalc.api.keywords import (
 )
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.calculators import environment as page
-from radcalc.calculators.direction import direction as of_direction
 from radcalc.calculators.environment import Source
 from radcalc.calculators.integrate import BARE, integrand
-from radcalc.calculators.integrate import integrate as of_expression
 from radcalc.calculators.lambertian import OPERAND
-from radcalc.calculators.lambertian import lambertian as of_surface
 from radcalc.calculators.maps import RenderedMap
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.photon import named
-from radcalc.calculators.photon import photon as of_photon
 from radcalc.calculators.pixel import pixel as of_pixel
-from radcalc.calculators.point_source import point_source as of_point
 from radcalc.calculators.scene import Survey
 from radcalc.calculators.scene import scene as add_up
 from radcalc.calculators.shapes import SHAPES
-from radcalc.calculators.sky import sky as of_sky
 from radcalc.calculators.solid_angle import ALIASES, NAMES
-from radcalc.calculators.solid_angle import solid_angle as of_shape
-from radcalc.calculators.spectrum import spectrum as of_spectrum
-from radcalc.calculators.uberlight import uberlight as of_uberlight
 from radcalc.distributions.environments import picture_of
 from radcalc.distributions.scene import blocks
 from radcalc.errors import ConditionError, MissingInput, mention
@@ -93,7 +84,11 @@ def point_source(*, any_incidence: bool = False, **given: Any) -> Result:
     >>> print(point_source(distribution="300*max(cos(theta), 0)^2 cd").flux.round(3))
     628.319 lumen
     """
-    return calculate("point-source", given, partial(of_point, any_incidence=any_incidence))
+    return calculate(
+        "point-source",
+        given,
+        partial(function_of_page("point_source"), any_incidence=any_incidence),
+    )
 
 
 @of_page("lambertian", amounts=True)
@@ -111,7 +106,7 @@ def lambertian(shape: Diffuse | None = None, **given: Any) -> Result:
     """
     name = "" if shape is None else one_of(shape, SHAPES, "shape")
     operands = {"shape": name or OPERAND.default}
-    return calculate("lambertian", given, partial(of_surface, name), operands)
+    return calculate("lambertian", given, partial(function_of_page("lambertian"), name), operands)
 
 
 @of_page("uberlight", amounts=True)
@@ -131,7 +126,7 @@ def uberlight(point: Points, **given: Any) -> Result:
     """
     if point is None:
         raise MissingInput("the point is missing", '"1m,0m,2m", for one point')
-    return calculate("uberlight", {"point": point, **given}, of_uberlight)
+    return calculate("uberlight", {"point": point, **given}, function_of_page("uberlight"))
 
 
 @of_page("photon")
@@ -148,7 +143,9 @@ def photon(wavelength: Amount, **given: Any) -> Result:
     >>> print(found.photon_energy.round(4), found.luminous_efficacy)
     2.2339 electronvolt 683.002 lumen / watt
     """
-    return calculate("photon", {"wavelength": wavelength, **given}, of_photon, adapt=_named)
+    return calculate(
+        "photon", {"wavelength": wavelength, **given}, function_of_page("photon"), adapt=_named
+    )
 
 
 @of_page("spectrum")
@@ -188,7 +185,9 @@ def spectrum(
         chosen = read_text(*table_of(source), *texts.values())
     requested = ("ssi",) if given.get("reference") is not None else ()  # which it is for
     symbols = {"spectrum": chosen, **given}
-    return calculate("spectrum", symbols, of_spectrum, operands, requested=requested)
+    return calculate(
+        "spectrum", symbols, function_of_page("spectrum"), operands, requested=requested
+    )
 
 
 def _named(inputs: Inputs) -> Inputs:
@@ -312,7 +311,11 @@ def solid_angle(shape: Shape, vertices: Sequence[Vector] = (), **given: Any) -> 
     points = [read_point(corner, "the vertex") for corner in corners]
     if points and name != "polygon":
         raise ConditionError(f"vertices do not apply to a {name}", "leave out vertices")
-    work_out = of_pixel if name == "pixel" else partial(of_shape, name, points=points)
+    work_out = (
+        of_pixel
+        if name == "pixel"
+        else partial(function_of_page("solid_angle"), name, points=points)
+    )
     operands = {"shape": name, "vertices": " ".join(corners)}
     return calculate("solid-angle", given, work_out, operands)
 
@@ -350,7 +353,7 @@ def integrate(expression: str, *, unit: str = "", **given: Any) -> Result:
     require_texts(expression=expression, unit=unit)
     refuse_arrays(read_inputs(given, page_of("integrate").intervals), "an integral")
     of = integrand(unit) if unit else BARE
-    work_out = partial(of_expression, expression, of=of)
+    work_out = partial(function_of_page("integrate"), expression, of=of)
     operands, drawn = {"expression": expression, "unit": unit}, (expression, unit)
     return calculate("integrate", given, work_out, operands, waits=False, drawn=drawn)
 
@@ -379,7 +382,7 @@ def direction(vector: Points | None = None, *, on_ball: bool = False, **given: A
     if place and angles:
         raise ConditionError(f"a vector cannot be used with {angles[0]}", "only one of them")
     text = vector if isinstance(vector, str) else ",".join(map(str, place or ()))
-    work_out = partial(of_direction, vector=place, unit=unit, with_ball=on_ball)
+    work_out = partial(function_of_page("direction"), vector=place, unit=unit, with_ball=on_ball)
     return calculate("direction", given, work_out, {"vector": text})
 
 
@@ -423,7 +426,9 @@ def sky(kind: Sky = "overcast", **given: Any) -> Result:
     8712.39 lux
     """
     name = str(kind)
-    return calculate("sky", given, partial(of_sky, name), {"type": name}, drawn=name)
+    return calculate(
+        "sky", given, partial(function_of_page("sky"), name), {"type": name}, drawn=name
+    )
 
 
 @of_page("environment", without=("size",))

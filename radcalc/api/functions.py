@@ -1,7 +1,8 @@
 """The Python functions of calculators, made from their pages.
 
 Signature and docstring follow from the symbols of the page, which the vocabulary describes.  The
-unit of an amount without a keyword decides which keyword it has."""
+unit of an amount without a keyword decides which keyword it has.
+"""
 
 from __future__ import annotations
 
@@ -291,11 +292,16 @@ class Keyword(NamedTuple):
         )
 
 
+def function_of_page(name: str) -> WorkOut:
+    """Return the function that calculates what a page describes."""
+    work_out: WorkOut = getattr(import_module(f"radcalc.calculators.{name}"), name)
+    return work_out
+
+
 @cache
 def function(name: str) -> Callable[..., Result]:
     """Make the function of a calculator from its page alone."""
-    command = symbol_name(name)
-    work_out = getattr(import_module(f"radcalc.calculators.{name}"), name)
+    command, work_out = symbol_name(name), function_of_page(name)
 
     def call(**given: Any) -> Result:
         return calculate(command, given, work_out)
@@ -317,6 +323,7 @@ def of_page(
     page_keywords = _keywords(page, without)
 
     def decorate(function: Callable[..., T]) -> Callable[..., T]:
+        """Return the function with the keywords of the page and its documentation."""
         signature = inspect.signature(function)
         fixed = [
             parameter
@@ -397,6 +404,7 @@ def _docstring(
     operands: Sequence[str],
     page_keywords: Sequence[Keyword],
 ) -> str:
+    """Return a docstring: the sections of a function's own text, the others of its page."""
     summary, *headed = HEADING.split(own_text)
     sections = {"Returns": RETURNS, "Raises": RAISES}
     sections |= dict(zip(headed[::2], headed[1::2], strict=True))

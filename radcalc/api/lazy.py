@@ -147,6 +147,7 @@ def _by_name(answer: Any) -> dict[str, Any]:
 
 
 def _arrays(key: str, value: Any) -> list[Any]:
+    """Return a value as Dask arrays: three for points, none for a single value."""
     array = magnitude_of(value)
     symbol = SYMBOLS.get(symbol_name(key))
     if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):

@@ -49,17 +49,12 @@ def with_keywords(
 def proposals(error: RadcalcError, function: Callable[..., Any], given: Mapping[str, Any]) -> str:
     """Return the calls that an error's hint proposes, each with its results below it.
 
-    Return '' if all are refused, or if the user's call has a value that is not shown as a text,
-    such as an array.
+    Return '' if all are refused.  A call with an array is neither made nor shown.
     """
     lines = []
-    try:
-        texts = {name: _as_text(value) for name, value in given.items() if not is_absent(value)}
-    except REFUSED:
-        return ""
     for proposal in error.tries[:MOST]:
         with suppress(*REFUSED):
-            words = proposal.words or _changed(proposal, function, texts)
+            words = proposal.words or _changed(proposal, function, given)
             results = _results(call_function(words), spell(proposal.remark, PythonHint))
             lines.append(f"{Python.command(*words)}\n     {results}")
     text = "\nor:  ".join(lines)
@@ -69,8 +64,8 @@ def proposals(error: RadcalcError, function: Callable[..., Any], given: Mapping[
     return text
 
 
-def _as_text(value: Any) -> str:
-    """Return a value as a text in a call; '' for True, the value of a flag."""
+def _text_in_call(value: Any) -> str:
+    """Return a single value as a text in a call; '' for True, the value of a flag."""
     is_single = isinstance(magnitude_of(value), (int, float))
     if not isinstance(value, str) and not is_single:
         raise TypeError
@@ -78,12 +73,15 @@ def _as_text(value: Any) -> str:
 
 
 def _changed(
-    proposal: Try, function: Callable[..., Any], given: Mapping[str, str]
+    proposal: Try, function: Callable[..., Any], given: Mapping[str, Any]
 ) -> tuple[str, ...]:
     """Return the words of the user's call with a change: the command, operands and NAME=VALUE."""
     command = symbol_name(function.__name__)
     page = page_of(command if command in SUMMARIES else "convert")
-    arguments = dict(given)
+    typed_texts = {
+        key: _text_in_call(value) for key, value in given.items() if not is_absent(value)
+    }
+    arguments = dict(typed_texts)
     if proposal.instead:
         part, *correction = proposal.instead
         (name,) = [name for name, text in arguments.items() if part in text]
@@ -93,7 +91,7 @@ def _changed(
     for symbol, text in proposal.inputs:
         is_flag = symbol in SYMBOLS and SYMBOLS[symbol].form == FLAG
         arguments[keyword(symbol)] = "" if is_flag else text or page.symbol(symbol).example
-    if arguments == given:
+    if arguments == typed_texts:
         raise LookupError
     operands = [
         arguments.pop(parameter.name)
