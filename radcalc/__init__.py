@@ -125,19 +125,11 @@ def __getattr__(name: str) -> object:
         from radcalc import _version
 
         return _version.__version__
-    if name in __all__:
-        from radcalc.api import public
-
-        return public(name)
-    import sys
-
-    frame = sys._getframe(1)
-    is_import = frame.f_code.co_name == "_handle_fromlist" or f"radcalc.{name}" in sys.modules
-    if name[:1] == "_" or is_import:  # of a module
+    if name not in __all__:
         raise AttributeError(f"module 'radcalc' has no attribute '{name}'")
-    from radcalc.api import unknown
+    from radcalc.api import public
 
-    raise unknown.error(name, frame)
+    return public(name)
 
 
 def __dir__() -> "list[str]":

@@ -14,8 +14,8 @@ from typing import (
 from radcalc._version import (
     __version__,
 )
-from radcalc.api.homework import (
-    Verdict,
+from radcalc.api.arguments import (
+    Quantity,
 )
 from radcalc.api.keywords import (
     Amount,
@@ -47,12 +47,10 @@ from radcalc.api.keywords import (
     Vector,
     WholeSphere,
 )
-from radcalc.api.lists import (
+from radcalc.api.questions import (
     Listing,
     TypicalValue,
-)
-from radcalc.api.quantity import (
-    Quantity,
+    Verdict,
 )
 from radcalc.api.result import (
     Result,

@@ -239,3 +239,28 @@ def shows(row: Row, name: str) -> bool:
     from radcalc.quantities.symbols import in_kind
 
     return name in (row.name, row.quantity.replace(" ", "-")) or in_kind(name, LUMINOUS) == row.name
+
+
+ELEMENTS = 3  # of an array in short
+RESULTS, NAMED = 3, 2  # in short, and with their names
+
+
+def in_short(rows: Sequence[Row], named: bool = False, remark: str = "") -> str:
+    """Return the first results in a line, and a remark: `intensity 5 cd, flux 62.8319 lm`."""
+    shown = rows[:RESULTS]
+    if named:  # each name once
+        shown = list({row.name: row for row in rows[::-1]}.values())[::-1][:NAMED]
+    texts = [f"{row.name} " * named + _in_short(row) for row in shown]
+    text = ", ".join([*texts, *["..."] * (len(rows) > RESULTS and not named)])
+    mark = " " if remark.startswith("(") else ", "
+    return mark.join(filter(None, [text, remark]))
+
+
+def _in_short(row: Row) -> str:
+    """Return a number with its unit, several solutions, or the first elements of an array."""
+    numbers = row.value.ravel().tolist() if hasattr(row.value, "ravel") else [row.value]
+    texts = ["--" if number is None else f"{number:.6g}" for number in numbers[: ELEMENTS + 1]]
+    is_long = len(texts) > ELEMENTS
+    text = f"{', '.join(texts[:ELEMENTS])} ..." if is_long else " or ".join(dict.fromkeys(texts))
+    uncertainty = f" ± {row.uncertainty:.2g}" if row.uncertainty else ""
+    return f"{text}{uncertainty}" + ("" if row.unit == "1" else f" {row.unit}")

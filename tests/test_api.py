@@ -357,8 +357,8 @@ def test_a_factor_is_a_single_multiplier(source, target, conditions, expected):
         ("cd", "lx", {"distance": "2±0.1 m"}, "an uncertainty, which a factor", "alone"),
         ("cd", "lx", {"distance": ["1m", "2m"]}, "distance is an array", "one value of each"),
         ("2 lx", "fc", {}, "has a number in it", "one number"),
-        (2, "fc", {}, "a unit is a text, not an int", "'lx'"),
-        ("lx", None, {}, "a unit is a text, not a NoneType", "'lx'"),
+        (2, "fc", {}, "source is a text, not an int", "'lx'"),
+        ("lx", None, {}, "target is a text, not a NoneType", "'lx'"),
     ],
 )
 def test_units_that_no_factor_links_are_refused(source, target, conditions, said, hint):

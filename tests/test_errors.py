@@ -116,7 +116,8 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("no condition links them", "radcalc solid-angle cone half-angle=1deg"),
         # 2 pi (1 - cos 1 deg) sr
         ("no condition links them",
-         'radcalc.solid_angle("cone", half_angle="1 deg")\n     solid_angle 0.00095696 sr')),
+         'radcalc.solid_angle("cone", half_angle="1 deg")\n'
+         "     solid_angle 0.00095696 sr, projected_solid_angle 0.000956887 sr")),
     "a condition leads to a Python function": (
         lambda: ConditionError("too near", command("lambertian", "disc", radius="1m")),
         ("too near", "radcalc lambertian disc --radius 1m"),

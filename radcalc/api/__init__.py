@@ -9,18 +9,34 @@ from typing import Any
 
 # By module; the other functions are made from the pages.
 MODULES = {
+    "radcalc.api.arguments": ("Quantity",),
+    "radcalc.api.calculators": (
+        "direction",
+        "environment",
+        "integrate",
+        "irradiance_map",
+        "lambertian",
+        "photon",
+        "point_source",
+        "reproject",
+        "scene",
+        "sky",
+        "solid_angle",
+        "spectrum",
+        "uberlight",
+    ),
     "radcalc.api.conversion": ("convert", "explain", "factor"),
-    "radcalc.api.geometry": ("direction", "integrate", "solid_angle"),
-    "radcalc.api.homework": ("Verdict", "check"),
-    "radcalc.api.lists": ("Listing", "TypicalValue", "examples", "typical"),
     "radcalc.api.logs": ("dose",),
-    "radcalc.api.quantity": ("Quantity",),
+    "radcalc.api.questions": (
+        "Listing",
+        "TypicalValue",
+        "Verdict",
+        "ask",
+        "check",
+        "examples",
+        "typical",
+    ),
     "radcalc.api.result": ("Result",),
-    "radcalc.api.scene": ("scene",),
-    "radcalc.api.sentence": ("ask",),
-    "radcalc.api.sources": ("lambertian", "point_source", "uberlight"),
-    "radcalc.api.spectra": ("photon", "spectrum"),
-    "radcalc.api.surroundings": ("environment", "irradiance_map", "reproject", "sky"),
     "radcalc.sentences.tasks": ("Task",),
     "radcalc.errors": (
         "ConditionError",
@@ -38,6 +54,6 @@ def public(name: str) -> Any:
     for module, names in MODULES.items():
         if name in names:
             return getattr(import_module(module), name)
-    from radcalc.api.pages import function
+    from radcalc.api.functions import function
 
     return function(name)

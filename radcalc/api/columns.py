@@ -11,8 +11,17 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.api.quantity import is_lazy, is_quantity, magnitude_of, quantity, unit_of
-from radcalc.api.reading import LIBRARIES, gathered, library_of, refuse_column
+from radcalc.api.arguments import (
+    LIBRARIES,
+    gathered,
+    is_lazy,
+    is_quantity,
+    library_of,
+    magnitude_of,
+    quantity,
+    refuse_column,
+    unit_of,
+)
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.quantities.column_titles import is_same, read_title, refuse_misnamed
@@ -93,6 +102,7 @@ def is_spectrum(key: str) -> bool:
 
 
 def _unit_of(key: str, given: Any) -> Unit | None:
+    """Return the unit of a column, by its attributes or its title; refuse one without a unit."""
     column = magnitude_of(given)
     if stated := _stated_unit(given):
         _refuse_other(column, stated)
@@ -184,6 +194,7 @@ def _aligned(given: Mapping[str, Any]) -> Sequence[Any]:
 
 
 def _array(key: str, column: Any, unit: Unit | None) -> Any:
+    """Return a column as an array or a quantity; refuse missing values."""
     if unit is None and _is_text(column):
         texts = column.to_numpy().tolist()
         if not all(isinstance(text, str) for text in texts):

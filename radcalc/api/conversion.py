@@ -6,21 +6,32 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import ShownInput
+from radcalc.api.arguments import (
+    Quantity,
+    broadcast,
+    is_lazy,
+    is_quantity,
+    library_of,
+    plain,
+    quantity,
+    read_inputs,
+    refuse_lazy,
+    require_texts,
+    together,
+    unit_of,
+)
 from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
+from radcalc.api.functions import of_page
 from radcalc.api.keywords import Number
-from radcalc.api.pages import of_page
-from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity, unit_of
-from radcalc.api.reading import broadcast, library_of, read_inputs, refuse_lazy, together
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer as answer_of
 from radcalc.conversion.plan import plan, source_of, target_of
-from radcalc.errors import ConditionError, ConversionError, NumberError, UnitError, option, quote
+from radcalc.errors import ConditionError, ConversionError, NumberError, option, quote
 from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe, result_name
-from radcalc.quantities.symbols import article
 from radcalc.units.amount import Amount as ReadAmount
 from radcalc.units.ranges import real
 from radcalc.units.reading import read_amount, read_for
@@ -190,7 +201,7 @@ def factor(source: str, target: str, **conditions: Any) -> float:
     >>> factor("klx", "lx"), factor("lx", "umol/m2/s", efficacy="50 lm s/umol")
     (1000.0, 0.02)
     """
-    _require_texts(source, target)
+    require_texts(source=source, target=target)
     start = resolve_any(source)
     given = [*read_inputs(conditions).values()]
     refuse_uncertain(given, "a factor")
@@ -217,7 +228,7 @@ def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
         raise ConditionError("a truth value is not a number", WITH_UNIT)
     if to is None:
         return value, unit
-    _require_texts(unit, to)
+    require_texts(unit=unit, to=to)
     start = resolve_any(unit)
     if is_quantity(value) or (isinstance(value, str) and read_amount(value).unit):
         problem = f"the value '{quote(str(value))}' has a unit, and '{quote(unit)}' is another"
@@ -241,13 +252,6 @@ def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:
     return ShownInput(
         "value", number, conversion.source.text, amount.text, amount.typed_uncertainty
     )
-
-
-def _require_texts(*units: Any) -> None:
-    for unit in units:
-        if not isinstance(unit, str):
-            problem = f"a unit is a text, not {article(type(unit).__name__)}"
-            raise UnitError(problem, "a text such as 'lx'")
 
 
 def _converted(conversion: Plan, magnitude: Any, given: list[Input]) -> Any:
@@ -276,7 +280,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     The magnitude of a text with an uncertainty is a `ReadAmount`.
     """
     refuse_lazy(value, "the value")
-    _require_texts(target)
+    require_texts(target=target)
     magnitude: Any
     source: Unit | None
     given = [*read_inputs(conditions).values()]

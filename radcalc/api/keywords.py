@@ -11,7 +11,7 @@ from typing import Any, Literal, Protocol, TypeAlias
 
 from numpy.typing import NDArray
 
-from radcalc.api.quantity import Quantity
+from radcalc.api.arguments import Quantity
 
 Array: TypeAlias = NDArray[Any]
 

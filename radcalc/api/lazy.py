@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import dask.array
 import numpy
 
-from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, unit_of
-from radcalc.api.reading import gathered
+from radcalc.api.arguments import Quantity, gathered, is_lazy, magnitude_of, unit_of
 from radcalc.api.refusals import in_python
 from radcalc.api.result import Result, all_of, waiting
 from radcalc.api.spelling import symbol_name
@@ -148,6 +147,7 @@ def _by_name(answer: Any) -> dict[str, Any]:
 
 
 def _arrays(key: str, value: Any) -> list[Any]:
+    """Return a value as Dask arrays: three for points, none for a single value."""
     array = magnitude_of(value)
     symbol = SYMBOLS.get(symbol_name(key))
     if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):

@@ -13,19 +13,20 @@ from warnings import warn
 import numpy
 
 from radcalc.answer import ShownInput, texts_of
-from radcalc.api.calculate import calculate
-from radcalc.api.conversion import as_array
-from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
-from radcalc.api.pages import of_page
-from radcalc.api.quantity import is_quantity, magnitude_of, unit_of
-from radcalc.api.reading import (
+from radcalc.api.arguments import (
+    is_quantity,
+    magnitude_of,
     one_of,
     read_inputs,
     refuse_arrays,
     refuse_lazy,
     refuse_unlike_index,
     require_texts,
+    unit_of,
 )
+from radcalc.api.conversion import as_array
+from radcalc.api.functions import calculate, of_page
+from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_words
 from radcalc.calculators.dose import MEANS_OF_STEPS, READINGS

@@ -1,33 +1,68 @@
-"""Results of functions: quantities by name, with assumptions, notes and steps."""
+"""Results of functions: quantities by name, with assumptions, notes, steps and a picture."""
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import answer
 from radcalc.answer import Answer, Row, ShownInput, Step
-from radcalc.api.drawing import Drawing
-from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, quantity, unit_of
-from radcalc.api.reading import require_texts
+from radcalc.api.arguments import Quantity, is_lazy, magnitude_of, quantity, require_texts, unit_of
 from radcalc.api.refusals import in_python
 from radcalc.api.spelling import in_words, keyword, symbol_name
 from radcalc.calculators.page import NOTHING
 from radcalc.calculators.results import in_unit, name_in, name_of, rows
-from radcalc.errors import ConditionError, RadcalcError, nearest, quote
+from radcalc.errors import ConditionError, RadcalcError, quote
 from radcalc.inputs.given import Inputs
 from radcalc.maths import frozen, is_column
-from radcalc.quantities.language import ENGLISH
-from radcalc.quantities.search import called as quantities_called
-from radcalc.quantities.synonyms import SYNONYMS, meant
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
-from radcalc.units.table import unit_of as unit_of_text
 
 if TYPE_CHECKING:
     from radcalc.api.columns import Columns
     from radcalc.homework.question import Question
+    from radcalc.plots.data import Picture
+
+
+class Drawing:
+    """A picture for a notebook, as a Matplotlib figure, or in a file."""
+
+    def __init__(self, picture: "Picture") -> None:
+        self.picture = picture
+
+    def __repr__(self) -> str:
+        """Return the picture in characters."""
+        from radcalc.plots.characters import draw, style_of
+
+        return draw(self.picture, style_of()).rstrip("\n")
+
+    @cached_property
+    def figure(self) -> Any:
+        from radcalc.plots.figure import figure
+
+        return figure(self.picture)
+
+    def _repr_svg_(self) -> str:
+        from radcalc.plots.figure import data
+
+        return data(self.picture, ".svg").decode()
+
+    def save(self, path: "str | os.PathLike[str]") -> None:
+        """Write it into an SVG or PNG file, by the ending of the name.
+
+        Raises
+        ------
+        radcalc.RadcalcError
+            If the file has another ending, or cannot be written.
+        """
+        from radcalc.plots.figure import write
+
+        if not isinstance(path, os.PathLike):
+            require_texts(path=path)
+        write(os.fspath(path), self.picture)
+
 
 Show = Callable[[], answer.Result]
 Drawn = tuple[Inputs, Answer, Any]  # with the other inputs of a picture
@@ -38,16 +73,6 @@ class Undrawn(NamedTuple):
 
     problem: str
     hint: str
-
-
-def _alike(name: str, names: Iterable[str]) -> list[str]:
-    """Return the results that an unknown name may mean: ppfd, lux, R9."""
-    known = [*map(symbol_name, names)]
-    word = symbol_name(name.lower())
-    called = [q.name(ENGLISH).replace(" ", "-") for q, _ in quantities_called(word)]
-    found = [one for one in called if one in known]
-    found += [one for one in known if word in SYNONYMS.get(one, "").split()]
-    return [*map(keyword, found or meant(word, known) or nearest(word, known, 3))]
 
 
 class MissingResult(RadcalcError, KeyError, AttributeError):
@@ -110,19 +135,8 @@ class Result(Mapping[str, Quantity]):
         if called in self._later and called not in self._every:
             self._every[called] = self._later[called]()
         if called not in self._every:
-            names = [*self._every, *self._later]
-            near = self._in_unit(str(name)) or _alike(called, names) or self._names
-            raise MissingResult(f"unknown result '{quote(str(name))}'", ", ".join(near))
+            raise MissingResult(f"unknown result '{quote(str(name))}'", ", ".join(self._names))
         return self._every[called]  # type: ignore[no-any-return]
-
-    def _in_unit(self, text: str) -> list[str]:
-        """Return the results that a unit measures."""
-        if not (unit := unit_of_text(text)):
-            return []
-        shown = {row.name: unit_of_text(row.unit) for row in self.rows}
-        return [
-            keyword(name) for name, of in shown.items() if of and of.dimension == unit.dimension
-        ]
 
     def __iter__(self) -> Iterator[str]:
         """Iterate over the names of the results, each once."""
@@ -134,8 +148,8 @@ class Result(Mapping[str, Quantity]):
 
     def __getattr__(self, name: str) -> Quantity:
         """Return a result by any of its names."""
-        if name.startswith("_"):
-            raise AttributeError(name, name=name, obj=self)
+        if name.startswith("_") or name not in names_of(self):
+            raise AttributeError(f"'Result' object has no attribute '{name}'", name=name, obj=self)
         return self[name]
 
     def __setattr__(self, name: str, value: Any) -> None:

@@ -1,5 +1,7 @@
 """Python's spelling of messages: keywords instead of options."""
 
+from contextlib import suppress
+
 from radcalc.calculators.results import listed_in
 from radcalc.errors import NumberError, input_of, spell
 from radcalc.quantities.light import describe
@@ -22,6 +24,11 @@ def symbol_name(keyword: str) -> str:
     return keyword.replace("_", "-")
 
 
+def is_absent(value: object) -> bool:
+    """Return whether an argument counts as not given: None, or a flag that is False."""
+    return value is None or value is False
+
+
 class Python:
     """Python's spelling of symbols and commands in messages."""
 
@@ -33,7 +40,7 @@ class Python:
             return spelled
         if value.isupper() and value.isalpha():
             return f"{spelled}={value}"
-        return f'{spelled}="{_apart(value)}"'
+        return f"{spelled}={_as_literal(value)}"
 
     @staticmethod
     def command(*words: str) -> str:
@@ -44,7 +51,7 @@ class Python:
             call = " ".join([words[0], *[text for key, text in pairs if not key]])
             return f"`radcalc {call}` at a shell"
         arguments = [
-            PythonHint.option(key, value) if key else f'"{_apart(value)}"'
+            PythonHint.option(key, value) if key else _as_literal(value)
             for key, value in pairs
             if key != "get"
         ]
@@ -86,12 +93,12 @@ class Documented(Python):
         return f"``{Python.option(name, value)}``" if value else f"`{Python.option(name, '')}`"
 
 
-def _apart(value: str) -> str:
-    try:
+def _as_literal(value: str) -> str:
+    """Return a text in quotes, with a blank between a number and its unit."""
+    with suppress(NumberError):
         end = read_number(value)[1]
-    except NumberError:
-        return value
-    return f"{value[:end]} {value[end:].strip()}".strip()
+        value = f"{value[:end]} {value[end:].strip()}".strip()
+    return '"' + value.replace('"', '\\"') + '"'
 
 
 def in_words(text: str) -> str:

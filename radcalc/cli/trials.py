@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import click
 
 from radcalc import terminal
-from radcalc.answer import Row
+from radcalc.answer import Row, in_short
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.cases import is_stream
 from radcalc.cli.command import with_plot
@@ -37,7 +37,6 @@ from radcalc.units.ranges import size_of
 
 Words = list[str]
 ANSWERS = 100  # of a call that is made
-SHOWN, NAMED = 3, 2  # results to show of a call, and with their names
 LONG = ("scene",)  # commands with many answers
 LARGEST = 1 << 20  # bytes of the files of a call that is made
 NUMERIC = "0123456789.,:"  # characters of numbers, lists and ranges
@@ -64,14 +63,7 @@ class Trial(NamedTuple):
     def outcome(self) -> str:
         """Return the first results, with their names unless the call names them."""
         named = called_in(self.words) != "convert" and "-g" not in self.words
-        shown = self.rows[:SHOWN]
-        if named:  # each name once
-            shown = list({row.name: row for row in self.rows[::-1]}.values())[::-1][:NAMED]
-        texts = [f"{row.name} " * named + _shown(row) for row in shown]
-        more = ["..."] if len(self.rows) > SHOWN and not named else []
-        remark = spelled(self.remark)
-        mark = " " if remark.startswith("(") else ", "
-        return mark.join(filter(None, [", ".join([*texts, *more]), remark]))
+        return in_short(self.rows, named, spelled(self.remark))
 
     def answered(self) -> "Trial":
         """Return the trial with its results; raise the error of a call that is refused.
@@ -95,11 +87,6 @@ class Trial(NamedTuple):
         with suppress(RadcalcError):  # a stream has no call in Python
             record["call"] = _in_python(self.words)
         return record | dict(*first)
-
-
-def _shown(row: Row) -> str:
-    unit = "" if row.unit == "1" else f" {row.unit}"
-    return f"{row.value:.6g}{f' ± {row.uncertainty:.2g}' if row.uncertainty else ''}{unit}"
 
 
 def refuse(error: RadcalcError, words: Words) -> int:

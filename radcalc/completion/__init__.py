@@ -1,6 +1,6 @@
 """Completion of the next word, for the shells (`shells`) and for a prompt in the same process.
 
-`radcalc.cli.compile` prints the `table` of commands, options and results for a wheel, so that
+`radcalc.completion.rows` prints the `table` of commands and options for a wheel, so that
 completion does not load Click, which is too slow.
 """
 

@@ -144,42 +144,28 @@ def test_a_wavelength_is_known_by_its_unit():
     assert found.luminous_flux.m_as("lm") == pytest.approx(683.002, rel=1e-6)
 
 
-# function, amounts, keywords, what needs a keyword, the call in the hint, its answer by law:
-# 2 pi (1 - cos 30 deg) 100 cd; 4 pi 100 cd; Snell: sin(45 deg) / 1.5; 5 mW in a spot of
-# 1 mm + 10 m 1 mrad by the root of the squares; 1000 / 60 s; 5 mW / (pi mm2 / 4); 1000 W/m2 20 cm2;
-# 0.5 500 lx / pi
+# function, amounts, keywords, what needs a keyword, some that it may have
 NEED_KEYWORDS = [
-    ("point_source", ("100 cd", "30 deg"), {}, "'30 deg' needs a keyword",
-     'point_source(intensity="100 cd", half_angle="30 deg")', "flux 84.1787 lm"),
-    ("point_source", ("100 cd", "1 m"), {"distance": "2 m"}, "'1 m' needs a keyword",
-     'point_source(distance="2 m", intensity="100 cd", height="1 m")', "flux 1256.64 lm"),
+    ("point_source", ("100 cd", "30 deg"), {}, "'30 deg' needs a keyword", {"half_angle"}),
+    ("point_source", ("100 cd", "1 m"), {"distance": "2 m"}, "'1 m' needs a keyword", {"height"}),
     ("point_source", ("100 cd", "2 m", "1 m"), {}, "'2 m', '1 m' need keywords",
-     'point_source(intensity="100 cd", distance="2 m", height="1 m")', "flux 1256.64 lm"),
-    ("refraction", ("45 deg", 1.5), {}, "'1.5' needs a keyword",
-     'refraction(incidence="45 deg", index="1.5")', "refraction_angle 28.1255 deg"),
+     {"distance", "height"}),
+    ("refraction", ("45 deg", 1.5), {}, "'1.5' needs a keyword", {"index"}),
     ("laser", ("5 mW", "1 mm", "1 mrad", "10 m"), {}, "'1 mm', '1 mrad', '10 m' need keywords",
-     'laser(flux="5 mW", diameter="1 mm", divergence="1 mrad", distance="10 m")',
-     "irradiance 63.0317 W/m2"),
-    ("ev", ("1/60 s",), {"nd": "ND1000"}, "'1/60 s' needs a keyword",
-     'ev(nd="ND1000", unfiltered_time="1/60 s")', "time 16.6667 s"),
-    ("laser", ("5 mW", "25 W/m2"), {"diameter": "1 mm", "divergence": "1 mrad"},
-     "'25 W/m2' needs a keyword",
-     'laser(diameter="1 mm", divergence="1 mrad", flux="5 mW", limit="25 W/m2")',
-     "irradiance 6366.2 W/m2"),
-    ("calorimeter", ("1000 W/m2", "20 cm2"), {}, "'20 cm2' needs a keyword",
-     'calorimeter(irradiance="1000 W/m2", receiver_area="20 cm2")', "flux 2 W"),
+     {"diameter", "divergence", "distance"}),
+    ("ev", ("1/60 s",), {"nd": "ND1000"}, "'1/60 s' needs a keyword", {"unfiltered_time"}),
+    ("calorimeter", ("1000 W/m2", "20 cm2"), {}, "'20 cm2' needs a keyword", {"receiver_area"}),
     ("lambertian", ("patch", "500 lx"), {"reflectance": 0.5}, "'500 lx' needs a keyword",
-     'lambertian("patch", reflectance=0.5, incident_illuminance="500 lx")',
-     "luminance 79.5775 cd/m2"),
+     {"incident_illuminance"}),
 ]  # fmt: skip
 
 
 @for_each(NEED_KEYWORDS)
-def test_amounts_that_may_be_confused_need_keywords(name, amounts, given, problem, call, number):
+def test_amounts_that_may_be_confused_need_keywords(name, amounts, given, problem, keywords):
     with pytest.raises(UsageError) as caught:
         getattr(radcalc, name)(*amounts, **given)
     assert caught.value.message == problem
-    assert f"radcalc.{call}\n     {number}" in caught.value.hint
+    assert keywords <= {*caught.value.hint.removeprefix("one of ").split(", ")}
 
 
 @for_each([
@@ -196,7 +182,7 @@ def test_amounts_that_may_be_confused_need_keywords(name, amounts, given, proble
      "help(radcalc.point_source)"),
     ("point_source", ("1 m",) * 9, "one of distance, height, offset, offset_y"),
 ])  # fmt: skip
-def test_a_refusal_without_a_call_names_the_keywords(name, amounts, hint):
+def test_a_refusal_names_the_keywords(name, amounts, hint):
     with pytest.raises(UsageError, match="keyword") as caught:
         getattr(radcalc, name)(*amounts)
     assert caught.value.hint == hint

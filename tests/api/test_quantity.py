@@ -22,8 +22,8 @@ OTHERS = [
     ("500 umol/m2/s", "ppfd", 'radcalc.convert("500 umol m^-2 s^-1", "ppfd")\n     500 umol'),
     ("5 W", "dBm", 'radcalc.convert("5 W", "dBm")\n     36.9897'),
     ("500 lx", "ppfd", 'radcalc.convert("500 lx", "ppfd", spectrum="sun")'),
-    ("5 lx", Q("1 cd").units, 'radcalc.convert("5 lx", "cd", distance="2m")\n     20 cd'),
-    ("5 lx", Q("1 cd"), 'radcalc.convert("5 lx", "cd", distance="2m")\n     20 cd'),
+    ("5 lx", Q("1 cd").units, 'radcalc.convert("5 lx", "cd", distance="2 m")\n     20 cd'),
+    ("5 lx", Q("1 cd"), 'radcalc.convert("5 lx", "cd", distance="2 m")\n     20 cd'),
 ]
 
 

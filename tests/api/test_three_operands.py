@@ -44,8 +44,8 @@ def test_conditions_and_words_of_growers_and_scales():
     )
     assert radcalc.convert(10, "dBm", "mW") == radcalc.convert("10 dBm", "mW")
     with pytest.raises(RadcalcError, match="is missing") as caught:
-        radcalc.convert(500, "lx", "cd/m2")
-    assert 'radcalc.convert(500, "lx", "cd/m2", reflectance="0.5")' in caught.value.hint
+        radcalc.convert("500", "lx", "cd/m2")
+    assert 'radcalc.convert("500", "lx", "cd/m2", reflectance="0.5")' in caught.value.hint
 
 
 @for_each(["500 lx", radcalc.Quantity(500, "lx"), pandas.Series([1.0], name="E [fc]"),

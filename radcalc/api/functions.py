@@ -1,6 +1,7 @@
 """The Python functions of calculators, made from their pages.
 
-Signature and docstring follow from the symbols of the page, which the vocabulary describes.
+Signature and docstring follow from the symbols of the page, which the vocabulary describes.  The
+unit of an amount without a keyword decides which keyword it has.
 """
 
 from __future__ import annotations
@@ -9,20 +10,35 @@ import inspect
 import re
 import textwrap
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from functools import cache, wraps
+from functools import cache, partial, wraps
 from importlib import import_module
 from itertools import groupby
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
+from radcalc.answer import Answer, texts_of
 from radcalc.api import keywords
-from radcalc.api.amounts import with_amounts
-from radcalc.api.calculate import calculate
-from radcalc.api.refusals import in_python, misspelt
-from radcalc.api.result import Result
-from radcalc.api.spelling import Documented, Python, keyword, symbol_name
-from radcalc.calculators.page import Page, words_of
+from radcalc.api.arguments import (
+    as_text,
+    broadcast,
+    is_lazy,
+    is_quantity,
+    library_of,
+    magnitude_of,
+    read_inputs,
+    read_points,
+    unit_of,
+)
+from radcalc.api.columns import take_columns
+from radcalc.api.refusals import in_python, with_keywords
+from radcalc.api.result import Result, in_columns, of_answer
+from radcalc.api.spelling import Documented, Python, is_absent, keyword, symbol_name
+from radcalc.calculators.page import NOTHING, Page, words_of
 from radcalc.calculators.pages import page_of
-from radcalc.errors import mention, spell
+from radcalc.calculators.task import Task, requesting
+from radcalc.errors import RadcalcError, UsageError, manual, mention, options, quote, spell
+from radcalc.inputs.given import Input, Inputs, shown_inputs
+from radcalc.maths import is_column
+from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import (
     CHOICE,
     DIRECTION,
@@ -37,10 +53,168 @@ from radcalc.quantities.symbols import (
     SPECTRUM,
     VECTOR,
     Symbol,
+    in_kind,
     light_unit,
     names_of_kinds,
+    specific_name,
 )
-from radcalc.units.unit import NUMBER
+from radcalc.sentences.frames import inputs_of
+from radcalc.units.dimensions import LENGTH
+from radcalc.units.ranges import read_values
+from radcalc.units.reading import read_amount
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER, Unit
+
+
+class Unnamed(NamedTuple):
+    """An amount without a keyword, and its unit."""
+
+    value: Any
+    unit: Unit | None
+
+
+def with_amounts(
+    function: Callable[..., Any], command: str, amounts: Sequence[Any], given: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Return the keywords of a call, with those of its amounts.
+
+    Raises UsageError, which names the possible keywords, for an amount that may be several inputs
+    or none, and for two amounts that are the same input.
+    """
+    page, named = page_of(command), {k: v for k, v in given.items() if not is_absent(v)}
+    try:
+        read = [_read(value) for value in amounts]
+        found = _inputs(command, read, named)
+        names = [name for name in found if name]
+        wrong = []
+        for amount, name in zip(read, found, strict=True):
+            if not name or names.count(name) > 1 or keyword(name) in named:
+                wrong.append(amount)
+            else:
+                named[keyword(name)] = amount.value
+        if wrong:
+            raise _unplaced(page, command, wrong, named)
+    except RadcalcError as error:
+        raise with_keywords(error, function, named) from None
+    return named
+
+
+def _read(value: Any) -> Unnamed:
+    """Return an amount with its unit; a list has the unit of its first element."""
+    first = value[0] if isinstance(value, (list, tuple)) and value else value
+    if isinstance(first, str):
+        return Unnamed(value, read_amount(read_values(first)[0]).typed[1] or resolve("1"))
+    if is_quantity(first) and not library_of(magnitude_of(first)):
+        return Unnamed(value, unit_of(first))
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return Unnamed(value, resolve("1") if is_number else None)
+
+
+def _inputs(command: str, amounts: Sequence[Unnamed], given: Mapping[str, Any]) -> list[str]:
+    """Return the input that each amount is, or "" if it may be several or none.
+
+    Two kinds of one light have their own names: flux is luminous-flux and radiant-flux.
+    """
+    other = [*map(symbol_name, given)]
+    listed = [inputs_of(command, amount.unit, other) if amount.unit else [] for amount in amounts]
+    names = [names[0] if len(names) == 1 else "" for names in listed]
+    found = []
+    for name, amount in zip(names, amounts, strict=True):
+        light = read_light(amount.unit) if amount.unit and name else None
+        is_taken = names.count(name) > 1 or keyword(name) in given
+        own = specific_name(name, light.kind) if light and is_taken else name
+        found.append(own if own in SPECIFIC else name)
+    return found
+
+
+def _unplaced(
+    page: Page, command: str, wrong: Sequence[Unnamed], given: Mapping[str, Any]
+) -> UsageError:
+    """Return the error for amounts that need keywords, which it names."""
+    texts = [f"'{quote(as_text(amount.value))}'" for amount in wrong]
+    problem = f"{', '.join(texts)} {'need keywords' if texts[1:] else 'needs a keyword'}"
+    listed = [_candidates(page, amount, given) for amount in wrong]
+    if not all(listed):
+        return UsageError(problem, manual(command))
+    names = dict.fromkeys(name for names in listed for name in names)
+    return UsageError(problem, f"one of {options(names, ', ')}")
+
+
+def _candidates(page: Page, amount: Unnamed, given: Mapping[str, Any]) -> list[str]:
+    """Return the inputs of a page that take an amount and are not given."""
+    if amount.unit is None:
+        return []
+    dimension, light = amount.unit.dimension, read_light(amount.unit)
+    symbols = [page.symbol(name) for name in page.listed]
+    taking = [s.name for s in symbols if s.form == QUANTITY and dimension in s.dimensions]
+    if dimension == LENGTH and amount.unit.text not in ("nm", "um"):
+        taking = [name for name in taking if name != "wavelength"]
+    names = [in_kind(name, light.kind) if light else name for name in taking]
+    return [name for name in names if keyword(name) not in given]
+
+
+WorkOut = Callable[..., Answer]  # of the inputs, and of results on request
+
+
+def calculate(
+    command: str,
+    given: Mapping[str, Any],
+    work_out: WorkOut,
+    operands: Mapping[str, str] = NOTHING,
+    *,
+    waits: bool = True,
+    adapt: Callable[[Inputs], Inputs] | None = None,
+    samples: Mapping[str, float] = NOTHING,
+    drawn: Any = None,
+    requested: tuple[str, ...] = (),
+) -> Result:
+    """Read the symbols given to a function, and return the result.
+
+    `operands` are shown with them; `samples` are facts of a log; `drawn` is what a picture needs
+    in addition to the inputs; `adapt` changes the inputs that were read; `waits` is true if the
+    function takes Dask arrays.  `requested` are results that the function calculates on request
+    alone.
+    """
+    columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
+    if waits and any(map(is_lazy, given.values())):
+        from radcalc.api.lazy import blockwise
+
+        operand_texts = dict(operands)  # pickle takes it, unlike a proxy
+        call = partial(calculate, command, work_out=work_out, operands=operand_texts, adapt=adapt)
+        waiting: Result = blockwise(keyword(command), call, given)
+        return in_columns(waiting, columns)
+    symbols = dict(given)
+    point = symbols.pop("point", None)
+    inputs = read_inputs(symbols, page_of(command).intervals)
+    if point is not None:
+        inputs = {**inputs, "point": read_points(point)}
+    if adapt:
+        inputs = adapt(inputs)
+    arrays = any(map(_has_elements, inputs.values()))
+    shape = operands.get("shape") or operands.get("type", "")
+    task = Task(command, requesting(work_out, requested), texts_of(operands), shape, samples, drawn)
+    answer = broadcast(lambda: task.solve(inputs))
+
+    def ask() -> Any:
+        from radcalc.homework.question import of_task
+
+        return of_task(task, inputs, steps=True)
+
+    def again(name: str) -> Answer:
+        further = task._replace(work_out=requesting(work_out, (*requested, name)))
+        found: Answer = broadcast(lambda: further.solve(inputs))
+        return found
+
+    listed_inputs = (*task.operands, *shown_inputs(inputs))
+    solved = (inputs, answer, drawn)
+    result = of_answer(command, answer, listed_inputs, None if arrays else ask, solved, again)
+    return in_columns(result, columns)
+
+
+def _has_elements(given: Input) -> bool:
+    values = given.value if isinstance(given.value, tuple) else (given.value,)
+    return any(map(is_column, values))
+
 
 T = TypeVar("T")
 FORMS = {
@@ -118,11 +292,16 @@ class Keyword(NamedTuple):
         )
 
 
+def function_of_page(name: str) -> WorkOut:
+    """Return the function that calculates what a page describes."""
+    work_out: WorkOut = getattr(import_module(f"radcalc.calculators.{name}"), name)
+    return work_out
+
+
 @cache
 def function(name: str) -> Callable[..., Result]:
     """Make the function of a calculator from its page alone."""
-    command = symbol_name(name)
-    work_out = getattr(import_module(f"radcalc.calculators.{name}"), name)
+    command, work_out = symbol_name(name), function_of_page(name)
 
     def call(**given: Any) -> Result:
         return calculate(command, given, work_out)
@@ -144,6 +323,7 @@ def of_page(
     page_keywords = _keywords(page, without)
 
     def decorate(function: Callable[..., T]) -> Callable[..., T]:
+        """Return the function with the keywords of the page and its documentation."""
         signature = inspect.signature(function)
         fixed = [
             parameter
@@ -162,8 +342,10 @@ def of_page(
             try:
                 bound = signature.bind(*args, **kwargs)
             except TypeError as error:
-                hint = misspelt(call, args, kwargs)
-                raise TypeError(f"{function.__name__}() {error}{hint}") from None
+                problem = f"{function.__name__}() {error}"
+                if not kwargs.keys() <= signature.parameters.keys():
+                    problem += f"; its parameters are {', '.join(signature.parameters)}"
+                raise TypeError(problem) from None
             given = bound.arguments
             if unnamed and (values := given.pop(AMOUNTS.name, ())):
                 given = with_amounts(function, command, values, given)
@@ -222,6 +404,7 @@ def _docstring(
     operands: Sequence[str],
     page_keywords: Sequence[Keyword],
 ) -> str:
+    """Return a docstring: the sections of a function's own text, the others of its page."""
     summary, *headed = HEADING.split(own_text)
     sections = {"Returns": RETURNS, "Raises": RAISES}
     sections |= dict(zip(headed[::2], headed[1::2], strict=True))
