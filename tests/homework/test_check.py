@@ -11,7 +11,7 @@ from homework.questions import RIGHT, TILTED, asked, claim_of, typed, verdict
 from radcalc.calculators.ev import ev
 from radcalc.calculators.solid_angle import solid_angle
 from radcalc.calculators.task import Task
-from radcalc.cli import names
+from radcalc.calculators import pages
 from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
 from radcalc.homework import Question, Verdict, check
@@ -46,7 +46,7 @@ QUESTIONS = [*RIGHT, *map(first_result, PLAIN)]
 def test_every_command_has_a_right_answer_here():
     # scenes and logs need files: see test_scene.py and test_dose.py in tests/calculators
     lists = {"units", "quantities", "typical", "examples", "help", "manual", "columns", "mark"}
-    judging = set(names.COMMANDS) - lists - {"scene", "dose", "prompt"}
+    judging = set(pages.COMMANDS) - lists - {"scene", "dose", "prompt"}
     assert {words.split()[0] for words, _, _ in QUESTIONS} == judging
     assert len(RIGHT) >= 30
 
