@@ -18,19 +18,23 @@ from radcalc.cli.refusals import of_click
 from radcalc.cli.spelling import Shell, refuse_long, spelled, split
 from radcalc.errors import RadcalcError, UsageError, drop, listed, printable, quote, spell
 from radcalc.errors import command as call_of
-from radcalc.homework.marks import (
+from radcalc.homework.marking import (
+    COMMAND,
+    EXPECTED,
     PARTS,
     RIGHT,
     UNREADABLE,
     Key,
     Mark,
+    Sheet,
+    SheetRow,
     key,
     mark,
     of_value,
     read_parts,
+    read_sheet,
     refuse_unlike,
 )
-from radcalc.homework.sheet import COMMAND, EXPECTED, Row, Sheet, read_sheet
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
 from radcalc.terminal import JSON, TABLE
@@ -42,7 +46,7 @@ DIGITS = 6  # of points
 class Marked(NamedTuple):
     """A student's answer to a question, as typed, with its mark and its points."""
 
-    row: Row
+    row: SheetRow
     right: str
     student: str
     mark: Mark
@@ -118,7 +122,7 @@ def command(
 # The key
 
 
-def _key(sheet: Sheet, row: Row, tolerance: str | None) -> Key:
+def _key(sheet: Sheet, row: SheetRow, tolerance: str | None) -> Key:
     """Return the key of a question; raise its error with the place in the sheet."""
     words: list[str] = []
     column = COMMAND if row.command else EXPECTED

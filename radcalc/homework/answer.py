@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, add, option, quote
 from radcalc.floats import divide
-from radcalc.homework.words import Translatable
+from radcalc.homework.wording import Translatable
 from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
 from radcalc.quantities.symbols import ANY, Symbol

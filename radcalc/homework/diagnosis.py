@@ -7,12 +7,11 @@ from itertools import combinations, product
 from typing import NamedTuple
 
 from radcalc.answer import Value
-from radcalc.homework import edits, integrals, misread, outside, siblings
+from radcalc.homework import edits, formulas, misread, outside
 from radcalc.homework.answer import Claim, Diagnosis
 from radcalc.homework.chain import Worked
 from radcalc.homework.misread import SLIPS
-from radcalc.homework.problem import RARER, Candidate, Problem, both
-from radcalc.homework.question import Question
+from radcalc.homework.question import RARER, Candidate, Problem, Question, both
 
 MOST = 5  # diagnoses
 COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake
@@ -30,7 +29,7 @@ WITH_CONSTANTS = ("photon-energy", "photon-efficacy", "wavelength", "temperature
 ON_THE_WAY, NARROWER = 0.004, 0.7
 
 
-FAMILIES = (edits.find, siblings.find, integrals.find, outside.find, misread.find)
+FAMILIES = (edits.find, formulas.find_siblings, formulas.find_integrals, outside.find, misread.find)
 
 
 def diagnose(
@@ -150,7 +149,7 @@ def misread_and_more(problem: Problem) -> list[Candidate]:
     """Return the wrong values of a mistake in a law after a size or an angle was misread."""
     found = []
     for first, other in misread.halves_of(problem):
-        for family in (edits.find, siblings.find, outside.find):
+        for family in (edits.find, formulas.find_siblings, outside.find):
             with suppress(ArithmeticError):
                 found += [
                     both(first, law, law.value)

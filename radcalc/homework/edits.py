@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 from radcalc.derivation import fill, letter_of
 from radcalc.homework.chain import Worked
-from radcalc.homework.problem import BOTH, PI_FORGOTTEN, Candidate, Problem, usual
-from radcalc.homework.words import Translatable
+from radcalc.homework.question import BOTH, PI_FORGOTTEN, Candidate, Problem, usual
+from radcalc.homework.wording import Translatable
 from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS

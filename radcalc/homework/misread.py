@@ -6,8 +6,8 @@ from contextlib import suppress
 from itertools import product
 
 from radcalc.errors import RadcalcError
-from radcalc.homework.problem import Candidate, Problem, both, usual
-from radcalc.homework.words import Translatable
+from radcalc.homework.question import Candidate, Problem, both, usual
+from radcalc.homework.wording import Translatable
 from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.units.dimensions import (

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 from radcalc.geometry import cones
 from radcalc.geometry.numerics import vectors
 from radcalc.homework.edits import scaled
-from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
-from radcalc.homework.siblings import PROJECTED
-from radcalc.homework.words import Translatable
+from radcalc.homework.formulas import PROJECTED
+from radcalc.homework.question import PI_FORGOTTEN, Candidate, Problem, usual
+from radcalc.homework.wording import Translatable
 from radcalc.quantities.symbols import EFFICACIES, UNIFORM
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.units.dimensions import SOLID_ANGLE, times

@@ -1,17 +1,35 @@
-"""Questions with a right answer: of a calculator or of a conversion."""
+"""Questions of an answer to check, and the problem that a question poses."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 from radcalc.answer import Answer, Step, Value
+from radcalc.calculators.pages import page_of
 from radcalc.calculators.task import Task
 from radcalc.calculators.uncertainty import value_of, with_uncertainties
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import plan
+from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
+from radcalc.homework.wording import USUAL, Translatable
 from radcalc.inputs.given import Input, Inputs, any_uncertain
+from radcalc.laws.black_body import EXITANCE, PEAK
+from radcalc.laws.surface import LAMBERTIAN
+from radcalc.quantities.light import GRID, Reading
+from radcalc.quantities.symbols import SYMBOLS
+from radcalc.spectra.spectrum import BlackBody
 from radcalc.units.amount import Amount
 from radcalc.units.unit import Unit
+
+HOT_BODY = {  # the laws of the results of a black body's spectrum
+    "exitance": [EXITANCE],
+    "radiance": [EXITANCE, LAMBERTIAN],
+    "peak-wavelength": [PEAK],
+}
+PI_FORGOTTEN = "pi was forgotten"
+BOTH, AND = "{0}; {1}", "{0}; and {1}"
+RARER = 3.5  # what two mistakes in laws add to their ranks
 
 
 class Question(NamedTuple):
@@ -100,3 +118,134 @@ def of_conversion(
     question = Question(answer, conditions, work_out, "convert", plan=conversion, number=number)
     inputs = {**conditions, "": value_of(amount)} if amount else conditions
     return _with_uncertainties(question, inputs, steps)
+
+
+class Candidate(NamedTuple):
+    """A wrong value [SI] and the mistake that leads to it; rank 1 is the likeliest.
+
+    `done` describes the mistake, `right` is the right rule.
+    """
+
+    mistake: str
+    rank: float
+    value: float
+    done: str
+    right: str
+
+
+def usual(
+    name: str, value: float | None, done: str = "", right: str = "", later: float = 0.0
+) -> Candidate | None:
+    """Return a mistake of the table `USUAL`, or None without a value.
+
+    `done` and `right` replace the words of the table; `later` is added to the rank.
+    """
+    if value is None or not math.isfinite(value):
+        return None
+    rank, usual_done, rule = USUAL[name]
+    return Candidate(name, rank + later, value, done or usual_done, rule or right)
+
+
+def both(first: Candidate, second: Candidate, value: float | None = None) -> Candidate:
+    """Return two mistakes together, which are rarer than one."""
+    return Candidate(
+        f"{first.mistake} and {second.mistake}",
+        first.rank + second.rank + RARER,
+        second.value if value is None else value,
+        Translatable(AND, first.done, second.done),
+        Translatable(BOTH, first.right, second.right),
+    )
+
+
+class Problem:
+    """One result of a question: its inputs, the other results, and the right value [SI].
+
+    `light` is its light quantity, if it is one; `chain` is its derivation.
+    """
+
+    def __init__(self, question: Question, target: Value) -> None:
+        self.question, self.given, self.target = question, question.given, target
+        self.results = {v.name: v for v in question.answer.values if not v.is_absent}
+        self.right = float(target.amount)
+        self._changed: dict[Any, tuple[Question, Value] | None] = {}
+        facts = GRID.get(target.dimensions[0])
+        self.light = Reading(*facts) if facts else None
+        if question.plan:
+            from radcalc.homework.chain import of_conversion
+
+            self.chain = of_conversion(question.plan, question.number, self.right, self.given)
+        elif (body := self.hot_body()) and target.name in HOT_BODY:
+            values = {"temperature": body.temperature, "emissivity": 1.0}
+            self.chain = of_laws(HOT_BODY[target.name], target.name, values, self.right)
+        else:
+            self.chain = of_answer(question.answer, target, self.given)
+
+    def hot_body(self) -> BlackBody | None:
+        body = self.given["spectrum"].value if "spectrum" in self.given else None
+        return body if isinstance(body, BlackBody) else None
+
+    def lists(self, mistake: str) -> bool:
+        return mistake in page_of(self.question.command).mistakes
+
+    def asks(self, *names: str) -> bool:
+        """Return whether the result is one of these; a generic name includes all kinds of light."""
+        symbol = SYMBOLS.get(self.target.name)
+        return self.target.name in names or (symbol is not None and symbol.generic in names)
+
+    def amount(self, name: str) -> float | None:
+        if name in self.given:
+            value = self.given[name].value
+            return float(value) if isinstance(value, (int, float)) else None
+        if name in self.chain.values:
+            return self.chain.values[name]
+        try:
+            return float(self.results[name].amount)
+        except FAILURES:
+            return None
+
+    def radius(self) -> float | None:
+        diameter = self.amount("diameter")
+        return diameter / 2 if diameter else self.amount("radius")
+
+    def anew(self, changed: dict[str, Any]) -> float | None:
+        """Return the result [SI] with some inputs changed, or None if these are refused."""
+        key = tuple(changed.items())
+        if key not in self._changed:
+            given = dict(self.given)
+            for name, value in changed.items():
+                given[name] = given[name]._replace(value=value, is_exact=True)
+            self._changed[key] = self._with(given)
+        found = self._changed[key]
+        numbers = {name: value for name, value in changed.items() if isinstance(value, float)}
+        return Worked(float(found[1].amount), self.chain, numbers) if found else None
+
+    def _with(self, given: Inputs) -> tuple[Question, Value] | None:
+        try:
+            answer = self.question.work_out(given)
+            for result in answer.values:
+                if result.name == self.target.name and result.dimensions == self.target.dimensions:
+                    return self.question._replace(answer=answer, given=given), result
+        except FAILURES:
+            pass  # a wrong input may be out of range
+        return None
+
+    def changed(self, changed: dict[str, Any]) -> "Problem | None":
+        """Return the problem with some inputs changed, or None if these are refused."""
+        if self.anew(changed) is None:
+            return None
+        question, target = cast("tuple[Question, Value]", self._changed[tuple(changed.items())])
+        if question.plan is None:
+            return Problem(question, target)
+        ends = question.plan.source, question.plan.target
+        try:
+            replanned = plan(*ends, [*question.given.values()])
+        except FAILURES:
+            return None
+        return Problem(question._replace(plan=replanned), target)
+
+    def misread(self, name: str, value: float) -> float | None:
+        """Return the result [SI] with one input changed; from the laws alone if it is refused."""
+        result = self.anew({name: value})
+        if result is None and name in self.chain.symbols:
+            return self.chain.after(name, value)
+        return result

@@ -8,7 +8,7 @@ from radcalc.calculators.results import in_unit
 from radcalc.derivation import format_number, with_unit
 from radcalc.homework.answer import Claim, Diagnosis, Tolerance
 from radcalc.homework.question import Question
-from radcalc.homework.words import Translatable
+from radcalc.homework.wording import Translatable
 from radcalc.units.unit import Unit
 
 NEAR = 0.05  # of an uncertainty, which has two digits at most

@@ -29,7 +29,7 @@ from radcalc.homework.answer import (
     read_tolerance,
 )
 from radcalc.homework.question import Question
-from radcalc.homework.words import Translatable
+from radcalc.homework.wording import Translatable
 from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities.light import describe
 from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
@@ -37,7 +37,7 @@ from radcalc.units.scales import ScaleUnit
 from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
-    from radcalc.homework.problem import Candidate
+    from radcalc.homework.question import Candidate
 
 ROUNDED = "rounded"  # not a mistake
 RELATIVE = "another-result"

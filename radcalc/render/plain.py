@@ -126,7 +126,7 @@ def fields(records: "Records") -> list[list[str]]:
 
 def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str:
     """Return whether an answer is right, and the most likely mistakes."""
-    from radcalc.homework.words import Translatable, in_language
+    from radcalc.homework.wording import Translatable, in_language
     from radcalc.quantities.language import ENGLISH
 
     if style.bare:
@@ -158,7 +158,7 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
 
 def _mistakes(diagnoses: "Sequence[Any]", language: str) -> "Iterator[str]":
     """Yield the lines of the likely mistakes: what was done, the wrong step, and the rule."""
-    from radcalc.homework.words import Translatable, in_language
+    from radcalc.homework.wording import Translatable, in_language
 
     word = "likely: {0}"
     for diagnosis in diagnoses:

@@ -8,10 +8,10 @@ from conftest import python, run
 from helpers import PLAIN, example_of, for_each, results
 from homework.questions import RIGHT, TILTED, asked, claim_of, typed, verdict
 
+from radcalc.calculators import pages
 from radcalc.calculators.ev import ev
 from radcalc.calculators.solid_angle import solid_angle
 from radcalc.calculators.task import Task
-from radcalc.calculators import pages
 from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
 from radcalc.homework import Question, Verdict, check

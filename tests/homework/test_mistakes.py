@@ -15,8 +15,8 @@ from radcalc.homework import check
 from radcalc.homework.answer import read_claim
 from radcalc.homework.diagnosis import candidates, pairs
 from radcalc.homework.misread import SLIPS
-from radcalc.homework.problem import Problem
-from radcalc.homework.usual import USUAL
+from radcalc.homework.question import Problem
+from radcalc.homework.wording import USUAL
 
 
 def digits_of(k: int) -> int:

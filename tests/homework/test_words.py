@@ -12,8 +12,7 @@ from homework.families import FAMILIES, ROUNDED
 from homework.heldout import BLIND, HELD_OUT, THIRD
 from homework.questions import CONE, POINT, claim_of, verdict
 
-from radcalc.homework.usual import USUAL
-from radcalc.homework.words import CATALOGUES, DOMAIN, Translatable, in_language
+from radcalc.homework.wording import CATALOGUES, DOMAIN, USUAL, Translatable, in_language
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 
 FORMULA = set("=^/")  # characters of a rule that may be a formula without words
