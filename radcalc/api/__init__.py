@@ -20,7 +20,7 @@ MODULES = {
     "radcalc.api.sentence": ("ask",),
     "radcalc.api.sources": ("lambertian", "point_source", "uberlight"),
     "radcalc.api.spectra": ("photon", "spectrum"),
-    "radcalc.api.surroundings": ("environment", "irradiance_map", "reproject", "sky"),
+    "radcalc.api.surroundings": ("environment", "irradiance_map", "sky"),
     "radcalc.sentences.tasks": ("Task",),
     "radcalc.errors": (
         "ConditionError",
