@@ -175,7 +175,7 @@ PAGE = Page(
         "13 sun-elevation=35deg global-irradiance=600W/m2 sun-irradiance=750W/m2",
         "clear sun-elevation=40deg horizontal-illuminance=12klx spectrum=D65 "
         "get=horizontal-photon-irradiance:umol/m2/s",
-        "clear sun-elevation=40deg horizontal-illuminance=12klx plot=",
+        "clear sun-elevation=40deg horizontal-illuminance=12klx plot=sky.png",
         "overcast illuminance=4klx tilt=90deg get=zenith-luminance",
         "clear sun-elevation=40deg sun-azimuth=0deg horizontal-illuminance=12klx "
         "save=clear.hdr size=2048x1024",

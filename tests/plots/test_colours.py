@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from radcalc.errors import ConditionError, UsageError
-from radcalc.plots import characters, figure
+from radcalc.plots import figure
 from radcalc.plots.colours import chromaticities, diagram, vectors
 from radcalc.spectra.sources import spectrum
 
@@ -62,14 +62,6 @@ def test_impossible_pictures_are_refused():
         vectors(spectrum("line:532nm"))
     with pytest.raises(ConditionError, match="invisible"):
         chromaticities([spectrum("line:1064nm")])
-
-
-@pytest.mark.parametrize("width", [60, 80, 120])
-@pytest.mark.parametrize("wanted", ["rf", "x"])
-def test_diagrams_are_no_wider_than_the_terminal(wanted, width):
-    text = characters.draw(diagram([spectrum("FL2")], [wanted]), characters.style_of(width))
-    assert max(map(len, text.splitlines())) <= width
-    assert text.count("\n") <= 48
 
 
 def test_figures_are_drawn_with_the_colours_of_colour_science():
