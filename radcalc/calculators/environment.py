@@ -170,7 +170,7 @@ def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
 def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment
-    from radcalc.distributions.sky import Sky
+    from radcalc.distributions.radiances import Sky
     from radcalc.geometry.sky import IS_EVEN, MISSING_AZIMUTH, sky_type
 
     sun: Any = None

@@ -305,7 +305,7 @@ class _Sky:
 
     def picture(self, solved: Solved, width: int, height: int) -> "Picture":
         from radcalc.distributions.maps.sky_map import Sun, sky_map
-        from radcalc.distributions.sky import Sky
+        from radcalc.distributions.radiances import Sky
 
         if not solved.has("zenith-radiance"):
             raise MissingInput("the brightness of the sky is missing", BRIGHT)

@@ -14,11 +14,10 @@ from radcalc.calculators.sky import place_of_sun
 from radcalc.calculators.uncertainty import STANDARD
 from radcalc.derivation import format_angle
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
+from radcalc.distributions.formula import of_shape
 from radcalc.distributions.maps.radiance_map import RadianceMap
-from radcalc.distributions.radiances import Radiances
+from radcalc.distributions.radiances import Radiances, Sky
 from radcalc.distributions.scene import Axis as Coordinates
-from radcalc.distributions.shapes import of_shape
-from radcalc.distributions.sky import Sky
 from radcalc.errors import UsageError, option
 from radcalc.geometry.directions import UP, cartesian, facing, spherical
 from radcalc.geometry.numerics.expression import Expression
