@@ -136,6 +136,7 @@ class Source:
         return self.sums[key]
 
     def _read(self, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
+        """Read the source, and refuse settings of other sources."""
         from radcalc.distributions import environments
 
         named = self.named
@@ -168,6 +169,7 @@ def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
 
 
 def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
+    """Return a sky by the name of its type, bright by `SCALES` or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment
     from radcalc.distributions.radiances import Sky
@@ -248,6 +250,7 @@ class _Surroundings:
         self.lit = kinds.read_light({}, links)._replace(kind=self.kind, mixed=lit.mixed)
 
     def answer(self) -> Answer:
+        """Return irradiance, mean and peak, and the radiance of a direction."""
         given, radiances = self.given, self.environment.radiances
         normal = given["normal"].value if "normal" in given else UP
         if "normal" not in given:
@@ -302,6 +305,7 @@ class _Surroundings:
             self.notes.append(f"it covers {share} of the receiver's hemisphere, by cosine")
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
+        """Return the map, with notes on the errors of its order."""
         from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map
 
         size = self._size()

@@ -87,6 +87,7 @@ class Formula:
         self.unseen = max(narrowest(ALL_POLAR, ALL_AZIMUTHS, self.is_axial))
 
     def intensity(self, theta: Number, phi: Number) -> Number:
+        """Return the intensity; raise a ConditionError if it is negative or not finite."""
         phi = phi % TURN  # an expression need not be periodic
         x, y, z = cartesian(theta, phi)
         at: dict[str, Any] = {"theta": theta, "phi": phi, "x": x, "y": y, "z": z}
@@ -149,6 +150,7 @@ class Formula:
 
     @cached_property
     def _peak(self) -> Peak:
+        """Search the peak on a grid, and again on finer grids around it."""
         polar, azimuth = ALL_POLAR, ALL_AZIMUTHS
         counts = FIRST_OF_AXIAL if self.is_axial else FIRST
         best = Peak(-math.inf, 0.0, 0.0)

@@ -121,6 +121,7 @@ class Grid:
         return (polar >= self.polar[0] - NEAR) & (polar <= self.polar[-1] + NEAR)
 
     def _between_planes(self, polar: Any, azimuth: Any) -> Any:
+        """Return the bilinear interpolation of the intensity in directions."""
         count = len(self.polar)
         turned = (azimuth - self.azimuth[0] + NEAR) % TURN + (self.azimuth[0] - NEAR)
         # fractional row and column of each direction

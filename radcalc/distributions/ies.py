@@ -73,6 +73,7 @@ class Numbers:
         return [value for number, line in lines for value in self.numbers(line, number)]
 
     def numbers(self, line: str, number: int) -> list[float]:
+        """Return the numbers of a line, separated by blanks or commas."""
         words = line.split()
         values = numbers_at_once(line, words)
         if values is not None:

@@ -289,6 +289,7 @@ def _between(
 
 
 def _chart(chart: Chart, style: Style) -> list[str]:
+    """Draw curves, marks and bands between axes."""
     rows = min(max(style.width // SHARE, LEAST), MOST)
     x_of, y_of = _scale(chart.x.is_log), _scale(chart.y.is_log)
     values = [y for series in chart.series for y in series.heights]

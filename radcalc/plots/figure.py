@@ -121,6 +121,7 @@ def _matplotlib() -> Any:
 
 
 def _chart(chart: Chart, drawing: Any) -> None:
+    """Draw curves, marks and bands between axes."""
     axes = drawing.subplots()
     looks = iter(_looks(chart))
     drawn: list[Any] = []
@@ -297,6 +298,7 @@ def _field(field: Field, drawing: Any) -> None:
 
 
 def _disc(disc: Disc, drawing: Any) -> None:
+    """Draw a hemisphere of directions: an image is shaded, anything else has contours."""
     import numpy
     from matplotlib.patches import Circle
 
@@ -343,6 +345,7 @@ def _shaded(drawing: Any, axes: Any, places: Any, rows: Any, inside: Any, value:
 
 
 def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
+    """Draw curves and points over the colours of the plane."""
     drawing.set_size_inches(*style.SQUARE)
     axes = drawing.subplots()
     axes.grid(visible=False)

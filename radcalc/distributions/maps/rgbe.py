@@ -190,6 +190,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
 
 
 def _header(data: bytes, name: str) -> _Header:
+    """Read the lines before the scanlines, with the exposure, the primaries and the view."""
     lines, start = _header_lines(data, name)
     variables = dict(line.split("=", 1) for line in lines if "=" in line)
     form = variables.get("FORMAT", RGBE).strip()
