@@ -29,7 +29,6 @@ factor         Return the number that multiplies values in one unit to
                convert them to another.
 irradiance_map Compute the irradiances of receivers facing every direction,
                as a latlong map.
-reproject      Reproject a map: each pixel is the mean over its solid angle.
 typical        List typical values: sun, sky, rooms, lamps, screens, plants,
                with sources.
 
@@ -107,7 +106,6 @@ __all__ = [
     "photon",
     "point_source",
     "refraction",
-    "reproject",
     "room",
     "scene",
     "screen",

@@ -45,7 +45,6 @@ from radcalc.api.keywords import (
     Times,
     Unnamed,
     Vector,
-    WholeSphere,
 )
 from radcalc.api.questions import (
     Listing,
@@ -98,7 +97,6 @@ __all__ = [
     "photon",
     "point_source",
     "refraction",
-    "reproject",
     "room",
     "scene",
     "screen",
@@ -574,31 +572,6 @@ def refraction(
     brewster_angle: Amount = None,
     critical_angle: Amount = None,
 ) -> Result: ...
-def reproject(
-    source: Surroundings,
-    to: WholeSphere,
-    size: Pair = None,
-    *,
-    unit: Text = None,
-    projection: Projection | None = None,
-    field: Amount = None,
-    aim: Vector = None,
-    channel: Text = None,
-    sun_elevation: Amount = None,
-    sun_azimuth: Amount = None,
-    zenith_radiance: Amount = None,
-    zenith_luminance: Amount = None,
-    zenith_photon_radiance: Amount = None,
-    horizontal_irradiance: Amount = None,
-    horizontal_illuminance: Amount = None,
-    horizontal_photon_irradiance: Amount = None,
-    wavelength: Amount = None,
-    spectrum: Spectrum = None,
-    efficacy: Amount = None,
-    observer: Observer | None = None,
-    range: Text = None,
-    photon_range: Text = None,
-) -> Quantity: ...
 def room(
     *amounts: Unnamed,
     width: Amount = None,

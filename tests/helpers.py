@@ -42,7 +42,7 @@ LIGHT = {
     "far-field-irradiance": "{0}/m2", "scale": "{0}/sr", "peak-intensity": "{0}/sr",
     "intensity-toward": "{0}/sr", "upward-flux": "{0}", "downward-flux": "{0}",
     "mean-irradiance": "{0}/m2", "minimum-irradiance": "{0}/m2", "maximum-irradiance": "{0}/m2",
-    "mean-radiance": "{0}/m2/sr", "minimum-radiance": "{0}/m2/sr", "peak-radiance": "{0}/m2/sr",
+    "mean-radiance": "{0}/m2/sr", "peak-radiance": "{0}/m2/sr",
     "radiance-toward": "{0}/m2/sr", "zenith-radiance": "{0}/m2/sr",
     "horizontal-irradiance": "{0}/m2", "sun-irradiance": "{0}/m2", "diffuse-irradiance": "{0}/m2",
     "direct-irradiance": "{0}/m2", "peak-irradiance": "{0}/m2", "limit": "{0}/m2",

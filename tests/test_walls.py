@@ -48,9 +48,8 @@ KEEPERS = {
         "radcalc.spectra.rendition",
         "radcalc.geometry",
         "radcalc.distributions",
-        "radcalc.plots.directions",
         "radcalc.plots.figure",
-        "radcalc.plots.places",
+        "radcalc.plots.space",
     ),
 }
 PICTURE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").split("```text\n")[1]

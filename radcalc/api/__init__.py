@@ -18,7 +18,6 @@ MODULES = {
         "lambertian",
         "photon",
         "point_source",
-        "reproject",
         "scene",
         "sky",
         "solid_angle",

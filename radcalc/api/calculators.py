@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any, Literal
 
@@ -36,14 +36,12 @@ from radcalc.api.keywords import (
     Sky,
     Surroundings,
     Vector,
-    WholeSphere,
 )
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source
 from radcalc.calculators.integrate import BARE, integrand
 from radcalc.calculators.lambertian import OPERAND
-from radcalc.calculators.maps import RenderedMap
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.photon import named
 from radcalc.calculators.pixel import pixel as of_pixel
@@ -57,7 +55,6 @@ from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import IN_METRES, read_coordinates, read_point
 from radcalc.inputs.reading import read
-from radcalc.quantities.symbols import WHOLE_SPHERE
 from radcalc.spectra.files import read_text
 from radcalc.units.table import resolve
 
@@ -498,46 +495,10 @@ def irradiance_map(
     >>> print(lit.shape, lit[0, 0, 0].round(1))
     (8, 16, 1) 9424.8 lux
     """
-    return _map(source, {"size": size, **given}, partial(page.irradiance_map, order=order))
-
-
-@of_page("environment", without=("normal", "toward", "size"))
-def reproject(source: Surroundings, to: WholeSphere, size: Pair = None, **given: Any) -> Quantity:
-    """Reproject a map: each pixel is the mean over its solid angle.
-
-    Parameters
-    ----------
-    source : str, path, array or Quantity
-        As in `irradiance_map`.
-    to : {"latlong", "mirror-ball", "angular"}
-        The new projection; its middle shows +x.
-    size : sequence of 2 ints, optional
-        Width and height of the new map; as high as the source's by default.
-
-    Returns
-    -------
-    Quantity
-        An array of shape (height, width, channels), in cd/m2, W/m2/sr, umol/m2/s/sr or 1.
-
-    Raises
-    ------
-    radcalc.RadcalcError
-        As in `environment`.
-
-    Examples
-    --------
-    >>> print(reproject("sky:uniform", "angular", (64, 64), zenith_luminance="9 cd/m2").max())
-    9.0 candela / metre ** 2
-    """
-    name = one_of(to, WHOLE_SPHERE, "projection")
-    return _map(source, {"size": size, **given}, partial(page.reprojection, to=name))
-
-
-def _map(source: Any, given: dict[str, Any], make: Callable[..., RenderedMap]) -> Quantity:
-    around, given = _surroundings(source, given)
+    around, given = _surroundings(source, {"size": size, **given})
     inputs = read_inputs(given)
     refuse_uncertain(inputs.values(), "a map")
-    rendered = make(around, inputs)
+    rendered = page.irradiance_map(around, inputs, order)
     return quantity(rendered.pixels, resolve(rendered.unit))
 
 

@@ -61,9 +61,10 @@ Shape: TypeAlias = Literal[
     "pixel",
 ]
 Sky: TypeAlias = Literal["overcast", "uniform", "intermediate", "clear", "turbid"] | int | str
-WholeSphere: TypeAlias = Literal["latlong", "mirror-ball", "angular"]
 Projection: TypeAlias = Literal[
-    WholeSphere,
+    "latlong",
+    "mirror-ball",
+    "angular",
     "fisheye",
     "equisolid",
     "orthographic",

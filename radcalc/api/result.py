@@ -33,9 +33,12 @@ class Drawing:
         self.picture = picture
 
     def __repr__(self) -> str:
-        """Return the picture in characters."""
+        """Return the picture in characters, or a text if it is drawn in a file only."""
         from radcalc.plots.characters import draw, style_of
+        from radcalc.plots.data import IN_A_FILE
 
+        if kind := IN_A_FILE.get(type(self.picture)):
+            return f"{kind}: .save('plot.png') writes it into a file"
         return draw(self.picture, style_of()).rstrip("\n")
 
     @cached_property

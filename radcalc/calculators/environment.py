@@ -25,7 +25,6 @@ from radcalc.quantities.symbols import (
     LINKS,
     REFINEMENTS,
     SYMBOLS,
-    WHOLE_SPHERE,
     light_unit,
     specific_name,
 )
@@ -66,7 +65,7 @@ PAGE = Page(
         "Map": OF_MAP,
         "Sky": (*OF_SKY, *SCALES),
         "Receiver": RECEIVER,
-        "Maps to write": (
+        "Map to write": (
             text(
                 "irradiance-map",
                 "FILE",
@@ -79,8 +78,6 @@ PAGE = Page(
                 "Use spherical harmonics up to this order, instead of the exact sum over all "
                 "pixels.",
             ),
-            text("reproject", "FILE", "Write the map in another projection (with {to})."),
-            choice("to", WHOLE_SPHERE, "Projection of the map written by {reproject}."),
             "size",
         ),
         "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
@@ -104,7 +101,6 @@ PAGE = Page(
         "room.hdr unit=cd/m2 plot=room.png",
         "'3000*max(cos(theta), 0) cd/m2' steps=",
         "room.hdr unit=cd/m2 irradiance-map=lux.exr size=64x32",
-        "ball.hdr projection=mirror-ball unit=1 reproject=room.exr to=latlong",
     ),
     remarks="""
     SOURCE is a map of radiances (Radiance .hdr, OpenEXR .exr, .pfm), sky:TYPE with a type of
@@ -127,14 +123,13 @@ PAGE = Page(
 
 EVEN = 1 - 1e-9  # of the peak: a mean above it is the peak, up to rounding
 SMALL = (64, 32)  # pixels of an irradiance map
-MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
 # Formulas of derivations, and their sources.
 IRRADIANCE = "E = integral of L max(n . s, 0) domega", "ISO 80000-7, irradiance"
 BY_HARMONICS = (
     "E = sum of A_l L_lm Y_lm(n), l = 0, 1, 2, A_l = pi, 2 pi/3, pi/4",
     "Ramamoorthi and Hanrahan, SIGGRAPH 2001",
 )
-MEAN = "{} = integral of L domega / integral of domega"
+MEAN = "L_mean = integral of L domega / integral of domega"
 IS_RELATIVE = (
     "the radiances are relative, and so are all results: radiances of 1 everywhere give an "
     "irradiance of pi sr"
@@ -168,6 +163,7 @@ class Source:
         return self.sums[key]
 
     def _read(self, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
+        """Read the source, and refuse settings of other sources."""
         from radcalc.distributions import environments
 
         named = self.named
@@ -200,9 +196,10 @@ def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
 
 
 def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
+    """Return a sky by the name of its type, bright by `SCALES` or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment
-    from radcalc.distributions.sky import Sky
+    from radcalc.distributions.radiances import Sky
     from radcalc.geometry.sky import IS_EVEN, MISSING_AZIMUTH, sky_type
 
     sun: Any = None
@@ -247,13 +244,6 @@ def irradiance_map(
     return _surroundings(source, given, ("size",)).irradiance_map(order, progress)
 
 
-def reprojection(
-    source: Source, given: Inputs, to: str, progress: "Progress | None" = None
-) -> RenderedMap:
-    """Return the radiances as a map in one of `PROJECTIONS`; `given` as for `irradiance_map`."""
-    return _surroundings(source, given, ("size",)).reprojected(to, progress)
-
-
 def _surroundings(source: Source, given: Inputs, more: tuple[str, ...]) -> "_Surroundings":
     quantities, links, rest = split_by_light(given)
     takes = (*OF_MAP, *OF_SKY, *SCALES, *more)
@@ -287,6 +277,7 @@ class _Surroundings:
         self.lit = kinds.read_light({}, links)._replace(kind=self.kind, mixed=lit.mixed)
 
     def answer(self) -> Answer:
+        """Return irradiance, mean and peak, and the radiance of a direction."""
         given, radiances = self.given, self.environment.radiances
         normal = given["normal"].value if "normal" in given else UP
         if "normal" not in given:
@@ -341,9 +332,10 @@ class _Surroundings:
             self.notes.append(f"it covers {share} of the receiver's hemisphere, by cosine")
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
+        """Return the map, with notes on the errors of its order."""
         from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map
 
-        size = self._size(LATLONG, *SMALL)
+        size = self._size()
         result = irradiance_map(self._map(), *size, order, progress)
         if order:
             self.notes.append(
@@ -359,28 +351,20 @@ class _Surroundings:
         formula, reference = BY_HARMONICS if order else IRRADIANCE
         numbers = "n = the direction of the middle of a pixel"
         step = Step("irradiance of each receiver", formula, numbers, reference)
-        return self._render("irradiance", result.pixels, LATLONG, step)
+        return self._render(result.pixels, step)
 
-    def reprojected(self, to: str, progress: "Progress | None") -> RenderedMap:
-        from radcalc.distributions.maps.resampling import reproject
-
-        chart = self._map()
-        height = chart.size[1]
-        size = self._size(to, 2 * height if to == LATLONG else height, height)
-        self.assumptions.append("the middle of the written map shows +x")
-        step = Step("radiance of each pixel", MEAN.format("L'"), "over the pixel's solid angle")
-        return self._render("radiance", reproject(chart, to, *size, progress=progress), to, step)
-
-    def _size(self, projection: str, width: int, height: int) -> tuple[int, int]:
+    def _size(self) -> tuple[int, int]:
+        """Return the size of the irradiance map [pixels]."""
         from radcalc.calculators.pixel import refuse_shape
         from radcalc.distributions.maps.pictures import check_size
         from radcalc.distributions.maps.radiance_map import check_shape
 
-        if "size" in self.given:
-            width, height = self.given["size"].value
-            refuse_shape(self.given["size"], projection)
-            check_shape(projection, width, height)
-            check_size(width, height, "the map")
+        if "size" not in self.given:
+            return SMALL
+        width, height = self.given["size"].value
+        refuse_shape(self.given["size"], LATLONG)
+        check_shape(LATLONG, width, height)
+        check_size(width, height, "the map")
         return width, height
 
     def _map(self) -> "RadianceMap":
@@ -396,27 +380,25 @@ class _Surroundings:
         )
         return environments.sampled(self.environment.radiances, width, height)
 
-    def _render(self, name: str, values: Any, projection: str, step: Step) -> RenderedMap:
-        """Return a picture of irradiances or radiances [SI], with its extremes as results."""
+    def _render(self, values: Any, step: Step) -> RenderedMap:
+        """Return a latlong picture of irradiances [SI], with its extremes as results."""
         from radcalc.distributions.maps.pictures import Picture, as_floats
-        from radcalc.geometry.projections import name_of_map, pixel_solid_angles
 
-        unit, label = _relative(name, 0.0).units[0], f"relative {name}"
+        unit, label = "sr", "relative irradiance"
         if self.kind:
-            unit = light_unit(name, self.kind)
-            label = specific_name(name, self.kind).replace("-", " ")
+            unit = light_unit("irradiance", self.kind)
+            label = specific_name("irradiance", self.kind).replace("-", " ")
         pixels = values / float(resolve(unit).factor)
         floats = as_floats(pixels, unit)
         height, width, _ = pixels.shape
         sums = values @ self.environment.weights
-        covered = sums[pixel_solid_angles(projection, width, height) + 0 * sums > 0]
         ends = {
-            f"minimum-{name}": float(covered.min()),
-            f"{MOST[name]}-{name}": float(covered.max()),
+            "minimum-irradiance": float(sums.min()),
+            "maximum-irradiance": float(sums.max()),
         }
         results = self._show_light(ends)
         picture = Picture(
-            floats, self.environment.channels, self.environment.weights, "", unit, projection
+            floats, self.environment.channels, self.environment.weights, "", unit, LATLONG
         )
         answer = Answer(
             [row for end in ends for row in results.values[end]],
@@ -424,8 +406,7 @@ class _Surroundings:
             (*self.notes, *results.notes),
             [*self._weighting(), step, *results.steps],
         )
-        what = f"{name_of_map(projection)} of {width} x {height} pixels"
-        what += f", of {label} in {unit}"
+        what = f"a {LATLONG} map of {width} x {height} pixels, of {label} in {unit}"
         return RenderedMap(picture, pixels, unit, what, answer)
 
     def _show_light(self, amounts: dict[str, float]) -> kinds.LightResults:
@@ -459,7 +440,7 @@ class _Surroundings:
         numbers = f"n = {facing}; E = {self._format('irradiance', irradiance)}"
         yield Step("irradiance of a receiver", IRRADIANCE[0], numbers, IRRADIANCE[1])
         numbers = f"L_mean = {self._format('mean-radiance', mean)}"
-        yield Step("mean radiance", MEAN.format("L_mean"), numbers)
+        yield Step("mean radiance", MEAN, numbers)
 
     def _weighting(self) -> Iterator[Step]:
         if self.environment.luminance:

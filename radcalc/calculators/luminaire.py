@@ -59,9 +59,7 @@ from radcalc.quantities.light import LUMINOUS
 from radcalc.quantities.symbols import generic_name, light_unit
 
 if TYPE_CHECKING:
-    from radcalc.distributions.beams import Beam
-    from radcalc.distributions.distribution import Peak
-    from radcalc.distributions.photometry import Photometry
+    from radcalc.distributions.distribution import Beam, Peak, Photometry
     from radcalc.geometry.numerics.cubature import Integral
 
 LIGHT = (
@@ -125,7 +123,7 @@ def _figures(distribution: Any) -> Figures:
 
 @lru_cache(maxsize=32)
 def _beam(distribution: Any, azimuth: float, share: float) -> "Beam":
-    from radcalc.distributions.beams import beam
+    from radcalc.distributions.distribution import beam
 
     return beam(distribution, azimuth, share)
 
@@ -135,15 +133,15 @@ def _upward(
     distribution: Any, flux: "Integral", aim: tuple[float, float, float], rotate: float
 ) -> float:
     """Return the flux above the horizon, in units of the distribution."""
+    from radcalc.distributions.distribution import Pose
     from radcalc.distributions.places import upward_flux
-    from radcalc.distributions.pose import Pose
 
     return upward_flux(distribution, Pose(aim, rotate), flux).value
 
 
 class _Luminaire:
     def __init__(self, given: Inputs, is_aside: bool, any_incidence: bool) -> None:
-        from radcalc.distributions.pose import DOWN, Pose
+        from radcalc.distributions.distribution import DOWN, Pose
 
         self.given, self.is_aside, self.any_incidence = given, is_aside, any_incidence
         _refuse_idle(given)
@@ -176,11 +174,11 @@ class _Luminaire:
         self.bearing = atan2(offset_of(given, "offset-y"), offset_of(given))
 
     def _make_shape(self, shape: str) -> "Photometry":
-        from radcalc.distributions import shapes
-        from radcalc.distributions.photometry import Photometry
+        from radcalc.distributions import formula
+        from radcalc.distributions.distribution import Photometry
 
         if shape not in (CONICAL, LOBED):
-            return Photometry(shapes.Isotropic(), shape)
+            return Photometry(formula.Isotropic(), shape)
         name = "half-angle" if shape == CONICAL else "exponent"
         known = self.sheet.known_with(self.placed)
         if "peak-intensity" in known:
@@ -203,7 +201,7 @@ class _Luminaire:
         self.placed.use(*SHAPED[shape])
         if is_array(width):
             raise _one_at_a_time(next(n for n in SHAPED[shape] if n in self.given))
-        return Photometry(shapes.of_shape(shape, width), shape)
+        return Photometry(formula.of_shape(shape, width), shape)
 
     def answer(self) -> Answer:
         self._place_figures()

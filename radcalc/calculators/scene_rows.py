@@ -15,12 +15,10 @@ from radcalc.calculators import kinds
 from radcalc.calculators.point_laws import CONE, LOBE, SHAPED
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
 from radcalc.derivation import coherent_unit_of, format_value
-from radcalc.distributions.distribution import Distribution
+from radcalc.distributions.distribution import DOWN, Distribution, Photometry, Pose
 from radcalc.distributions.files import read_lines
-from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.pose import DOWN, Pose
+from radcalc.distributions.formula import Cone, Isotropic, Lobe
 from radcalc.distributions.scene import Emitter, Panel, Source
-from radcalc.distributions.shapes import Cone, Isotropic, Lobe
 from radcalc.distributions.sources import PATH, photometry
 from radcalc.errors import (
     ConditionError,

@@ -185,7 +185,7 @@ PAGE = Page(
         "13 sun-elevation=35deg global-irradiance=600W/m2 sun-irradiance=750W/m2",
         "clear sun-elevation=40deg horizontal-illuminance=12klx spectrum=D65 "
         "get=horizontal-photon-irradiance:umol/m2/s",
-        "clear sun-elevation=40deg horizontal-illuminance=12klx plot=",
+        "clear sun-elevation=40deg horizontal-illuminance=12klx plot=sky.png",
         "overcast illuminance=4klx tilt=90deg get=zenith-luminance",
         "clear sun-elevation=40deg sun-azimuth=0deg horizontal-illuminance=12klx "
         "save=clear.hdr size=2048x1024",
@@ -315,7 +315,7 @@ class _Sky:
 
     def picture(self, solved: Solved, width: int, height: int) -> "Picture":
         from radcalc.distributions.maps.sky_map import Sun, sky_map
-        from radcalc.distributions.sky import Sky
+        from radcalc.distributions.radiances import Sky
 
         if not solved.has("zenith-radiance"):
             raise MissingInput("the brightness of the sky is missing", BRIGHT)

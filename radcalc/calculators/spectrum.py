@@ -88,7 +88,7 @@ PAGE = Page(
         "measured.csv range=380nm:780nm",
         "LED-B3 get=r9 get=rf get=rg get=ssi",
         "LED-B3 get=rf plot=tm30.svg   the colour vectors of TM-30",
-        "D65 A line:532nm get=x plot=  the chromaticity diagram",
+        "D65 A line:532nm get=x plot=colours.png   the chromaticity diagram",
         "D65 LED-B3 HPS get=cct get=cri get=lux-per-ppfd",
         "blackbody:3000K:6000K:1000K get=temperature:K get=luminous-efficacy:lm/W",
         "LED-B3 plot=           a picture, with V(lambda) over it",

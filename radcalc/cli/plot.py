@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from radcalc.plots.data import Picture
 
 FEW = 20  # most answers with both a table and a picture on a terminal
-IN_A_FILE = add("plot", "plot.svg", "a figure in a file")
+A_FIGURE = "a figure in a file"
 
 
 def refuse(request: Request, output: Output) -> None:
@@ -33,7 +33,8 @@ def refuse(request: Request, output: Output) -> None:
         return
     if output.format in (JSON, CSV):
         problem = f"--plot cannot be used with --format {output.format}"
-        raise UsageError(problem, [IN_A_FILE, leave_out("plot"), leave_out("json", "format")])
+        instead = add("plot", "plot.svg", A_FIGURE)
+        raise UsageError(problem, [instead, leave_out("plot"), leave_out("json", "format")])
     if output.style.bare:
         problem = "--plot cannot be used with -n"
         raise UsageError(problem, one_of("plot", "number"))
@@ -61,6 +62,11 @@ def show_with_picture(
 
     On a terminal, a picture replaces the table of many answers unless a table is requested.
     """
+    from radcalc.plots.data import IN_A_FILE
+
+    if request.plot == TO_TERMINAL and (kind := IN_A_FILE.get(type(drawing))):
+        problem = f"{kind} is not drawn in characters"
+        raise UsageError(problem, add("plot", "plot.png", A_FIGURE))
     drawn = [_drawn(answered, request.wanted) for answered in with_steps(answers, request)]
     if request.plot != TO_TERMINAL:
         from radcalc.plots.figure import write

@@ -144,7 +144,7 @@ def _draw(
     A requested result of each point is the one drawn.
     """
     from radcalc.calculators import scene as page
-    from radcalc.plots.places import Surveyed
+    from radcalc.plots.space import Surveyed
 
     blocks: list[Answer] = []
     sources: list[Any] = []

@@ -43,7 +43,7 @@ NUMERIC = "0123456789.,:"  # characters of numbers, lists and ranges
 IN_SHORT = {"get": "-g", "number": "-n"}
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 # Options of calls that write, draw or list.
-WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--reproject", "--list")
+WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--list")
 UNTRIED = ("--auto", "--invalid", *WITH_EFFECTS)
 
 

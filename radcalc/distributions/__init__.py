@@ -1,12 +1,11 @@
 """Functions of direction: the light of sources as they are sold, measured or modelled.
 
-- `distribution`, `radiances`: the protocols of distributions and of radiances by direction
-- `shapes`, `formula`, `grid`: exact shapes, expressions, tables of angles and intensities
+- `distribution`: the protocol of distributions, beam angles, aim of a source
+- `formula`, `grid`: exact shapes and expressions, tables of angles and intensities
+- `files`, `ies`, `eulumdat`, `tables`, `contents`: photometric files and their contents
 - `sources`, `environments`: distributions and surroundings as a user gives them
-- `files`, `ies`, `eulumdat`, `tables`, `photometry`: photometric files and their contents
-- `beams`, `places`: beam and field angles; the light on places and discs under a source
-- `pose`, `scene`: aim of a source; the irradiance from several sources
-- `sky`, `maps`: radiances of skies, and of pictures of the surroundings
+- `places`, `scene`: the light on places under a source, and from several sources
+- `radiances`, `maps`: radiances of skies and expressions, and of pictures of the surroundings
 
 A distribution has its own coordinates: the polar angle theta from the source's axis (the gamma of
 C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).

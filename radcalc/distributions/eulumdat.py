@@ -34,9 +34,8 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc.distributions.grid import Grid
-from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import CLOSEST, closed, end_of, mirrored, without_noise
+from radcalc.distributions.distribution import Photometry
+from radcalc.distributions.grid import CLOSEST, Grid, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
 from radcalc.files.columns import MARKS, Decimals, finite, numbers_at_once
 from radcalc.files.text import refusal

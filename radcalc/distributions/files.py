@@ -12,7 +12,7 @@ from itertools import islice
 from typing import Any
 
 from radcalc.distributions import contents
-from radcalc.distributions.photometry import Photometry
+from radcalc.distributions.distribution import Photometry
 from radcalc.errors import ConditionError, quote
 from radcalc.files import columns, signatures
 

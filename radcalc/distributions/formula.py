@@ -1,4 +1,7 @@
-"""Distributions given as an expression in theta and phi."""
+"""Distributions by formulas: expressions in theta and phi, and exact shapes.
+
+The shapes are relative to the intensity on the axis.
+"""
 
 import math
 from functools import cached_property
@@ -6,12 +9,22 @@ from typing import Any
 
 import numpy
 
-from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Interval, Peak, integrated
+from radcalc.distributions.distribution import (
+    ALL_AZIMUTHS,
+    ALL_POLAR,
+    Distribution,
+    Interval,
+    Peak,
+    integrated,
+)
 from radcalc.errors import ConditionError, Hint, correct, quote
+from radcalc.geometry import cones, lobes
 from radcalc.geometry.directions import TURN, cartesian
-from radcalc.geometry.numerics.cubature import Integral, Steps, narrowest
+from radcalc.geometry.numerics.cubature import ROUNDING, Integral, Steps, narrowest
 from radcalc.geometry.numerics.expression import Expression
+from radcalc.geometry.solid import zone
 from radcalc.maths import Number
+from radcalc.quantities.symbols import DISTRIBUTIONS
 
 ACCURACY, OF_AXIAL = 1e-6, 1e-9  # [1] of a flux; axial ones are cheap
 NEGATIVE = 1e-12  # [1] of the greatest value: rounding errors of 0
@@ -20,6 +33,7 @@ NEGATIVE = 1e-12  # [1] of the greatest value: rounding errors of 0
 FIRST, FIRST_OF_AXIAL = (361, 721), (7201, 1)
 CLOSER = (21, 21)  # in each refinement
 NARROWER = 8  # refinements, each to a tenth of the width
+_, CONICAL, LOBED = DISTRIBUTIONS
 
 
 class Formula:
@@ -73,6 +87,7 @@ class Formula:
         self.unseen = max(narrowest(ALL_POLAR, ALL_AZIMUTHS, self.is_axial))
 
     def intensity(self, theta: Number, phi: Number) -> Number:
+        """Return the intensity; raise a ConditionError if it is negative or not finite."""
         phi = phi % TURN  # an expression need not be periodic
         x, y, z = cartesian(theta, phi)
         at: dict[str, Any] = {"theta": theta, "phi": phi, "x": x, "y": y, "z": z}
@@ -135,6 +150,7 @@ class Formula:
 
     @cached_property
     def _peak(self) -> Peak:
+        """Search the peak on a grid, and again on finer grids around it."""
         polar, azimuth = ALL_POLAR, ALL_AZIMUTHS
         counts = FIRST_OF_AXIAL if self.is_axial else FIRST
         best = Peak(-math.inf, 0.0, 0.0)
@@ -154,3 +170,91 @@ class Formula:
             azimuth = (best.azimuth - steps[1], best.azimuth + steps[1])
             counts = CLOSER
         return best._replace(azimuth=best.azimuth % TURN)
+
+
+def of_shape(shape: str, width: float | None = None) -> Distribution:
+    """Return a distribution by its shape: "isotropic", "cone" or "lobe".
+
+    `width` is the half angle of a cone [rad], or the exponent of a lobe.
+    """
+    if shape == LOBED and width is not None:
+        return Lobe(width)
+    return Cone(width) if shape == CONICAL and width is not None else Isotropic()
+
+
+class _Axial:
+    """A distribution that is greatest on the axis."""
+
+    kind = ""
+    is_axial = True
+    finest = math.pi
+
+    def peak(self) -> Peak:
+        return Peak(1.0, 0.0, 0.0)
+
+
+class Isotropic(_Axial):
+    """The same intensity in all directions.
+
+    Examples
+    --------
+    >>> round(Isotropic().flux().value / math.pi, 12)
+    4.0
+    """
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        return numpy.ones(numpy.broadcast_shapes(numpy.shape(theta), numpy.shape(phi)))
+
+    def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
+        return _exactly(zone(*polar, azimuth[1] - azimuth[0]))
+
+
+class Cone(_Axial):
+    """The same intensity up to an angle from the axis, and 0 beyond.
+
+    `half_angle` [rad] is that of its edge from the axis, above 0 and up to pi.
+
+    Examples
+    --------
+    >>> round(Cone(math.pi / 3).flux().value / math.pi, 12)
+    1.0
+    """
+
+    def __init__(self, half_angle: float) -> None:
+        cones.cone(half_angle)  # raises an error if it is out of range
+        self.half_angle = self.finest = half_angle
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        return (theta <= self.half_angle) * (1.0 + 0.0 * phi)
+
+    def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
+        low, high = polar[0], min(polar[1], self.half_angle)
+        return _exactly(zone(low, high, azimuth[1] - azimuth[0]) if low < high else 0.0)
+
+
+class Lobe(_Axial):
+    """Intensity that falls as a power of the cosine, up to 90 degrees from the axis.
+
+    Examples
+    --------
+    >>> round(Lobe(3.0).flux().value / math.pi, 12)
+    0.5
+    """
+
+    def __init__(self, exponent: float) -> None:
+        lobes.solid_angle(exponent)  # raises an error if it is out of range
+        self.exponent = exponent
+        self.finest = lobes.angle(exponent, 0.5) / 2
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        ahead = numpy.asarray(theta) <= math.pi / 2
+        return numpy.maximum(numpy.cos(theta), 0.0) ** self.exponent * ahead + 0.0 * phi
+
+    def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
+        inner, outer = (lobes.part(self.exponent, angle) for angle in polar)
+        turn = (azimuth[1] - azimuth[0]) / (2 * math.pi)
+        return _exactly(lobes.solid_angle(self.exponent) * (outer - inner) * turn)
+
+
+def _exactly(value: float) -> Integral:
+    return Integral(value, ROUNDING * value, 0)

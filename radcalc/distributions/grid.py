@@ -1,7 +1,12 @@
-"""Tables of intensities over polar angles and azimuths, with bilinear interpolation."""
+"""Tables of intensities over polar angles and azimuths, with bilinear interpolation.
+
+The functions complete tables of half planes by symmetry, and check their limits and noise; their
+angles are in degrees, as in files.
+"""
 
 import math
-from typing import Any
+from collections.abc import Callable
+from typing import Any, NoReturn
 
 import numpy
 
@@ -11,7 +16,7 @@ from radcalc.geometry.directions import TURN, cartesian, spherical
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.maths import Number, in_chunks
 
-SLACK = 1e-9  # [rad] rounding beyond the ends of a table, and the closest of its angles
+NEAR = 1e-9  # [rad] rounding beyond the ends of a table, and the closest of its angles
 SEAM = 0.02  # of the peak: largest accepted difference of two values in one direction
 NARROW = 0.1  # [rad] half a cell: up to this, four terms of the series are exact
 MANY = 9  # azimuths; half of them still show the shape
@@ -19,6 +24,12 @@ ACCURACY = 1e-4  # [1] of the flux through a part that cuts across a table's cel
 # Indices, among the source's coordinates x, y, z, of the table's: its azimuth goes from the first
 # to the second, and its polar angle starts at the third.
 AXES = {"C": (0, 1, 2), "B": (2, 0, 1)}
+CIRCLE = 360.0  # [deg]
+SLACK = 0.01  # [deg] tolerance of angles
+CLOSEST = 1e-6  # [deg] below it, two angles of a table are one
+GREATEST = 1e100  # intensity in any unit: sums of it stay finite
+NOISE = 1e-3  # of the greatest: smaller negative values are a photometer's noise
+ROUNDED = 0.5  # [deg] rounding of the angles of evenly spaced planes
 
 
 class Grid:
@@ -81,7 +92,7 @@ class Grid:
                 f"shape {self.values.shape}",
                 "a value for each pair, of two polar angles or more",
             )
-        if any(numpy.any(numpy.diff(angles) < SLACK) for angles in (self.polar, self.azimuth)):
+        if any(numpy.any(numpy.diff(angles) < NEAR) for angles in (self.polar, self.azimuth)):
             raise ConditionError("the angles of a table do not rise", "each larger than the last")
         self._has_one_plane = len(self.azimuth) == 1
         self._closes = math.isclose(self.azimuth[-1] - self.azimuth[0], TURN)
@@ -107,11 +118,12 @@ class Grid:
         return numpy.interp(polar, self.polar, self.values[0]) * self._reaches(polar)
 
     def _reaches(self, polar: Any) -> Any:
-        return (polar >= self.polar[0] - SLACK) & (polar <= self.polar[-1] + SLACK)
+        return (polar >= self.polar[0] - NEAR) & (polar <= self.polar[-1] + NEAR)
 
     def _between_planes(self, polar: Any, azimuth: Any) -> Any:
+        """Return the bilinear interpolation of the intensity in directions."""
         count = len(self.polar)
-        turned = (azimuth - self.azimuth[0] + SLACK) % TURN + (self.azimuth[0] - SLACK)
+        turned = (azimuth - self.azimuth[0] + NEAR) % TURN + (self.azimuth[0] - NEAR)
         # fractional row and column of each direction
         row = numpy.interp(turned, self.azimuth, numpy.arange(len(self.azimuth)))
         column = numpy.interp(polar, self.polar, numpy.arange(count))
@@ -125,7 +137,7 @@ class Grid:
         values = in_plane * (1 - row) + in_next_plane * row
         lit = self._reaches(polar)
         if not self._closes:
-            lit &= turned <= self.azimuth[-1] + SLACK
+            lit &= turned <= self.azimuth[-1] + NEAR
         return values * lit
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
@@ -215,9 +227,9 @@ class Grid:
         rows = self.values / (self.values.max() or 1.0)
         spread = numpy.ptp(rows, axis=0)
         gaps = {
-            "differ on the axis, which is one direction,": spread[self.polar <= SLACK],
+            "differ on the axis, which is one direction,": spread[self.polar <= NEAR],
             "differ opposite to the axis, which is one direction,": spread[
-                self.polar >= math.pi - SLACK
+                self.polar >= math.pi - NEAR
             ],
         }
         if self._closes:
@@ -268,3 +280,89 @@ def _sine(middle: Any, half: Any) -> Any:
 def _zonal(middle: Any, half: Any) -> Any:
     """The zonal method: the mean of both ends times the solid angle."""
     return 2 * numpy.sin(middle) * numpy.sin(half), 0.0 * half
+
+
+def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
+    """Complete a table of a half or a quarter of the circle by reflection at its last plane.
+
+    `planes` are azimuths [deg], rising, from a plane of symmetry to the next; `values` has a row
+    for each.  Return those of a whole turn, where the last plane repeats the first.
+
+    Raises
+    ------
+    ConditionError
+        If the planes do not span 90 or 180 degrees.
+
+    Examples
+    --------
+    >>> mirrored([0, 45, 90], [[1], [2], [3]])[0].tolist()
+    [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0, 360.0]
+    """
+    planes, values = numpy.array(planes, float), numpy.array(values, float)
+    span = planes[-1] - planes[0]
+    if not any(math.isclose(span, allowed, abs_tol=SLACK) for allowed in (CIRCLE / 4, CIRCLE / 2)):
+        raise ConditionError(
+            f"symmetric planes span {span:g} deg", "90 or 180 deg, from one symmetry to the next"
+        )
+    planes[-1] = planes[0] + round(span)
+    while planes[-1] - planes[0] < CIRCLE - 1:
+        planes = numpy.concatenate([planes, 2 * planes[-1] - planes[-2::-1]])
+        values = numpy.concatenate([values, values[-2::-1]])
+    return planes, values
+
+
+def closed(planes: Any, values: Any) -> tuple[Any, Any]:
+    """Close a table of the whole circle by a repetition of its first plane, unless it has one.
+
+    Parameters are those of `mirrored`, for planes anywhere on the circle.  Raise a ConditionError
+    if the gap after the last plane is wider than any other, so that planes are missing.
+
+    >>> closed([0, 120, 240], [[1], [2], [3]])[0].tolist()
+    [0.0, 120.0, 240.0, 360.0]
+    """
+    planes, values = numpy.array(planes, float), numpy.array(values, float)
+    gap = planes[0] + CIRCLE - planes[-1]
+    if abs(gap) <= SLACK:
+        planes[-1] = planes[0] + CIRCLE
+        return planes, values
+    widest = float(numpy.diff(planes).max(initial=0.0))
+    if not 0 < gap <= widest + ROUNDED:
+        raise ConditionError(
+            f"the planes end at {planes[-1]:g} deg, and {gap:g} deg of the circle are missing",
+            f"planes all around, such as 0 to {CIRCLE - widest:g} deg" if widest else "more planes",
+        )
+    return numpy.append(planes, planes[0] + CIRCLE), numpy.concatenate([values, values[:1]])
+
+
+def end_of(polar: Any) -> tuple[str, ...]:
+    """Return the assumption about the intensity beyond the polar angles [deg] of a table, if any.
+
+    >>> end_of([0, 45, 90])
+    ('no light beyond the angles of the table, 0 to 90 deg',)
+    """
+    if polar[0] <= SLACK and polar[-1] >= CIRCLE / 2 - SLACK:
+        return ()
+    return (f"no light beyond the angles of the table, {polar[0]:g} to {polar[-1]:g} deg",)
+
+
+def without_noise(
+    values: Any, refuse: Callable[[int, str, str], NoReturn]
+) -> tuple[Any, tuple[str, ...]]:
+    """Return intensities with 0 for negative noise, and a note about it.
+
+    `refuse` raises the error of a bad value, from its index in the flat array, the problem and a
+    hint.  Bad are values further below 0 than noise or too large for sums, and the last value if
+    none is above 0.
+    """
+    peak, low = float(values.max()), float(values.min())
+    if max(peak, -low) > GREATEST:
+        refuse(int(abs(values).argmax()), "an intensity is above 1e100", "those of a source")
+    if peak <= 0:
+        refuse(values.size - 1, "no intensity is above 0", "a table with light")
+    if low < -NOISE * peak:
+        refuse(int(values.argmin()), f"the intensity {low:g} is negative", "0 or more")
+    if low >= 0:
+        return values, ()
+    count = int((values < 0).sum())
+    what, verb = ("intensity", "counts") if count == 1 else ("intensities", "count")
+    return values.clip(min=0), (f"{count} negative {what} (down to {low:g}) {verb} as 0",)

@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.distributions.distribution import Distribution, integrated, last_where
-from radcalc.distributions.pose import DOWN, Pose
+from radcalc.distributions.distribution import DOWN, Distribution, Pose, integrated, last_where
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian, spherical
 from radcalc.geometry.numerics.cubature import Integral
@@ -51,7 +50,7 @@ def relative_irradiance(
 
     Examples
     --------
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> round(float(relative_irradiance(Isotropic(), Pose(), 8.0, 0.0, 6.0)), 9)
     0.006
     """
@@ -79,7 +78,7 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
     --------
     Half of a light that is aimed at the horizon goes up:
 
-    >>> from radcalc.distributions.shapes import Lobe
+    >>> from radcalc.distributions.formula import Lobe
     >>> lamp = Lobe(1.0)
     >>> round(upward_flux(lamp, Pose((1.0, 0.0, 0.0)), lamp.flux()).value / math.pi, 6)
     0.5
@@ -155,7 +154,7 @@ def heights(
     --------
     250 cd give 1.5 lx at a place 8 m to the side from 6 m up, and also from 5.33 m up:
 
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> [round(h, 6) for h in heights(Isotropic(), Pose(), 8.0, 0.0, 1.5 / 250)]
     [6.0, 5.329171]
     """
@@ -177,7 +176,7 @@ def laterals(
 
     Examples
     --------
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> [round(x, 6) for x in laterals(Isotropic(), Pose(), 6.0, 0.0, 1.5 / 250)]
     [8.0]
     """
@@ -231,7 +230,7 @@ def on_plane(
     --------
     A disc of the half angle 60 degrees fills pi sr:
 
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> round(float(on_plane(Isotropic(), Pose(), 3**0.5, 0.0, 0.0, 1.0)) / math.pi, 5)
     1.0
     """
@@ -256,7 +255,7 @@ def on_facing_disc(
 
     Examples
     --------
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> round(float(on_facing_disc(Isotropic(), 3**0.5, 1.0, 0.7, 0.0)) / math.pi, 5)
     1.0
     """
@@ -300,7 +299,7 @@ def unevenness(
     --------
     A Lambertian light falls by 1 - cos(atan(0.1)) at the rim of a disc:
 
-    >>> from radcalc.distributions.shapes import Lobe
+    >>> from radcalc.distributions.formula import Lobe
     >>> round(unevenness(Lobe(1.0), 0.1, 1.0, 0.0, 0.0), 6)
     0.004963
     """

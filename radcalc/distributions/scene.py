@@ -1,6 +1,6 @@
 """The irradiance from several sources at their positions.
 
-Positions are in metres, in world coordinates (`radcalc.distributions.pose`).
+Positions are in metres, in world coordinates (`Pose` of `radcalc.distributions.distribution`).
 """
 
 import math
@@ -9,8 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.distributions.distribution import Distribution
-from radcalc.distributions.pose import Pose
+from radcalc.distributions.distribution import Distribution, Pose
 from radcalc.errors import ConditionError, option, quote
 from radcalc.geometry import far_field, projected
 from radcalc.geometry.numerics import vectors
@@ -31,7 +30,7 @@ class Emitter:
     --------
     100 cd in all directions, 2 m above the origin:
 
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> lamp = Emitter("lamp", (0.0, 0.0, 2.0), Pose(), Isotropic(), 100.0)
     >>> points = tuple(numpy.zeros((3, 1)))
     >>> lamp.irradiance(points, (0.0, 0.0, 1.0)).tolist()
@@ -217,7 +216,7 @@ def field(
 
     Examples
     --------
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> lamps = [Emitter(k, (k, 0.0, 2.0), Pose(), Isotropic(), 100.0) for k in (0.0, 0.0)]
     >>> field(lamps, tuple(numpy.zeros((3, 1))), (0.0, 0.0, 1.0)).total.tolist()
     [50.0]

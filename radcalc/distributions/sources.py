@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from radcalc.distributions.photometry import Photometry
+from radcalc.distributions.distribution import Photometry
 from radcalc.errors import ConditionError, RadcalcError, correct, corrections, nearest, quote
 from radcalc.quantities.light import KINDS, describe, light_dimension
 from radcalc.quantities.light import read as read_light

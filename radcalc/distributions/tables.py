@@ -28,9 +28,8 @@ from typing import Any, NoReturn
 import numpy
 
 from radcalc.distributions import column_titles
-from radcalc.distributions.grid import Grid
-from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import CLOSEST, SLACK, closed, end_of, mirrored, without_noise
+from radcalc.distributions.distribution import Photometry
+from radcalc.distributions.grid import CLOSEST, SLACK, Grid, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, listed, quote
 from radcalc.files import columns
 from radcalc.files.table import Table

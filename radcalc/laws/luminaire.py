@@ -16,8 +16,7 @@ from radcalc.laws.point import COSINE, STRAIGHT, WITHIN
 from radcalc.maths import atan2, cos, each, is_array, sin, sqrt, tan
 
 if TYPE_CHECKING:
-    from radcalc.distributions.distribution import Distribution
-    from radcalc.distributions.pose import Pose
+    from radcalc.distributions.distribution import Distribution, Pose
 
 PEAK = law("peak intensity", "{peak-intensity} = {scale} {relative-peak-intensity}")
 FLUX = law("flux of a distribution", "{flux} = {scale} {weighted-solid-angle}")
@@ -84,7 +83,7 @@ def part(distribution: "Distribution", whole: float) -> Relation:
     --------
     Half of the flux of a Lambertian source is within 45 degrees:
 
-    >>> from radcalc.distributions.shapes import Lobe
+    >>> from radcalc.distributions.formula import Lobe
     >>> within = part(Lobe(1.0), math.pi)
     >>> round(within.solve("part", {"within": math.pi / 4}.get), 9)
     0.5
@@ -115,7 +114,7 @@ def relative_intensity(distribution: "Distribution") -> Relation:
 
     Examples
     --------
-    >>> from radcalc.distributions.shapes import Lobe
+    >>> from radcalc.distributions.formula import Lobe
     >>> value = relative_intensity(Lobe(2.0))
     >>> round(value.solve("relative-intensity", {"off-axis": math.pi / 4, "azimuth": 0.0}.get), 9)
     0.5
@@ -148,7 +147,7 @@ def direction(pose: "Pose", bearing: Any) -> list[AnyLaw]:
 
     Examples
     --------
-    >>> from radcalc.distributions.pose import Pose
+    >>> from radcalc.distributions.distribution import Pose
     >>> off_axis, azimuth = direction(Pose(), math.pi / 2)
     >>> at = {"height": 1.0, "lateral": 1.0}.get
     >>> round(off_axis.solve("off-axis", at) / math.pi, 9)
@@ -197,8 +196,8 @@ def floor(distribution: "Distribution", pose: "Pose", bearing: Any) -> Relation:
 
     Examples
     --------
-    >>> from radcalc.distributions.pose import Pose
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.distribution import Pose
+    >>> from radcalc.distributions.formula import Isotropic
     >>> at = {"irradiance": 1.5, "scale": 250.0, "height": 6.0}.get
     >>> [round(x, 6) for x in floor(Isotropic(), Pose(), 0.0).solve("lateral", at)]
     [8.0]
@@ -242,8 +241,8 @@ def lying_disc(distribution: "Distribution", pose: "Pose", bearing: Any) -> Rela
     --------
     A disc with its rim at 45 degrees receives half of the flux of a Lambertian source:
 
-    >>> from radcalc.distributions.pose import Pose
-    >>> from radcalc.distributions.shapes import Lobe
+    >>> from radcalc.distributions.distribution import Pose
+    >>> from radcalc.distributions.formula import Lobe
     >>> at = {"receiver-area": math.pi, "height": 1.0, "lateral": 0.0}.get
     >>> disc = lying_disc(Lobe(1.0), Pose(), 0.0)
     >>> round(disc.solve("received-solid-angle", at) / math.pi, 6)
@@ -280,7 +279,7 @@ def facing_disc(distribution: "Distribution") -> Relation:
 
     Examples
     --------
-    >>> from radcalc.distributions.shapes import Isotropic
+    >>> from radcalc.distributions.formula import Isotropic
     >>> at = {"receiver-area": 3 * math.pi, "distance": 1.0, "off-axis": 1.0, "azimuth": 0.0}.get
     >>> round(facing_disc(Isotropic()).solve("received-solid-angle", at) / math.pi, 5)
     1.0

@@ -19,7 +19,7 @@ def picture(
 
     `wanted` are the results to draw as curves, NAME[:UNIT].  `operand` is what the command works on
     in addition to its inputs: the name of a sky; the `radcalc.calculators.environment.Source` of an
-    environment; an expression and the text of its unit; the `radcalc.plots.places.Surveyed` of a
+    environment; an expression and the text of its unit; the `radcalc.plots.space.Surveyed` of a
     scene.  Raise a UsageError if there is no such picture.
     """
     along = varied(solved)
@@ -42,8 +42,8 @@ def depends(command: str, solved: Solved, name: str) -> bool:
     """Return whether the picture depends on a requested result, NAME[:UNIT]."""
     if varied([solved]) and command not in LISTS:
         return True
-    from radcalc.plots.colours import explains
-    from radcalc.plots.directions import is_intensity
+    from radcalc.plots.space import is_intensity
+    from radcalc.plots.spectra import explains
 
     if command == "spectrum":
         return explains(name_of(name))
@@ -51,8 +51,7 @@ def depends(command: str, solved: Solved, name: str) -> bool:
 
 
 def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
-    from radcalc.plots.colours import diagram
-    from radcalc.plots.spectra import spectra
+    from radcalc.plots.spectra import diagram, spectra
 
     sources = [answer.given["spectrum"].value for answer in solved]
     if picture := diagram(sources, [*map(name_of, wanted)]):
@@ -75,32 +74,32 @@ def _eye(given: Inputs) -> Observer:
 
 
 def _point_source(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
-    from radcalc.plots.directions import of_point_source
+    from radcalc.plots.space import of_point_source
 
     return of_point_source(solved[0], wanted)
 
 
 def _scene(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
-    from radcalc.plots.places import over_grid
+    from radcalc.plots.space import over_grid
 
     return over_grid(operand)
 
 
 def _sky(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
-    from radcalc.plots.directions import of_sky
+    from radcalc.plots.space import of_sky
 
     return of_sky(operand, solved[0])
 
 
 def _environment(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
-    from radcalc.plots.directions import of_environment
+    from radcalc.plots.space import of_environment
 
     return of_environment(operand, solved[0])
 
 
 def _integrate(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
     from radcalc.calculators.integrate import directions
-    from radcalc.plots.directions import integrand
+    from radcalc.plots.space import integrand
 
     text, unit = operand
     polar, azimuths = directions(solved[0].given)

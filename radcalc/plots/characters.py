@@ -1,7 +1,7 @@
 """Pictures in characters: Braille dots or ASCII, with axes and units."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -15,8 +15,6 @@ from radcalc.plots.data import (
     RIGHT,
     Axis,
     Chart,
-    ColourDiagram,
-    Disc,
     Field,
     Mark,
     Picture,
@@ -44,10 +42,11 @@ from radcalc.plots.sheet import (
     line,
     sample,
 )
-from radcalc.plots.ticks import levels, limits, log_ticks, rings, shades, span, texts, ticks
+from radcalc.plots.ticks import levels, limits, log_ticks, rings, span, texts, ticks
 from radcalc.terminal import can_show, columns_of, cut, fold
 
 Scale = Callable[[float], float]  # from a value to its position on an axis
+Cell = tuple[int, int]  # column and row of a character
 
 BRAILLE = "\u28ff"  # a Braille character
 IN_ASCII = str.maketrans(
@@ -57,20 +56,18 @@ IN_ASCII = str.maketrans(
 COLORS = ("32", "35", "36", "31", "34", "33")  # green first: visible on light and on dark
 MARKS = "*+o#x%@&"  # of curves, in ASCII
 LEAST, MOST = 10, 24  # rows of a chart
-PLAN = 4, 32  # rows of a plan
-WIDER = 1.25  # ratio of the widths above which a plan is turned
+FLATTEST = 4  # least rows of a plan
 AROUND = 7  # lines around a picture that is as high as the terminal
 SHARE = 5  # columns for each row of a chart
 GRID = 4  # distance of the dots in circles and rays of a polar diagram
 RIM, RIM_IN_ASCII = 6, 9  # columns on each side of a circle, for labels
-SMALLEST, LARGEST = 22, 32  # rows of a circle
+SMALLEST, LARGEST = 22, 32  # most rows of a circle or a plan
 ROUND = 360  # pieces of a circle
 RAMP = [f"38;5;{n}" for n in (62, 67, 66, 65, 100, 136, 166, 160)]  # colours of ordered curves
 # Relative luminances of the steps of red, green and blue in the palette, by the curve of sRGB, and
 # those of colours with a contrast of at least 3 to black and to white (WCAG 2.1).
 LUMINANCES = [0.0, 0.1144, 0.2423, 0.4287, 0.6795, 1.0]
 DARKEST, LIGHTEST = 0.1, 0.3
-BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
 
 
 def style_of(width: int = 80, height: int = 0, color: bool = False) -> Style:
@@ -79,13 +76,11 @@ def style_of(width: int = 80, height: int = 0, color: bool = False) -> Style:
 
 
 def draw(picture: Picture, style: Style) -> str:
-    """Return a picture as lines of text, no wider than the style."""
+    """Return a picture, not one of `IN_A_FILE`, as lines of text, no wider than the style."""
     ways: dict[type, Callable[[Any, Style], list[str]]] = {
         Chart: _chart,
         Polar: _polar,
         Field: _field,
-        Disc: _disc,
-        ColourDiagram: _colour_diagram,
     }
     style = style._replace(width=max(style.width, NARROWEST))
     picture = _in_ascii(picture) if style.ascii else picture  # before it is laid out
@@ -113,7 +108,7 @@ def _polar(polar: Polar, style: Style) -> list[str]:
     """Draw the axis downwards, and only the lower half if the upper half is dark."""
     circles, is_half = rings(polar.most), polar.is_half
     names, outer = texts(circles), circles[-1]
-    rim, degrees = _rim(style)
+    rim, degrees = (RIM_IN_ASCII, " deg") if style.ascii else (RIM, "\u00b0")
     radius = min(style.width - 2 * rim, (4 if is_half else 2) * (_tall(style) - 2))  # in dots
     columns, rows = radius + 2 * rim, -(-radius // (4 if is_half else 2)) + 2
     dot = outer / (radius - 1)
@@ -181,126 +176,43 @@ def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> No
     sheet.write(column, row, text)
 
 
-def _rim(style: Style) -> tuple[int, str]:
-    """Return the columns on each side of a circle, and the sign of a degree."""
-    return (RIM_IN_ASCII, " deg") if style.ascii else (RIM, "\u00b0")
-
-
 def _tall(style: Style) -> int:
-    """Return the rows of a circle: as the terminal has, or if that is unknown, by the width."""
+    """Return the most rows of a picture: as the terminal has, or by the width if unknown."""
     if style.height:
         return max(style.height - AROUND, SMALLEST)
     return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
 
 
-# -- fields and discs ------------------------------------------------------------------------------
+# -- plans ---------------------------------------------------------------------------------------
 
 
 def _field(field: Field, style: Style) -> list[str]:
-    """Draw a plan to scale; a high one is turned if it is then larger."""
-    if _size(field.turned, style)[0] > WIDER * _size(field, style)[0]:
-        turned, downwards = field.turned, -1
-    else:
-        turned, downwards = field, 1
-    columns, rows, margin = _size(turned, style)
-    x_ends, y_ends = _ends_of(turned.xs), _ends_of(turned.ys)
+    """Draw the contours of a plan, to scale."""
+    (left, right), (bottom, top) = x_ends, y_ends = [(v[0], v[-1]) for v in (field.xs, field.ys)]
+    y_ticks = ticks(*y_ends, 6)
+    names = texts(y_ticks)
+    margin = max(map(len, names)) + 2
+    columns = style.width - margin - 1
+    rows = round(columns * (top - bottom) / (right - left) / 2)
+    rows = min(max(rows, FLATTEST), _tall(style))
+    columns = min(columns, max(round(2 * rows * (right - left) / (top - bottom)), LEAST))
     sheet = Sheet.between(columns, rows, x_ends, y_ends)
-    unnamed = _place_marks(sheet, turned.marks)
-    drawn = turned.xs, turned.ys, turned.rows
-    value_caption = _contours(sheet, drawn, field.value, turned.marks)
-    x_ticks, y_ticks = ticks(*x_ends, max(columns // 10, 2)), _y_ticks(turned)
-    names = texts([downwards * y for y in y_ticks])
+    unnamed = _write_marks(sheet, field.marks)
+    _contours(sheet, field)
+    x_ticks = ticks(*x_ends, max(columns // 10, 2))
+    value_span = span([value for row in field.rows for value in row])
     return [
         *heading(field.title, style),
-        *beside(turned.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
-        *below(turned.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
-        *fold(value_caption, style.width),
+        *beside(field.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
+        *below(field.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
+        *fold(f"{field.value.title}, {value_span}", style.width),
         *heading(unnamed, style),
         *heading(field.note, style),
     ]
 
 
-def _size(field: Field, style: Style) -> tuple[int, int, int]:
-    """Return the columns and rows of a plan, and the columns on its left, for its numbers."""
-    (left, right), (bottom, top) = _ends_of(field.xs), _ends_of(field.ys)
-    margin = max(map(len, texts(_y_ticks(field)))) + 2
-    columns = style.width - margin - 1
-    least, most = PLAN[0], _tall(style) if style.height else PLAN[1]
-    rows = min(max(round(columns * (top - bottom) / (right - left) / 2), least), most)
-    columns = min(columns, max(round(2 * rows * (right - left) / (top - bottom)), LEAST))
-    return columns, rows, margin
-
-
-def _ends_of(places: Values) -> Point:
-    return places[0], places[-1]
-
-
-def _y_ticks(field: Field) -> list[float]:
-    return ticks(*_ends_of(field.ys), 6)
-
-
-def _disc(disc: Disc, style: Style) -> list[str]:
-    room, _ = _rim(style)
-    radius = min(style.width - 2 * room, 2 * (_tall(style) - 2))  # in dots
-    columns, rows = radius + 2 * room, radius // 2 + 2
-    wide, high = columns / (radius - 1), 2 * rows / (radius - 1)
-    sheet = Sheet(columns, rows, (-wide, wide), (-high, high))
-    count = len(disc.rows)
-    places = [2 * k / (count - 1) - 1 for k in range(count)]
-    inside = [
-        [v if x * x + y * y <= 1 else math.nan for x, v in zip(places, row, strict=True)]
-        for y, row in zip(places, disc.rows, strict=True)
-    ]
-    grid = sheet.layer(DIM, BEHIND)
-    rim = [_turned(1.0, angle) for angle in _degrees(-180, 180)]
-    line(grid, pairwise(rim))
-    for label, angle in disc.rim:
-        x, y = _turned(1.0, 180 - angle)
-        _write_at_rim(sheet, label, x, y, 1 / radius)
-    unnamed = _place_marks(sheet, disc.marks)
-    if disc.is_image:
-        value_caption = _shaded(sheet, places, inside, disc.value, style)
-    else:
-        taken = {sheet.place(*place) for place in rim}
-        value_caption = _contours(sheet, (places, places, inside), disc.value, disc.marks, taken)
-    indent = " " * max((style.width - columns) // 2, 0)
-    return [
-        *heading(disc.title, style),
-        *(indent + line for line in sheet.lines(style)),
-        *caption(value_caption, 0, style.width),
-        *caption(unnamed, 0, style.width),
-        *(line for note in disc.notes for line in caption(note, 0, style.width)),
-    ]
-
-
-def _colour_diagram(diagram: ColourDiagram, style: Style) -> list[str]:
-    (left, right), (low, high) = diagram.limits
-    x_ticks, y_ticks = ticks(left, right, 5), ticks(low, high, 5)
-    names = texts(y_ticks)
-    margin = max(map(len, names)) + 2
-    columns = min(style.width - margin - 1, 2 * round(_tall(style) * (right - left) / (high - low)))
-    rows = round(columns * (high - low) / (right - left) / 2)
-    sheet = Sheet.between(columns, rows, (left, right), (low, high))
-    entries = []
-    for k, series in enumerate(diagram.series):
-        is_reference = series.style == REFERENCE
-        color, mark = (DIM, BEHIND) if is_reference else (COLORS[k], MARKS[k])
-        draw_along = dotted if is_reference else line
-        draw_along(sheet.layer(color, mark), pairwise([*zip(series.x, series.y, strict=True)]))
-        entries.append((sample(series.style, mark, style), color, series.label))
-    unnamed = _place_marks(sheet, diagram.marks)
-    return [
-        *heading(diagram.title, style),
-        *beside(diagram.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
-        *below(diagram.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
-        *legend(entries, style),
-        *heading(unnamed, style),
-        *heading(diagram.note, style),
-    ]
-
-
-def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> str:
-    """Write each mark, and its label where it is apart from others; note those without room."""
+def _write_marks(sheet: Sheet, marks: Sequence[Mark]) -> str:
+    """Write each mark, and its label on its right or left; return a note of those without room."""
     places = [sheet.place(mark.x, mark.y) for mark in marks]
     for column, row in places:
         sheet.write(column, row, "+")
@@ -308,69 +220,39 @@ def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> str:
     for mark, (column, row) in zip(marks, places, strict=True):
         label = cut(printable(mark.label), sheet.columns - 1)
         size = columns_of(label)
-        around = [
-            (start, r) for start in (column + 1, column - size) for r in (row, row - 1, row + 1)
-        ]
-        fits = (
-            cell
-            for cell in around
-            if sheet.is_free(*cell, size) and _is_apart(sheet, cell, size, (column, row))
-        )
-        if free := next(fits, None):
-            sheet.write(*free, label)
+        for start, outer in ((column + 1, column + 1 + size), (column - size, column - size - 1)):
+            if sheet.is_free(start, row, size) and sheet.is_free(outer, row, 1, inside=False):
+                sheet.write(start, row, label)
+                break
         else:
             unnamed.append(mark.label)
     return nameless(unnamed)
 
 
-def _is_apart(sheet: Sheet, cell: tuple[int, int], size: int, mark: tuple[int, int]) -> bool:
-    """Return whether the cells on both sides of a label are free, except that of its mark."""
-    column, row = cell
-    sides = {(column - 1, row), (column + size, row)} - {mark}
-    return all(sheet.is_free(*side, 1, inside=False) for side in sides)
-
-
-def _contours(
-    sheet: Sheet,
-    drawn: tuple[Values, Values, Sequence[Values]],
-    value: Axis,
-    marks: Sequence[Mark],
-    taken: Iterable[tuple[int, int]] = (),
-) -> str:
-    """Draw contours with numbers away from occupied cells; return a caption."""
-    values = [z for row in drawn[2] for z in row if z == z]
-    contour_levels = levels(values)
-    full = [*taken, *(sheet.place(mark.x, mark.y) for mark in marks)]
-    for k, (level, name) in enumerate(zip(contour_levels, texts(contour_levels), strict=True)):
-        color = _on_ramp(k, len(contour_levels))
-        canvas = sheet.layer(color, MARKS[k % len(MARKS)])
-        places = []
-        for start, end in _segments(*drawn, level):
-            canvas.line(*start, *end)
-            places.append(start)
-        _name_contour(sheet, places, name, color, full)
-    return f"{value.title}, {span(values)}"
+def _contours(sheet: Sheet, field: Field) -> None:
+    """Draw contours with their numbers, far from each other and from marks."""
+    found = levels([value for row in field.rows for value in row])
+    taken = [sheet.place(mark.x, mark.y) for mark in field.marks]
+    for k, (level, name) in enumerate(zip(found, texts(found), strict=True)):
+        color = _on_ramp(k, len(found))
+        pieces = [*_segments(field.xs, field.ys, field.rows, level)]
+        line(sheet.layer(color, MARKS[k % len(MARKS)]), pieces)
+        _name_contour(sheet, {sheet.place(*start) for start, _ in pieces}, name, color, taken)
 
 
 def _on_ramp(k: int, count: int) -> str:
     return RAMP[k * (len(RAMP) - 1) // max(count - 1, 1)]
 
 
-def _name_contour(
-    sheet: Sheet, places: list[Point], name: str, color: str, taken: list[tuple[int, int]]
-) -> None:
+def _name_contour(sheet: Sheet, cells: set[Cell], name: str, color: str, taken: list[Cell]) -> None:
+    """Write a number in the cell of a contour that is farthest from the cells taken."""
     half = len(name) // 2
 
-    def is_free(cell: tuple[int, int]) -> bool:
-        around = range(cell[0] - half - 1, cell[0] - half + len(name) + 1)
-        inside = around[0] >= 0 and around[-1] < sheet.columns
-        return inside and not any((column, cell[1]) in sheet.texts for column in around)
-
-    def room(cell: tuple[int, int]) -> tuple[float, int, int]:
+    def room(cell: Cell) -> tuple[float, int, int]:
         apart = [abs(cell[0] - c) / len(name) + abs(cell[1] - r) for c, r in taken]
         return min(apart, default=0.0), *cell
 
-    free = list(filter(is_free, {sheet.place(x, y) for x, y in places}))
+    free = [cell for cell in cells if sheet.is_free(cell[0] - half - 1, cell[1], len(name) + 2)]
     if free:
         column, row = max(free, key=room)
         taken.append((column, row))
@@ -382,7 +264,7 @@ def _segments(xs: Values, ys: Values, rows: Sequence[Values], level: float) -> I
     for (y0, low), (y1, high) in pairwise(zip(ys, rows, strict=True)):
         for i in range(len(xs) - 1):
             z = low[i], low[i + 1], high[i], high[i + 1]
-            if not min(z) <= level <= max(z) or any(map(math.isnan, z)):
+            if not min(z) <= level <= max(z):
                 continue
             a, b = (xs[i], y0, z[0]), (xs[i + 1], y0, z[1])
             c, d = (xs[i], y1, z[2]), (xs[i + 1], y1, z[3])
@@ -403,34 +285,11 @@ def _between(
     return start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
 
 
-def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, style: Style) -> str:
-    """Draw more dots for brighter parts, on a logarithmic scale; return a caption."""
-    values = [z for row in rows for z in row if z == z]
-    scale = shades(values)
-    canvas = sheet.layer("", "#")
-    count = len(places)
-    for row in range(4 * sheet.rows):
-        y = sheet.y[0] + (sheet.y[1] - sheet.y[0]) * row / (4 * sheet.rows)
-        for column in range(2 * sheet.columns):
-            x = sheet.x[0] + (sheet.x[1] - sheet.x[0]) * column / (2 * sheet.columns)
-            if x * x + y * y > 1:
-                continue
-            i, j = (round((place + 1) / 2 * (count - 1)) for place in (x, y))
-            z = rows[j][i]
-            if z == z and scale.share(z) > (BAYER[row % 4][column % 4] + 0.5) / 16:
-                canvas.point(x, y)
-    if scale.low == scale.high:
-        return f"{value.title}, {span(values)}"
-    low, high = texts([float(f"{z:.3g}") for z in scale[:2]])
-    or_less = " or less" if min(values) < scale.low else ""
-    or_more = " or more" if max(values) > scale.high else ""
-    return f"{value.title}, {scale.kind}: no dots at {low}{or_less}, all at {high}{or_more}"
-
-
 # -- charts ----------------------------------------------------------------------------------------
 
 
 def _chart(chart: Chart, style: Style) -> list[str]:
+    """Draw curves, marks and bands between axes."""
     rows = min(max(style.width // SHARE, LEAST), MOST)
     x_of, y_of = _scale(chart.x.is_log), _scale(chart.y.is_log)
     values = [y for series in chart.series for y in series.heights]

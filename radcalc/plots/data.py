@@ -158,16 +158,6 @@ class Field(NamedTuple):
     marks: Sequence[Mark] = ()
     note: str = ""
 
-    @property
-    def turned(self) -> "Field":
-        """The plane after a quarter turn clockwise: y to the right, and x down, as -x up."""
-        rows = [list(column) for column in zip(*self.rows, strict=True)][::-1]
-        marks = [Mark(mark.label, mark.y, -mark.x) for mark in self.marks]
-        down = self.x._replace(label=f"{self.x.label} downwards")
-        return self._replace(
-            x=self.y, y=down, xs=self.ys, ys=[-x for x in self.xs[::-1]], rows=rows, marks=marks
-        )
-
 
 class Disc(NamedTuple):
     """Values over a hemisphere of directions: the centre is in the middle, the rim at 90 deg.
@@ -215,3 +205,7 @@ class ColourDiagram(NamedTuple):
 
 
 Picture = Chart | Polar | Field | Disc | ColourDiagram
+IN_A_FILE: dict[type, str] = {  # kinds of pictures that are not drawn in characters
+    Disc: "a fisheye view",
+    ColourDiagram: "a colour diagram",
+}

@@ -3,7 +3,6 @@
 import io
 import math
 import os
-import re
 import sys
 import warnings
 from collections.abc import Callable, Sequence
@@ -14,6 +13,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from radcalc.errors import ConditionError, printable
+from radcalc.plots import figure_style as style
 from radcalc.plots.data import (
     LINE,
     LINES,
@@ -30,69 +30,12 @@ from radcalc.plots.data import (
     Polar,
     nameless,
 )
+from radcalc.plots.figure_style import GREY, NO_LIGHT, axis_title
 from radcalc.plots.ticks import levels, limits, rings, shades, span, texts
 from radcalc.terminal import cut, fold
 
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
-SIZE = 7.2, 4.5  # inches
-AREA, LONGEST = 20.0, 8.0  # of a plan [square inches, inches]
-FRAME = 1.5, 1.0  # room for its numbers and its scale [inches]
-FLAT = 2.0  # ratio of the width to the height above which the scale is below the plan
-DOTS = 160  # per inch, in PNG
-SQUARE, HALF = (6.4, 6.4), (7.2, 4.9)
-LONG = 5  # characters of a radius of a polar diagram
-WEDGE, CIRCLE = (0.09, -0.05, 0.82, 1.2), (0.14, 0.15, 0.72, 0.72)  # of a polar diagram
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
-SHIFTS = (0.8, 0.9, 1.1, 1.2)  # chroma relative to the reference of TM-30
-GREY, NO_LIGHT, FAINT = "#6b7280", "#374151", "#d1d5db"
-ARROW = {"arrowstyle": "->", "color": NO_LIGHT, "lw": 1.2, "shrinkA": 0, "shrinkB": 0}
-DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
-LINESTYLES = ("-", (0, (5, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1, 1.5)))  # of curves of one colour
-MARKERS = "os^D"  # of points of one colour
-DENSE = 50  # least number of points of a curve without markers
-BESIDE = 8  # longest legend inside a chart
-LABEL = 40  # most letters of a label in a legend
-LETTERS, MARGINS, MOST_LINES = 11, 1.0, 3  # of a title: letters an inch; inches; lines
-BAND = 0.25  # opacity
-MARK, POINT = 6, 72  # size of a mark [points]; points per inch
-REACHES = (5, 20, 35, 50)  # distances of a label from its mark [points]
-AROUND = ((1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
-ACROSS, UP = ("center", "left", "right"), ("center", "bottom", "top")  # for the sides 0, 1 and -1
-OVER = "white"  # brighter than the scale
-STRIP = 0.03  # of the height of a chart, for the colours of its axis
-TICKS = 6  # of an axis with round ends
-ANGLES = (1, 1.5, 3, 4.5, 6, 9, 10)  # steps of an axis in degrees, times a power of ten
-COLORMAP = "viridis"
-ROUND = 1.01  # of the radius of a disc: room for its rim
-WHOLE = 0.9  # of the radius of a disc, within which its rim does not cut the contour numbers
-COLORS = ("#0f766e", "#b45309", "#7c3aed", "#be123c", "#1d4ed8", "#4d7c0f")
-FONT = "DejaVu Sans"  # included in Matplotlib
-SETTINGS = {
-    "axes.edgecolor": GREY,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "axes.labelcolor": "#1f2937",
-    "axes.spines.right": False,
-    "axes.spines.top": False,
-    "axes.titlelocation": "left",
-    "axes.titlesize": 11,
-    "figure.facecolor": "white",
-    "font.family": FONT,
-    "font.size": 10,
-    "grid.color": "#e5e7eb",
-    "grid.linewidth": 0.8,
-    "legend.framealpha": 0.8,
-    "legend.edgecolor": "none",
-    "lines.linewidth": 1.8,
-    "lines.solid_capstyle": "round",
-    "svg.hashsalt": "radcalc",  # makes the names in an SVG reproducible
-    "xtick.color": GREY,
-    "xtick.labelcolor": NO_LIGHT,
-    "ytick.color": GREY,
-    "ytick.labelcolor": NO_LIGHT,
-}
 
 
 def figure(picture: Picture) -> Any:
@@ -107,8 +50,8 @@ def figure(picture: Picture) -> Any:
         Disc: _disc,
         ColourDiagram: _colour_diagram,
     }
-    with matplotlib.rc_context({**matplotlib.rcParamsDefault, **SETTINGS}):
-        drawing = Figure(figsize=SIZE, layout="constrained")
+    with matplotlib.rc_context({**matplotlib.rcParamsDefault, **style.SETTINGS}):
+        drawing = Figure(figsize=style.SIZE, layout="constrained")
         drawers[type(picture)](picture, drawing)
     return drawing
 
@@ -119,9 +62,9 @@ def data(picture: Picture, extension: str) -> bytes:
     out = io.BytesIO()
     metadata = {"Date": None} if extension == ".svg" else {"Software": None}
     drawing = figure(picture)
-    with matplotlib.rc_context(SETTINGS), warnings.catch_warnings():
+    with matplotlib.rc_context(style.SETTINGS), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # about letters missing in the font
-        drawing.savefig(out, format=extension[1:], dpi=DOTS, metadata=metadata)
+        drawing.savefig(out, format=extension[1:], dpi=style.DOTS, metadata=metadata)
     return out.getvalue()
 
 
@@ -178,6 +121,7 @@ def _matplotlib() -> Any:
 
 
 def _chart(chart: Chart, drawing: Any) -> None:
+    """Draw curves, marks and bands between axes."""
     axes = drawing.subplots()
     looks = iter(_looks(chart))
     drawn: list[Any] = []
@@ -189,15 +133,15 @@ def _chart(chart: Chart, drawing: Any) -> None:
         if series.style == LINES:
             drawn.append(axes.vlines(series.x, 0, series.y, color=color, lw=2))
         elif series.style == POINTS:
-            look = {"marker": MARKERS[turn], "ms": 6, "ls": ""}
+            look = {"marker": style.MARKERS[turn], "ms": 6, "ls": ""}
             drawn += axes.plot(series.x, series.y, color=color, clip_on=False, zorder=3, **look)
         else:
-            dots = {"marker": "o", "ms": 3} if len(series.x) < DENSE else {}
-            drawn += axes.plot(series.x, series.y, color=color, ls=LINESTYLES[turn], **dots)
+            dots = {"marker": "o", "ms": 3} if len(series.x) < style.DENSE else {}
+            drawn += axes.plot(series.x, series.y, color=color, ls=style.LINESTYLES[turn], **dots)
         if series.band and series.style == POINTS:
             axes.vlines(series.x, *series.band, color=color, lw=1.3)
         elif series.band:
-            axes.fill_between(series.x, *series.band, color=color, alpha=BAND, lw=0)
+            axes.fill_between(series.x, *series.band, color=color, alpha=style.BAND, lw=0)
     for label, place in chart.marks:
         axes.axvline(place, color=GREY, lw=1)
         axes.annotate(
@@ -207,7 +151,7 @@ def _chart(chart: Chart, drawing: Any) -> None:
     _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, chart.x)
     _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, chart.y)
     if not chart.y.is_log and chart.y.limits is None:
-        axes.set_ylim(*limits([y for series in chart.series for y in series.heights], TICKS))
+        axes.set_ylim(*limits([y for series in chart.series for y in series.heights], style.TICKS))
     if chart.y.limits:
         axes.set_ylim(chart.y.limits[0], chart.y.limits[1] * 1.04)
     if chart.hues:
@@ -221,11 +165,11 @@ def _legend(chart: Chart, drawn: Sequence[Any], axes: Any) -> None:
     """Name the curves: a few in the chart, more of them on its right."""
     named = chart.named
     handles = [drawn[k] for k in named]
-    labels = [_safe(chart.series[k].label, LABEL) for k in named]
+    labels = [_safe(chart.series[k].label, style.LABEL) for k in named]
     if chart.more:
         handles.append(axes.plot([], [], ls="")[0])
         labels.append(chart.more)
-    if len(named) > BESIDE:
+    if len(named) > style.BESIDE:
         axes.figure.legend(handles, labels, loc="outside right upper", fontsize=8.5)
     elif named:
         axes.legend(handles, labels)
@@ -235,10 +179,10 @@ def _looks(chart: Chart) -> list[tuple[Any, int]]:
     """Return a colour and a line style for each curve; too many to name have ordered colours."""
     count = len(chart.curves)
     if not chart.is_crowd:
-        return [(COLORS[k % len(COLORS)], k // len(COLORS)) for k in range(count)]
+        return [(style.COLORS[k % len(style.COLORS)], k // len(style.COLORS)) for k in range(count)]
     import matplotlib
 
-    return [(matplotlib.colormaps[COLORMAP](0.95 * k / (count - 1)), 0) for k in range(count)]
+    return [(matplotlib.colormaps[style.COLORMAP](0.95 * k / (count - 1)), 0) for k in range(count)]
 
 
 def _note(note: str, axes: Any) -> None:
@@ -259,7 +203,7 @@ def _hues(chart: Chart, axes: Any) -> None:
         filled, shade, top = axes.fill_between(x, 0, y, lw=0, color="none"), 0.5, max(y)
         clipped = {"clip_path": (filled.get_paths()[0], axes.transData)}
     else:
-        shade, top, clipped = 0.8, heights[1] * STRIP, {}
+        shade, top, clipped = 0.8, heights[1] * style.STRIP, {}
     half = (places[1] - places[0]) / 2
     axes.imshow(
         numpy.array([[hue[1:] for hue in chart.hues]]),
@@ -275,7 +219,7 @@ def _hues(chart: Chart, axes: Any) -> None:
 
 
 def _axis(mpl_axis: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
-    mpl_axis.set_label_text(_text(axis))
+    mpl_axis.set_label_text(axis_title(axis))
     if axis.is_log:
         set_scale("log")
     else:
@@ -283,7 +227,7 @@ def _axis(mpl_axis: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
     if axis.unit == "deg" and not axis.is_log:
         from matplotlib.ticker import MaxNLocator
 
-        mpl_axis.set_major_locator(MaxNLocator(steps=ANGLES))
+        mpl_axis.set_major_locator(MaxNLocator(steps=style.ANGLES))
     if axis.limits:
         set_ends(*axis.limits)
 
@@ -306,15 +250,15 @@ def _polar(polar: Polar, drawing: Any) -> None:
     """Draw the axis downwards, and only the lower half if the upper half is dark."""
     is_half, circles = polar.is_half, rings(polar.most)
     drawing.set_layout_engine("none")
-    drawing.set_size_inches(*(HALF if is_half else SQUARE))
-    axes = drawing.add_axes(WEDGE if is_half else CIRCLE, projection="polar")
+    drawing.set_size_inches(*(style.HALF if is_half else style.SQUARE))
+    axes = drawing.add_axes(style.WEDGE if is_half else style.CIRCLE, projection="polar")
     axes.set_theta_zero_location("S")
-    for color, plane, dashes in zip(COLORS, polar.planes, DASHES, strict=False):
+    for color, plane, dashes in zip(style.COLORS, polar.planes, style.DASHES, strict=False):
         turns = [math.radians(angle) for angle in plane.angles]
         axes.plot(turns, plane.values, color=color, linestyle=dashes, label=plane.label)
         axes.fill(turns, plane.values, color=color, alpha=0.08, lw=0)
         if plane.band:
-            axes.fill_between(turns, *plane.band, color=color, alpha=BAND, lw=0)
+            axes.fill_between(turns, *plane.band, color=color, alpha=style.BAND, lw=0)
     rays = range(-180, 180, 30)
     if is_half:
         axes.set_thetamin(-RIGHT)
@@ -324,14 +268,14 @@ def _polar(polar: Polar, drawing: Any) -> None:
     axes.set_xticks(places, [f"{abs(angle)}\u00b0" for angle in rays])
     axes.set_ylim(0.0, circles[-1])
     names = texts(circles)
-    if max(map(len, names)) > LONG:  # they would cover each other
+    if max(map(len, names)) > style.LONG:  # they would cover each other
         names = ["" if k % 2 else name for k, name in enumerate(reversed(names))][::-1]
     axes.set_yticks(circles, names)
     axes.set_rlabel_position(RIGHT if is_half else 75)
-    axes.spines["polar"].set_color(FAINT)
+    axes.spines["polar"].set_color(style.FAINT)
     above = 0.04 if polar.note else 0.0
     drawing.legend(
-        title=_text(polar.radius), loc="lower center", ncols=2, bbox_to_anchor=(0.5, above)
+        title=axis_title(polar.radius), loc="lower center", ncols=2, bbox_to_anchor=(0.5, above)
     )
     drawing.suptitle(_folded(polar.title, drawing), fontsize=11)
     _note(polar.note, axes)
@@ -342,32 +286,26 @@ def _polar(polar: Polar, drawing: Any) -> None:
 
 def _field(field: Field, drawing: Any) -> None:
     ratio = (field.xs[-1] - field.xs[0]) / (field.ys[-1] - field.ys[0])
-    drawing.set_size_inches(*_plan_size(ratio))
+    drawing.set_size_inches(*style.plan_size(ratio))
     axes = drawing.subplots()
     axes.grid(visible=False)
     axes.set_aspect("equal")
-    _filled(drawing, axes, field.xs, field.ys, field.rows, field.value, is_flat=ratio > FLAT)
-    axes.set_xlabel(_text(field.x))
-    axes.set_ylabel(_text(field.y))
+    _filled(drawing, axes, field.xs, field.ys, field.rows, field.value, is_flat=ratio > style.FLAT)
+    axes.set_xlabel(axis_title(field.x))
+    axes.set_ylabel(axis_title(field.y))
     axes.set_title(_folded(field.title, drawing))
     _marks(axes, field.marks, field.note)
 
 
-def _plan_size(ratio: float) -> tuple[float, float]:
-    """Return the size of a figure [inches] for a plan of a ratio of width to height."""
-    high = min(math.sqrt(AREA / ratio), LONGEST, LONGEST / ratio)
-    across, down = FRAME if ratio <= FLAT else FRAME[::-1]
-    return max(high * ratio + across, SIZE[1]), high + down
-
-
 def _disc(disc: Disc, drawing: Any) -> None:
+    """Draw a hemisphere of directions: an image is shaded, anything else has contours."""
     import numpy
     from matplotlib.patches import Circle
 
-    drawing.set_size_inches(*SQUARE)
+    drawing.set_size_inches(*style.SQUARE)
     axes = drawing.subplots()
     axes.set_aspect("equal")
-    axes.set(xlim=(-ROUND, ROUND), ylim=(-ROUND, ROUND))
+    axes.set(xlim=(-style.ROUND, style.ROUND), ylim=(-style.ROUND, style.ROUND))
     axes.axis("off")
     places = numpy.linspace(-1.0, 1.0, len(disc.rows))
     x, y = numpy.meshgrid(places, places)
@@ -376,7 +314,7 @@ def _disc(disc: Disc, drawing: Any) -> None:
     if disc.is_image and inside.min() < inside.max():
         _shaded(drawing, axes, places, rows, inside, disc.value)
     else:
-        _filled(drawing, axes, places, places, rows, disc.value, numpy.hypot(x, y) < WHOLE)
+        _filled(drawing, axes, places, places, rows, disc.value, numpy.hypot(x, y) < style.WHOLE)
     for drawn in axes.collections:
         drawn.set_clip_path(Circle((0, 0), 1, transform=axes.transData))
     axes.add_patch(Circle((0, 0), 1, fill=False, color=GREY))
@@ -399,15 +337,16 @@ def _shaded(drawing: Any, axes: Any, places: Any, rows: Any, inside: Any, value:
     norm = (LogNorm if scale.is_log else Normalize)(scale.low, scale.high)
     ends = bool(inside.min() < scale.low), bool(inside.max() > scale.high)
     extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(ends, "neither")
-    colormap = matplotlib.colormaps[COLORMAP]
-    colormap = colormap.with_extremes(bad=colormap(0.0), over=OVER)  # bad: the logarithm of 0
+    colormap = matplotlib.colormaps[style.COLORMAP]
+    colormap = colormap.with_extremes(bad=colormap(0.0), over=style.OVER)  # bad: the logarithm of 0
     drawn = axes.pcolormesh(places, places, rows, cmap=colormap, norm=norm, rasterized=True)
-    label = f"{_text(value)}, {scale.kind}"
+    label = f"{axis_title(value)}, {scale.kind}"
     drawing.colorbar(drawn, ax=axes, shrink=0.8, label=label, extend=extend)
 
 
 def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
-    drawing.set_size_inches(*SQUARE)
+    """Draw curves and points over the colours of the plane."""
+    drawing.set_size_inches(*style.SQUARE)
     axes = drawing.subplots()
     axes.grid(visible=False)
     if diagram.arrows:
@@ -437,11 +376,11 @@ def _vectors(diagram: ColourDiagram, axes: Any) -> None:
 
     (left, right), (low, high) = diagram.limits
     axes.imshow(imread(vector_background()), extent=(left, right, low, high))
-    for radius in SHIFTS:
+    for radius in style.SHIFTS:
         axes.add_patch(Circle((0, 0), radius, fill=False, color="white", lw=0.8))
         axes.text(0, -radius, f"{radius - 1:+.0%}", color=NO_LIGHT, fontsize=7, ha="center")
     for start, end in diagram.arrows:
-        axes.annotate("", end, start, arrowprops=ARROW)
+        axes.annotate("", end, start, arrowprops=style.ARROW)
     for mark in diagram.marks:
         axes.text(mark.x, mark.y, _safe(mark.label), color=NO_LIGHT, ha="center", va="center")
 
@@ -464,10 +403,10 @@ def _filled(
     values = numpy.asarray(rows, float)
     contour_levels = levels(values.ravel().tolist())
     if not contour_levels:
-        axes.pcolormesh(xs, ys, values, cmap=COLORMAP)
+        axes.pcolormesh(xs, ys, values, cmap=style.COLORMAP)
         even = values if inside is None else values[inside]
         axes.annotate(
-            f"{_text(value)}, {span(even.ravel().tolist())}",
+            f"{axis_title(value)}, {span(even.ravel().tolist())}",
             (0.5, 0.5),
             xycoords="axes fraction",
             ha="center",
@@ -479,7 +418,7 @@ def _filled(
         *contour_levels,
         max(float(values.max()), contour_levels[-1]),
     ]
-    shades = matplotlib.colormaps[COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
+    shades = matplotlib.colormaps[style.COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
     filled = axes.contourf(xs, ys, values, bounds, colors=shades)
     lines = axes.contour(xs, ys, values, contour_levels, colors="white", linewidths=0.9)
     names = texts(contour_levels)
@@ -491,7 +430,7 @@ def _filled(
     for number in axes.clabel(lines, **how):
         number.set_path_effects([withStroke(linewidth=1.5, foreground=NO_LIGHT)])
     place = {"orientation": "horizontal", "aspect": 40} if is_flat else {"shrink": 0.8}
-    bar = drawing.colorbar(filled, ax=axes, label=_text(value), spacing="uniform", **place)
+    bar = drawing.colorbar(filled, ax=axes, label=axis_title(value), spacing="uniform", **place)
     bar.set_ticks(contour_levels, labels=names)
 
 
@@ -502,10 +441,11 @@ def _safe(text: str, width: int = sys.maxsize) -> str:
 
 def _folded(text: str, drawing: Any) -> str:
     """Fold a text to the width of the figure, and cut it if it has too many lines."""
-    width = int(LETTERS * (drawing.get_figwidth() - MARGINS))
+    width = int(style.LETTERS * (drawing.get_figwidth() - style.MARGINS))
     lines = [cut(line, width) for line in fold(_shown(text), width)]
-    if len(lines) > MOST_LINES:
-        lines = [*lines[: MOST_LINES - 1], f"{cut(lines[MOST_LINES - 1], width - 4)} ..."]
+    if len(lines) > style.MOST_LINES:
+        *first, last = lines[: style.MOST_LINES]
+        lines = [*first, f"{cut(last, width - 4)} ..."]
     return "\n".join(lines).replace("$", r"\$")
 
 
@@ -518,12 +458,7 @@ def _shown(text: str) -> str:
 def _letters() -> frozenset[int]:
     from matplotlib.font_manager import findfont, get_font
 
-    return frozenset(get_font(findfont(FONT)).get_charmap())
-
-
-def _text(axis: Axis) -> str:
-    unit = POWER.sub(lambda match: match[0].translate(SUPERSCRIPTS), axis.unit)
-    return INDEX.sub(r"$\1_{\\mathrm{\2}}$", axis._replace(unit=unit).title)
+    return frozenset(get_font(findfont(style.FONT)).get_charmap())
 
 
 def _marks(axes: Any, marks: Sequence[Mark], note: str) -> None:
@@ -534,13 +469,14 @@ def _marks(axes: Any, marks: Sequence[Mark], note: str) -> None:
     from matplotlib.transforms import Bbox
 
     for mark in marks:
-        axes.plot(mark.x, mark.y, "o", color="white", mec=NO_LIGHT, ms=MARK, clip_on=False)
+        look = {"color": "white", "mec": NO_LIGHT, "ms": style.MARK}
+        axes.plot(mark.x, mark.y, "o", clip_on=False, **look)
     _note(note, axes)
     if not marks:
         return
     axes.figure.draw_without_rendering()  # the layout moves the axes
     points = [axes.transData.transform((mark.x, mark.y)) for mark in marks]
-    half = MARK * axes.figure.dpi / POINT / 2
+    half = style.MARK * axes.figure.dpi / style.POINT / 2
     taken = [Bbox([point - half, point + half]) for point in points]
     others = [*axes.texts, *filter(None, [axes.get_legend()])]
     taken += [other.get_window_extent() for other in others]
@@ -558,11 +494,12 @@ def _is_named(axes: Any, mark: Mark, taken: list[Any]) -> bool:
     from matplotlib.text import Text
 
     halo = [withStroke(linewidth=2.5, foreground="white")]
-    for reach, (across, up) in product(REACHES, AROUND):
-        leader = {"arrowstyle": "-", "color": NO_LIGHT, "lw": 0.7} if reach > REACHES[0] else None
+    for reach, (across, up) in product(style.REACHES, style.AROUND):
+        has_leader = reach > style.REACHES[0]
+        leader = {"arrowstyle": "-", "color": NO_LIGHT, "lw": 0.7} if has_leader else None
         label = axes.annotate(
             _safe(mark.label), (mark.x, mark.y), (reach * across, reach * up),
-            textcoords="offset points", ha=ACROSS[across], va=UP[up], color=NO_LIGHT,
+            textcoords="offset points", ha=style.ACROSS[across], va=style.UP[up], color=NO_LIGHT,
             fontsize=9, path_effects=halo, arrowprops=leader,
         )  # fmt: skip
         label.get_window_extent()  # moves it to its place; with the line to its mark

@@ -637,7 +637,6 @@ _LIGHT = (
     ("diffuse-irradiance", (0, 1, 0), "E_d", "", "diffuse-{}"),
     ("direct-irradiance", (0, 1, 0), "E_b", "", "direct-{}"),
     ("mean-radiance", (0, 1, 1), "L_mean", "", "mean-{}"),
-    ("minimum-radiance", (0, 1, 1), "L_min", "", "minimum-{}"),
     ("peak-radiance", (0, 1, 1), "L_max", "", "peak-{}"),
 )  # fmt: skip
 # geometry -> units of display of each kind, and coherent units of derivations

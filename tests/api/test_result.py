@@ -286,6 +286,12 @@ def test_a_picture_is_shown_by_a_notebook_and_written_to_a_file(tmp_path):
         drawn.save(tmp_path / "fall-off.txt")
 
 
+def test_a_picture_that_is_not_drawn_in_characters_names_the_call_that_writes_it():
+    drawn = radcalc.sky("overcast", zenith_luminance="9 kcd/m2").plot()
+    assert repr(drawn) == "a fisheye view: .save('plot.png') writes it into a file"
+    assert "<svg" in drawn._repr_svg_()
+
+
 UNDRAWN = {
     "a conversion has no picture": lambda: radcalc.explain("800 lm", "cd", isotropic=True),
     "a scene at points has no picture": lambda: radcalc.scene(

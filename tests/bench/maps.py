@@ -14,7 +14,6 @@ from measure import report
 from radcalc.distributions.maps.irradiance_map import irradiance_map
 from radcalc.distributions.maps.pictures import REC_709, Picture, read_picture, write_picture
 from radcalc.distributions.maps.radiance_map import RadianceMap
-from radcalc.distributions.maps.resampling import reproject
 
 WIDTH, HEIGHT = 4096, 2048
 NORMAL = (1.0, 2.0, 3.0)
@@ -63,7 +62,6 @@ def main() -> int:
     pixels = picture()
     around = RadianceMap(pixels.pixels, "latlong", weights=REC_709)
     cost("irradiance map 64x32", lambda: irradiance_map(around, 64, 32))
-    cost("mirror ball of 1024x1024", lambda: reproject(around, "mirror-ball", 1024, 1024))
     with tempfile.TemporaryDirectory() as folder:
         met = True
         for extension in ("hdr", "exr", "pfm"):

@@ -234,11 +234,10 @@ def test_the_unit_of_a_map_is_in_the_file_or_given(tmp_path):
 
 def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path):
     """A channel with any name and the value 7 everywhere."""
-    path = written(tmp_path / "colours.exr", numpy.full((16, 32, 3), [1.0, 2.0, 7.0]))
     made = str(tmp_path / "blue.exr")
+    pixels = numpy.full((16, 32, 1), 7.0, numpy.float32)
+    write_picture(made, Picture(pixels, ("B",), (1.0,), "", "1", "latlong"))
     words = ["--unit", "1", "--channel", "b"]
-    to = ["--reproject", made, "--to", "latlong"]
-    assert run("environment", path, *words, *to).returncode == 0
     done = run("environment", made, "--unit", "1")
     assert done.returncode == 2
     call = f"radcalc environment {made} --unit 1 --channel B"
@@ -389,7 +388,6 @@ def test_other_files_than_maps_are_refused_in_two_lines(tmp_path, data, message)
     [
         ("--irradiance-map made.pfm --size 8x4", "E = integral of L max(n . s, 0) domega"),
         ("--irradiance-map made.pfm --size 8x4 --order 2", "E = sum of A_l L_lm Y_lm(n)"),
-        ("--reproject made.pfm --to angular", "L' = integral of L domega / integral of domega"),
     ],
 )
 def test_the_derivation_of_a_written_map(tmp_path, words, formula):
@@ -547,41 +545,17 @@ def test_negative_harmonics_are_0_in_formats_without_negative_values(tmp_path):
     assert int(count) == numpy.count_nonzero(read_picture(made).pixels[..., 0] == 0)
 
 
-@pytest.mark.parametrize("to", ["mirror-ball", "angular", "latlong"])
-def test_a_reprojected_map_has_the_same_irradiances(tmp_path, to):
-    path = written(tmp_path / "sky.pfm", overcast("latlong", 64, 32)[..., None] * [1, 2, 3])
-    made = str(tmp_path / "other.exr")
-    done = run("environment", path, "--unit", "cd/m2", "--reproject", made, "--to", to)
-    height = 32
-    width = 64 if to == "latlong" else 32
-    assert f"{to} map of {width} x {height} pixels, of luminance in cd/m2" in done.stderr
-    assert read_picture(made).pixels.shape == (height, width, 3)
-    for normal in ("0,0,1", "1,0,0", "-1,2,1"):
-        names = ("--normal", normal, "-g", "irradiance:lx", "-g", "mean-radiance")
-        before = asked(path, "--unit", "cd/m2", *names)
-        # an .exr file contains its unit
-        assert asked(made, "--projection", to, *names) == pytest.approx(before, rel=5e-3)
-
-
-def test_the_corners_of_a_round_map_do_not_count_as_minimum(tmp_path):
-    made = str(tmp_path / "ball.exr")
-    words = ["7 cd/m2", "--reproject", made, "--to", "mirror-ball", "--size", "32x32"]
-    assert asked(*words, "-g", "minimum-radiance", "-g", "peak-radiance") == pytest.approx([7, 7])
-    assert read_picture(made).pixels[0, 0, 0] == 0
-
-
 def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
-    made = str(tmp_path / "sky.exr")
-    words = ["sky:overcast", "--zenith-luminance", "9kcd/m2", "--reproject", made]
-    done = run("environment", *words, "--to", "angular", "--size", "64x64")
+    made = str(tmp_path / "lux.exr")
+    words = ["sky:overcast", "--zenith-luminance", "9kcd/m2", "--irradiance-map", made]
+    done = run("environment", *words, "--size", "8x4", "-g", "maximum-illuminance:lx")
     assert "1024 x 512 pixels" in done.stderr
-    words = [made, "--projection", "angular", "-g", "irradiance:lx"]
-    assert asked(*words) == pytest.approx([7000 * math.pi], rel=2e-3)
-    relative = run(
-        "environment", "1 + z", "--reproject", made, "--to", "latlong", "--size", "32x16"
-    )
-    assert relative.returncode == 0
-    assert asked(made, "-g", "mean-radiance") == pytest.approx([1])  # relative
+    tilt = math.pi / 8  # of the first of four rows
+    facing = f"{math.sin(tilt):.6f},0,{math.cos(tilt):.6f}"
+    exact = asked(*words[:3], "--normal", facing, "-g", "irradiance:lx")
+    assert float(done.stdout) == pytest.approx(*exact, rel=2e-3)
+    assert run("environment", "1 + z", "--irradiance-map", made, "--size", "8x4").returncode == 0
+    assert read_picture(made).unit == "sr"  # relative
 
 
 @pytest.mark.parametrize(
@@ -598,12 +572,6 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
         ("--irradiance-map {}.hdr --size 4x2", "too few for a map", "4 rows or more"),
         ("--irradiance-map {}.hdr --normal 1,0,0", "--normal does not apply", "{}.hdr\n"),
         ("--irradiance-map {}.hdr --toward 9deg", "--toward does not apply", "{}.hdr\n"),
-        ("--irradiance-map {}.hdr --to angular", "--to does not apply", "{}.hdr\n"),
-        (
-            "--irradiance-map {}.hdr --reproject b.hdr",
-            "cannot be used with --reproject",
-            "{}.hdr\nor:  radcalc environment sky:5 --reproject b.hdr --to latlong\n",
-        ),
         ("--irradiance-map {}.hdr --check 3", "--check does not apply", "{}.hdr\n"),
         (
             "--irradiance-map {}.hdr --size 8x4 -g nonsense",
@@ -619,15 +587,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
         ("--irradiance-map {}.hdr --aim 0,0,1", "--aim does not apply to a sky", ""),
         ("--irradiance-map {}.hdr --order 3", "--order", ""),
         ("--order 2", "--order does not apply without", "--irradiance-map FILE"),
-        ("--to angular", "--to does not apply without", "--reproject FILE"),
         ("--size 8x4", "--size does not apply without", "--irradiance-map FILE"),
-        ("--reproject {}.hdr", "projection to write is missing", "--to latlong\n"),
-        (
-            "--reproject {}.hdr --to angular --order 2",
-            "--order does not apply to",
-            "--reproject {}.hdr --to angular\n",
-        ),
-        ("--reproject {}.hdr --to angular --size 8x4", "--size 8x4 is not square", "--size 4x4"),
     ],
 )
 def test_a_refused_map_leaves_no_file(tmp_path, words, message, hint):
@@ -641,14 +601,13 @@ def test_a_refused_map_leaves_no_file(tmp_path, words, message, hint):
 
 
 @pytest.mark.parametrize("name", ["own.pfm", "./own.pfm", "link.pfm", "hard.pfm"])
-@pytest.mark.parametrize("words", ["--irradiance-map {}", "--to angular --reproject {}"])
-def test_the_input_map_is_not_overwritten(tmp_path, name, words):
+def test_the_input_map_is_not_overwritten(tmp_path, name):
     path = tmp_path / "own.pfm"
     written(path, numpy.ones((16, 32)))
     (tmp_path / "link.pfm").symlink_to("own.pfm")
     (tmp_path / "hard.pfm").hardlink_to(path)
     before = path.read_bytes()
-    done = run("environment", "own.pfm", "--unit", "1", *words.format(name).split(), cwd=tmp_path)
+    done = run("environment", "own.pfm", "--unit", "1", "--irradiance-map", name, cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == f"radcalc: {name} is also the map to read\ntry: another name\n"
     assert path.read_bytes() == before
@@ -677,11 +636,7 @@ def test_arrays_make_arrays():
     lit = radcalc.irradiance_map(pixels, (8, 4))
     assert lit.shape == (4, 8, 3)
     assert lit.to("W/m2").m == pytest.approx(numpy.full((4, 8, 3), 2 * math.pi), rel=1e-3)
-    ball = radcalc.reproject(pixels, "mirror-ball", (32, 32))
-    assert ball[16, 16, 0].to("W/m2/sr").m == pytest.approx(2)
-    assert radcalc.reproject("sky:5", "latlong", (64, 32)).shape == (32, 64, 1)
-    with pytest.raises(radcalc.errors.RadcalcError, match="unknown projection 'cube'"):
-        radcalc.reproject(pixels, "cube")
+    assert radcalc.irradiance_map("sky:5", (8, 4)).shape == (4, 8, 1)
     with pytest.raises(TypeError, match="normal"):
         radcalc.irradiance_map(pixels, normal=(0, 0, 1))
     with pytest.raises(radcalc.errors.RadcalcError, match="order 3"):

@@ -274,16 +274,3 @@ def test_other_shapes_are_refused(tmp_path):
     path = radiance_file(tmp_path / "view.hdr", parallel, numpy.ones((20, 30)))
     done = run("environment", path, "--unit=cd/m2")
     assert "a parallel view (VIEW= -vtl -vh 3 -vv 2)" in done.stderr
-
-
-def test_a_view_is_resampled(tmp_path):
-    """A new map has the same light; what the view does not show is dark."""
-    view = ("a", 180, 180, 0, 0, (0, 0, 1), (0, 1, 0), (128, 128))
-    path = radiance_file(tmp_path / "up.hdr", view, rendered(view, lambda rays: 1 + rays[2] / 2, 1))
-    new = str(tmp_path / "new.exr")
-    done = run("environment", path, "--unit=cd/m2", "--reproject", new, "--to=latlong")
-    assert not done.returncode
-    for normal in ("0,0,1", "1,0,0", "1,2,-1"):
-        before, _ = answered(path, "--normal", normal)
-        after, _ = answered(new, "--normal", normal)
-        assert after["illuminance"] == pytest.approx(before["illuminance"], rel=5e-3)

@@ -5,12 +5,10 @@ import math
 import numpy
 import pytest
 
-from radcalc.distributions.beams import beam
-from radcalc.distributions.formula import Formula
+from radcalc.distributions.distribution import Pose, beam
+from radcalc.distributions.formula import Cone, Formula, Isotropic, Lobe
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.places import upward_flux
-from radcalc.distributions.pose import Pose
-from radcalc.distributions.shapes import Cone, Isotropic, Lobe
 from radcalc.errors import ConditionError
 
 MEMBERS = {

@@ -12,8 +12,8 @@ import numpy
 import pytest
 
 import radcalc
+from radcalc.distributions.distribution import Pose
 from radcalc.distributions.files import read_file
-from radcalc.distributions.pose import Pose
 
 try:
     import pyradiance

@@ -6,9 +6,9 @@ import random
 import numpy
 import pytest
 
-from radcalc.distributions.formula import Formula
+from radcalc.distributions.distribution import DOWN, Pose
+from radcalc.distributions.formula import Cone, Formula, Isotropic, Lobe
 from radcalc.distributions.grid import Grid
-from radcalc.distributions.pose import DOWN, Pose
 from radcalc.distributions.scene import (
     BLOCK,
     Axis,
@@ -20,7 +20,6 @@ from radcalc.distributions.scene import (
     grid,
     unit,
 )
-from radcalc.distributions.shapes import Cone, Isotropic, Lobe
 from radcalc.errors import ConditionError
 
 UP = (0.0, 0.0, 1.0)

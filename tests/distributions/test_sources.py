@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from radcalc.distributions.shapes import Lobe
+from radcalc.distributions.formula import Lobe
 from radcalc.distributions.sources import photometry
 from radcalc.errors import ConditionError, RadcalcError
 

@@ -84,7 +84,7 @@ GOOD = {
     "hobo.csv": "log", "measured.csv": "csv", "a.csv": "csv",
 }  # fmt: skip
 # Long work, which has its own tests, and files that an example would write.
-SKIPPED = ("--irradiance-map", "--reproject", "--save", "prompt", "$i", ".exr")
+SKIPPED = ("--irradiance-map", "--save", "prompt", "$i", ".exr")
 OURS = re.compile(r"(radcalc|try|or|assumed|note|likely|right|wrong|hint|  ).*|Usage: .*|$")
 
 

@@ -8,8 +8,8 @@ from types import ModuleType
 from typing import Any
 
 from radcalc import calculators, laws
-from radcalc.distributions.pose import Pose
-from radcalc.distributions.shapes import Lobe
+from radcalc.distributions.distribution import Pose
+from radcalc.distributions.formula import Lobe
 from radcalc.laws import luminaire
 from radcalc.laws.law import AnyLaw, Law, Relation
 

@@ -7,8 +7,8 @@ import sys
 import pytest
 
 from radcalc.errors import ConditionError, UsageError
-from radcalc.plots import characters, figure
-from radcalc.plots.colours import chromaticities, diagram, vectors
+from radcalc.plots import figure
+from radcalc.plots.spectra import chromaticities, diagram, vectors
 from radcalc.spectra.sources import spectrum
 
 
@@ -64,14 +64,6 @@ def test_impossible_pictures_are_refused():
         chromaticities([spectrum("line:1064nm")])
 
 
-@pytest.mark.parametrize("width", [60, 80, 120])
-@pytest.mark.parametrize("wanted", ["rf", "x"])
-def test_diagrams_are_no_wider_than_the_terminal(wanted, width):
-    text = characters.draw(diagram([spectrum("FL2")], [wanted]), characters.style_of(width))
-    assert max(map(len, text.splitlines())) <= width
-    assert text.count("\n") <= 48
-
-
 def test_figures_are_drawn_with_the_colours_of_colour_science():
     for wanted in ("rf", "x"):
         (axes,) = figure.figure(diagram([spectrum("FL2")], [wanted])).axes
@@ -93,8 +85,8 @@ def test_figures_need_no_package_beyond_those_of_plots():
     """OpenImageIO reads pictures for colour-science, and is not among them."""
     code = (
         "import sys; sys.modules['OpenImageIO'] = sys.modules['imageio'] = None; "
-        "from radcalc.plots import colours, figure; from radcalc.spectra.sources import spectrum; "
-        "print(len(figure.data(colours.vectors(spectrum('FL2')), '.png')) > 10000)"
+        "from radcalc.plots import figure, spectra; from radcalc.spectra.sources import spectrum; "
+        "print(len(figure.data(spectra.vectors(spectrum('FL2')), '.png')) > 10000)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.stdout == "True\n", done.stderr

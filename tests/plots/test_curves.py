@@ -16,7 +16,7 @@ from radcalc.inputs.reading import read, split_values
 from radcalc.plots.answers import picture
 from radcalc.plots.curves import Solved
 from radcalc.plots.data import LINE, POINTS
-from radcalc.plots.places import Surveyed, over_grid
+from radcalc.plots.space import Surveyed, over_grid
 
 
 def solved(work_out, **values):

@@ -17,7 +17,6 @@ from radcalc.plots.data import (
     REFERENCE,
     Axis,
     Chart,
-    Disc,
     Field,
     Mark,
     Plane,
@@ -54,17 +53,8 @@ SLOPE = Field(
     [[0.0, 100.0, 200.0, 300.0, 400.0]] * 3,
     [Mark("lamp", 3.5, 1.0)],
 )
-PLACES = [k / 20 - 1 for k in range(41)]
-DOME = Disc(
-    "dome",
-    Axis("luminance", "cd/m2"),
-    [[1000 - 500 * math.hypot(x, y) for x in PLACES] for y in PLACES],
-    [("0°", 0), ("90°", 90), ("180°", 180), ("270°", 270)],
-    "zenith",
-    [Mark("sun", 0.5, 0.0)],
-)
-EACH = [CHART, CIRCLE, HALF, SLOPE, DOME, DOME._replace(is_image=True)]
-IDS = ["chart", "circle", "half", "field", "disc", "image"]
+EACH = [CHART, CIRCLE, HALF, SLOPE]
+IDS = ["chart", "circle", "half", "field"]
 BRAILLE = re.compile("[\u2801-\u28ff]")
 
 
@@ -318,52 +308,29 @@ def plan(wide, high, steps=12):
     return Field("plan", Axis("x", "m"), Axis("y", "m"), Axis("E", "lx"), xs, ys, rows, marks)
 
 
-def place_of(text, word):
-    """The column after the axis and the row of a word."""
-    return next((row.index(word), k) for k, row in enumerate(rows_of(text)) if word in row)
-
-
 @pytest.mark.parametrize("width", [60, 80, 120])
 @pytest.mark.parametrize("size", [(6, 9), (9, 6), (3, 9), (20, 4)])
-def test_a_plan_fills_the_width_to_scale(size, width):
+def test_a_plan_is_to_scale(size, width):
     lines = draw(plan(*size), Style(width)).splitlines()
     rule = next(line for line in lines if "└" in line)
     columns = len(rule) - rule.index("└") - 1
     rows = sum("┤" in line or "│" in line for line in lines)
-    if width < 120 or max(size) > 2 * min(size):
-        assert columns > 0.85 * width
-    long, short = max(size), min(size)
-    assert rows == pytest.approx(columns * short / long / 2, abs=1)  # characters are 2:1
-    assert rows <= 32
-
-
-def test_a_high_plan_is_turned_clockwise():
-    text = draw(plan(6, 9), Style(80))
-    lines = text.splitlines()
-    assert lines[1].strip() == "x downwards [m]"
-    assert lines[-2].strip() == "y [m]"
-    assert [line.split("┤")[0].strip() for line in lines if "┤" in line] == ["0", "2", "4", "6"]
-    column, row = place_of(text, "+lamp")
-    assert (column / 76, row) == (pytest.approx(0.9, abs=0.02), 2)  # x = 0 is in the first row
-    wide = draw(plan(9, 6), Style(80)).splitlines()
-    assert wide[1].strip() == "y [m]"
-    upright = draw(plan(6, 6), Style(80)).splitlines()
-    assert upright[1].strip() == "y [m]"
+    assert columns > 0.85 * width or rows == min(max(22, width * 2 // 7), 32)
+    assert rows == pytest.approx(columns * size[1] / size[0] / 2, abs=1)  # characters are 2:1
 
 
 def test_a_high_terminal_has_a_higher_plan_and_a_larger_circle():
-    for picture in (plan(6, 6), CIRCLE, DOME):
+    for picture in (plan(6, 6), CIRCLE):
         unknown, small, large = (
             len(draw(picture, Style(120, height=height)).splitlines()) for height in (0, 24, 60)
         )
         assert small <= unknown < large <= 60
 
 
-def test_labels_of_marks_do_not_cover_each_other():
-    near = SLOPE._replace(marks=[Mark(f"lamp{k}", 2.0 + 0.1 * k, 1.0) for k in range(3)])
+def test_a_label_without_room_on_the_right_is_on_the_left():
+    near = SLOPE._replace(marks=[Mark(f"lamp{k}", 1.0 + 0.1 * k, 1.0) for k in range(2)])
     text = draw(near, Style(80))
-    assert all(f"lamp{k}" in text for k in range(3))
-    assert text.count("+") == 3
+    assert re.search(r"lamp0\+ *\S*\+lamp1", text)
 
 
 def test_a_label_keeps_a_blank_from_others_and_marks_without_room_are_listed():
@@ -377,78 +344,12 @@ def test_a_label_keeps_a_blank_from_others_and_marks_without_room_are_listed():
         assert bool(shown) != (f"lamp{k}" in re.split(r",? | and ", listed)), k
 
 
-def test_a_disc_says_what_is_in_its_middle():
-    assert "zenith in the middle, 90 deg from it at the rim" in draw(DOME, Style(80))
-
-
 def test_radii_with_long_numbers_do_not_run_together():
     bright = [1.2e6 * value for value in LOWER]
     spot = Polar("spot", Axis("I", "cd"), [Plane("every C plane", ANGLES, bright)])
     for width in (50, 60, 80):
         numbers = draw(spot, Style(width)).splitlines()[1].split()
         assert {*numbers} <= {"250000", "500000", "750000", "1e+06"}
-
-
-# -- images ----------------------------------------------------------------------------------------
-
-
-def image(value):
-    rows = [[value(x, y) for x in PLACES] for y in PLACES]
-    return DOME._replace(rows=rows, marks=(), centre="", is_image=True)
-
-
-def share_of_dots(text, column, row):
-    return (ord(text.splitlines()[row][column]) - 0x2800).bit_count() / 8
-
-
-def test_a_softbox_is_brighter_than_its_room():
-    """A source of 200 in a room of 1, over a thousandth of the picture."""
-    softbox = image(lambda x, y: 200.0 if math.hypot(x - 0.5, y) < 0.06 else 1.0)
-    text = draw(softbox, Style(80))
-    assert text.splitlines()[-1].strip() == (
-        "luminance [cd/m2], log scale: no dots at 1, all at 200"
-    )
-    bright = [cell for cell in inner(text) if share_of_dots(text, *cell)]
-    middle = 39.5 + 20 * 0.5  # 20 columns from the middle to the rim
-    assert bright
-    assert all(abs(column - middle) <= 2 and abs(row - 11.5) <= 2 for column, row in bright)
-
-
-def inner(text):
-    """The cells of the image within the rim."""
-    for row, line in enumerate(text.splitlines()):
-        for column, letter in enumerate(line):
-            if BRAILLE.match(letter) and math.hypot((column - 39.5) / 20, (row - 11.5) / 10) < 0.9:
-                yield column, row
-
-
-def test_a_sun_of_1e9_leaves_the_sky_its_contrast():
-    sky = image(lambda x, y: 1e9 if (x, y) == (0.5, 0.0) else 3000.0 + 1000.0 * x)
-    text = draw(sky, Style(80))
-    caption = text.splitlines()[-1].strip()
-    assert caption == "luminance [cd/m2], linear scale: no dots at 2000, all at 4000 or more"
-    by_column = [
-        [share_of_dots(text, *cell) for cell in inner(text) if cell[0] == column]
-        for column in (25, 32, 40, 48, 55)
-    ]
-    shares = [sum(one) / len(one) for one in by_column]
-    expected = [0.5 + (column - 39.5) / 40 for column in (25, 32, 40, 48, 55)]
-    assert shares == pytest.approx(expected, abs=0.15)
-
-
-@pytest.mark.parametrize(("value", "share"), [(5.0, 1.0), (0.0, 0.0)])
-def test_an_even_image_is_even_and_states_its_value(value, share):
-    text = draw(image(lambda x, y: value), Style(80))
-    assert text.splitlines()[-1].strip() == f"luminance [cd/m2], {value:g} everywhere"
-    assert {share_of_dots(text, *cell) for cell in inner(text)} == ({share} if share else set())
-
-
-def test_zeros_of_an_image_have_no_dots():
-    half = image(lambda x, y: 500.0 if x > 0 else 0.0)
-    text = draw(half, Style(80))
-    assert "no dots at 0, all at 500" in text
-    assert {share_of_dots(text, *cell) for cell in inner(text) if cell[0] > 41} == {1.0}
-    assert not [cell for cell in inner(text) if cell[0] < 38]
 
 
 # -- wide letters ----------------------------------------------------------------------------------

@@ -188,5 +188,3 @@ def test_every_answer_that_writes_a_map_is_valid(tmp_path, monkeypatch):
     around = "environment sky.pfm --unit cd/m2"
     (made,) = as_json(f"{around} --irradiance-map lux.pfm --size 8x4 -g maximum-irradiance:klx")
     assert [*made["results"]] == ["maximum-irradiance"]
-    (made,) = as_json(f"{around} --reproject ball.pfm --to mirror-ball")
-    assert made["inputs"]["to"] == {"text": "mirror-ball"}

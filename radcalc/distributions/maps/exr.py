@@ -122,15 +122,9 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     R, G, B with the primaries of XYZ.  Return notes for the user.
     """
     openexr = library()
-    height, width, _ = picture.pixels.shape
-    left, top, full_width, full_height = picture.frame or (0, 0, width, height)
-    header: dict[str, Any] = {
-        "compression": openexr.ZIP_COMPRESSION,
-        "type": openexr.scanlineimage,
-        "dataWindow": ((left, top), (left + width - 1, top + height - 1)),
-        "displayWindow": ((0, 0), (full_width - 1, full_height - 1)),
-    }
-    if picture.projection == LATLONG and not picture.frame:
+    compression, scanlines = openexr.ZIP_COMPRESSION, openexr.scanlineimage
+    header: dict[str, Any] = {"compression": compression, "type": scanlines}
+    if picture.projection == LATLONG:
         header["envmap"] = openexr.ENVMAP_LATLONG
     elif picture.projection:
         header[PROJECTION] = picture.projection

@@ -111,8 +111,8 @@ def read_picture(path: str, channel: str = "") -> Picture:
 def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
     """Write a picture in the format of the extension, completely or not at all.
 
-    Return notes on the information that the format cannot store.  A picture can replace its own
-    source.
+    Return notes on the information that the format cannot store.  The picture has no frame.  It can
+    replace its own source.
 
     Raises
     ------
@@ -122,8 +122,6 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
         If it cannot be written.
     """
     extension = check_target(path)
-    if picture.frame and extension != ".exr":
-        raise ConditionError("only OpenEXR can store a part of a picture", "an .exr file")
     module = import_module(f"radcalc.distributions.maps.{WRITERS[extension]}")
     with contents.written(path) as temporary:
         notes: tuple[str, ...] = module.write(temporary, picture)

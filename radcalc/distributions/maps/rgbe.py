@@ -59,14 +59,8 @@ HEADER = 1 << 20  # largest header [bytes]
 RESOLUTION = re.compile(r"([-+])([XY])\s+(-?\d{1,15})\s+([-+])([XY])\s+(-?\d{1,15})\s*")
 # Types of Radiance's views, and the count of numbers of other options: horizontal and vertical
 # angle, shift and lift, direction and up.
-VIEWS = {
-    "a": FISHEYE,
-    "h": ORTHOGRAPHIC,
-    "s": STEREOGRAPHIC,
-    "v": PERSPECTIVE,
-    "c": CYLINDRICAL,
-    "l": PARALLEL,
-}
+SHOWN = (FISHEYE, ORTHOGRAPHIC, STEREOGRAPHIC, PERSPECTIVE, CYLINDRICAL, PARALLEL)
+VIEWS = dict(zip("ahsvcl", SHOWN, strict=True))
 NUMBERS_OF_VIEW = {"h": 1, "v": 1, "s": 1, "l": 1, "d": 3, "u": 3}
 EXTREME = 1e20  # limit of factors of pixels, and of their inverses
 BIAS = 136  # of the exponent, with the 8 bits of a mantissa
@@ -196,6 +190,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
 
 
 def _header(data: bytes, name: str) -> _Header:
+    """Read the lines before the scanlines, with the exposure, the primaries and the view."""
     lines, start = _header_lines(data, name)
     variables = dict(line.split("=", 1) for line in lines if "=" in line)
     form = variables.get("FORMAT", RGBE).strip()
@@ -206,15 +201,13 @@ def _header(data: bytes, name: str) -> _Header:
     numbers = _numbers(lines, name)
     (exposure,), (aspect,) = numbers.get("EXPOSURE", [1.0]), numbers.get("PIXASPECT", [1.0])
     if numbers.get("GAMMA", [1.0]) != [1.0]:
-        problem = (
-            f"{name} has GAMMA={quote(variables['GAMMA'])}: its pixels are encoded for display"
-        )
+        gamma = f"GAMMA={quote(variables['GAMMA'])}"
+        problem = f"{name} has {gamma}: its pixels are encoded for display"
         raise ConditionError(problem, "a picture whose pixels are proportional to radiance")
     unit = quote(variables.get(UNIT, "cd/m2" if is_xyz else "").strip())
     # as in Radiance's own programs
-    assumptions = (
-        [] if "FORMAT" in variables else ["the pixels are RGBE, as the file has no FORMAT="]
-    )
+    no_format = "the pixels are RGBE, as the file has no FORMAT="
+    assumptions = [] if "FORMAT" in variables else [no_format]
     weights: tuple[float, ...] = REC_709
     if is_xyz:
         weights = (0.0, 1.0, 0.0)

@@ -7,7 +7,7 @@ import numpy as np
 
 from radcalc.distributions.maps.pictures import Picture, Y, as_floats, check_size
 from radcalc.distributions.maps.radiance_map import check_shape
-from radcalc.distributions.sky import Sky
+from radcalc.distributions.radiances import Sky
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian
 from radcalc.geometry.light_vectors import light_vectors

@@ -6,8 +6,7 @@ import numpy
 import pytest
 from distributions.maps.images import SIZES, TILTS, image, unit
 
-from radcalc.distributions.maps.harmonics import irradiances_of_order_2
-from radcalc.distributions.maps.irradiance_map import irradiance_map
+from radcalc.distributions.maps.irradiance_map import irradiance_map, irradiances_of_order_2
 from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.errors import ConditionError
 

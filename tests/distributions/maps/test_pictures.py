@@ -159,13 +159,6 @@ def test_a_radiance_picture_keeps_unit_weights_channels_and_projection(tmp_path)
         assert (found.pixels == pixels).all()
 
 
-@pytest.mark.parametrize("name", ["sky.hdr", "sky.pfm"])
-def test_a_part_of_a_picture_is_not_written_as_a_whole(name, tmp_path):
-    with pytest.raises(ConditionError, match="only OpenEXR can store a part of a picture"):
-        write_picture(str(tmp_path / name), GREY._replace(frame=(1, 0, 8, 4)))
-    assert not os.listdir(tmp_path)
-
-
 @pytest.mark.parametrize("value", [-1e-9, np.nan, np.inf, 1.7e38])
 def test_what_a_format_cannot_hold_is_refused_and_leaves_nothing(value, tmp_path):
     path = tmp_path / "sky.hdr"

@@ -11,7 +11,7 @@ from conftest import run
 from radcalc.distributions.maps.pictures import read_picture
 from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.maps.sky_map import Sun, sky_map
-from radcalc.distributions.sky import Sky
+from radcalc.distributions.radiances import Sky
 from radcalc.errors import ConditionError
 
 PLACE = (math.radians(50), math.radians(30))

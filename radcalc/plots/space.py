@@ -1,11 +1,12 @@
-"""Pictures of functions of direction: polar diagrams, fisheye discs, integrands."""
+"""Pictures of light in space: polar diagrams, fisheye views, plans of a grid, integrands."""
 
 import math
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
 
 import numpy
 
+from radcalc.answer import Answer
 from radcalc.calculators.environment import Source, surroundings
 from radcalc.calculators.point_laws import spread
 from radcalc.calculators.results import name_of, pick
@@ -13,17 +14,31 @@ from radcalc.calculators.sky import place_of_sun
 from radcalc.calculators.uncertainty import STANDARD
 from radcalc.derivation import format_angle
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
+from radcalc.distributions.formula import of_shape
 from radcalc.distributions.maps.radiance_map import RadianceMap
-from radcalc.distributions.radiances import Radiances
-from radcalc.distributions.shapes import of_shape
-from radcalc.distributions.sky import Sky
+from radcalc.distributions.radiances import Radiances, Sky
+from radcalc.distributions.scene import Axis as Coordinates
+from radcalc.errors import UsageError, option
 from radcalc.geometry.directions import UP, cartesian, facing, spherical
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, from_components
 from radcalc.geometry.sky import sky_type
+from radcalc.inputs.places import AS_GRID
 from radcalc.maths import is_uncertain
 from radcalc.plots.curves import Solved, without_band
-from radcalc.plots.data import LINE, REFERENCE, Axis, Chart, Disc, Mark, Plane, Polar, Series
+from radcalc.plots.data import (
+    LINE,
+    REFERENCE,
+    Axis,
+    Chart,
+    Disc,
+    Field,
+    Mark,
+    Picture,
+    Plane,
+    Polar,
+    Series,
+)
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
 from radcalc.units.table import resolve
 
@@ -35,6 +50,7 @@ POLARS, AZIMUTHS = 361, 72  # samples of an integrand
 FEW = 4  # azimuths at which an integrand is drawn
 STRENGTHS = ("peak-intensity", "intensity")
 RELATIVE = Axis("relative intensity")
+NAMES = "xyz"
 
 
 def polar(
@@ -248,3 +264,49 @@ def integrand(
     curves.append(series(mean, weighted, REFERENCE))
     title = f"f = {text}"
     return Chart(title, Axis("polar angle \u03b8", "deg"), Axis("f", unit), curves)
+
+
+class Surveyed(NamedTuple):
+    """A grid, the answers for its points in blocks, the sources, and the result to draw."""
+
+    axes: Sequence[Coordinates]
+    blocks: Iterable[Answer]
+    sources: Sequence[tuple[str, Vector]] = ()
+    wanted: str = "irradiance"
+
+
+def over_grid(survey: Surveyed) -> Picture:
+    """Return results at the points of a grid: contours over a plane, or a curve along a line.
+
+    Raise a UsageError if the grid is a point, or has three dimensions.
+    """
+    long = [k for k, axis in enumerate(survey.axes) if axis.size > 1]
+    if not 1 <= len(long) <= 2:
+        subject = "a single point" if not long else "a grid in x, y and z"
+        problem = f"{subject} has no picture"
+        raise UsageError(problem, f"{option('grid')} {AS_GRID}")
+    rows = [pick(block.values, survey.wanted) for block in survey.blocks]
+    values = numpy.concatenate([row.value for row in rows])
+    values = values.reshape([axis.size for axis in survey.axes])
+    value = Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
+    lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in survey.axes]
+    for k, axis in enumerate(survey.axes):
+        if axis.start > axis.end:
+            lines[k].reverse()
+            values = numpy.flip(values, k)
+    fixed = [f"{NAMES[k]} = {lines[k][0]:g} m" for k in range(3) if k not in long]
+    title = f"{rows[0].quantity} at {', '.join(fixed)}"
+    if len(long) == 1:
+        (k,) = long
+        return Chart(
+            title, Axis(NAMES[k], "m"), value, [Series("", lines[k], values.ravel().tolist())]
+        )
+    i, j = long
+    table = values.reshape(len(lines[i]), len(lines[j])).T
+    marks = [
+        Mark(name, place[i], place[j])
+        for name, place in survey.sources
+        if lines[i][0] <= place[i] <= lines[i][-1] and lines[j][0] <= place[j] <= lines[j][-1]
+    ]
+    axes = Axis(NAMES[i], "m"), Axis(NAMES[j], "m")
+    return Field(title, *axes, value, lines[i], lines[j], table.tolist(), marks)
