@@ -18,12 +18,21 @@ import click
 
 from radcalc.answer import Row, Step
 from radcalc.calculators.lists import manual_pages
-from radcalc.calculators.options import HELPS, OF_LINES, OF_RADCALC, OUTPUT, Option
-from radcalc.calculators.page import ALSO, LINES, OUTPUTS, Page
+from radcalc.calculators.page import (
+    ALSO,
+    HELPS,
+    LINES,
+    OF_LINES,
+    OF_RADCALC,
+    OUTPUT,
+    OUTPUTS,
+    Option,
+    Page,
+)
 from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.group import command_of, examples_of
-from radcalc.cli.heard import hear
 from radcalc.cli.help_format import joined, narrowed
+from radcalc.cli.request import hear
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED
 from radcalc.conversion.plan import plan, target_of

@@ -34,7 +34,7 @@ from radcalc.api.result import Result, in_columns, of_answer
 from radcalc.api.spelling import Documented, Python, is_absent, keyword, symbol_name
 from radcalc.calculators.page import NOTHING, Page, words_of
 from radcalc.calculators.pages import page_of
-from radcalc.calculators.task import Task, requesting
+from radcalc.calculators.solved import Task, requesting
 from radcalc.errors import RadcalcError, UsageError, manual, mention, options, quote, spell
 from radcalc.inputs.given import Input, Inputs, shown_inputs
 from radcalc.maths import is_column

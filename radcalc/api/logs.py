@@ -30,7 +30,7 @@ from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_words
 from radcalc.calculators.dose import MEANS_OF_STEPS, READINGS
-from radcalc.calculators.options import PERIODS
+from radcalc.calculators.page import PERIODS
 from radcalc.errors import ConditionError, LineError, MissingInput, mention
 from radcalc.files.text import reading as opened
 from radcalc.inputs.given import refuse_uncertain, shown_inputs

@@ -6,7 +6,7 @@ from functools import cache
 from radcalc.answer import Remark, Value
 from radcalc.calculators.results import absent, value
 from radcalc.quantities.symbols import HUE_BINS
-from radcalc.spectra import colorimetry, rendition, similarity
+from radcalc.spectra import colorimetry, rendition
 from radcalc.spectra.colorimetry import Undefined
 from radcalc.spectra.spectrum import WHOLE, BlackBody, Range, Spectrum, range_text
 from radcalc.tuples import NamedTuple
@@ -124,15 +124,15 @@ def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> No
 
 def _add_similarity(found: Colours, source: Spectrum, reference: Spectrum | None) -> None:
     try:
-        reference = reference or similarity.reference_of(source)
-        found.values.append(value("ssi", similarity.similarity(source, reference)))
+        reference = reference or rendition.reference_of(source)
+        found.values.append(value("ssi", rendition.similarity(source, reference)))
     except Undefined as error:
         found.values.extend(_absent(["ssi"], str(error)))
         return
     compared_with = f"ssi (SMPTE ST 2122): compared with {reference.label}"
     found.assumptions.append(Remark(compared_with, ["ssi"]))
     for compared in (source, reference):
-        found.notes.extend(_of_gaps("ssi", ["ssi"], compared, (similarity.START, similarity.END)))
+        found.notes.extend(_of_gaps("ssi", ["ssi"], compared, (rendition.START, rendition.END)))
 
 
 def _of_gaps(what: str, names: Sequence[str], source: Spectrum, ends: Range) -> list[str]:

@@ -1,7 +1,6 @@
 """The page of conversions; `conversion` has the calculations."""
 
-from radcalc.calculators.options import CHECKS, OF_LINES
-from radcalc.calculators.page import CONVERSION, Operand, Page
+from radcalc.calculators.page import CHECKS, CONVERSION, OF_LINES, Operand, Page
 from radcalc.quantities.symbols import LINKS, METER_UNITS, REFINEMENTS
 
 PAGE = Page(

@@ -7,8 +7,7 @@ from typing import Any
 from radcalc.answer import Answer, Remark, Step, Value, texts_of
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
-from radcalc.calculators.solved import solve
-from radcalc.calculators.task import Task, Wants
+from radcalc.calculators.solved import Task, Wants, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, refuse_foreign, worksheet
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (

@@ -12,8 +12,7 @@ from operator import add, mul, sub
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Value
-from radcalc.calculators.options import PERIODS, choice, text
-from radcalc.calculators.page import FILE, Operand, Page
+from radcalc.calculators.page import FILE, PERIODS, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet

@@ -5,10 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators import kinds
-from radcalc.calculators.maps import RenderedMap
-from radcalc.calculators.options import choice, text
-from radcalc.calculators.page import ENVIRONMENT, Operand, Page
+from radcalc.calculators.page import ENVIRONMENT, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
+from radcalc.calculators.solved import RenderedMap
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, option, options

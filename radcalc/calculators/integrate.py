@@ -5,8 +5,7 @@ import re
 from typing import NamedTuple
 
 from radcalc.answer import Answer
-from radcalc.calculators.options import text
-from radcalc.calculators.page import Operand, Page
+from radcalc.calculators.page import Operand, Page, text
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, MissingInput, add, listed, mention, one_of, quote

@@ -19,8 +19,7 @@ from radcalc.calculators.shapes import (
     SIZES,
     cut_by_horizon,
 )
-from radcalc.calculators.solved import Solved, solve_all
-from radcalc.calculators.task import Task, Wants
+from radcalc.calculators.solved import Solved, Task, Wants, solve_all
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import (

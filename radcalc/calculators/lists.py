@@ -4,8 +4,18 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from radcalc.calculators.options import COLOR, OF_LISTS, OUTPUT, TOLERANCE, choice, text
-from radcalc.calculators.page import FILE, SEARCH, Operand, Page
+from radcalc.calculators.page import (
+    COLOR,
+    FILE,
+    OF_LISTS,
+    OUTPUT,
+    SEARCH,
+    TOLERANCE,
+    Operand,
+    Page,
+    choice,
+    text,
+)
 from radcalc.quantities.language import LANGUAGES
 
 # Forms of operands: words of typical values, of tasks, and names of pages of the manual.

@@ -31,8 +31,7 @@ from radcalc.calculators.point_laws import (
     solve_facing,
     spread,
 )
-from radcalc.calculators.solved import Solved, solve
-from radcalc.calculators.task import Task, Wants
+from radcalc.calculators.solved import Solved, Task, Wants, solve
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention

@@ -28,6 +28,7 @@ from radcalc.floats import SMALLEST
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
+from radcalc.quantities.language import meant
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import (
@@ -38,7 +39,6 @@ from radcalc.quantities.symbols import (
     light_unit,
     specific_name,
 )
-from radcalc.quantities.synonyms import meant
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import NUMBER, Dimension, Unit

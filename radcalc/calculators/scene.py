@@ -6,8 +6,7 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import kinds
-from radcalc.calculators.options import text
-from radcalc.calculators.page import FILE, Operand, Page
+from radcalc.calculators.page import FILE, Operand, Page, text
 from radcalc.calculators.results import element, value
 from radcalc.calculators.scene_rows import NamedSource, Reader, rows_of_dicts, rows_of_file
 from radcalc.derivation import coherent_unit_of, format_number, format_value

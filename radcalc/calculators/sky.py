@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 
 from radcalc.answer import Answer, Step
 from radcalc.calculators.kinds import kind_of
-from radcalc.calculators.options import text
-from radcalc.calculators.page import Operand, Page
+from radcalc.calculators.page import Operand, Page, text
 from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
@@ -56,7 +55,7 @@ from radcalc.quantities.symbols import (
 from radcalc.units.table import resolve
 
 if TYPE_CHECKING:
-    from radcalc.calculators.maps import RenderedMap
+    from radcalc.calculators.solved import RenderedMap
     from radcalc.distributions.maps.pictures import Picture
 
 SUN_RADIUS = math.radians(0.2666)  # at its mean distance
@@ -250,8 +249,8 @@ def sky(name: str, given: Inputs, is_drawn: bool = False) -> Answer:
 
 def sky_map(name: str, given: Inputs) -> "RenderedMap":
     """Return a map of a sky, with the sun's disc if the sun has light; `given` may have a size."""
-    from radcalc.calculators.maps import RenderedMap
     from radcalc.calculators.pixel import refuse_shape
+    from radcalc.calculators.solved import RenderedMap
 
     if "size" in given:
         refuse_shape(given["size"], LATLONG)

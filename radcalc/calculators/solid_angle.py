@@ -11,8 +11,7 @@ from typing import Any
 from radcalc.answer import Answer, Step, texts_of
 from radcalc.calculators.page import Operand, Page, words_of
 from radcalc.calculators.results import of_directions
-from radcalc.calculators.solved import Solved, solve
-from radcalc.calculators.task import Task, Wants
+from radcalc.calculators.solved import Solved, Task, Wants, solve
 from radcalc.calculators.worksheet import (
     OFFSETS,
     Placed,

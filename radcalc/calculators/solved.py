@@ -1,16 +1,18 @@
-"""The solutions of a worksheet, and the answer that they give."""
+"""A task: a calculation for the command line or a Python function."""
 
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from functools import partial
-from typing import Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Answer, Value
+from radcalc.answer import Answer, Remark, ShownInput, Value, itself
 from radcalc.calculators import kinds
 from radcalc.calculators.missing import Search
 from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Placed, Remarks, Worksheet, without_one
 from radcalc.derivation import coherent_unit_of, digits_apart, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
+from radcalc.inputs.given import Inputs, any_uncertain
 from radcalc.laws import solver
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import TO_DIGITS, Derivation, Disagreement, Solution
@@ -21,9 +23,74 @@ from radcalc.quantities.symbols import (
     QUANTITY,
     SYMBOLS,
     article,
+    generic_name,
     in_kind,
     specific_name,
 )
+from radcalc.tuples import NamedTuple
+
+if TYPE_CHECKING:
+    from radcalc.distributions.maps.pictures import Picture
+
+Wants = Callable[[str], bool]  # returns whether the result of a name is requested
+
+
+class Task(NamedTuple):
+    """A calculation: its command, its function, and arguments in addition to the inputs.
+
+    `operands` are shown with the inputs; `shape` is the shape among them.  `samples` are facts of
+    a log, for `--check`; `drawn` is extra data of a picture.
+    """
+
+    command: str
+    work_out: Callable[[Inputs], Answer]
+    operands: Sequence[ShownInput] = ()
+    shape: str = ""
+    samples: Mapping[str, float] = MappingProxyType({})
+    drawn: Any = None
+
+    def nominal(self, inputs: Inputs) -> Answer:
+        """Return the answer for the values of inputs, with assumptions about their readings."""
+        return _with_readings(self.work_out(inputs), inputs)
+
+    def solve(self, inputs: Inputs) -> Answer:
+        if not any_uncertain(inputs.values()):
+            return self.nominal(inputs)
+        from radcalc.calculators.uncertainty import with_uncertainties
+
+        return with_uncertainties(self.nominal, inputs)
+
+
+def requesting(function: Callable[..., Answer], names: Sequence[str]) -> Callable[..., Answer]:
+    """Return the function of a page that also calculates these results of its `on_request`."""
+    return partial(function, requested=names) if names else function
+
+
+def _with_readings(answer: Answer, inputs: Inputs) -> Answer:
+    readings: list[str] = []
+    for given in inputs.values():
+        readings += [Remark(text, [generic_name(given.name)]) for text in given.assumptions]
+    if not readings:
+        return answer
+    if answer.origins is itself:
+        readings = [*map(str, readings)]
+    answers = (answer, *answer.more)
+    first, *more = (
+        alternative._replace(assumptions=(*readings, *alternative.assumptions))
+        for alternative in answers
+    )
+    return first._replace(more=more)
+
+
+class RenderedMap(NamedTuple):
+    """A picture in full precision in the `unit`, its description, and its answer."""
+
+    picture: "Picture"
+    pixels: Any
+    unit: str
+    what: str
+    answer: Answer
+
 
 LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
 ROUNDING = 1e-9  # relative tolerance of limits of results

@@ -8,7 +8,7 @@ import os
 
 from radcalc import terminal
 from radcalc.calculators.pages import COMMANDS, SUMMARIES
-from radcalc.cli.names import EXPLAIN, HELP_NAMES
+from radcalc.cli.spelling import EXPLAIN, HELP_NAMES
 from radcalc.errors import RadcalcError
 
 VARIABLE = "RADCALC_DEFINITIONS"

@@ -10,7 +10,7 @@ from radcalc import terminal
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import files
 from radcalc.cli.group import commands, protect_negatives
-from radcalc.cli.names import EXPLAIN, HELP_NAMES
+from radcalc.cli.spelling import EXPLAIN, HELP_NAMES
 from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
 
 TYPE_CHECKING = False  # typing is slow to import

@@ -10,13 +10,12 @@ from radcalc.answer import Answer, ShownInput
 from radcalc.calculators.page import words_of
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.results import rows
-from radcalc.calculators.task import Task
-from radcalc.cli import check, line_options
+from radcalc.calculators.solved import Task
 from radcalc.cli.answers import every_answer, show, with_notes
 from radcalc.cli.cases import Case, at_points, cases
-from radcalc.cli.names import own_module
 from radcalc.cli.output import Output
-from radcalc.cli.request import Request
+from radcalc.cli.request import Request, first_of, judge, refuse_lines, refuse_stream, several
+from radcalc.cli.spelling import own_module
 from radcalc.errors import Hint, RadcalcError, Try, UsageError, add, command, leave_out, option
 from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.maths import is_array
@@ -74,7 +73,7 @@ def run(all_cases: Sequence[Case], task: Task, request: Request, output: Output)
     if all_cases[0].stream:
         return _answer_lines(all_cases, task, request, output)
     if request.lines is not None:
-        line_options.refuse(request.lines, _lines_for(all_cases[0].given))
+        refuse_lines(request.lines, _lines_for(all_cases[0].given))
     if request.check is not None:
         return _judge(all_cases, task, request, output)
     if request.plot:
@@ -110,10 +109,10 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
         options = page_of(task.command).listed
         varied = [given for given in cases[0].varied if given.name in options]
         operands = [(given.text, given.text.split(",")[0]) for given in cases[0].varied]
-        raise check.several(varied, operands)
+        raise several(varied, operands)
     question = of_task(task, cases[0].given, request.steps)
     (inputs,) = _shown_inputs(cases, task)
-    return check.judge(question, request.check, request.tolerance, output, inputs)
+    return judge(question, request.check, request.tolerance, output, inputs)
 
 
 def _in_parts(
@@ -157,7 +156,7 @@ def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: O
             f"{stream_option}: {task.command} does not read lines of standard input",
             "one value a call",
         )
-    check.refuse_stream(request.check)
+    refuse_stream(request.check)
     if request.steps:
         raise UsageError("--steps cannot be used with a stream", leave_out("steps"))
     if request.plot:
@@ -166,7 +165,7 @@ def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: O
         raise UsageError(
             f"{stream_option} cannot be used with a list",
             "one value of everything else",
-            [check.first_of(case.varied)],
+            [first_of(case.varied)],
         )
     from radcalc.cli import streams
 

@@ -6,8 +6,7 @@ from typing import Any
 
 import click
 
-from radcalc.calculators.options import DEFAULTS, WHOLE, Option
-from radcalc.calculators.page import LINES, OUTPUTS, Page, words_of
+from radcalc.calculators.page import DEFAULTS, LINES, OUTPUTS, WHOLE, Option, Page, words_of
 from radcalc.calculators.pages import page_of
 from radcalc.cli.help import HELPS, Helped
 from radcalc.cli.output import decide

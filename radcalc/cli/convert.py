@@ -4,8 +4,7 @@ from typing import Any
 
 from radcalc import terminal
 from radcalc.calculators.convert import PAGE
-from radcalc.cli import check as checking
-from radcalc.cli import line_options
+from radcalc.cli import request
 from radcalc.cli.cases import cases, is_stream
 from radcalc.cli.command import define
 from radcalc.cli.conversions import (
@@ -77,15 +76,15 @@ def command(
     **stream_options: Any,
 ) -> int:
     """Answer a conversion, or the lines of standard input."""
-    checking.refuse_idle(check, tolerance)
-    options = line_options.LineOptions(**stream_options)
+    request.refuse_idle(check, tolerance)
+    options = request.LineOptions(**stream_options)
     if words and is_stream(words[0]):  # '- lx', as an option has it
         words = (*words[0].split(None, 1), *words[1:])
     if words and words[0] in SEPARATORS:
         problem = f"a value is missing before '{words[0]}', and no pipe has values"
         raise UsageError(problem, call("convert", "-", *words[1:], remark="for values from a pipe"))
     if words[:1] == ("-",):
-        line_options.refuse_second_reader(typed)
+        request.refuse_second_reader(typed)
     try:
         # before the operands, so that the hint for `--distance 2 m` is 2m
         all_cases = cases(typed, arrays=False, bare=PAGE.bare)
@@ -93,13 +92,13 @@ def command(
         if error.symbol == "efficacy":
             raise error.reworded(hint=likely_efficacy(error, list(words))) from None
         raise
-    line_options.refuse_condition(all_cases[0])
+    request.refuse_condition(all_cases[0])
     if words[:1] == ("-",):
         from radcalc.cli import streams
 
-        checking.refuse_stream(check)
+        request.refuse_stream(check)
         return streams.convert(list(words), options, all_cases, steps, output)
-    line_options.refuse(options, correct(words[0], "-") if words else "a - as VALUE")
+    request.refuse_lines(options, correct(words[0], "-") if words else "a - as VALUE")
     try:
         calls = conversions(list(words), all_cases)
     except NumberError:
@@ -116,10 +115,10 @@ def command(
         if len(calls) * len(first.targets) > 1:
             ends = [first.targets[0].text] if len(first.targets) > 1 else []
             lists = [(words[0], words[0].split(",")[0]), *((words[-1], end) for end in ends)]
-            raise checking.several(first.case.varied, lists)
+            raise request.several(first.case.varied, lists)
         target, conditions = first.targets[0], first.conditions
         amount, value = first.amount, float(first.value)
         question = of_conversion(value, first.source, target, conditions, steps, amount)
-        return checking.judge(question, check, tolerance, output, first.inputs)
+        return request.judge(question, check, tolerance, output, first.inputs)
     show(calls, typed, steps, output)
     return terminal.ANSWERED

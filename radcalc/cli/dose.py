@@ -5,17 +5,15 @@ from collections.abc import Sequence
 from radcalc import terminal
 from radcalc.answer import ShownInput, texts_of
 from radcalc.calculators import dose as page
-from radcalc.calculators.options import PER_DAY
-from radcalc.calculators.task import Task
+from radcalc.calculators.page import PER_DAY
+from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, show
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
-from radcalc.cli.check import several
 from radcalc.cli.command import define
 from radcalc.cli.files import only_file
-from radcalc.cli.line_options import refuse_second_reader
 from radcalc.cli.output import Output
-from radcalc.cli.request import Request
+from radcalc.cli.request import Request, refuse_second_reader, several
 from radcalc.cli.streams import complain
 from radcalc.errors import UsageError
 from radcalc.errors import command as call_of

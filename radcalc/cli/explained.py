@@ -6,16 +6,15 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import texts_of
-from radcalc.calculators.options import CHECKS
+from radcalc.calculators.page import CHECKS
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import files, habits
 from radcalc.cli.cases import is_stream
-from radcalc.cli.heard import hear
 from radcalc.cli.lane import plain
-from radcalc.cli.names import EXPLAIN
 from radcalc.cli.output import Output, decide, refuse_number_options
+from radcalc.cli.request import hear
 from radcalc.cli.sentence import Words, options_of, values_of
-from radcalc.cli.spelling import pasted, quoted, typed
+from radcalc.cli.spelling import EXPLAIN, pasted, quoted, typed
 from radcalc.errors import RadcalcError, UsageError, call, drop, leave_out
 from radcalc.render.formats import Records
 from radcalc.sentences.calls import call_of

@@ -12,20 +12,19 @@ from tempfile import TemporaryDirectory
 
 import click
 
-from radcalc.calculators.options import RESULT
+from radcalc.calculators.page import RESULT
 from radcalc.calculators.pages import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.cli.group import examples_of
-from radcalc.cli.heard import hear
+from radcalc.cli.request import hear
 from radcalc.completion import table
 from radcalc.errors import RadcalcError, UnknownResult, nearest
 from radcalc.quantities import entries, search, typical
-from radcalc.quantities.language import ENGLISH, LANGUAGES
+from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import comparable, matching, names_elsewhere
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.quantities.synonyms import SYNONYMS
 from radcalc.spectra import listing
-from radcalc.spectra.kinds import FORMS
+from radcalc.spectra.planck import FORMS
 from radcalc.spectra.sources import MEANT as INSTEAD
 from radcalc.spectra.sources import WORDS as TAKEN
 from radcalc.spectra.sources import aliases

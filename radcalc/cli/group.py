@@ -3,11 +3,11 @@
 import click
 
 from radcalc import terminal
-from radcalc.calculators.options import EXPLAIN as OF_EXPLAIN
-from radcalc.calculators.options import VERSION
+from radcalc.calculators.page import EXPLAIN as OF_EXPLAIN
+from radcalc.calculators.page import VERSION
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.help import Helped
-from radcalc.cli.names import EXPLAIN, GROUPS, HELP_NAMES, own_module
+from radcalc.cli.spelling import EXPLAIN, GROUPS, HELP_NAMES, own_module
 from radcalc.errors import MINUS, UsageError, quote
 from radcalc.units.numbers import is_sentence
 
@@ -67,11 +67,11 @@ class Commands(Helped, click.Group):
         if is_sentence(args):
             return "convert", self.get_command(ctx, "convert"), args
         if args[0] not in COMMANDS and not args[0].startswith("-"):
-            from radcalc.cli.suggestions import absent_file, meant
+            from radcalc.cli.refusals import absent_file, similar_calls
 
             if absent := absent_file(args):
                 raise absent
-            raise UsageError(f"unknown command '{quote(args[0].strip())}'", meant(args))
+            raise UsageError(f"unknown command '{quote(args[0].strip())}'", similar_calls(args))
         return super().resolve_command(ctx, args)
 
 

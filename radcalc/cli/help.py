@@ -7,8 +7,8 @@ from types import MappingProxyType
 import click
 
 from radcalc import terminal
-from radcalc.calculators import options
-from radcalc.cli.names import COMPLETE_HELP, SHORT_HELP
+from radcalc.calculators import page
+from radcalc.cli.spelling import COMPLETE_HELP, SHORT_HELP
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def _is_paged(text: str) -> bool:
 # Click's own option looks for a translation at every start.  The names are not that of the command
 # `help`, whose settings at the prompt would be taken for the option's.
 _FLAG: "dict[str, Any]" = {"is_flag": True, "is_eager": True, "expose_value": False}
-SHORT, COMPLETE = options.HELPS
+SHORT, COMPLETE = page.HELPS
 HELPS = (
     click.Option(
         [SHORT_HELP, "wants_short_help"],
@@ -124,7 +124,7 @@ class Helped(click.Command):
 
     def get_short_help(self, ctx: click.Context) -> str:
         """Return the help of one screen."""
-        from radcalc.cli.short_help import write_examples
+        from radcalc.cli.help_format import write_examples
 
         formatter = _formatter(ctx)
         self.format_usage(ctx, formatter)
@@ -137,7 +137,7 @@ class Helped(click.Command):
 
     def format_most_used(self, ctx: click.Context, formatter: "HelpFormatter") -> None:
         """Write what the short help has below the examples."""
-        from radcalc.cli.short_help import write_options
+        from radcalc.cli.help_format import write_options
 
         write_options(self, self.sections, formatter, ctx)
 

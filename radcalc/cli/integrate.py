@@ -2,7 +2,7 @@
 
 from radcalc.answer import texts_of
 from radcalc.calculators.integrate import BARE, PAGE, integrand, integrate
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import cases
 from radcalc.cli.output import Output

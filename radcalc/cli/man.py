@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from radcalc import terminal
-from radcalc.calculators import lists, options
+from radcalc.calculators import lists, page
 from radcalc.calculators.lists import MAIN
 from radcalc.calculators.pages import page_of
 from radcalc.cli.command import SectionedCommand, option_of
@@ -119,7 +119,7 @@ def _mention(page: Path) -> str:
 
 
 PAGE = page_of("manual")
-COLOR = option_of(options.COLOR)
+COLOR = option_of(page.COLOR)
 command = SectionedCommand(
     "manual",
     callback=manual,

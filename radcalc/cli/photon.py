@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from radcalc.calculators.photon import named, photon
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.output import Output

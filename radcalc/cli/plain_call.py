@@ -106,7 +106,7 @@ def _convert_lines(call: Call, output: Output) -> int | BaseException:
     """Convert the lines of standard input; return the exit status, or the error."""
     from radcalc.cli import streams
     from radcalc.cli.cases import Case
-    from radcalc.cli.line_options import LineOptions
+    from radcalc.cli.request import LineOptions
 
     typed: dict[str, Any] = dict.fromkeys(LineOptions._fields) | call.of_lines
     try:

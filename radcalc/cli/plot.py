@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput
 from radcalc.calculators.results import pick
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, result, show, with_steps
 from radcalc.cli.output import Output, height_of_terminal, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request

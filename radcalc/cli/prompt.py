@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from radcalc import terminal
 from radcalc._version import __version__
-from radcalc.calculators.options import DEFAULTS
+from radcalc.calculators.page import DEFAULTS
 from radcalc.calculators.pages import page_of
 from radcalc.cli.command import SectionedCommand, sections_of
 from radcalc.cli.output import decide
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from prompt_toolkit import PromptSession
     from prompt_toolkit.history import History
 
-    from radcalc.completion.line import Completion
+    from radcalc.completion.words import Completion
 
 PROMPT = "> "
 BOM = "\ufeff"
@@ -152,7 +152,7 @@ def _asking(session: Session) -> "PromptSession[str]":
 def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
     """Return the words that may follow in a line, and the typed part of them."""
     from radcalc.completion import completions as words_after
-    from radcalc.completion.line import Completion
+    from radcalc.completion.words import Completion
 
     assigned = ASSIGNMENT.fullmatch(line)
     expression = assigned[2] if assigned else line

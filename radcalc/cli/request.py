@@ -1,14 +1,205 @@
-"""Requests of a command, besides its inputs."""
+"""Requests of a command besides its inputs: results, checks, lines; calls that are only heard."""
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Answer
+from radcalc import terminal
+from radcalc.answer import Answer, Result, Row, ShownInput
 from radcalc.calculators.page import Page
-from radcalc.calculators.task import requesting
-from radcalc.cli import check, line_options
-from radcalc.errors import UsageError, one_of
+from radcalc.calculators.solved import requesting
+from radcalc.errors import (
+    Hint,
+    RadcalcError,
+    Try,
+    UsageError,
+    add,
+    command,
+    correct,
+    leave_out,
+    one_of,
+    option,
+)
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
+
+if TYPE_CHECKING:
+    from radcalc.cli.cases import Case
+    from radcalc.cli.output import Output
+    from radcalc.homework.question import Question
+
+
+def refuse_idle(check: str | None, tolerance: str | None) -> None:
+    """Refuse --tolerance without --check."""
+    if tolerance is not None and check is None:
+        raise UsageError("--tolerance does not apply without --check", leave_out("tolerance"))
+
+
+def several(
+    varied: Sequence[ShownInput] = (), operands: Sequence[tuple[str, str]] = ()
+) -> UsageError:
+    """Return the error for --check with several answers, with the first values as a proposal.
+
+    `varied` are the inputs with several values, `operands` the lists typed as words, each with
+    its first value.
+    """
+    problem = "--check takes one answer, not several"
+    first = first_of(varied)
+    if first.inputs:
+        return UsageError(problem, first)
+    lists = [correct(typed, value) for typed, value in operands if typed != value]
+    return UsageError(problem, lists or leave_out("check"))
+
+
+def first_of(varied: Sequence[ShownInput]) -> Try:
+    """Propose the first value of each input that has several."""
+    return Try(tuple([(given.name, given.text) for given in varied if given.name]))
+
+
+def refuse_stream(check: str | None) -> None:
+    """Refuse --check with a stream."""
+    if check is not None:
+        raise UsageError("--check cannot be used with a stream", leave_out("check"))
+
+
+def judge(
+    question: "Question",
+    claim: str,
+    tolerance: str | None,
+    output: "Output",
+    inputs: Sequence[ShownInput] = (),
+) -> int:
+    """Write whether an answer is right, or its likely mistake; return the exit status."""
+    output.ask(question)
+    from radcalc.calculators.results import measured_in, of_kind, said_of
+    from radcalc.homework import check
+    from radcalc.render.formats import Judgement
+
+    output.refuse_auto("--check compares it with the answer given", leave_out("auto"))
+    verdict = check(question, claim, tolerance)
+    answer = question.answer
+    right = next(value for value in answer.values if value.name == verdict.result)
+    name = right.also if question.plan else verdict.name
+    label = of_kind(right, measured_in(verdict.unit, right.name))
+    is_given, off = right.given is not None, verdict.uncertainty
+    row = Row(*label, verdict.value, verdict.unit, "", name, is_given, off)
+    output.judge(Judgement(verdict, row, inputs, *said_of(answer, [row])))
+    return terminal.ANSWERED if verdict.right else terminal.WRONG
+
+
+class LineOptions(NamedTuple):
+    """The options for streams as typed, or None."""
+
+    field: str | None
+    column: str | None
+    delimiter: str | None
+    header: int | None
+    add: str | None
+    rename: str | None
+    decimal: str | None
+    invalid: str | None
+
+
+def refuse_lines(options: LineOptions, hint: Hint) -> None:
+    """Refuse an option for streams if there is no stream."""
+    for name, value in zip(LineOptions._fields, options, strict=True):
+        if value is not None and value in SYMBOLS["electric-field"].choices:
+            raise UsageError(
+                f"--{name} {value} applies to the fields of lines, not to a wave",
+                Try((("electric-field", value),), (name,), remark="for a wave"),
+            )
+        if value is not None:
+            raise UsageError(f"--{name} applies to lines of standard input only", hint)
+
+
+def refuse_second_reader(typed: dict[str, Any]) -> None:
+    """Refuse a spectrum from standard input, which has the numbers."""
+    if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
+        raise UsageError("- cannot be used twice: there is one standard input", add("spectrum"))
+
+
+def refuse_condition(case: "Case") -> None:
+    """Refuse lines of standard input for a condition of a conversion."""
+    if case.stream:
+        stream_option = option(case.stream.name, "-")
+        problem = f"{stream_option}: a conversion reads lines of standard input only for VALUE"
+        raise UsageError(problem, command("convert", "-", "UNIT", "TARGET"))
+
+
+class Heard(RadcalcError):
+    """The end of a command whose answer was heard, and is not written."""
+
+
+class Listener:
+    """A listener that keeps an answer, and ends the command before it writes."""
+
+    def __init__(self) -> None:
+        self.settings: dict[str, Any] = {}
+        self.results: Sequence[Result] = ()
+
+    def hear(self, results: Sequence[Result]) -> None:
+        self.results = results
+        raise Heard("")
+
+    def ask(self, question: "Question") -> None:
+        """Let a question be answered: the right answer is heard."""
+
+
+class Examiner(Listener):
+    """A listener that keeps a question, and ends the command before an answer is judged."""
+
+    question: "Question | None" = None
+
+    def ask(self, question: "Question") -> None:
+        self.question = question
+        raise Heard("")
+
+
+class Asked(NamedTuple):
+    """The question that a call answers, the result NAME[:UNIT] that it asks for, its tolerance."""
+
+    question: "Question"
+    wanted: str
+    tolerance: str | None
+
+
+def hear(words: Sequence[str]) -> Sequence[Result]:
+    """Return the answers to a call, or none for one that lists or writes; raise its error."""
+    from radcalc.cli.group import commands, protect_negatives  # with Click
+
+    listener = Listener()
+    protected = protect_negatives(list(words))
+    with suppress(Heard), commands.make_context("radcalc", protected, obj=listener) as context:
+        commands.invoke(context)
+    return listener.results
+
+
+def asked(words: Sequence[str]) -> Asked:
+    """Return the question that a call answers; raise its error.
+
+    The call is parsed as always, and its check is then one whose answer is never read.
+    """
+    from radcalc.cli.group import commands, context, protect_negatives  # with Click
+
+    examiner = Examiner()
+    top = context(examiner)
+    name, command, rest = commands.resolve_command(top, protect_negatives(list(words)))
+    assert command is not None
+    with command.make_context(name, rest, parent=top) as call:
+        params = call.params
+        several = params.get("wanted", ())
+        if params.get("check") is not None or len(several) > 1:
+            problem = "several results" if len(several) > 1 else "an answer in its command"
+            raise UsageError(f"a question cannot have {problem}", "one -g, and no --check")
+        wanted, tolerance = "".join(several), params.get("tolerance")
+        if several:
+            params["wanted"] = ()
+        params["check"] = f"{wanted.partition(':')[0]}=?"
+        with suppress(Heard):
+            command.invoke(call)
+    if examiner.question is None:
+        raise UsageError("a question needs one answer", "a command with one answer")
+    return Asked(examiner.question, wanted, tolerance)
 
 
 class Request(NamedTuple):
@@ -21,7 +212,7 @@ class Request(NamedTuple):
     steps: bool = False
     check: str | None = None
     tolerance: str | None = None
-    lines: line_options.LineOptions | None = None
+    lines: LineOptions | None = None
     plot: str = ""
 
     @classmethod
@@ -29,14 +220,14 @@ class Request(NamedTuple):
         """Take the request out of a command's values; refuse --check and --get together."""
         lines = None
         if takes_lines:
-            line_values = [values.pop(name) for name in line_options.LineOptions._fields]
-            lines = line_options.LineOptions(*line_values)
+            line_values = [values.pop(name) for name in LineOptions._fields]
+            lines = LineOptions(*line_values)
         from radcalc.calculators.results import listed_in
 
         wanted, steps = listed_in(values.pop("wanted")), values.pop("steps")
         checked, tolerance = values.pop("check"), values.pop("tolerance")
         request = cls(wanted, steps, checked, tolerance, lines, values.pop("plot", None) or "")
-        check.refuse_idle(request.check, request.tolerance)
+        refuse_idle(request.check, request.tolerance)
         if request.check is not None and request.wanted:
             raise UsageError("--check cannot be used with --get", one_of("check", "get"))
         return request

@@ -8,7 +8,7 @@ from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput, texts_of
 from radcalc.calculators import scene as page
 from radcalc.calculators.results import element, name_in, name_of, pick
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, refuse_bare, result, show
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases

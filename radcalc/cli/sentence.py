@@ -8,17 +8,16 @@ import click
 
 from radcalc import terminal
 from radcalc.calculators.missing import on_page
-from radcalc.calculators.options import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, Option
+from radcalc.calculators.page import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, Option
 from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.cli.cases import is_stream
 from radcalc.cli.command import option_of
 from radcalc.cli.files import route, say
 from radcalc.cli.group import parameters
-from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other
-from radcalc.cli.names import EXPLAIN, HELP_NAMES
 from radcalc.cli.output import decide
-from radcalc.cli.spelling import typed
+from radcalc.cli.request import hear
+from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, typed
 from radcalc.errors import (
     ExpressionError,
     MissingCondition,

@@ -14,13 +14,12 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Result, Row
-from radcalc.calculators.options import DEFAULTS
+from radcalc.calculators.page import DEFAULTS
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import boundary, group
 from radcalc.cli.cases import is_stream
-from radcalc.cli.names import EXPLAIN
 from radcalc.cli.output import decide
-from radcalc.cli.spelling import refuse_long, split
+from radcalc.cli.spelling import EXPLAIN, refuse_long, split
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
 from radcalc.quantities.light import LUMINOUS, name_of
 from radcalc.quantities.symbols import (

@@ -2,7 +2,7 @@
 
 from radcalc.answer import texts_of
 from radcalc.calculators.sky import OPERAND, sky, sky_map
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import cases
 from radcalc.cli.output import Output
@@ -24,7 +24,7 @@ def answer(
         raise UsageError(f"unexpected argument '{quote(others[0])}'", "one type of sky")
     name = word.lower()
     if save:
-        from radcalc.cli.maps import one_case, write_map
+        from radcalc.cli.environment import one_case, write_map
 
         given = one_case(typed, request)
         inputs = (*texts_of({"type": name, "save": save}), *shown_inputs(given))

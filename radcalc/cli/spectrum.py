@@ -4,9 +4,9 @@ from typing import Any
 
 from radcalc import terminal
 from radcalc.answer import texts_of
+from radcalc.calculators.solved import Task
 from radcalc.calculators.spectrum import PAGE
 from radcalc.calculators.spectrum import spectrum as describe
-from radcalc.calculators.task import Task
 from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, as_typed
 from radcalc.cli.command import define
@@ -19,7 +19,7 @@ from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
-from radcalc.spectra.kinds import FORMS
+from radcalc.spectra.planck import FORMS
 from radcalc.spectra.sources import read_spectra, spectrum
 from radcalc.terminal import CSV, JSON, TABLE
 

@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput, Value
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.cli.cases import Case
-from radcalc.cli.check import first_of
-from radcalc.cli.line_options import LineOptions
 from radcalc.cli.output import Output
+from radcalc.cli.request import LineOptions, first_of
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer, plan, source_of, target_of

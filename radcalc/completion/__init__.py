@@ -6,8 +6,8 @@ completion does not load Click, which is too slow.
 
 import os
 
-from radcalc.completion.line import HELP, Completion, Line, Option, is_option
 from radcalc.completion.table import COMMANDS, RADCALC
+from radcalc.completion.words import HELP, Completion, Line, Option, is_option
 from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing is slow to import
@@ -75,7 +75,7 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
 
         candidates = operands(line.operands, line.given, incomplete)
     elif not line.operands or (form == "spectrum" and incomplete):  # several spectra are compared
-        from radcalc.completion.values import values_of
+        from radcalc.completion.words import values_of
 
         candidates = values_of(form, values, incomplete)
     if line.offering:
@@ -86,7 +86,7 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
 
 
 def _values(option: Option, incomplete: str) -> list[Completion]:
-    from radcalc.completion.values import values_of
+    from radcalc.completion.words import values_of
 
     return values_of(option.form, option.values, incomplete)
 

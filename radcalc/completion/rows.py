@@ -9,16 +9,17 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from radcalc.calculators.options import (
+from radcalc.calculators.page import (
     CLAIM,
+    ENVIRONMENT,
     FIGURE,
     FILE,
     HELPS,
     OF_RADCALC,
     RESULT,
     Option,
+    Page,
 )
-from radcalc.calculators.page import ENVIRONMENT, Page
 from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS

@@ -9,8 +9,7 @@ import os
 
 from radcalc import terminal
 from radcalc.completion import completions
-from radcalc.completion.line import Completion
-from radcalc.completion.values import files
+from radcalc.completion.words import Completion, files
 from radcalc.errors import RadcalcError, UsageError, quote
 
 TYPE_CHECKING = False  # typing is slow to import

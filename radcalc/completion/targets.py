@@ -1,9 +1,8 @@
 """Operands of a conversion: units, and those that the source's quantity reaches."""
 
-from radcalc.completion.line import Completion
 from radcalc.completion.table import NAMES
 from radcalc.completion.table import UNITS as MEASURES
-from radcalc.completion.values import split_number
+from radcalc.completion.words import Completion, split_number
 from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell

@@ -161,11 +161,11 @@ def spectral_factor(
     observer: Input | None,
 ) -> Factor:
     """Return the ratio of two kinds, over / under, of a whole spectrum."""
-    from radcalc.spectra import counts
+    from radcalc.spectra import contents
 
     source: Spectrum = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
-    counted = counts.Counts(
+    counted = contents.Counts(
         source,
         seen_by,
         limits.value if limits else None,
@@ -174,7 +174,7 @@ def spectral_factor(
     remarks = [source.described]
     for kind in (over, under):
         if kind != LUMINOUS:
-            remarks.append(f"{counts.NAMES[kind]} counted over {counted.over(kind)}")
+            remarks.append(f"{contents.NAMES[kind]} counted over {counted.over(kind)}")
     amounts = {kind: counted.amount(kind) for kind in (over, under)}
     if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
         spectrum_text = option("spectrum", quote(given.text))
@@ -199,7 +199,7 @@ def spectral_factor(
         f"{TRAPEZOIDS}; {seen_by.described}" if LUMINOUS in amounts else TRAPEZOIDS,
     )
     top, bottom = (over, under) if (over, under) in SHOWN else (under, over)
-    ratio_text = counts.ratio_text(amounts[top] / amounts[bottom], top, bottom)
+    ratio_text = contents.ratio_text(amounts[top] / amounts[bottom], top, bottom)
     ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
     step = formula.with_numbers(f"K = {ratio} = {format_number(value)}; that is {ratio_text}")
     remarks.insert(1, ratio_text)

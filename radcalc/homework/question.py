@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, cast
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators.pages import page_of
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.calculators.uncertainty import value_of, with_uncertainties
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import plan

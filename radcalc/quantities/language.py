@@ -1,6 +1,7 @@
-"""The user's language, and labels in it."""
+"""The user's language, labels in it, and other words for symbols and options."""
 
 import os
+from collections.abc import Sequence
 
 ENGLISH = "en"
 LANGUAGES = (ENGLISH, "cs", "ru")
@@ -35,3 +36,65 @@ def translate(label: str, language: str) -> str:
         if whole != label and (name := translate(whole, language)) != whole:
             return names[place].format(name)
     return next((q.name(language) for q in QUANTITIES if q.name(ENGLISH) == label), label)
+
+
+# Symbols, and names of options, with other words for them.
+SYNONYMS = {
+    "distance": "dist range separation throw",
+    "f-number": "aperture f-stop fstop stop",
+    "limit": "mpe el",
+    "time": "shutter shutter-speed exposure-time duration hours photoperiod daylength",
+    "iso": "asa sensitivity film-speed",
+    "luminous-flux": "lumen lumens",
+    "radiant-flux": "watt watts power",
+    "illuminance": "lux illumination footcandles",
+    "luminous-intensity": "candela candelas candlepower",
+    "luminance": "nit nits brightness",
+    "half-angle": "angle beam cone cap theta",
+    "polar": "theta zenith-angle",
+    "azimuth": "phi",
+    "apex-angle": "angle cone",
+    "beam-angle": "angle beam spread",
+    "off-axis-angle": "field-angle off-axis angle",
+    "reflectance": "albedo reflectivity",
+    "wavelength": "lambda",
+    "spectrum": "illuminant lamp spd source",
+    "distribution": "ies ldt file luminaire photometry",
+    "precision": "digits decimals",
+    "format": "output",
+    "steps": "derivation explain verbose",
+    "quiet": "silent",
+    "utilance": "uf cu utilisation utilization utilisation-factor utilization-factor",
+    "maintenance": "mf llf maintenance-factor light-loss-factor",
+    "luminaires": "fixtures lamps count",
+    "quantum-efficiency": "qe",
+    "current": "photocurrent",
+    "peak-intensity": "max-candela peak-candela maximum-candela maximum-intensity max-intensity",
+    "transmittance": "transmission",
+    "peak-irradiance": "peak-intensity",
+    "na": "numerical-aperture",
+    "sp-ratio": "sp s/p",
+    "incidence": "aoi incidence-angle angle-of-incidence",
+    "sun-elevation": "elevation altitude sun-altitude solar-altitude solar-elevation",
+    "sun-azimuth": "solar-azimuth",
+    "tilt": "inclination slope",
+    "temperature-rise": "temperature dt delta-t",
+    "specific-heat": "heat-capacity",
+    "receiver-area": "detector-area sensor-area target-area",
+    "receiver-diameter": "detector-diameter pupil-diameter",
+    "pixel-pitch": "pixel pixel-size pitch",
+    "height": "mounting-height",
+    "fwhm": "linewidth bandwidth",
+    "divergence": "full-divergence spread",
+    "beam-diameter": "pool spot-size",
+    "rf": "tm-30 tm30 fidelity",
+    "rg": "tm-30 tm30 gamut",
+}
+
+
+def meant(typed: str, known: Sequence[str]) -> list[str]:
+    """Return the known names that begin with a word, or else those that it is a synonym of."""
+    if begun := [name for name in known if typed and name.startswith(typed)]:
+        return begun
+    word = typed.lower()
+    return [name for name, words in SYNONYMS.items() if word in words.split() and name in known]

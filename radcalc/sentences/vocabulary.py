@@ -3,11 +3,10 @@
 from functools import cache
 
 from radcalc.errors import nearest
-from radcalc.quantities.language import ENGLISH, LANGUAGES
+from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import DLI, LABELS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
-from radcalc.quantities.synonyms import SYNONYMS
 from radcalc.sentences.phrases import (
     FILLERS,
     PHRASES,

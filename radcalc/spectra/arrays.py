@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 
 from radcalc.errors import ConditionError, quote
-from radcalc.spectra.integrals import moment_between
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import photons
-from radcalc.spectra.spectrum import WHOLE, Range, Spectrum, Table
+from radcalc.spectra.spectrum import WHOLE, Range, Spectrum, Table, moment_between
 
 
 def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:

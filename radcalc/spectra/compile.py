@@ -84,7 +84,7 @@ def components() -> dict[str, tuple[float, ...]]:
 
 def daylight(temperature: float) -> list[float]:
     """Return a CIE daylight from its components."""
-    from radcalc.spectra.daylight import combine
+    from radcalc.spectra.colorimetry import combine
 
     return combine(temperature, **components())
 

@@ -16,7 +16,7 @@ from radcalc.files import columns, signatures
 from radcalc.files.table import Table as TextTable
 from radcalc.files.text import Lines, Text, reading, refusal
 from radcalc.quantities.column_titles import find
-from radcalc.spectra import cgats, column_titles, meter_readings, meters, oceanview, spdx
+from radcalc.spectra import cgats, column_titles, contents, meters, oceanview, spdx
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAKEST, Table
@@ -428,7 +428,7 @@ class _Reader:
         if len(grid) <= MANY:
             self.notes += _gaps(grid)
         tables = [_table(self.name, grid, values, nanometres, meaning) for meaning in meanings]
-        table, notes = meter_readings.chosen(tables, figures)
+        table, notes = contents.chosen(tables, figures)
         if self.text.note:
             notes = (self.text.note, *notes)
         table.notes = (*self.notes, *table.notes, *notes)

@@ -9,7 +9,7 @@ from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.search import comparable, matching
 from radcalc.spectra.colorimetry import temperature_of
-from radcalc.spectra.counts import Counts
+from radcalc.spectra.contents import Counts
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.sources import aliases, find_named, names

@@ -17,9 +17,8 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.files.text import ENDINGS
-from radcalc.spectra.kinds import FORMS, example
 from radcalc.spectra.observers import standard_air_wavelength
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.planck import FORMS, LIGHT, PLANCK, example
 from radcalc.spectra.spectrum import (
     LONGEST,
     SHORTEST,
@@ -294,7 +293,7 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
     if kind == "blackbody":
         return BlackBody(_temperature(parameters, text))
     if kind == "daylight":
-        from radcalc.spectra.daylight import illuminant
+        from radcalc.spectra.colorimetry import illuminant
 
         return illuminant(_temperature(parameters, text))
     if kind == "line":

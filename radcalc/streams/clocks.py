@@ -10,7 +10,7 @@ from collections.abc import Callable
 from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
 from typing import NamedTuple, TypeVar
 
-from radcalc.calculators.options import PER_DAY
+from radcalc.calculators.page import PER_DAY
 from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option, quote
 from radcalc.files import columns
 from radcalc.streams.timestamps import (

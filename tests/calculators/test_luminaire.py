@@ -12,7 +12,7 @@ from helpers import Q, number
 
 from radcalc import point_source
 from radcalc.calculators.point_source import point_source as work_out
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.distributions.distribution import Photometry
 from radcalc.distributions.formula import Lobe
 from radcalc.distributions.grid import Grid

@@ -7,9 +7,8 @@ from conftest import run
 from helpers import for_each
 
 from radcalc.completion import completions, shells
-from radcalc.completion.line import Completion
 from radcalc.completion.table import COMMANDS, UNITS
-from radcalc.completion.values import READERS
+from radcalc.completion.words import READERS, Completion
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition
 from radcalc.quantities import typical

@@ -14,7 +14,7 @@ from helpers import for_each, screen_of, terminal_of
 
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.group import commands
-from radcalc.cli.names import GROUPS
+from radcalc.cli.spelling import GROUPS
 from radcalc.terminal import CALLS, fold
 
 WIDTHS = (60, 80, 120)

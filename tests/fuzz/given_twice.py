@@ -20,7 +20,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.page import words_of
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.calculators.solid_angle import SHAPES
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.errors import RadcalcError
 from radcalc.inputs.reading import read, read_interval
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS

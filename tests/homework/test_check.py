@@ -11,7 +11,7 @@ from homework.questions import RIGHT, TILTED, asked, claim_of, typed, verdict
 from radcalc.calculators import pages
 from radcalc.calculators.ev import ev
 from radcalc.calculators.solid_angle import solid_angle
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
 from radcalc.homework import Question, Verdict, check

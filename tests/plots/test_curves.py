@@ -9,7 +9,7 @@ from radcalc.calculators import scene as page
 from radcalc.calculators.lambertian import lambertian
 from radcalc.calculators.photon import photon
 from radcalc.calculators.point_source import point_source
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.distributions.scene import Axis, grid
 from radcalc.errors import UsageError
 from radcalc.inputs.reading import read, split_values

@@ -9,7 +9,7 @@ from conftest import ROOT
 from radcalc.calculators import integrate, point_source, sky
 from radcalc.calculators.environment import Source, environment
 from radcalc.calculators.photon import photon
-from radcalc.calculators.task import Task
+from radcalc.calculators.solved import Task
 from radcalc.inputs.reading import read
 from radcalc.plots import answers
 from radcalc.plots.curves import Solved

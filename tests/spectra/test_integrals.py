@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.spectra.integrals import clip, integral, moments
 from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.spectrum import clip, integral, moments
 
 PHOTOPIC = OBSERVERS["photopic"]
 

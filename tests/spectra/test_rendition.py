@@ -4,10 +4,9 @@ import warnings
 
 import pytest
 
-from radcalc.spectra import similarity
 from radcalc.spectra.colorimetry import Undefined
 from radcalc.spectra.data.sources import SOURCES
-from radcalc.spectra.rendition import load_colour, rendition
+from radcalc.spectra.rendition import load_colour, reference_of, rendition, similarity
 from radcalc.spectra.sources import spectrum
 from radcalc.spectra.spectrum import Table
 
@@ -96,14 +95,14 @@ def test_coarse_data_have_no_rendition():
 
 def test_the_similarity_agrees_with_published_indices():
     # colour-science's tests: C and D65 94
-    assert similarity.similarity(spectrum("C"), spectrum("D65")) == 94
+    assert similarity(spectrum("C"), spectrum("D65")) == 94
     # and light-emitting diodes of its model against one of 535 nm
     diode = load_colour().colorimetry.sd_single_led
     made = {nm: diode(nm, half_spectral_width=width) for nm, width in LEDS}
     tables = {nm: Table(f"{nm} nm", sd.wavelengths, sd.values) for nm, sd in made.items()}
     others = [520, 540, 560]
-    assert [similarity.similarity(tables[nm], tables[535]) for nm in others] == [52, 82, 18]
-    assert [similarity.similarity(tables[535], tables[nm]) for nm in others] == [50, 84, 20]
+    assert [similarity(tables[nm], tables[535]) for nm in others] == [52, 82, 18]
+    assert [similarity(tables[535], tables[nm]) for nm in others] == [50, 84, 20]
 
 
 LEDS = ((520, 45), (540, 55), (560, 50), (535, 48))
@@ -113,14 +112,14 @@ LEDS = ((520, 45), (540, 55), (560, 50), (535, 48))
 def test_the_usual_reference_of_a_thermal_light_or_daylight_is_its_like(text):
     # Academy S-2018-001: a black body below 4000 K, then CIE daylight
     own = spectrum(text)
-    assert similarity.similarity(own, similarity.reference_of(own)) == 100
+    assert similarity(own, reference_of(own)) == 100
 
 
 def test_the_reference_changes_at_4000_k():
-    assert "daylight" not in similarity.reference_of(spectrum("blackbody:3990K")).label
-    assert "daylight" in similarity.reference_of(spectrum("blackbody:4010K")).label
+    assert "daylight" not in reference_of(spectrum("blackbody:3990K")).label
+    assert "daylight" in reference_of(spectrum("blackbody:4010K")).label
 
 
 def test_light_outside_of_the_bands_has_no_similarity():
     with pytest.raises(Undefined, match="no power from 375 nm to 675 nm"):
-        similarity.similarity(spectrum("line:800nm"), spectrum("D65"))
+        similarity(spectrum("line:800nm"), spectrum("D65"))

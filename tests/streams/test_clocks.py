@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.calculators.options import PER_DAY, PER_HOUR
+from radcalc.calculators.page import PER_DAY, PER_HOUR
 from radcalc.errors import RadcalcError
 from radcalc.streams.clocks import TimeSettings, clock_for
 from radcalc.streams.timestamps import SECOND
