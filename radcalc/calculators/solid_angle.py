@@ -453,14 +453,14 @@ def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
-    from radcalc.geometry import outline, projected
+    from radcalc.geometry import polygons, projected
     from radcalc.geometry.polygons import polygon
 
     given = sheet.given
     viewpoint: Point = given["viewpoint"].value if "viewpoint" in given else (0.0, 0.0, 0.0)
     normal: Point | None = given["normal"].value if "normal" in given else None
     try:
-        shape = outline.read(points, viewpoint)
+        shape = polygons.read_vertices(points, viewpoint)
     except ConditionError as error:  # another polygon keeps the viewpoint and the normal
         others = [f"{name}={item.text}" for name, item in given.items()]
         ways = [call(*way.words, *others) if way.words else way for way in error.tries]

@@ -12,7 +12,7 @@ from radcalc.answer import Step
 from radcalc.conversion.conditions import Factor
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, Hint, HorizonCuts, TooNear, Try, add, option, quote
-from radcalc.geometry import cones, far_field, lobes
+from radcalc.geometry import cones, far_field
 from radcalc.inputs.given import Input, half_angle_of, radius_of, require
 from radcalc.units.table import resolve
 
@@ -86,9 +86,9 @@ def _lobe(given: Input) -> Factor:
     exponent = given.value
     steps: tuple[Step, ...] = ()
     if given.name == "beam-angle":
-        exponent = lobes.exponent(given.value, 0.5)
+        exponent = cones.lobe_exponent(given.value, 0.5)
         steps = (BEAM_ANGLE.formula.step({"beam-angle": given.value}, format_number(exponent)),)
-    omega = lobes.solid_angle(exponent)
+    omega = cones.lobe(exponent)
     step = LOBE.formula.step({"exponent": exponent}, f"{format_number(omega)} sr")
     assumption = f"intensity I0 cos^n(theta) with n = {format_number(exponent)}; I0 is the peak"
     return Factor("Omega", omega, "sr", assumption, (*steps, step))

@@ -6,8 +6,15 @@ towards +x and C90 towards +y.
 
 import math
 
-from radcalc.geometry.directions import spherical
-from radcalc.geometry.numerics.vectors import Vector, components, dot, from_components, plus, unit
+from radcalc.geometry.directions import (
+    Vector,
+    components,
+    dot,
+    from_components,
+    plus,
+    spherical,
+    unit,
+)
 from radcalc.maths import Number
 
 DOWN: Vector = (0.0, 0.0, -1.0)

@@ -11,9 +11,16 @@ import numpy
 
 from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Peak, integrated
 from radcalc.distributions.formula import ACCURACY, OF_AXIAL, Formula
-from radcalc.geometry.directions import cartesian, facing, spherical
+from radcalc.geometry.directions import (
+    Vector,
+    cartesian,
+    dot,
+    facing,
+    from_components,
+    spherical,
+    times,
+)
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.geometry.numerics.vectors import Vector, dot, from_components, times
 from radcalc.maths import Number
 
 

@@ -5,7 +5,7 @@ import math
 import numpy
 
 from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Distribution, Interval, Peak
-from radcalc.geometry import cones, lobes
+from radcalc.geometry import cones
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.solid import zone
 from radcalc.maths import Number
@@ -84,18 +84,18 @@ class Lobe(_Axial):
     """
 
     def __init__(self, exponent: float) -> None:
-        lobes.solid_angle(exponent)  # raises an error if it is out of range
+        cones.lobe(exponent)  # raises an error if it is out of range
         self.exponent = exponent
-        self.finest = lobes.angle(exponent, 0.5) / 2
+        self.finest = cones.lobe_angle(exponent, 0.5) / 2
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         ahead = numpy.asarray(theta) <= math.pi / 2
         return numpy.maximum(numpy.cos(theta), 0.0) ** self.exponent * ahead + 0.0 * phi
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
-        inner, outer = (lobes.part(self.exponent, angle) for angle in polar)
+        inner, outer = (cones.lobe_part(self.exponent, angle) for angle in polar)
         turn = (azimuth[1] - azimuth[0]) / (2 * math.pi)
-        return _exactly(lobes.solid_angle(self.exponent) * (outer - inner) * turn)
+        return _exactly(cones.lobe(self.exponent) * (outer - inner) * turn)
 
 
 def _exactly(value: float) -> Integral:

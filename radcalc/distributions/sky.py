@@ -5,8 +5,8 @@ import math
 from radcalc.distributions.distribution import Peak
 from radcalc.errors import ConditionError, MissingInput, Unused, mention
 from radcalc.geometry import sky as geometry
+from radcalc.geometry.directions import Vector
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.geometry.numerics.vectors import Vector
 from radcalc.maths import Number
 
 

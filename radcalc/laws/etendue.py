@@ -6,7 +6,7 @@ at infinity, with an f-number of at least 0.5.  The law of two discs (parallel, 
 exact at any distance; patches are small against their distance.
 """
 
-from radcalc.geometry import cones, etendue
+from radcalc.geometry import cones, projected
 from radcalc.laws.law import HOWELL, law, relation
 from radcalc.maths import asin, sin
 
@@ -16,7 +16,7 @@ CONE = relation(
     "etendue of a cone",
     "{etendue} = pi Omega0 {area} sin^2({half-angle})",
     {
-        "etendue": lambda at: etendue.patch_and_cone(at("area"), at("half-angle")),
+        "etendue": lambda at: projected.patch_and_cone(at("area"), at("half-angle")),
         "area": lambda at: at("etendue") / cones.projected_cone(at("half-angle")),
         "half-angle": lambda at: cones.projected_cone_of(at("etendue") / at("area")),
     },
@@ -45,16 +45,16 @@ DISCS = relation(
     "{etendue} = Omega0 pi^2/2 (S - sqrt(S^2 - 4 {radius}^2 {receiver-radius}^2)), "
     "S = {radius}^2 + {receiver-radius}^2 + {distance}^2",
     {
-        "etendue": lambda at: etendue.coaxial_discs(
+        "etendue": lambda at: projected.coaxial_discs(
             at("radius"), at("receiver-radius"), at("distance")
         ),
-        "distance": lambda at: etendue.discs_distance(
+        "distance": lambda at: projected.discs_distance(
             at("radius"), at("receiver-radius"), at("etendue")
         ),
-        "radius": lambda at: etendue.discs_radius(
+        "radius": lambda at: projected.discs_radius(
             at("receiver-radius"), at("distance"), at("etendue")
         ),
-        "receiver-radius": lambda at: etendue.discs_radius(
+        "receiver-radius": lambda at: projected.discs_radius(
             at("radius"), at("distance"), at("etendue")
         ),
     },

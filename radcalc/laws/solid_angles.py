@@ -4,7 +4,7 @@ A sphere is seen from outside.  The angles of a pyramid are full ones from face 
 axis.  The distance of a small flat patch is at least five times its size.
 """
 
-from radcalc.geometry import cones, solid, spheres
+from radcalc.geometry import cones, solid
 from radcalc.laws.law import Relation, law, relation
 from radcalc.maths import tan
 
@@ -12,9 +12,9 @@ SPHERE = relation(
     "sphere, its centre at a distance",
     "sin({half-angle}) = {radius} / {distance}",
     {
-        "half-angle": lambda at: spheres.angular_radius(at("radius"), at("distance")),
-        "radius": lambda at: spheres.radius_of(at("distance"), cones.cone(at("half-angle"))),
-        "distance": lambda at: spheres.distance_of(at("radius"), cones.cone(at("half-angle"))),
+        "half-angle": lambda at: solid.angular_radius(at("radius"), at("distance")),
+        "radius": lambda at: solid.sphere_radius(at("distance"), cones.cone(at("half-angle"))),
+        "distance": lambda at: solid.sphere_distance(at("radius"), cones.cone(at("half-angle"))),
     },
 )
 

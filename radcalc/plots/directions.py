@@ -17,9 +17,17 @@ from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.radiances import Radiances
 from radcalc.distributions.shapes import of_shape
 from radcalc.distributions.sky import Sky
-from radcalc.geometry.directions import UP, cartesian, facing, spherical
+from radcalc.geometry.directions import (
+    UP,
+    Vector,
+    cartesian,
+    cross,
+    dot,
+    facing,
+    from_components,
+    spherical,
+)
 from radcalc.geometry.numerics.expression import Expression
-from radcalc.geometry.numerics.vectors import Vector, cross, dot, from_components
 from radcalc.geometry.sky import sky_type
 from radcalc.maths import is_uncertain
 from radcalc.plots.curves import Solved, without_band

@@ -9,7 +9,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.results import pick
 from radcalc.distributions.scene import Axis as Coordinates
 from radcalc.errors import UsageError, option
-from radcalc.geometry.numerics.vectors import Vector
+from radcalc.geometry.directions import Vector
 from radcalc.inputs.places import AS_GRID
 from radcalc.plots.data import Axis, Chart, Field, Mark, Picture, Series
 

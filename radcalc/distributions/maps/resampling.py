@@ -8,9 +8,8 @@ import numpy
 
 from radcalc.distributions.maps.light_sums import Progress
 from radcalc.distributions.maps.radiance_map import RadianceMap, check_shape
-from radcalc.geometry.directions import FORWARD, facing
+from radcalc.geometry.directions import FORWARD, Vector, components, facing, from_components
 from radcalc.geometry.light_vectors import is_shown, shown_directions
-from radcalc.geometry.numerics.vectors import Vector, components, from_components
 from radcalc.geometry.projections import (
     corner_of_pixel,
     density,
