@@ -24,9 +24,8 @@ from radcalc.inputs.given import (
     one_of,
     radius_of,
 )
-from radcalc.laws.cones import CONE, PROJECTED_CONE
+from radcalc.laws.common import CIRCLE, CONE, OFFSET, PROJECTED_CONE, RECTANGLE, round_sizes
 from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.laws.sizes import CIRCLE, OFFSET, RECTANGLE, round_sizes
 from radcalc.laws.solver import reached
 from radcalc.laws.surface import (
     CUT_DISC,

@@ -41,9 +41,8 @@ from radcalc.errors import (
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, angle_of, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
-from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
+from radcalc.laws.common import APEX, CIRCLE, CONE, PROJECTED_CONE, round_sizes
 from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.laws.sizes import CIRCLE, round_sizes
 from radcalc.maths import FAINTEST, SLACK, any_true, cos, hypot, sin, smaller
 from radcalc.quantities.symbols import CHOICE
 from radcalc.tuples import NamedTuple

@@ -109,11 +109,11 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             )
         steps = (efficacy_step(efficacy, of.observer),)
     if PHOTON in (over, under):
-        from radcalc.laws import photon
+        from radcalc.laws import optics
         from radcalc.spectra.spectrum import OUTSIDE, PAR
 
         energy_text = f"{format_number(energy)} J"
-        steps += (photon.ENERGY.formula.step({"wavelength": of.vacuum}, energy_text),)
+        steps += (optics.PHOTON_ENERGY.formula.step({"wavelength": of.vacuum}, energy_text),)
         photons = f"{given.text} is {format_number(of.vacuum * 1e9)} nm in vacuum"
         vacuum_text = VACUUM.format(given.text) if is_length else photons
         assumption = "; ".join(filter(None, [assumption, vacuum_text]))

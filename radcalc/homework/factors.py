@@ -21,10 +21,9 @@ from radcalc.homework.chain import (
     of_laws,
 )
 from radcalc.inputs.given import Inputs
-from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
+from radcalc.laws.common import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE
 from radcalc.laws.law import Law, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
-from radcalc.laws.sizes import CIRCLE, DIAMETER
 from radcalc.laws.surface import disc_on_axis
 from radcalc.quantities.light import read, symbol_of
 

@@ -11,7 +11,7 @@ from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
 from radcalc.homework.words import Said
 from radcalc.inputs.given import Inputs
-from radcalc.laws.black_body import EXITANCE, PEAK
+from radcalc.laws.optics import EXITANCE, PEAK
 from radcalc.laws.surface import LAMBERTIAN
 from radcalc.quantities.light import GRID, Reading
 from radcalc.quantities.symbols import SYMBOLS

@@ -20,12 +20,10 @@ from typing import Any
 from radcalc.derivation import format_number
 from radcalc.errors import add, leave_out, option
 from radcalc.geometry import cones
-from radcalc.laws.cones import APEX, CONE
-from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.laws.common import APEX, CONE, COSINE, ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
 from radcalc.maths import (
     SLACK,
-    acos,
     atan,
     atan2,
     exp,
@@ -208,14 +206,6 @@ OFF_AXIS = law(
     "{irradiance} = {intensity} {relative-intensity} {cosine} Omega0 / {distance}^2",
     "ISO 80000-7, intensity and irradiance",
 )
-COSINE = relation(
-    "cosine of the incidence",
-    "{cosine} = cos({incidence})",
-    {
-        "cosine": lambda at: cones.facing(at("incidence")),
-        "incidence": lambda at: _incidence_of(at("cosine")),
-    },
-)
 STRAIGHT = relation(
     "straight line to the source",
     "{distance}^2 = {height}^2 + {lateral}^2",
@@ -234,16 +224,6 @@ ANY_LAWS: list[AnyLaw] = [
     ENERGY,
     law("flux on a receiver", "{received-flux} = {intensity} {received-solid-angle}"),
 ]
-
-
-def _incidence_of(cosine: Any) -> Any:
-    cones.refuse(
-        cosine > 1 + 1e-9,
-        f"more light than that intensity sends to that distance (the cosine of the incidence "
-        f"would be {format_number(cosine)})",
-        "another irradiance, intensity or distance",
-    )
-    return acos(piecewise(cosine > 1, lambda c: 1.0 + 0 * c, lambda c: c, cosine))
 
 
 def _height_or_offset(distance: Any, other: Any, name: str) -> Any:
