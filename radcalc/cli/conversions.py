@@ -7,8 +7,7 @@ from typing import Any
 from radcalc.answer import Result, Row, ShownInput
 from radcalc.cli.cases import Case
 from radcalc.cli.output import Output
-from radcalc.conversion.batch import Planned, plans
-from radcalc.conversion.plan import answer, plan, source_of, target_of
+from radcalc.conversion.plan import Planned, answer, plan, plans, source_of, target_of
 from radcalc.errors import (
     MINUS,
     ConditionError,
