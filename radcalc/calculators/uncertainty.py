@@ -33,8 +33,7 @@ from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.light import name_of
 from radcalc.quantities.symbols import ANY, QUANTITY, Symbol, generic_name
 from radcalc.units.amount import Amount
-from radcalc.units.parts import check_uncertainty
-from radcalc.units.slopes import sharpest, slopes
+from radcalc.units.slopes import check_uncertainty, sharpest, slopes
 from radcalc.units.table import resolve
 from radcalc.units.uncertain import variable
 

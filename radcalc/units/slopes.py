@@ -1,11 +1,14 @@
-"""Slopes by finite differences, and the search for jumps and corners."""
+"""Slopes by finite differences, contributions of uncertain numbers, jumps and corners."""
 
 import math
 from collections.abc import Callable, Hashable, Mapping
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
+
+from radcalc.errors import NumberError, quote
 
 Key = TypeVar("Key", bound=Hashable)
 
+LEAST, MOST = 1e-150, 1e150  # uncertainties whose squares are numbers
 STEP, LEAST_STEP = 2.0**-10, 2.0**-20  # relative to the uncertain number
 OF_ZERO = 16  # steps in the uncertainty of a number that is 0
 NOISE = 1e-14  # relative error of the arithmetic
@@ -13,6 +16,26 @@ FLAT = 1e-5  # error of a slope next to an extremum, relative to the changes wit
 DIGITS = 11  # significant digits of a slope
 SAMPLES = 8  # on either side of the nominal value
 HALVINGS = 8  # of the distance of samples, towards the sharpest corner
+
+
+class Part(NamedTuple):
+    """The contribution of an uncertain number in an expression, or of a reading on a scale.
+
+    `text` is the number as typed, `size` its signed contribution, and `at` returns the whole with
+    the number shifted by -1 to 1 of its uncertainty, None if that does not exist.
+    """
+
+    text: str
+    size: float
+    at: Callable[[float], float | None]
+
+
+def check_uncertainty(off: float, text: str = "") -> None:
+    """Raise for an uncertainty, of a text or of a result, whose square a float cannot hold."""
+    if off and not LEAST <= off <= MOST:
+        subject = f"'{quote(text)}'" if text else "a result"
+        problem = f"the uncertainty of {subject} is out of range"
+        raise NumberError(problem, f"an uncertainty from {LEAST:g} to {MOST:g}")
 
 
 def slopes(
