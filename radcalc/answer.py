@@ -63,7 +63,6 @@ def texts_of(texts: Mapping[str, str]) -> tuple[ShownInput, ...]:
     return tuple(ShownInput(name, text=text) for name, text in texts.items() if text)
 
 
-Ends = tuple[float, float]  # of the range of a result, in place of an uncertainty
 FRACTION = "fraction"  # of a second, like the times of a shutter: 1/60
 
 
@@ -71,7 +70,7 @@ class Row(NamedTuple):
     """One value of an answer; `case` identifies one of several answers.
 
     `name` is the name for `--get`, `given` marks inputs, `uncertainty` is a standard uncertainty in
-    the unit.  A value that jumps within the uncertainty of an input has the `ends` of its range.
+    the unit.
     """
 
     quantity: str
@@ -83,7 +82,6 @@ class Row(NamedTuple):
     given: bool = False
     uncertainty: float = 0.0
     form: str = ""
-    ends: Ends | None = None
 
 
 class Result(NamedTuple):
@@ -103,7 +101,6 @@ class Result(NamedTuple):
 
 
 ALONE: dict[Dimension, Any] = {}
-NO_ENDS: Mapping[Any, Ends] = {}
 
 
 class Value(NamedTuple):
@@ -113,7 +110,7 @@ class Value(NamedTuple):
     function, called on demand.  `reach` has the amounts in linked kinds, by dimension.  `given` is
     the input number in the first unit, `exact` a number known in that unit without a conversion
     from SI; `also` is another name.  With uncertain inputs, numbers are those of the
-    `uncertainties` package; `ends` has the ranges of those that jump, by dimension or field.
+    `uncertainties` package.
     A result that does not follow has no units; `lacking` returns the inputs that would give it, or
     `because` is the reason why none would.  A result with neither is calculated on request alone.
     """
@@ -131,7 +128,6 @@ class Value(NamedTuple):
     because: RadcalcError | None = None
     exact: Any = None
     form: str = ""
-    ends: Mapping[Any, Ends] = NO_ENDS
 
     @property
     def in_first(self) -> Any:
@@ -141,14 +137,6 @@ class Value(NamedTuple):
     @property
     def amount(self) -> Any:
         return self.si() if callable(self.si) else self.si
-
-    def at_end(self, k: int) -> "Value":
-        """Return the value at an end of its range."""
-        found = {key: ends[k] for key, ends in self.ends.items()}
-        reach = {d: found.get(d, amount) for d, amount in self.reach.items()}
-        given, exact = found.get("given", self.given), found.get("exact", self.exact)
-        si = found.get("", self.si)
-        return self._replace(si=si, reach=reach, given=given, exact=exact, ends=NO_ENDS)
 
     @property
     def is_absent(self) -> bool:

@@ -6,7 +6,7 @@ from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.inputs.given import Inputs
-from radcalc.laws.heat import LAWS
+from radcalc.laws.common import HEAT_LAWS
 from radcalc.quantities.light import RADIANT
 
 QUANTITIES = ("flux", "energy", "irradiance")
@@ -47,9 +47,11 @@ def calorimeter(given: Inputs) -> Answer:
     if not given:
         hint = mention("{mass}, {specific-heat} and {temperature-rise}")
         raise MissingInput("the inputs are missing", hint)
-    placed.default(sheet, LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed")
+    placed.default(
+        sheet, HEAT_LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed"
+    )
     placed.assume("no heat is lost", of=["heat"])
-    solved = solve(sheet, LAWS, placed)
+    solved = solve(sheet, HEAT_LAWS, placed)
     solved.refuse_impossible(
         "absorptance", because="the body gets more heat than light", hint="more light, or less heat"
     )

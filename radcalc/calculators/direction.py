@@ -21,8 +21,17 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.geometry.directions import cartesian, mirror_normal, reflected, spherical
-from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, unit
+from radcalc.geometry.directions import (
+    Vector,
+    cartesian,
+    cross,
+    dot,
+    length,
+    mirror_normal,
+    reflected,
+    spherical,
+    unit,
+)
 from radcalc.geometry.projections import direction_at, is_outside, place_of
 from radcalc.inputs.given import Input, Inputs, any_of, one_of
 from radcalc.inputs.places import read_coordinates

@@ -11,8 +11,7 @@ from radcalc.calculators.solved import RenderedMap
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, option, options
-from radcalc.geometry.directions import UP
-from radcalc.geometry.numerics.vectors import Vector
+from radcalc.geometry.directions import UP, Vector
 from radcalc.geometry.sky import NAMES
 from radcalc.inputs.given import Inputs, at_most_one, split_by_light
 from radcalc.inputs.places import require_azimuth

@@ -22,11 +22,9 @@ from radcalc.errors import (
 )
 from radcalc.geometry import cones, far_field
 from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
-from radcalc.laws import etendue as laws_of
-from radcalc.laws.cones import APEX
+from radcalc.laws import solid_angles as laws_of
+from radcalc.laws.common import APEX, CIRCLE, CONFIGURATION_FACTOR, RECTANGLE, round_sizes
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
-from radcalc.laws.surface import CONFIGURATION_FACTOR
 from radcalc.maths import FAINTEST, any_true, larger
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 

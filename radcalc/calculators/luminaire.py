@@ -49,9 +49,9 @@ from radcalc.errors import (
 from radcalc.geometry import far_field
 from radcalc.inputs.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
+from radcalc.laws.common import OFFSET
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import CONICAL, COSINE_BELOW, ISOTROPIC, LAWS, LOBED
-from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, atan2, is_array, power

@@ -9,7 +9,7 @@ from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
 from radcalc.derivation import format_number
 from radcalc.inputs.given import Input, Inputs
-from radcalc.laws.photon import LAWS
+from radcalc.laws.optics import PHOTON_LAWS
 from radcalc.laws.solver import Derivation, Known, solve
 from radcalc.maths import any_true, larger
 from radcalc.quantities.light import PHOTON_NAMES
@@ -64,7 +64,7 @@ def photon(given: Inputs) -> Answer:
     The tables of the eye are for standard air.
     """
     wave = given["wavelength"]
-    solution = solve(LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})
+    solution = solve(PHOTON_LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})
     light = spectral.light(wave, given.get("observer"))
     names = dict.fromkeys(PHOTON_NAMES.values())
     own_name = PHOTON_NAMES[wave.dimension]

@@ -37,6 +37,7 @@ from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs
+from radcalc.laws.common import OFFSET
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,
@@ -66,7 +67,6 @@ from radcalc.laws.point import (
     beam_of_cone,
     beam_of_lobe,
 )
-from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, is_array, power

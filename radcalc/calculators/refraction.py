@@ -8,7 +8,7 @@ from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.inputs.given import Inputs, angle_of, require
-from radcalc.laws.refraction import CRITICAL_INSIDE, CRITICAL_OUTSIDE, LAWS, TOTAL
+from radcalc.laws.optics import CRITICAL_INSIDE, CRITICAL_OUTSIDE, REFRACTION_LAWS, TOTAL
 from radcalc.maths import any_true, sin
 
 ANGLES = ("incidence", "refraction-angle", "brewster-angle", "critical-angle")
@@ -67,7 +67,7 @@ def refraction(given: Inputs) -> Answer:
         placed.note("total reflection: the incidence is above the critical angle")
         solved = solve(sheet, [*TOTAL, critical], placed)
     else:
-        solved = solve(sheet, [*LAWS, critical], placed)
+        solved = solve(sheet, [*REFRACTION_LAWS, critical], placed)
     if solved.has("slab-transmittance"):
         solved.assume("unpolarised light", of=["reflectance", "slab-transmittance"])
         slab = "a slab reflects at both faces, without interference"

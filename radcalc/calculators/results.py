@@ -1,11 +1,11 @@
 """Results in the requested units: floats, or arrays for a range."""
 
 import math
-from collections.abc import Callable, Sequence
-from functools import cache, partial
+from collections.abc import Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
-from radcalc.answer import Answer, Ends, Row, Value
+from radcalc.answer import Answer, Row, Value
 from radcalc.conversion.linear import exact_ratio
 from radcalc.derivation import letter_of
 from radcalc.errors import (
@@ -49,7 +49,6 @@ if TYPE_CHECKING:
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
 LIKE = 4  # letters at the start of related words
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
-OF_ENDS = ("-low", "-high")
 LINKS_HINT = mention("{spectrum=sun}, {spectrum=LED-B3}, {wavelength} or {efficacy}")
 MISSING_LINK = "a wavelength, a spectrum or an efficacy that links them is missing"
 NEEDS_LINK = "needs the wavelength or the spectrum of the light, or an efficacy"
@@ -272,14 +271,14 @@ def listed_in(texts: Sequence[str]) -> tuple[str, ...]:
 def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     """Return the result NAME[:UNIT]; without a unit, in its first shown unit.
 
-    NAME-uncertainty is the standard uncertainty of NAME, 0 without uncertain inputs; NAME-low and
-    NAME-high are the ends of the range of a value that jumps.
+    NAME-uncertainty is the standard uncertainty of NAME, 0 without uncertain inputs.
     """
     name, _, text = wanted.partition(":")
     name, text = name.strip(), text.strip()
-    for suffix in (OF_UNCERTAINTY, *OF_ENDS):
-        if name.endswith(suffix):
-            return _extra(pick(values, f"{name.removesuffix(suffix)}:{text}", case), suffix)
+    if name.endswith(OF_UNCERTAINTY):
+        row = pick(values, f"{name.removesuffix(OF_UNCERTAINTY)}:{text}", case)
+        number, name = row.uncertainty, row.name + OF_UNCERTAINTY
+        return row._replace(value=number, name=name, uncertainty=0.0, given=False)
     if called := _called(values, name, text):
         value = called[0]
         _refuse_absent(value, case)
@@ -287,14 +286,12 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         if not text:
             text = value.units[0]
             number = _in_shown_unit(value, text)
-            ends = _ends(value, partial(_in_shown_unit, text=text))
         else:
             unit = _unit_of(text, value.name, values)
             number = in_unit(value, unit, values)
-            ends = _ends(value, partial(in_unit, unit=unit, among=values))
             if unit.dimension not in value.dimensions and not unit.is_scale:
                 label, letter = of_kind(value, unit)
-        row = Row(label, letter, number, text, case, name, is_given, 0.0, value.form, ends)
+        row = Row(label, letter, number, text, case, name, is_given, 0.0, value.form)
         return _apart(row)
     from radcalc.calculators import result_names
 
@@ -340,9 +337,7 @@ def said_of(answer: Answer, rows: Sequence[Row]) -> tuple[tuple[str, ...], tuple
 
 def _in_its_kind(values: Sequence[Value], row: Row) -> tuple[str, str]:
     """Return the generic name of a result, and the kind of light of its unit, if any."""
-    name = row.name
-    for suffix in (OF_UNCERTAINTY, *OF_ENDS):
-        name = name.removesuffix(suffix)
+    name = row.name.removesuffix(OF_UNCERTAINTY)
     value = next(iter(_called(values, name, row.unit)), values[0])
     unit = measured_in(row.unit, name)
     if unit.is_scale:
@@ -363,21 +358,6 @@ def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:
         raise UsageError(problem, corrections(name, *names))
     dimension = measured_in(text).dimension
     return [value for value in found if dimension in value.dimensions] or found
-
-
-def _extra(row: Row, suffix: str) -> Row:
-    """Return the uncertainty of a row, or an end of its range, as a row."""
-    name = row.name + suffix
-    if suffix in OF_ENDS:
-        if row.ends is None:
-            raise UsageError(f"{row.name} has no range", f"{row.name}{OF_UNCERTAINTY}")
-        number = row.ends[OF_ENDS.index(suffix)]
-    else:
-        if row.ends:
-            ways = " and ".join(row.name + end for end in OF_ENDS)
-            raise UsageError(f"{row.name} has a range, not a standard uncertainty", ways)
-        number = row.uncertainty
-    return row._replace(value=number, name=name, uncertainty=0.0, ends=None, given=False)
 
 
 def names_of(values: Sequence[Value]) -> list[str]:
@@ -427,23 +407,11 @@ def _related(name: str, values: Sequence[Value]) -> list[str]:
     return sorted(related, key=related.__getitem__, reverse=True)[:MOST_OF_A_UNIT]
 
 
-def _ends(value: Value, of: Callable[[Value], Any]) -> Ends | None:
-    """Return the ends of the range of a number `of` a value that jumps."""
-    if not value.ends:
-        return None
-    try:
-        low, high = of(value.at_end(0)), of(value.at_end(1))
-    except RadcalcError:  # one end has no reading on a scale
-        return None
-    return None if is_uncertain(low) else (min(low, high), max(low, high))
-
-
 def _apart(row: Row) -> Row:
-    """Return a row with the uncertainty apart from the value; a number that jumps has none."""
+    """Return a row with the uncertainty apart from the value."""
     if not is_uncertain(row.value):
         return row
-    off = row.value.std_dev
-    return row._replace(value=row.value.nominal_value, uncertainty=0.0 if math.isnan(off) else off)
+    return row._replace(value=row.value.nominal_value, uncertainty=row.value.std_dev)
 
 
 def name_in(value: Value, dimension: Dimension) -> str:
@@ -481,8 +449,7 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
         is_given = v.given is not None
         for text in v.units:
             number = _in_shown_unit(v, text)
-            ends = _ends(v, partial(_in_shown_unit, text=text)) if v.ends else None
-            row = Row(v.label, v.letter, number, text, case, name, is_given, 0.0, v.form, ends)
+            row = Row(v.label, v.letter, number, text, case, name, is_given, 0.0, v.form)
             result_rows.append(row if type(number) is float else _apart(row))
     if case:
         result_rows.sort(key=lambda row: not row.given)

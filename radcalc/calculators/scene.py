@@ -12,8 +12,7 @@ from radcalc.calculators.scene_rows import NamedSource, Reader, rows_of_dicts, r
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
 from radcalc.files.text import ENDINGS
-from radcalc.geometry.directions import UP
-from radcalc.geometry.numerics.vectors import Vector
+from radcalc.geometry.directions import UP, Vector
 from radcalc.inputs.given import Inputs
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.units.dimensions import LENGTH

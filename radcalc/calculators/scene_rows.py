@@ -33,7 +33,7 @@ from radcalc.errors import (
 from radcalc.files import columns, text
 from radcalc.files.table import Table
 from radcalc.geometry import far_field
-from radcalc.geometry.numerics.vectors import Vector, minus
+from radcalc.geometry.directions import Vector, minus
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.places import IN_METRES
 from radcalc.inputs.reading import read_as

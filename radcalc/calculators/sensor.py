@@ -11,7 +11,7 @@ from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import MissingInput, mention, option
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, angle_of
-from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.laws.common import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, law, relation
 from radcalc.maths import cos, sqrt, square
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS

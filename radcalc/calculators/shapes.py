@@ -14,7 +14,7 @@ from radcalc.calculators.worksheet import (
 )
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import Exclusive, HorizonCuts, MissingInput, add, leave_out, mention, option
-from radcalc.geometry import cones, far_field, projected, solid, spheres
+from radcalc.geometry import cones, far_field, projected, solid
 from radcalc.inputs.given import (
     Inputs,
     angle_of,
@@ -24,9 +24,8 @@ from radcalc.inputs.given import (
     one_of,
     radius_of,
 )
-from radcalc.laws.cones import CONE, PROJECTED_CONE
+from radcalc.laws.common import CIRCLE, CONE, OFFSET, PROJECTED_CONE, RECTANGLE, round_sizes
 from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.laws.sizes import CIRCLE, OFFSET, RECTANGLE, round_sizes
 from radcalc.laws.solver import reached
 from radcalc.laws.surface import (
     CUT_DISC,
@@ -298,9 +297,9 @@ def _sphere(sheet: Worksheet) -> Placed:
         flat = projected.sphere(size, away, incidence)
         shape = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
         placed.project(flat, shape)
-        placed.add("solid-angle", spheres.solid_angle(size, away))
+        placed.add("solid-angle", solid.sphere(size, away))
         placed.add("extent", 2 * size)
-        within = spheres.angular_radius(size, away)
+        within = solid.angular_radius(size, away)
         up = math.pi / 2 - incidence
         placed.note_horizon("sphere", up - within, up + within)
         return placed

@@ -26,8 +26,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.directions import UP, cartesian
-from radcalc.geometry.numerics.vectors import Vector, dot, unit
+from radcalc.geometry.directions import UP, Vector, cartesian, dot, unit
 from radcalc.geometry.projections import USUAL_SIZE
 from radcalc.geometry.sky import (
     CIE,

@@ -40,9 +40,8 @@ from radcalc.errors import (
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, angle_of, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
-from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
+from radcalc.laws.common import APEX, CIRCLE, CONE, PROJECTED_CONE, round_sizes
 from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.laws.sizes import CIRCLE, round_sizes
 from radcalc.maths import FAINTEST, SLACK, any_true, cos, hypot, sin, smaller
 from radcalc.quantities.symbols import CHOICE
 from radcalc.tuples import NamedTuple
@@ -452,14 +451,14 @@ def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
-    from radcalc.geometry import outline, projected
+    from radcalc.geometry import polygons, projected
     from radcalc.geometry.polygons import polygon
 
     given = sheet.given
     viewpoint: Point = given["viewpoint"].value if "viewpoint" in given else (0.0, 0.0, 0.0)
     normal: Point | None = given["normal"].value if "normal" in given else None
     try:
-        shape = outline.read(points, viewpoint)
+        shape = polygons.read_vertices(points, viewpoint)
     except ConditionError as error:  # another polygon keeps the viewpoint and the normal
         others = [f"{name}={item.text}" for name, item in given.items()]
         ways = [call(*way.words, *others) if way.words else way for way in error.tries]

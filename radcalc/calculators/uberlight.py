@@ -15,11 +15,11 @@ from radcalc.calculators.worksheet import FARTHEST, Placed, Worksheet, place, wo
 from radcalc.derivation import Formula, format_number, format_value
 from radcalc.errors import ConditionError, Exclusive, Idle, Unused, mention, option, options, quote
 from radcalc.geometry import uberlight as attenuations
-from radcalc.geometry.numerics.vectors import cross, dot, length, times, unit
+from radcalc.geometry.directions import cross, dot, length, times, unit
 from radcalc.inputs.given import Inputs, angle_of
 from radcalc.inputs.places import IN_METRES
+from radcalc.laws.common import COSINE
 from radcalc.laws.law import AnyLaw, law
-from radcalc.laws.point import COSINE
 from radcalc.maths import Number, any_true, atan2, hypot, is_array, log, square
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.units.dimensions import LENGTH

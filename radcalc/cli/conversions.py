@@ -7,10 +7,10 @@ from typing import Any
 from radcalc.answer import Result, Row, ShownInput
 from radcalc.cli.cases import Case
 from radcalc.cli.output import Output
-from radcalc.conversion.batch import Planned, plans
-from radcalc.conversion.plan import answer, plan, source_of, target_of
+from radcalc.conversion.plan import Planned, answer, plan, plans, source_of, target_of
 from radcalc.errors import (
     MINUS,
+    ConditionError,
     ConversionError,
     Hint,
     MissingUnit,
@@ -242,7 +242,6 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
         )
     rows, assumptions = [], {}
     assumed: tuple[str, ...] = ()
-    bent: list[str] = []
     for target in targets:
         try:
             conversion = plan(source, target)
@@ -250,17 +249,16 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
             if call.amount.is_uncertain:
                 uncertain = uncertainty.converted(conversion, call.amount, ())
                 off, assumed = uncertain.uncertainty, (uncertain.assumed,)
-                bent = bent or uncertain.notes(
-                    name_of(conversion.target) or "the value", target.text
-                )
-        except ConversionError:
-            continue  # beyond what a float holds in that unit
+        except (ConversionError, ConditionError):
+            if target is source:
+                raise
+            continue  # beyond what a float holds in that unit, or has a reading on that scale
         assumptions.update(dict.fromkeys(conversion.assumptions))
         meant = conversion.target if target.is_scale else target
         about = name_of(meant), symbol_of(meant)
         name = result_name(meant)
         row = Row(*about, number, target.text, call.case.label, name, uncertainty=off)
         rows.append(row)
-    notes = (*call.case.notes, *source.notes, *bent)
+    notes = (*call.case.notes, *source.notes)
     assumptions.update(dict.fromkeys(assumed))
     return Result(tuple(rows), tuple(assumptions), notes, inputs=call.inputs, named=False)

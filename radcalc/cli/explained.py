@@ -10,9 +10,9 @@ from radcalc.calculators.page import CHECKS
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import files, habits
 from radcalc.cli.cases import is_stream
+from radcalc.cli.heard import hear
 from radcalc.cli.lane import plain
 from radcalc.cli.output import Output, decide, refuse_number_options
-from radcalc.cli.request import hear
 from radcalc.cli.sentence import Words, options_of, values_of
 from radcalc.cli.spelling import EXPLAIN, pasted, quoted, typed
 from radcalc.errors import RadcalcError, UsageError, call, drop, leave_out

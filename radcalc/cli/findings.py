@@ -15,7 +15,7 @@ import click
 from radcalc.calculators.page import RESULT
 from radcalc.calculators.pages import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.cli.group import examples_of
-from radcalc.cli.request import hear
+from radcalc.cli.heard import hear
 from radcalc.completion import table
 from radcalc.errors import RadcalcError, UnknownResult, nearest
 from radcalc.quantities import entries, search, typical

@@ -4,9 +4,9 @@ from contextlib import suppress
 
 from radcalc import terminal
 from radcalc.cli.files import begins_with_file, say
+from radcalc.cli.heard import Heard, Listener
 from radcalc.cli.output import decide
 from radcalc.cli.plain_call import work_out
-from radcalc.cli.request import Heard, Listener
 from radcalc.cli.spelling import typed
 from radcalc.errors import ExpressionError, RadcalcError, TooManyWords, input_of
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS

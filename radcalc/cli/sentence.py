@@ -14,9 +14,9 @@ from radcalc.cli.cases import is_stream
 from radcalc.cli.command import option_of
 from radcalc.cli.files import route, say
 from radcalc.cli.group import parameters
+from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other
 from radcalc.cli.output import decide
-from radcalc.cli.request import hear
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, typed
 from radcalc.errors import (
     ExpressionError,

@@ -332,8 +332,6 @@ def text_of(row: Row, name: str) -> str:
     """Return the exact text of a row's value, with its unit."""
     if isinstance(row.value, bool) or not isinstance(row.value, (int, float)):
         raise UsageError(f"{name} is not a number", "a call with a number for its answer")
-    if row.ends:
-        raise UsageError(f"{name} is a range", "an input without an uncertainty")
     return _exact(row.value, row.unit, row.uncertainty)
 
 

@@ -1,19 +1,24 @@
-"""Factors of geometry and time: areas, cones, distances, reflectors, the pupil, durations.
+"""Factors of geometry and time, and the ways that lead from one geometry to another.
+
+The factors are those of areas, cones, distances, reflectors, the pupil, durations.  A way is a set
+of spatial conditions.
 
 Laws are imported in the functions that use them: most conversions need only one, and imports delay
 the start.
 """
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from radcalc import maths
 from radcalc.answer import Step
-from radcalc.conversion.conditions import Factor
+from radcalc.conversion.conditions import AREA, CONE, DISTANCE, REFLECTANCE, Conditions, Factor
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, Hint, HorizonCuts, TooNear, Try, add, option, quote
-from radcalc.geometry import cones, far_field, lobes
+from radcalc.geometry import cones, far_field
 from radcalc.inputs.given import Input, half_angle_of, radius_of, require
+from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
 
 INVERSE_SQUARE = Formula(
@@ -25,7 +30,7 @@ REFLECTOR = Formula(
     "r = {reflectance} / (pi Omega0)",
     "ISO 80000-7, luminance and reflectance",
 )
-REFLECTED = Formula(
+REFLECTED_LIGHT = Formula(
     "reflected light", "{exitance} = {reflectance} {irradiance}", "ISO 80000-7, reflectance"
 )
 SLANTING_CONE = Formula(
@@ -39,7 +44,7 @@ def area(given: Input) -> Factor:
     """Return the area of a source or a receiver [m2]."""
     if given.name == "area":
         return Factor("A", given.value, "m2", f"uniform over {given.text}")
-    from radcalc.laws.sizes import CIRCLE
+    from radcalc.laws.common import CIRCLE
 
     radius = radius_of(given)
     value = CIRCLE.solve("area", lambda _: radius)
@@ -69,7 +74,7 @@ def solid_angle(given: Input) -> Factor:
         return Factor("Omega", given.value, "sr", f"uniform over {given.text}")
     if given.name in ("exponent", "beam-angle"):
         return _lobe(given)
-    from radcalc.laws.cones import CONE
+    from radcalc.laws.common import CONE
 
     half = half_angle_of(given)
     omega = cones.cone(half)
@@ -86,9 +91,9 @@ def _lobe(given: Input) -> Factor:
     exponent = given.value
     steps: tuple[Step, ...] = ()
     if given.name == "beam-angle":
-        exponent = lobes.exponent(given.value, 0.5)
+        exponent = cones.lobe_exponent(given.value, 0.5)
         steps = (BEAM_ANGLE.formula.step({"beam-angle": given.value}, format_number(exponent)),)
-    omega = lobes.solid_angle(exponent)
+    omega = cones.lobe(exponent)
     step = LOBE.formula.step({"exponent": exponent}, f"{format_number(omega)} sr")
     assumption = f"intensity I0 cos^n(theta) with n = {format_number(exponent)}; I0 is the peak"
     return Factor("Omega", omega, "sr", assumption, (*steps, step))
@@ -117,7 +122,7 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
             f"{option(given.name)} does not link a radiance: it needs the projected solid angle",
             hint,
         )
-    from radcalc.laws.cones import PROJECTED_CONE
+    from radcalc.laws.common import PROJECTED_CONE
 
     half = _half_angle_at_most_right(given)
     omega = cones.projected_cone(half)
@@ -285,7 +290,7 @@ def reflector(given: Input) -> Factor:
 def reflected(given: Input) -> Factor:
     """Return the reflectance of a surface, from incident to reflected light."""
     assumption = f"only reflected light leaves the surface, with a reflectance of {given.text}"
-    step = REFLECTED.with_numbers(f"M = {format_number(given.value)} E")
+    step = REFLECTED_LIGHT.with_numbers(f"M = {format_number(given.value)} E")
     return Factor("rho", given.value, "radlux/lx", assumption, (step,))
 
 
@@ -312,3 +317,105 @@ def pupil(given: Input) -> Factor:
         f"p = pi/4 ({format_number(millimetres)} mm)^2 = {format_number(value)} mm2"
     )
     return Factor("p", value, "td m2/cd", f"a round pupil of diameter {given.text}", (step,))
+
+
+Supply = dict[str, Callable[[Conditions], Factor]]
+
+
+class Way(NamedTuple):
+    """The powers of the conditions that lead from one geometry to another.
+
+    `supply` gives the factor of each.
+    """
+
+    powers: dict[str, int]
+    supply: Supply
+    is_suggested: bool = True
+    extends: bool = True  # whether it is suggested if part of it is given
+    is_tilted: bool = False  # whether the source may be seen obliquely
+
+
+def _area(conditions: Conditions) -> Factor:
+    return area(conditions.take(AREA))
+
+
+def _front_area(conditions: Conditions) -> Factor:
+    factor = area(conditions.take(AREA))
+    if "tilt" in conditions.given:
+        return factor
+    return factor._replace(assumption=f"{factor.assumption}, seen along its normal")
+
+
+def _far_area(conditions: Conditions) -> Factor:
+    area, given = conditions.take(AREA), conditions.given
+    return far_area(area, given[DISTANCE], given.get("incidence"), given.get("tilt"))
+
+
+def _aperture(conditions: Conditions) -> Factor:
+    area, given = conditions.take(AREA), conditions.given
+    return aperture(area, given[DISTANCE], given.get("incidence"))
+
+
+def _cone(conditions: Conditions) -> Factor:
+    return solid_angle(conditions.take(CONE))
+
+
+def _projected_cone(conditions: Conditions) -> Factor:
+    turn = conditions.use("tilt") or conditions.use("incidence")
+    return projected_solid_angle(conditions.take(CONE), turn)
+
+
+def _inverse_square(conditions: Conditions) -> Factor:
+    return inverse_square(conditions.take(DISTANCE), conditions.use("incidence"))
+
+
+def _reflector(conditions: Conditions) -> Factor:
+    return reflector(conditions.take(REFLECTANCE))
+
+
+def _disc(conditions: Conditions) -> Factor:
+    source, distance = conditions.take(AREA), conditions.take(DISTANCE)
+    return disc(source, distance, conditions.use("incidence"))
+
+
+PLAIN: Supply = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANCE: _reflector}
+AT_RADIANCE: Supply = {**PLAIN, CONE: _projected_cone}  # with a reflector, the cone of the lamp
+IN_FRONT: Supply = {**PLAIN, AREA: _front_area}
+FAR: Supply = {**PLAIN, AREA: _far_area}
+RECEIVED: Supply = {**PLAIN, AREA: _aperture}
+REFLECTED = Way({REFLECTANCE: 1}, {REFLECTANCE: lambda c: reflected(c.take(REFLECTANCE))})
+DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # exact, of a radius or diameter
+
+FLUX, INTENSITY, IRRADIANCE, RADIANCE = (0, 0), (0, 1), (1, 0), (1, 1)
+# From the first geometry (powers of 1/area and 1/solid angle) to the second; in reverse, the powers
+# change sign.  Of the ways that begin with the given conditions, the first two are suggested.
+WAYS = {
+    (FLUX, INTENSITY): (Way({CONE: -1}, PLAIN), Way({AREA: -1, DISTANCE: -1}, RECEIVED, False)),
+    (FLUX, IRRADIANCE): (Way({AREA: -1}, PLAIN), Way({CONE: -1, DISTANCE: 1}, PLAIN)),
+    (FLUX, RADIANCE): (
+        Way({AREA: -1, REFLECTANCE: 1}, PLAIN),
+        Way({AREA: -1, CONE: -1}, AT_RADIANCE),
+        Way({CONE: -1, DISTANCE: 1, REFLECTANCE: 1}, PLAIN, False, False),
+    ),
+    (INTENSITY, IRRADIANCE): (
+        Way({DISTANCE: 1}, PLAIN),
+        Way({AREA: -1, CONE: 1}, PLAIN, False, False),
+    ),
+    (INTENSITY, RADIANCE): (
+        Way({AREA: -1}, IN_FRONT, is_tilted=True),
+        Way({DISTANCE: 1, REFLECTANCE: 1}, PLAIN),
+        Way({AREA: -1, CONE: 1, REFLECTANCE: 1}, PLAIN, False, False),
+    ),
+    (IRRADIANCE, RADIANCE): (
+        Way({REFLECTANCE: 1}, PLAIN),
+        Way({CONE: -1}, AT_RADIANCE),
+        Way({AREA: -1, DISTANCE: -1}, FAR, False, is_tilted=True),
+    ),
+}
+
+
+def ways_between(start: tuple[int, int], end: tuple[int, int]) -> tuple[tuple[Way, ...], int]:
+    """Return the ways between two geometries, and the sign of their powers in that direction."""
+    if (start, end) in WAYS:
+        return WAYS[start, end], 1
+    return WAYS.get((end, start), ()), -1

@@ -22,7 +22,7 @@ from radcalc.conversion.conditions import (
     Conditions,
     slot_of,
 )
-from radcalc.conversion.ways import (
+from radcalc.conversion.geometric import (
     DISC,
     FAR,
     FLUX,

@@ -135,11 +135,11 @@ def _refuse(source: Unit, target: Unit, unused: Sequence[str]) -> None:
 
 
 def _of_photon(source: Unit, target: Unit) -> LawPlan:
-    from radcalc.laws.photon import LAWS
+    from radcalc.laws.optics import PHOTON_LAWS
     from radcalc.spectra.planck import AVOGADRO
 
     names = PHOTON_NAMES[source.dimension], PHOTON_NAMES[target.dimension]
-    laws = [law for law in LAWS if law.result in names]  # each of the wavelength
+    laws = [law for law in PHOTON_LAWS if law.result in names]  # each of the wavelength
     constants = {law.result: law.constant for law in laws}
     if len(laws) == 1 and "wavelength" in names:
         form = Form(laws[0].constant, -1)
@@ -161,7 +161,7 @@ def _is_per_mole(unit: Unit) -> bool:
 
 
 def _of_hot_body(source: Unit, target: Unit, given: Sequence[Input]) -> LawPlan:
-    from radcalc.laws.black_body import EXITANCE, PEAK
+    from radcalc.laws.optics import EXITANCE, PEAK
     from radcalc.laws.surface import LAMBERTIAN
 
     is_backward = target.dimension == TEMPERATURE

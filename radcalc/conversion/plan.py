@@ -1,6 +1,12 @@
-"""Conversion: a plan from one unit to another, applied to a number or an array."""
+"""Conversion: a plan from one unit to another, applied to a number or an array.
+
+Several conversions may have common conditions, of which each may use only some.
+"""
+
+from itertools import combinations
 
 from radcalc.conversion.linear import Plan, are_reciprocal, between, is_function
+from radcalc.errors import MissingCondition, RadcalcError, Unused
 from radcalc.units.table import unit_of
 from radcalc.units.unit import TEMPERATURE_ALONE, Unit
 
@@ -11,6 +17,9 @@ if TYPE_CHECKING:
     from radcalc.answer import Result, ShownInput
     from radcalc.inputs.given import Input
     from radcalc.units.amount import Amount
+
+Request = tuple[Unit, Unit, "Sequence[Input]", str]  # the arguments of `plan`
+Planned = tuple[Plan, "Sequence[Input]"]
 
 
 def plan(source: Unit, target: Unit, given: "Sequence[Input]" = (), number: str = "1") -> Plan:
@@ -53,7 +62,7 @@ def source_of(amount: "Amount", target: Unit, given: "Sequence[Input]" = ()) -> 
     source = fit(source, target.dimension)
     if given:
         return source
-    from radcalc.conversion.formulas import as_law
+    from radcalc.conversion.bridge import as_law
 
     return as_law(amount.text, source, target)
 
@@ -94,3 +103,53 @@ def answer(
     if value < 0 and read(made.source) and not made.source.is_scale:
         notes += (f"a negative {name_of(made.source)} is a difference: light is never negative",)
     return Result((row,), made.assumptions, notes, derivation, inputs, named=False)
+
+
+def plans(requests: "Sequence[Request]") -> list[Planned]:
+    """Return the plans, each with the conditions it uses; raise for a condition that none uses."""
+    planned: list[Planned] = []
+    refusals: list[RadcalcError] = []
+    for request in requests:
+        try:
+            planned.append((plan(*request), request[2]))
+        except (Unused, MissingCondition) as error:
+            if len(requests) == 1:
+                raise
+            refusals.append(error)
+            planned.append(_with_fewer(request, error))
+    used = {condition.name for _, conditions in planned for condition in conditions}
+    idle = [condition.name for condition in requests[0][2] if condition.name not in used]
+    if idle:
+        for refusal in refusals:
+            if isinstance(refusal, Unused) and {*refusal.symbols} == {*idle}:
+                raise refusal
+        raise Unused(idle, "to any of these conversions")
+    return planned
+
+
+def _with_fewer(request: Request, refusal: RadcalcError) -> Planned:
+    """Return a plan with the fewest conditions removed that make a refused conversion possible.
+
+    With a distance and an area an incidence is unused; with the area alone it is used.
+    """
+    source, target, conditions, number = request
+    names = (
+        refusal.symbols
+        if isinstance(refusal, Unused)
+        else [condition.name for condition in conditions]
+    )
+    for count in range(1, len(names) + 1):
+        fewer: list[Planned] = []
+        for left_out in combinations(names, count):
+            kept = [condition for condition in conditions if condition.name not in left_out]
+            try:
+                fewer.append((plan(source, target, kept, number), kept))
+            except RadcalcError:
+                continue
+        if len(fewer) == 1:
+            return fewer[0]
+        if fewer:  # several plans: the intended one is unclear
+            if isinstance(refusal, Unused):
+                raise refusal.reworded(hint="a call for each conversion")
+            break
+    raise refusal

@@ -109,11 +109,11 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             )
         steps = (efficacy_step(efficacy, of.observer),)
     if PHOTON in (over, under):
-        from radcalc.laws import photon
+        from radcalc.laws import optics
         from radcalc.spectra.spectrum import OUTSIDE, PAR
 
         energy_text = f"{format_number(energy)} J"
-        steps += (photon.ENERGY.formula.step({"wavelength": of.vacuum}, energy_text),)
+        steps += (optics.PHOTON_ENERGY.formula.step({"wavelength": of.vacuum}, energy_text),)
         photons = f"{given.text} is {format_number(of.vacuum * 1e9)} nm in vacuum"
         vacuum_text = VACUUM.format(given.text) if is_length else photons
         assumption = "; ".join(filter(None, [assumption, vacuum_text]))
@@ -165,12 +165,8 @@ def spectral_factor(
 
     source: Spectrum = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
-    counted = contents.Counts(
-        source,
-        seen_by,
-        limits.value if limits else None,
-        photon_limits.value if photon_limits else None,
-    )
+    ranges = [given_range and given_range.value for given_range in (limits, photon_limits)]
+    counted = contents.Counts(source, seen_by, *ranges)
     remarks = [source.described]
     for kind in (over, under):
         if kind != LUMINOUS:
@@ -293,7 +289,7 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
             f"J = {format_number(value)}"
         )
         assumption = "wavenumber in vacuum, 1 cycle per wavelength"
-        return Factor("J", value, _per_axis(start, end), assumption, (step,))
+        return Factor("J", value, f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})", assumption, (step,))
     per_frequency = {
         PER_WAVELENGTH: maths.square(of.vacuum) / LIGHT,
         PER_FREQUENCY: 1.0,
@@ -315,7 +311,7 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
     assumption = f"spectral density at {of.given.text}"
     if of.given.dimension == LENGTH:
         assumption += "; " + VACUUM.format(of.given.text)
-    return Factor("J", value, _per_axis(start, end), assumption, (step,))
+    return Factor("J", value, f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})", assumption, (step,))
 
 
 def width(bridge: "Bridge", given: Input) -> Factor | None:
@@ -335,10 +331,8 @@ def width(bridge: "Bridge", given: Input) -> Factor | None:
     factor = jacobian(of, start, end)._replace(assumption=assumption)
 
     def check(value: Any) -> None:
-        def text_where(wide: Any) -> str:
-            return f"{format_number(maths.chosen(value, wide))}{quote(bridge.source.text)}"
-
-        _check_narrow(of, value * float(bridge.source.factor), start, text_where)
+        unit, size = quote(bridge.source.text), value * float(bridge.source.factor)
+        _check_narrow(of, size, start, lambda w: f"{format_number(maths.chosen(value, w))}{unit}")
 
     return factor._replace(check=check)
 
@@ -356,8 +350,8 @@ def _check_narrow(of: Light, width: Any, axis: str, text_where: "Callable[[Any],
     place = {PER_WAVELENGTH: of.vacuum, PER_FREQUENCY: frequency, PER_WAVENUMBER: 1 / of.vacuum}
     if maths.any_true(wide := width > NARROW * place[axis]):
         unit, size, other = ENDS[axis]
-        half = width / 2
-        ends = [maths.chosen(end, wide) * size for end in (place[axis] - half, place[axis] + half)]
+        both = place[axis] - width / 2, place[axis] + width / 2
+        ends = [maths.chosen(end, wide) * size for end in both]
         listed = ",".join([f"{format_number(end)}{unit}" for end in ends])
         raise ConditionError(
             f"a width of {text_where(wide)} is not small compared with "
@@ -365,10 +359,6 @@ def _check_narrow(of: Light, width: Any, axis: str, text_where: "Callable[[Any],
             "axes",
             call("photon", listed, get=other, remark="the two ends of the band"),
         )
-
-
-def _per_axis(start: str, end: str) -> str:
-    return f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})"
 
 
 def bandwidth(given: Input, of_kind: Input | None) -> Factor:

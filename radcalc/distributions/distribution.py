@@ -11,9 +11,16 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy
 
-from radcalc.geometry.directions import spherical
+from radcalc.geometry.directions import (
+    Vector,
+    components,
+    dot,
+    from_components,
+    plus,
+    spherical,
+    unit,
+)
 from radcalc.geometry.numerics.cubature import Dark, Integral, Steps, over_directions
-from radcalc.geometry.numerics.vectors import Vector, components, dot, from_components, plus, unit
 from radcalc.maths import Number
 
 Interval = tuple[float, float]

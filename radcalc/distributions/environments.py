@@ -19,10 +19,8 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry import sky
-from radcalc.geometry.directions import FORWARD
-from radcalc.geometry.lenses import View, field_text, view_of_field
-from radcalc.geometry.numerics.vectors import Vector
-from radcalc.geometry.projections import has_shape, name_of_map
+from radcalc.geometry.directions import FORWARD, Vector
+from radcalc.geometry.projections import View, field_text, has_shape, name_of_map, view_of_field
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import FISHEYE, LATLONG, WHOLE_SPHERE, light_unit

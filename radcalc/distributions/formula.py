@@ -18,7 +18,7 @@ from radcalc.distributions.distribution import (
     integrated,
 )
 from radcalc.errors import ConditionError, Hint, correct, quote
-from radcalc.geometry import cones, lobes
+from radcalc.geometry import cones
 from radcalc.geometry.directions import TURN, cartesian
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral, Steps, narrowest
 from radcalc.geometry.numerics.expression import Expression
@@ -242,18 +242,18 @@ class Lobe(_Axial):
     """
 
     def __init__(self, exponent: float) -> None:
-        lobes.solid_angle(exponent)  # raises an error if it is out of range
+        cones.lobe(exponent)  # raises an error if it is out of range
         self.exponent = exponent
-        self.finest = lobes.angle(exponent, 0.5) / 2
+        self.finest = cones.lobe_angle(exponent, 0.5) / 2
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         ahead = numpy.asarray(theta) <= math.pi / 2
         return numpy.maximum(numpy.cos(theta), 0.0) ** self.exponent * ahead + 0.0 * phi
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
-        inner, outer = (lobes.part(self.exponent, angle) for angle in polar)
+        inner, outer = (cones.lobe_part(self.exponent, angle) for angle in polar)
         turn = (azimuth[1] - azimuth[0]) / (2 * math.pi)
-        return _exactly(lobes.solid_angle(self.exponent) * (outer - inner) * turn)
+        return _exactly(cones.lobe(self.exponent) * (outer - inner) * turn)
 
 
 def _exactly(value: float) -> Integral:

@@ -13,9 +13,16 @@ from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Peak, in
 from radcalc.distributions.formula import ACCURACY, OF_AXIAL, Formula
 from radcalc.errors import ConditionError, MissingInput, Unused, mention
 from radcalc.geometry import sky as geometry
-from radcalc.geometry.directions import cartesian, facing, spherical
+from radcalc.geometry.directions import (
+    Vector,
+    cartesian,
+    dot,
+    facing,
+    from_components,
+    spherical,
+    times,
+)
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.geometry.numerics.vectors import Vector, dot, from_components, times
 from radcalc.maths import Number
 
 

@@ -11,9 +11,8 @@ import numpy
 
 from radcalc.distributions.distribution import Distribution, Pose
 from radcalc.errors import ConditionError, option, quote
-from radcalc.geometry import far_field, projected
-from radcalc.geometry.numerics import vectors
-from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus
+from radcalc.geometry import directions, far_field, projected
+from radcalc.geometry.directions import Vector, cross, dot, length, minus
 
 NEAREST = 1e-6  # [m] a point must be farther than this from a source
 BLOCK = 1 << 16  # points at a time
@@ -181,7 +180,7 @@ def unit(normal: Vector) -> Vector:
     """Return a normal scaled to length 1; raise a ConditionError if it is 0 or not finite."""
     if not any(normal) or not math.isfinite(sum(normal)):
         raise ConditionError("a normal needs a finite length above 0", option("normal", "0,0,1"))
-    return vectors.unit(normal)
+    return directions.unit(normal)
 
 
 class Field(NamedTuple):

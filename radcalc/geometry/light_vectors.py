@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy
 
-from radcalc.geometry.numerics.quadrature import gauss
-from radcalc.geometry.numerics.vectors import Vector
+from radcalc.geometry.directions import Vector
+from radcalc.geometry.numerics.integrals import gauss
 from radcalc.geometry.projections import ROUND, density, direction_at, solid_angles_in_circle
 from radcalc.quantities.symbols import (
     ANGULAR,

@@ -8,19 +8,27 @@ relative to the observer, in any one unit of length.  `split` turns a list of ve
 that the other functions take: the first vertex, and all vertices *from that one* (the first of
 these is zero).  These differences keep all digits of a small polygon far away.
 
-The vertices must be in one plane, and the observer must not, which only
-`radcalc.geometry.outline.read` checks.
+The vertices must be in one plane, and the observer must not, which only `read_vertices` checks: it
+refuses typed vertices that are not those of a plane polygon.
+
+The closed forms of triangles, Van Oosterom and Strackee's formula and Lambert's contour formula,
+lose their digits for splinters, where they are small differences of large terms.  Such a triangle
+is cut into strips perpendicular to its longest side.  Lengths along that side and along the strips
+are hyperbolic sines of parameters, which gives every decade of length the same share of points, so
+few strips are enough even for triangles that pass close by the observer and reach far away.  Every
+term is positive, so no digits cancel.  Strips and typed vertices are floats only.
 """
 
+import math
 from collections.abc import Sequence
-from itertools import pairwise
+from functools import reduce
+from itertools import pairwise, product, starmap
 from typing import Any
 
-from radcalc.errors import ConditionError
+from radcalc.errors import ConditionError, call, correct, leave_out
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.numerics.special import arc_excess
-from radcalc.geometry.numerics.strips import over_triangle
-from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, plus, times, vector
+from radcalc.geometry.directions import Vector, cross, dot, length, minus, plus, times, vector
+from radcalc.geometry.numerics.integrals import adaptive, arc_excess, integral
 from radcalc.maths import (
     Number,
     any_true,
@@ -33,6 +41,186 @@ from radcalc.maths import (
     power_of_two,
     smaller,
 )
+
+STRIPS = 120  # intervals of strips, to limit the time; the thinnest splinters need fewer
+# [1] at which to stop.  If an edge passes the observer at 1e-9 of its length, the coordinates do
+# not have enough digits for the first.
+ACCURACY, COARSE_ACCURACY = 1e-13, 1e-8
+FAR = 15.0  # parameter of a strip at which sech^3 has fallen to 1e-19
+
+
+def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = None) -> float:
+    """Integrate the signed solid angle of a plane triangle, or its projected solid angle.
+
+    Parameters
+    ----------
+    a : tuple of 3 floats [m]
+        A vertex, from the observer, in any one unit of length.
+    ab, ac : tuple of 3 floats [m]
+        The other two vertices, from a.
+    normal : tuple of 3 floats [1], optional
+        The receiver's normal, of length 1, for the projected solid angle.  No part of the triangle
+        may be below the receiver's horizon.
+
+    Returns
+    -------
+    float [sr]
+        With the sign of the triple product [a b c]: positive if a, b, c are clockwise for the
+        observer.  0 if the observer is in the triangle's plane.
+
+    Raises
+    ------
+    ConditionError
+        If the integral does not converge, or a float cannot hold a ratio of lengths.
+
+    Notes
+    -----
+    ::
+
+        Omega = integral of  h / r^3 dA,    Omega_p = integral of  h z / r^4 dA
+
+    over the triangle, with h the observer's distance from its plane, r the distance of a point of
+    it and z that point's height over the receiver's horizon.  The integral across a strip is
+    elementary for Omega; Gauss-Legendre rules integrate along the strips, and for Omega_p also
+    across them.
+
+    Examples
+    --------
+    The octant of all directions is 4 pi/8 sr, and pi/4 sr projected on a receiver that faces z:
+
+    >>> import math
+    >>> from radcalc.geometry.polygons import over_triangle
+    >>> octant = (1.0, 0.0, 0.0), (-1.0, 1.0, 0.0), (-1.0, 0.0, 1.0)
+    >>> round(over_triangle(*octant) / (math.pi / 2), 12)
+    1.0
+    >>> round(over_triangle(*octant, normal=(0.0, 0.0, 1.0)) / (math.pi / 4), 12)
+    1.0
+    """
+    plane = cross(ab, ac)
+    double_area = length(plane)
+    height = dot(a, plane) / double_area if double_area else 0.0
+    if height == 0:
+        return 0.0
+    bc = minus(ac, ab)
+    # The base p-q is the longest side, r the apex above it.
+    longest = max(((length(ab), 0), (length(bc), 1), (length(ac), 2)))[1]
+    p, pq, pr = (
+        (a, ab, ac),
+        (plus(a, ab), bc, times(ab, -1.0)),
+        (plus(a, ac), times(ac, -1.0), minus(ab, ac)),
+    )[longest]
+    base = length(pq)
+    along = times(pq, 1 / base)
+    across = times(cross(plane, along), 1 / double_area)
+    start, level = dot(along, p), dot(across, p)
+    foot, top = dot(along, pr), double_area / base
+    left, right = None, None
+    if normal is not None:
+        foot_up, x, y = (
+            dot(normal, plane) / double_area * height,
+            dot(normal, along),
+            dot(normal, across),
+        )
+        low = dot(normal, p)
+        left, right = (foot_up, low, x, y), (foot_up, low + dot(normal, pq), -x, y)
+    h = abs(height)
+    try:
+        halves = (
+            _half(h, start, foot, level, top, left),
+            _half(h, -start - base, base - foot, level, top, right),
+        )
+    except (ArithmeticError, ValueError):  # a ratio that a float cannot hold
+        raise ConditionError(
+            "the shape is too thin or too near for the integral", "lengths that differ less"
+        ) from None
+    return math.copysign(sum(halves), height)
+
+
+Horizon = tuple[float, float, float, float]
+
+
+def _half(
+    h: float, start: float, width: float, level: float, top: float, horizon: Horizon | None
+) -> float:
+    """Integrate the right triangle from one end of the base to the foot of the apex.
+
+    Along the base it starts at `start` from the observer's foot and is `width` wide; the base is
+    at `level` across, the apex `top` above it.  `horizon` has the heights of the observer's foot
+    and of the end of the base above the receiver's plane, and their slopes along and across.
+    """
+    if width <= 0:
+        return 0.0
+    u0 = math.asinh(start / h)
+    # Heights are counted from the foot, or from the end if the whole triangle is near the end.
+    from_end = False
+    if horizon:
+        up, low, x, y = horizon
+        reach = abs(x) * (abs(start) + width) + abs(y) * (abs(level) + top)
+        from_end = abs(low) + abs(x) * width + abs(y) * top < 1e-3 * (abs(up) + reach)
+
+    def strip(du: float) -> float:
+        u = u0 + du
+        q = h * math.cosh(u)
+        run = 2 * h * math.cosh(u0 + du / 2) * math.sinh(du / 2)
+        rise = top * run / width
+        if horizon is None:
+            return _strip(h, q, level, rise) * q
+        height = low + x * run if from_end else up + x * h * math.sinh(u)
+        return _projected_strip(h, q, level, rise, height, y, from_end) * q
+
+    step = _sinh_step(start / h, width / h)
+    try:
+        return adaptive(strip, 0.0, step, ACCURACY, STRIPS)
+    except ConditionError:  # the coordinates have too few digits for the place of the edge
+        return adaptive(strip, 0.0, step, COARSE_ACCURACY, STRIPS)
+
+
+def _sinh_step(x: float, dx: float) -> float:
+    """Return asinh(x + dx) - asinh(x), to full precision also for a small step."""
+    y = x + dx
+    if x * y <= 0:
+        return math.asinh(y) - math.asinh(x)
+    root_x, root_y = math.hypot(1, x), math.hypot(1, y)
+    return math.asinh(dx * (x + y) / (y * root_x + x * root_y))
+
+
+def _strip(h: float, q: float, level: float, rise: float) -> float:
+    """Return the integral of h/r^3 across, from `level` over `rise`, at q from the observer."""
+    end = level + rise
+    r, s = math.hypot(q, level), math.hypot(q, end)
+    if level * end > 0:
+        return h * rise / r / s * ((level + end) / (end * r + level * s))
+    return h / q / q * (end / s - level / r)
+
+
+def _projected_strip(
+    h: float, q: float, level: float, rise: float, up: float, slope: float, from_end: bool
+) -> float:
+    """Return the integral of h z/r^4 across.
+
+    z, which is at least 0, is `up` at the observer's foot, or at `level` if `from_end`, and rises
+    with `slope`.
+    """
+    v0 = math.asinh(level / q)
+    whole = _sinh_step(level / q, rise / q)
+    start, end = 0.0, whole
+    if v0 + whole <= 0:  # all on the far side: the near end dominates
+        start = max(0.0, whole - FAR)
+    elif v0 >= 0:
+        end = min(whole, FAR)
+    else:
+        start, end = max(0.0, -FAR - v0), min(whole, FAR - v0)
+
+    def part(dv: float) -> float:
+        v = v0 + dv
+        y = 2 * math.cosh(v0 + dv / 2) * math.sinh(dv / 2) if from_end else math.sinh(v)
+        return max(0.0, up + slope * q * y) / math.cosh(v) ** 3
+
+    panels = max(1, math.ceil(end - start))
+    step = (end - start) / panels
+    sums = (integral(part, start + k * step, start + (k + 1) * step, 12) for k in range(panels))
+    return h / q / q / q * math.fsum(sums)
+
 
 POOR = 1e-2  # [1] of the terms' sizes: a sum below it has lost too many digits
 
@@ -66,7 +254,7 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
     with [a b c] = a . (b x c).  Exact.  It is solved with atan2, because the denominator is
     negative for triangles of more than pi sr.  The triple product is computed from b - a and c - a.
     For a splinter seen from close by, the denominator is a small difference; it is integrated strip
-    by strip (`radcalc.geometry.numerics.strips`).
+    by strip (`radcalc.geometry.polygons`).
 
     References
     ----------
@@ -412,3 +600,196 @@ def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vecto
     if len(kept) < 3:
         return first, []
     return plus(first, kept[0]), [minus(side, kept[0]) for side in kept]
+
+
+Point = tuple[float, float, float]
+FLAT = 1e-6  # [1] of the polygon's size: largest distance of a vertex from the plane
+NOTED = 1e-12  # [1] of the polygon's size: largest such distance without a note
+MOST = 1000  # vertices; every side is checked against every other one
+
+
+class Outline:
+    """A plane polygon seen from a viewpoint, checked by `read`.
+
+    Parameters
+    ----------
+    vertices : list of tuples of 3 floats
+        Vertices in order, from the observer.  `read` scales them by a power of two, so they serve
+        for solid angles, not for lengths.
+    normal : tuple of 3 floats [1]
+        Normal of the polygon's plane, of length 1, on the side away from the observer.
+    notes : list of str
+        Notes for the user.
+
+    Attributes
+    ----------
+    vertices, normal, notes
+        As given.
+
+    Examples
+    --------
+    >>> square = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
+    >>> outline = read_vertices(square, (0.0, 0.0, 0.0))
+    >>> outline.normal, outline.notes
+    ((0.0, 0.0, 1.0), [])
+    """
+
+    def __init__(self, vertices: list[Point], normal: Point, notes: list[str]) -> None:
+        self.vertices = vertices
+        self.normal = normal
+        self.notes = notes
+
+    def dips_below(self, normal: Point) -> bool:
+        """Return whether a vertex is below the horizon of a receiver.
+
+        Parameters
+        ----------
+        normal : tuple of 3 floats
+            The receiver's normal, of any length.
+
+        Returns
+        -------
+        bool
+            A vertex on the horizon is not below it.
+
+        Examples
+        --------
+        >>> triangle = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0)]
+        >>> outline = read_vertices(triangle, (0.0, 0.0, 0.0))
+        >>> outline.dips_below((1.0, 0.0, 0.0)), outline.dips_below((-1.0, 0.0, 0.0))
+        (False, True)
+        """
+        return any(dot(normal, vertex) < 0 for vertex in self.vertices)
+
+
+def read_vertices(points: Sequence[Point], viewpoint: Point) -> Outline:
+    """Check the vertices of a polygon, and return them relative to a viewpoint.
+
+    Parameters
+    ----------
+    points : sequence of tuples of 3 floats [m]
+        The vertices in order, from 3 to 1000, without the first one again at the end; in any one
+        unit of length.
+    viewpoint : tuple of 3 floats [m]
+        Position of the observer.
+
+    Returns
+    -------
+    Outline
+        Vertices and normal, seen from the viewpoint, with a note if the vertices are off one
+        plane by more than rounding errors.
+
+    Raises
+    ------
+    ConditionError
+        If there are fewer than 3 or more than 1000 vertices, a vertex is given twice, the polygon
+        has no area, a vertex is off the plane by more than 1e-6 of the polygon's size, sides
+        cross or touch, or the viewpoint is in the polygon's plane.
+
+    Notes
+    -----
+    The normal is Newell's: the sum of the vector products of successive vertices.
+
+    References
+    ----------
+    .. [1] F. Tampieri, Newell's Method for Computing the Plane Equation of a Polygon, in D. Kirk
+       (ed.), Graphics Gems III (Academic Press, 1992).
+
+    Examples
+    --------
+    >>> square = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
+    >>> read_vertices(square, (0.0, 0.0, 0.0)).normal
+    (0.0, 0.0, 1.0)
+    >>> read_vertices([square[0], square[2], square[1], square[3]], (0.0, 0.0, 0.0))
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: the polygon's sides cross or touch
+    try: the vertices in order round it
+    """
+    if not 3 <= len(points) <= MOST:
+        raise ConditionError(
+            f"a polygon cannot have {len(points)} vertices", f"from 3 to {MOST}, as X,Y,Z"
+        )
+    for k, point in enumerate(points):
+        if point in points[:k]:
+            raise ConditionError(
+                f"the vertex {_write(point)} is given twice",
+                "each once, and no closing one",
+                [correct(_write(point))],
+            )
+    # Only directions matter, so lengths are scaled so that no square overflows.
+    scale = 1 / power_of_two(max(abs(x) for point in (*points, viewpoint) for x in point) or 1.0)
+    typed, points = points, [times(point, scale) for point in points]
+    viewpoint = times(viewpoint, scale)
+    first = points[0]
+    sides = [minus(point, first) for point in points]
+    size = max(map(length, sides))
+    # Newell's normal, whose length is twice the area
+    area: Point = reduce(plus, starmap(cross, pairwise(sides[1:])), (0.0, 0.0, 0.0))
+    if length(area) <= 1e-12 * size * size:
+        widest = max(map(length, starmap(cross, product(sides, sides))))
+        if widest > 1e-12 * size * size:
+            raise _crossing(typed)  # a bow tie, whose halves are equal
+        raise ConditionError("the polygon has no area", "vertices that are not on one line")
+    unit = times(area, 1 / length(area))
+    off = max(abs(dot(unit, side)) for side in sides)
+    if off > FLAT * size:
+        raise ConditionError(
+            f"the polygon is not flat: its vertices are up to {off / scale:.3g} away from a plane",
+            "its triangles, one by one",
+        )
+    _refuse_crossing(typed, sides, unit)
+    away = minus(first, viewpoint)
+    height = dot(unit, away)
+    if abs(height) <= 1e-12 * max(size, length(away)):
+        raise ConditionError(
+            "the viewpoint is in the polygon's plane",
+            "a viewpoint off that plane",
+            [leave_out("viewpoint")] if any(viewpoint) else (),
+        )
+    notes = []
+    if off > NOTED * size:
+        notes = [f"the vertices are up to {off / scale:.2g} away from a plane"]
+    normal = times(unit, math.copysign(1.0, height))
+    return Outline([plus(away, side) for side in sides], normal, notes)
+
+
+def _refuse_crossing(points: Sequence[Point], sides: Sequence[Point], unit: Point) -> None:
+    """Refuse sides that cross: the two halves of a bow tie would be subtracted."""
+    axis = max(range(3), key=lambda k: abs(unit[k]))
+    flat = [tuple(x for k, x in enumerate(side) if k != axis) for side in sides]
+    count = len(flat)
+
+    def turn(a: int, b: int, c: int) -> float:
+        (ax, ay), (bx, by), (cx, cy) = flat[a % count], flat[b % count], flat[c % count]
+        return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+
+    for j in range(count):
+        for k in range(j + 2, count - (j == 0)):
+            apart = turn(j, j + 1, k) * turn(j, j + 1, k + 1)
+            across = turn(k, k + 1, j) * turn(k, k + 1, j + 1)
+            if apart <= 0 and across <= 0 and (apart or across):
+                raise _crossing(points)
+
+
+def _crossing(points: Sequence[Point]) -> ConditionError:
+    """Return the error for sides that cross; also for a bow tie without vector area.
+
+    The call that it proposes has the vertices in order around their middle.
+    """
+    middle = times(reduce(plus, points), 1 / len(points))
+    sides = [minus(point, middle) for point in points]
+    normal = max((cross(sides[0], side) for side in sides), key=length)
+
+    def angle(k: int) -> float:
+        along = dot(sides[0], sides[k]) * length(normal)
+        return math.atan2(dot(normal, cross(sides[0], sides[k])), along) % math.tau
+
+    ordered = [_write(points[k]) for k in sorted(range(len(points)), key=angle)]
+    problem, hint = "the polygon's sides cross or touch", "the vertices in order round it"
+    return ConditionError(problem, hint, [call("solid-angle", "polygon", *ordered)])
+
+
+def _write(point: Point) -> str:
+    """Return a point as the user would type it."""
+    return ",".join(f"{x:.12g}" for x in point)

@@ -15,8 +15,8 @@ import math
 from collections.abc import Callable
 
 from radcalc.errors import ConditionError, mention
-from radcalc.geometry import cones, lobes, solid
-from radcalc.geometry.numerics.quadrature import adaptive
+from radcalc.geometry import cones, solid
+from radcalc.geometry.numerics.integrals import adaptive
 from radcalc.maths import Number, each
 
 UNEVEN = 0.01  # [1] largest variation of a lobe over a tilted receiver
@@ -182,7 +182,7 @@ def lobe(
     0.75
     """
     _check(radius, distance, off_axis)
-    lobes.solid_angle(exponent)  # checks the exponent
+    cones.lobe(exponent)  # checks the exponent
 
     def of_floats(n: float, size: float, away: float, off: float, turn: float) -> Number:
         if not _lies_across(off, turn):
@@ -193,16 +193,16 @@ def lobe(
                 "the lobe varies by more than 1 % over the tilted receiver",
                 TURNED,
             )
-            return _isotropic(size, away, turn) * math.exp(n * lobes.ln_cos(off))
+            return _isotropic(size, away, turn) * math.exp(n * cones.ln_cos(off))
         height, aside = away * math.cos(off), away * math.sin(off)
         nearest = max(0.0, math.atan2(aside - size, height))
         edge = math.pi / 2
         if n > 0:  # the rest is negligible against the flux on the nearest part of the disc
-            fall = lobes.ln_cos(nearest) + math.log(FAINT) / n
+            fall = cones.ln_cos(nearest) + math.log(FAINT) / n
             edge = 2 * math.asin(math.sqrt(-math.expm1(fall) / 2))
         return _across(
-            lambda gamma: math.exp(n * lobes.ln_cos(gamma)),
-            lambda gamma: lobes.solid_angle(n) * lobes.part(n, gamma),
+            lambda gamma: math.exp(n * cones.ln_cos(gamma)),
+            lambda gamma: cones.lobe(n) * cones.lobe_part(n, gamma),
             edge,
             size,
             height,
@@ -250,7 +250,7 @@ def unevenness(
     0.00901
     """
     _check(radius, distance, off_axis)
-    lobes.solid_angle(exponent)  # checks the exponent
+    cones.lobe(exponent)  # checks the exponent
     return each(_unevenness, exponent, radius, distance, off_axis)
 
 
@@ -260,9 +260,9 @@ def _unevenness(exponent: float, radius: float, distance: float, off_axis: float
     reach = math.asin(radius / distance) if radius < distance else math.pi
     if off_axis + reach >= math.pi / 2:
         return math.inf
-    middle = lobes.ln_cos(off_axis)
-    more = exponent * (lobes.ln_cos(max(0.0, off_axis - reach)) - middle)
-    less = exponent * (lobes.ln_cos(off_axis + reach) - middle)
+    middle = cones.ln_cos(off_axis)
+    more = exponent * (cones.ln_cos(max(0.0, off_axis - reach)) - middle)
+    less = exponent * (cones.ln_cos(off_axis + reach) - middle)
     return max(math.expm1(min(more, 700.0)), -math.expm1(less))
 
 

@@ -14,9 +14,8 @@ from typing import Any, NamedTuple
 
 from radcalc.errors import ConditionError, corrections, mention, nearest, quote
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.directions import NO_NORMAL
-from radcalc.geometry.numerics.quadrature import gauss
-from radcalc.geometry.numerics.vectors import Vector, dot, unit
+from radcalc.geometry.directions import NO_NORMAL, Vector, dot, unit
+from radcalc.geometry.numerics.integrals import gauss
 from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt, square
 
 CIE = "CIE S 011:2003 (ISO 15469:2004)"

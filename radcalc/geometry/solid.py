@@ -4,8 +4,8 @@ The area that a shape covers on the unit sphere round the observer (CIE e-ILV 17
 intensity times a solid angle is a flux; a radiance times the *projected* solid angle of
 `radcalc.geometry.projected` is an irradiance.
 
-Other shapes are in `cones`, `spheres` and `polygons`.  The functions whose names start with `check`
-refuse arguments out of range.
+Other shapes are in `cones` and `polygons`.  A sphere fills the cone that touches it.  The
+functions whose names start with `check` refuse arguments out of range.
 
 Angles are in radians, solid angles in steradians, the lengths of one call in any one unit.
 Arguments are floats or NumPy arrays, broadcast together; the result has their shape.  NaN gives
@@ -19,15 +19,27 @@ with 80 digits.
 import math
 from typing import Any
 
-from radcalc.geometry.cones import HEMISPHERE, bounded, check_tilt, cone_of, facing, refuse
-from radcalc.geometry.numerics.special import cel
+from radcalc.errors import ConditionError, Try, add
+from radcalc.geometry.cones import (
+    FULL,
+    HEMISPHERE,
+    bounded,
+    check_tilt,
+    cone,
+    cone_of,
+    facing,
+    refuse,
+)
+from radcalc.geometry.numerics.integrals import cel
 from radcalc.maths import (
     SLACK,
     Number,
+    any_true,
     asin,
     atan2,
     cos,
     hypot,
+    is_array,
     larger,
     piecewise,
     power_of_two,
@@ -529,3 +541,184 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
     check_tilt(tilt)
     return area / square(distance) * facing(tilt)
+
+
+@bounded
+def angular_radius(radius: Number, distance: Number) -> Number:
+    """Return the angular radius of a sphere: the half angle of the cone that touches it.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere, 0 or more.
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere, above `radius`.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        From 0 to below pi/2.
+
+    Raises
+    ------
+    ConditionError : argument out of range
+
+    Notes
+    -----
+    ::
+
+        sin(alpha) = R / D,  computed as  alpha = atan2(R, sqrt((D - R)(D + R)))
+
+    Exact.  (A flat disc of the same radius and distance has tan(alpha) = R/D.)  The arctangent with
+    D - R keeps the digits close to the surface.
+
+    Examples
+    --------
+    >>> import math
+    >>> round(math.degrees(angular_radius(1.0, 2.0)), 12)
+    30.0
+    """
+    refuse((radius < 0), "the radius is out of range", "0 or more")
+    if any_true(distance <= radius):
+        raise ConditionError(
+            "the observer is on or inside the sphere",
+            "a distance to the centre greater than the radius; from its surface, the sphere fills "
+            "2 pi sr",
+            _from_surface(radius, distance),
+        )
+    # R / sqrt(D^2 - R^2), which keeps its digits up to the surface
+    return atan2(radius, sqrt(distance - radius) * sqrt(distance + radius))
+
+
+def _from_surface(radius: Number, distance: Number) -> list[Try]:
+    """Propose the distance to the centre, if the given one was measured from the surface."""
+    if is_array(radius) or is_array(distance):
+        return []
+    remark = f"if {distance:g} m is the distance from the surface"
+    return [add("distance", f"{radius + distance:.6g}m", remark)]
+
+
+def sphere(radius: Number, distance: Number) -> Number:
+    """Return the solid angle of a sphere seen from outside.
+
+    Parameters
+    ----------
+    radius, distance : float or ndarray [m]
+        As in `angular_radius`.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to below 2 pi.
+
+    Raises
+    ------
+    ConditionError : argument out of range
+
+    Notes
+    -----
+    ::
+
+        Omega = 2 pi (1 - sqrt(1 - (R/D)^2)) = 4 pi sin^2(alpha/2),  sin(alpha) = R/D
+
+    Exact; the second form is computed, by `angular_radius` and `cone`, because the first loses the
+    digits of small and distant spheres.
+
+    Examples
+    --------
+    The sun at its mean distance (radius 695 700 km, 1 au):
+
+    >>> f"{sphere(695_700e3, 149_597_870_700.0):.3e}"
+    '6.794e-05'
+    """
+    return cone(angular_radius(radius, distance))
+
+
+def _sine(solid_angle: Number) -> Number:
+    """Return the sine of the half angle of a sphere's cone, from its solid angle.
+
+    With p = Omega/(4 pi) = sin^2(alpha/2), sin(alpha) = 2 sqrt(p (1 - p)).
+    """
+    part = solid_angle / FULL
+    refuse(
+        (part <= 0) | (part >= 0.5),
+        "the solid angle is out of range for a sphere seen from outside",
+        "more than 0 and less than 2pi sr",
+    )
+    return 2 * sqrt(part) * sqrt(1 - part)
+
+
+@bounded
+def sphere_distance(radius: Number, solid_angle: Number) -> Number:
+    """Return the distance of the centre of a sphere that fills a given solid angle.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere, in any unit of length.
+    solid_angle : float or ndarray [sr]
+        Solid angle Omega of the sphere, above 0 and below 2 pi.
+
+    Returns
+    -------
+    float or ndarray [m]
+        Distance from the observer to the *centre*, in the unit of `radius`.
+
+    Raises
+    ------
+    ConditionError : argument out of range
+
+    Notes
+    -----
+    ::
+
+        D = R / sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
+
+    Exact.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import cones
+    >>> round(sphere_distance(1.0, cones.cone(math.radians(30))), 12)
+    2.0
+    """
+    return radius / _sine(solid_angle)
+
+
+@bounded
+def sphere_radius(distance: Number, solid_angle: Number) -> Number:
+    """Return the radius of a sphere that fills a given solid angle at a given distance.
+
+    Parameters
+    ----------
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere, in any unit of length.
+    solid_angle : float or ndarray [sr]
+        As in `distance_of`.
+
+    Returns
+    -------
+    float or ndarray [m]
+        Radius, in the unit of `distance`.
+
+    Raises
+    ------
+    ConditionError : argument out of range
+
+    Notes
+    -----
+    ::
+
+        R = D sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
+
+    Exact.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import cones
+    >>> round(sphere_radius(2.0, cones.cone(math.radians(30))), 12)
+    1.0
+    """
+    return distance * _sine(solid_angle)

@@ -20,7 +20,7 @@ References
    1998.
 """
 
-from radcalc.geometry import lobes
+from radcalc.geometry import cones
 from radcalc.geometry.cones import refuse
 from radcalc.maths import Number, atan2, exp, expm1, hypot, larger, log, piecewise, power, smaller
 
@@ -294,7 +294,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
     refuse(exponent < 0, "the beam exponent is out of range", "0 or more")
     return piecewise(
         z > 0,
-        lambda z, off, n: exp(n * lobes.ln_cos(atan2(off, z))),
+        lambda z, off, n: exp(n * cones.ln_cos(atan2(off, z))),
         lambda z, off, n: 0.0 * (abs(z) + off + n),
         z,
         hypot(x, y),

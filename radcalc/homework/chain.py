@@ -27,10 +27,9 @@ from radcalc.derivation import (
 )
 from radcalc.errors import RadcalcError
 from radcalc.inputs.given import Inputs
-from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
+from radcalc.laws.common import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE
 from radcalc.laws.law import AnyLaw, Law, Several, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
-from radcalc.laws.sizes import CIRCLE, DIAMETER
 from radcalc.laws.solver import Derivation, Known, solve, step_of
 from radcalc.laws.surface import disc_on_axis
 from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT, read, symbol_of
@@ -255,7 +254,7 @@ def between_kinds(
 
     powers: Powers = []
     if "wavelength" in given:
-        from radcalc.laws import photon
+        from radcalc.laws import optics
         from radcalc.spectra.observers import luminous_efficacy
 
         light = spectral.light(given["wavelength"], given.get("observer"))
@@ -268,7 +267,7 @@ def between_kinds(
         if PHOTON in (start, end):
             values["wavelength"] = float(light.vacuum)
             values["photon-energy"] = float(light.photon_energy)
-            steps.append((photon.ENERGY, "photon-energy"))
+            steps.append((optics.PHOTON_ENERGY, "photon-energy"))
             powers.append(("photon-energy", 1.0 if start == PHOTON else -1.0))
         return powers
     for name, over, under in EFFICACIES:

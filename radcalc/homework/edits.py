@@ -9,8 +9,8 @@ from radcalc.derivation import fill, letter_of
 from radcalc.homework.chain import Worked
 from radcalc.homework.question import BOTH, PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.homework.wording import Translatable
-from radcalc.laws.black_body import PEAK
 from radcalc.laws.law import AnyLaw, At, Law
+from radcalc.laws.optics import PEAK
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.dimensions import FREQUENCY
 from radcalc.units.table import resolve

@@ -19,15 +19,11 @@ SLOPES = "each uncertainty is multiplied by a slope: the relative one of 1/d^2 i
 
 
 def of_result(question: Question, target: Value, unit: Unit) -> Any:
-    """Return a result with its uncertainty (as `uncertainties` has it), or 0 without one.
-
-    A number that jumps has a range instead.
-    """
+    """Return a result with its uncertainty (as `uncertainties` has it), or 0 without one."""
     if question.uncertain is None:
         return 0.0
     values = zip(question.answer.values, question.uncertain.values, strict=True)
-    number = next(in_unit(other, unit) for value, other in values if value is target)
-    return 0.0 if math.isnan(getattr(number, "std_dev", 0.0)) else number
+    return next(in_unit(other, unit) for value, other in values if value is target)
 
 
 def tolerance(off: float, unit: str) -> Tolerance:

@@ -24,7 +24,7 @@ from radcalc.units.numbers import rounding
 from radcalc.units.unit import NUMBER, Dimension, Unit
 
 if TYPE_CHECKING:
-    from radcalc.units.parts import Part
+    from radcalc.units.slopes import Part
 
 
 class DigitsMatter(Exception):

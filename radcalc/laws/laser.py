@@ -12,7 +12,7 @@ import operator
 from typing import Any
 
 from radcalc.geometry import cones
-from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.laws.common import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, law, relation
 from radcalc.maths import expm1, hypot, larger, log1p, smaller, sqrt, square
 from radcalc.quantities.symbols import GAUSSIAN, UNIFORM

@@ -256,7 +256,7 @@ class Relation(NamedTuple):
 
     Examples
     --------
-    >>> from radcalc.laws.cones import CONE
+    >>> from radcalc.laws.common import CONE
     >>> CONE.targets
     ('solid-angle', 'half-angle')
     """
@@ -295,7 +295,7 @@ class Relation(NamedTuple):
 
         Examples
         --------
-        >>> from radcalc.laws.cones import CONE
+        >>> from radcalc.laws.common import CONE
         >>> round(CONE.solve("half-angle", {"solid-angle": 1.0}.get), 6)
         0.571954
         """

@@ -10,9 +10,9 @@ Functions make the laws of one distribution.
 import math
 from typing import TYPE_CHECKING, Any
 
-from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.laws.common import COSINE, ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
-from radcalc.laws.point import COSINE, STRAIGHT, WITHIN
+from radcalc.laws.point import STRAIGHT, WITHIN
 from radcalc.maths import atan2, cos, each, is_array, sin, sqrt, tan
 
 if TYPE_CHECKING:

@@ -19,13 +19,11 @@ from typing import Any
 
 from radcalc.derivation import format_number
 from radcalc.errors import add, leave_out, option
-from radcalc.geometry import cones, lobes
-from radcalc.laws.cones import APEX, CONE
-from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.geometry import cones
+from radcalc.laws.common import APEX, CONE, COSINE, ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
 from radcalc.maths import (
     SLACK,
-    acos,
     atan,
     atan2,
     exp,
@@ -60,7 +58,7 @@ LOBE = relation(
     "flux of a lobe divided by its peak intensity",
     "{solid-angle} = 2 pi Omega0 / ({exponent} + 1)",
     {
-        "solid-angle": lambda at: lobes.solid_angle(at("exponent")),
+        "solid-angle": lambda at: cones.lobe(at("exponent")),
         "exponent": lambda at: _exponent_of(at("solid-angle")),
     },
 )
@@ -68,16 +66,16 @@ BEAM_ANGLE = relation(
     "beam angle of a lobe",
     "{exponent} = ln(1/2) / ln cos({beam-angle}/2)",
     {
-        "exponent": lambda at: lobes.exponent(at("beam-angle"), 0.5),
-        "beam-angle": lambda at: lobes.angle(at("exponent"), 0.5),
+        "exponent": lambda at: cones.lobe_exponent(at("beam-angle"), 0.5),
+        "beam-angle": lambda at: cones.lobe_angle(at("exponent"), 0.5),
     },
 )
 FIELD_ANGLE = relation(
     "field angle of a lobe",
     "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
     {
-        "exponent": lambda at: lobes.exponent(at("field-angle"), 0.1),
-        "field-angle": lambda at: lobes.angle(at("exponent"), 0.1),
+        "exponent": lambda at: cones.lobe_exponent(at("field-angle"), 0.1),
+        "field-angle": lambda at: cones.lobe_angle(at("exponent"), 0.1),
     },
 )
 
@@ -178,12 +176,12 @@ LAWS: dict[str, list[AnyLaw]] = {
         relation(
             "part of a lobe's flux within an angle",
             "{part} = 1 - cos({within})^({exponent} + 1)",
-            {"part": lambda at: lobes.part(at("exponent"), at("within"))},
+            {"part": lambda at: cones.lobe_part(at("exponent"), at("within"))},
         ),
         relation(
             "part of a lobe's flux in its beam",
             "{beam-part} = 1 - cos({beam-angle}/2)^({exponent} + 1)",
-            {"beam-part": lambda at: lobes.part(at("exponent"), at("beam-angle") / 2)},
+            {"beam-part": lambda at: cones.lobe_part(at("exponent"), at("beam-angle") / 2)},
         ),
         law("flux in the beam", "{beam-flux} = {flux} {beam-part}"),
     ],
@@ -208,14 +206,6 @@ OFF_AXIS = law(
     "{irradiance} = {intensity} {relative-intensity} {cosine} Omega0 / {distance}^2",
     "ISO 80000-7, intensity and irradiance",
 )
-COSINE = relation(
-    "cosine of the incidence",
-    "{cosine} = cos({incidence})",
-    {
-        "cosine": lambda at: cones.facing(at("incidence")),
-        "incidence": lambda at: _incidence_of(at("cosine")),
-    },
-)
 STRAIGHT = relation(
     "straight line to the source",
     "{distance}^2 = {height}^2 + {lateral}^2",
@@ -234,16 +224,6 @@ ANY_LAWS: list[AnyLaw] = [
     ENERGY,
     law("flux on a receiver", "{received-flux} = {intensity} {received-solid-angle}"),
 ]
-
-
-def _incidence_of(cosine: Any) -> Any:
-    cones.refuse(
-        cosine > 1 + 1e-9,
-        f"more light than that intensity sends to that distance (the cosine of the incidence "
-        f"would be {format_number(cosine)})",
-        "another irradiance, intensity or distance",
-    )
-    return acos(piecewise(cosine > 1, lambda c: 1.0 + 0 * c, lambda c: c, cosine))
 
 
 def _height_or_offset(distance: Any, other: Any, name: str) -> Any:
@@ -273,7 +253,7 @@ FALL = relation(
     "fall of a lobe",
     "{relative-intensity} = cos({off-axis})^{exponent}",
     {
-        "relative-intensity": lambda at: exp(at("exponent") * lobes.ln_cos(at("off-axis"))),
+        "relative-intensity": lambda at: exp(at("exponent") * cones.ln_cos(at("off-axis"))),
         "exponent": lambda at: _exponent_at(at("relative-intensity"), at("off-axis")),
     },
 )
@@ -390,7 +370,7 @@ FALL_BELOW = relation(
 def _exponents_of(at: At) -> Any:
     """Return the one or two exponents that give (n + 1) cos(gamma)^n the value of the inputs."""
     part = 2 * math.pi * at("irradiance") * square(at("distance")) / at("flux") / at("cosine")
-    fall = -lobes.ln_cos(at("off-axis"))
+    fall = -cones.ln_cos(at("off-axis"))
     refuse_arrays("exponents", part, fall)
     if fall == 0:
         return _exponent_of(2 * math.pi / part)
@@ -419,7 +399,7 @@ def _exponent_at(share: Any, off_axis: Any) -> Any:
         "no lobe has that irradiance there: it is 0, or more than the peak would give",
         "another intensity or irradiance",
     )
-    return abs(log(share) / lobes.ln_cos(off_axis))
+    return abs(log(share) / cones.ln_cos(off_axis))
 
 
 def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:

@@ -9,14 +9,11 @@ import math
 from typing import Any
 
 from radcalc.geometry import cones, projected
-from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.laws.common import CONFIGURATION_FACTOR, ENERGY, EXPOSURE
 from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, refuse_arrays, relation
 from radcalc.maths import SLACK, each, limit, piecewise, sqrt, square
 from radcalc.units.numbers import EXACT
 
-CONFIGURATION_FACTOR = law(
-    "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
-)
 LAMBERTIAN = law(
     "Lambertian exitance",
     "{exitance} = pi Omega0 {radiance}",

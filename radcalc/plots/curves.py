@@ -28,7 +28,6 @@ SMOOTH = 16  # least number of points to draw as a line
 WIDE = 50.0  # ratio of greatest to least above which an axis may be logarithmic
 PREFERRED = ("irradiance", "radiance-toward", "intensity-toward", "luminous-efficacy")
 RANGE = "a list or a range of values: {distance=1m:10m:0.1m}"
-JUMPS = "a result that jumps has its range"
 
 
 class Line(NamedTuple):
@@ -115,11 +114,11 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     fixed = [item for name, item in solved[0].given.items() if name not in (*other_lists, along)]
     title = ", ".join(f"{item.name} {item.text}".strip() for item in fixed)
     drawn = [line.series(label) for label, line in lines.items()]
-    note = _coverage(drawn, rows, [answered.given[along] for answered in solved])
+    note = _coverage(drawn, [answered.given[along] for answered in solved])
     return Chart(title, x_axis, y_axis, drawn, note=note)
 
 
-def _coverage(drawn: Sequence[Series], rows: Sequence[Row], places: Sequence[Input]) -> str:
+def _coverage(drawn: Sequence[Series], places: Sequence[Input]) -> str:
     """Return the meaning of the bands; "" without any."""
     styles = {series.style for series in drawn if series.band}
     if not styles:
@@ -129,12 +128,10 @@ def _coverage(drawn: Sequence[Series], rows: Sequence[Row], places: Sequence[Inp
     kind = " and ".join(
         name for style, name in ((LINE, "band"), (POINTS, "bar")) if style in styles
     )
-    texts = [f"{kind}: \u00b1 {STANDARD}"]
+    text = f"{kind}: \u00b1 {STANDARD}"
     if any(place.is_uncertain for place in places):
-        texts[0] += f", with that of the {places[0].symbol.label}"
-    if any(row.ends for row in rows):
-        texts.append(JUMPS)
-    return "; ".join(texts)
+        text += f", with that of the {places[0].symbol.label}"
+    return text
 
 
 def _check_arrays(given: Inputs) -> None:
@@ -162,7 +159,7 @@ def _lines(
                 label = ", ".join([*([row.quantity] if len(wanted) > 1 else []), *case])
                 line = lines.setdefault(label, Line([], [], [], []))
                 numbers = _numbers(row.value, len(places))
-                ends = row.ends or (row.value - row.uncertainty, row.value + row.uncertainty)
+                ends = row.value - row.uncertainty, row.value + row.uncertainty
                 for part, more in zip(line, (places, numbers, *ends), strict=True):
                     part += more if isinstance(more, list) else _numbers(more, len(places))
     return lines, rows

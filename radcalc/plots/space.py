@@ -19,9 +19,17 @@ from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.radiances import Radiances, Sky
 from radcalc.distributions.scene import Axis as Coordinates
 from radcalc.errors import UsageError, option
-from radcalc.geometry.directions import UP, cartesian, facing, spherical
+from radcalc.geometry.directions import (
+    UP,
+    Vector,
+    cartesian,
+    cross,
+    dot,
+    facing,
+    from_components,
+    spherical,
+)
 from radcalc.geometry.numerics.expression import Expression
-from radcalc.geometry.numerics.vectors import Vector, cross, dot, from_components
 from radcalc.geometry.sky import sky_type
 from radcalc.inputs.places import AS_GRID
 from radcalc.maths import is_uncertain

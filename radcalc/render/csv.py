@@ -94,15 +94,12 @@ def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _of_row(row: Row, style: Style) -> dict[str, str]:
-    """Return a value and its uncertainty, or the ends of its range, by their column titles."""
-    numbers = {"": row.value}
-    if row.ends:
-        numbers |= {"-low": row.ends[0], "-high": row.ends[1]}
+    """Return a value and its uncertainty by their column titles."""
     if row.uncertainty:
         value, off = rounded(row.value, row.uncertainty, style.precision)
         cells = {"": repr(float(value)), "-uncertainty": repr(off)}
     else:
-        cells = {suffix: _cell(x, style) for suffix, x in numbers.items()}
+        cells = {"": _cell(row.value, style)}
     return {f"{row.name}{suffix}:{row.unit}": cell for suffix, cell in cells.items()}
 
 

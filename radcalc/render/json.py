@@ -13,7 +13,6 @@ from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import number, rounded
 
 REMARKS_ARE_APART = False
-ENDS = ("low", "high")
 
 
 def results(results: Sequence[Result], style: Style) -> str:
@@ -93,8 +92,6 @@ def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
     results: dict[str, Any] = {}
     for row in rows:
         amount = _amount(*rounded(row.value, row.uncertainty, style.precision), row.unit)
-        if row.ends:
-            amount |= {end: _rounded(x, style) for end, x in zip(ENDS, row.ends, strict=True)}
         first = results.get(row.name)
         if first is None:
             description = {"quantity": row.quantity, "symbol": row.symbol, "given": row.given}

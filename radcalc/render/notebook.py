@@ -80,7 +80,7 @@ def _given(row: Row) -> str:
 def _value(row: Row) -> str:
     if is_column(row.value):
         return _number(row.value)
-    return uncertain(float(row.value), row.uncertainty, None, TABLE_DIGITS, row.ends)
+    return uncertain(float(row.value), row.uncertainty, None, TABLE_DIGITS)
 
 
 def _number(values: Any) -> str:

@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from typing import Any, NoReturn
 
-    from radcalc.answer import Ends, Result, Row, Step
+    from radcalc.answer import Result, Row, Step
     from radcalc.render.formats import Judgement, Records, Style
 
 DIGITS, TABLE_DIGITS, RATIO_DIGITS = 12, 6, 4
@@ -21,23 +21,12 @@ def number(value: float, precision: int | None = None) -> str:
     return f"{value:.{precision or DIGITS}g}"
 
 
-def uncertain(
-    value: float,
-    off: float,
-    precision: int | None = None,
-    digits: int = DIGITS,
-    ends: "Ends | None" = None,
-) -> str:
-    """Format a number with any standard uncertainty, 9.29 ± 0.28, or range, 16 (15 to 17).
+def uncertain(value: float, off: float, precision: int | None = None, digits: int = DIGITS) -> str:
+    """Format a number with any standard uncertainty: 9.29 ± 0.28.
 
     The uncertainty has two significant digits and the number has as many decimal places, with any
     precision.
     """
-    if ends:
-        from radcalc.derivation import digits_apart
-
-        low, high = (number(end, precision or digits_apart(*ends)) for end in ends)
-        return f"{number(value, precision or digits)} ({low} to {high})"
     if not off:
         return number(value, precision or digits)
     tens = int(f"{off:.1e}".partition("e")[2]) - 1  # of the last digit
@@ -60,9 +49,8 @@ def omitted(rows: "Sequence[Row]") -> tuple[str, ...]:
     names = {row.name for row in rows}
     notes = []
     for row in rows:
-        needed = f"{row.name}-uncertainty" if row.uncertainty else f"{row.name}-low"
-        if (row.uncertainty or row.ends) and needed not in names:
-            size = uncertain(row.value, row.uncertainty, ends=row.ends)
+        if row.uncertainty and f"{row.name}-uncertainty" not in names:
+            size = uncertain(row.value, row.uncertainty)
             text = f"{row.quantity or 'the result'}: {size}{unit_behind(row.unit)}"
             notes.append(f"{text}; only the number is printed")
     return tuple(notes)
@@ -84,11 +72,9 @@ def line(
     precision: int | None = None,
     bare: bool = False,
     off: float = 0.0,
-    ends: "Ends | None" = None,
 ) -> str:
     """Return VALUE, a tab and UNIT, or the bare number."""
-    has_more = (off or ends) and not bare
-    text = uncertain(value, off, precision, ends=ends) if has_more else number(value, precision)
+    text = number(value, precision) if bare else uncertain(value, off, precision)
     return f"{text}\n" if bare else f"{text}\t{unit}\n"
 
 
@@ -105,7 +91,7 @@ def results(results: "Sequence[Result]", style: "Style") -> str:
         ]
         lines += [
             (f"{row.name}\t" if is_named else "")
-            + line(row.value, row.unit, style.precision, style.bare, row.uncertainty, row.ends)
+            + line(row.value, row.unit, style.precision, style.bare, row.uncertainty)
             for row in result.rows
         ]
     return "".join(lines)

@@ -84,5 +84,4 @@ def _in_unit(row: Row, unit: str) -> Row:
     source, target = resolve(row.unit), resolve(unit)
     uncertainty = row.uncertainty * exact_ratio(source, target)
     made = plan(source, target)
-    ends = row.ends and (made.apply(row.ends[0]), made.apply(row.ends[1]))
-    return row._replace(value=made.apply(row.value), unit=unit, uncertainty=uncertainty, ends=ends)
+    return row._replace(value=made.apply(row.value), unit=unit, uncertainty=uncertainty)

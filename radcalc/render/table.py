@@ -228,10 +228,9 @@ def _wide(
 def _number(row: Row, precision: int | None) -> str:
     """Return the number of a row with its uncertainty; a short exposure time as 1/60."""
     is_fraction = row.form == FRACTION and row.unit == "s"
-    is_exact = not row.uncertainty and not row.ends
-    if is_fraction and 0 < row.value < LONGEST_FRACTION and is_exact:
+    if is_fraction and 0 < row.value < LONGEST_FRACTION and not row.uncertainty:
         return f"1/{number(1 / row.value, precision or TABLE_DIGITS)}"
-    return uncertain(row.value, row.uncertainty, precision, TABLE_DIGITS, row.ends)
+    return uncertain(row.value, row.uncertainty, precision, TABLE_DIGITS)
 
 
 class Drawn(NamedTuple):

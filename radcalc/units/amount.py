@@ -6,7 +6,7 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from typing import Any
 
-    from radcalc.units.parts import Part
+    from radcalc.units.slopes import Part
 
 
 class Amount:

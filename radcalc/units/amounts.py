@@ -10,7 +10,7 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from radcalc.units.parts import Part
+    from radcalc.units.slopes import Part
 
 NOT_UNITS = "^*+±×'.,0123456789"  # characters that a unit cannot begin with
 BEFORE_NUMBERS = tuple(" */(+×·")  # characters before a number in an expression

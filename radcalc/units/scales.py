@@ -147,7 +147,7 @@ def amount_on(
     assumptions = (scale.assumption,)
     if not uncertainty:
         return Amount(text, quantity, scale.unit, 0.0, assumptions, scale, reading)
-    from radcalc.units.parts import Part, check_uncertainty
+    from radcalc.units.slopes import Part, check_uncertainty
 
     def at(times: float) -> float | None:
         try:

@@ -34,9 +34,8 @@ from radcalc.units.numbers import (
     split_quantity,
     typed_digits,
 )
-from radcalc.units.parts import Part, check_uncertainty
 from radcalc.units.scales import resolve_any, scale_of
-from radcalc.units.slopes import slopes
+from radcalc.units.slopes import Part, check_uncertainty, slopes
 from radcalc.units.unit import NUMBER, Dimension, Unit
 
 SIGN = "±"

@@ -8,9 +8,17 @@ from itertools import permutations, product
 
 import pytest
 
-from radcalc.conversion import ways
+from radcalc.conversion import geometric
 from radcalc.conversion.conditions import AREA, CONE, DISTANCE, REFLECTANCE
-from radcalc.conversion.ways import DISC, FLUX, INTENSITY, IRRADIANCE, RADIANCE, WAYS, ways_between
+from radcalc.conversion.geometric import (
+    DISC,
+    FLUX,
+    INTENSITY,
+    IRRADIANCE,
+    RADIANCE,
+    WAYS,
+    ways_between,
+)
 
 Geometry = tuple[int, int]
 GEOMETRIES = (FLUX, INTENSITY, IRRADIANCE, RADIANCE)
@@ -74,13 +82,13 @@ def test_a_cone_is_projected_with_a_radiance_that_is_not_reflected(pair):
     for row in WAYS[pair]:
         slots = set(row.powers)
         projected = RADIANCE in pair and REFLECTANCE not in slots
-        cone = ways._projected_cone if projected else ways._cone
+        cone = geometric._projected_cone if projected else geometric._cone
         assert CONE not in slots or row.supply[CONE] is cone
         if {AREA, DISTANCE} <= slots:
-            area = ways._far_area if RADIANCE in pair else ways._aperture
+            area = geometric._far_area if RADIANCE in pair else geometric._aperture
         else:
             seen = pair == (INTENSITY, RADIANCE) and slots == {AREA}
-            area = ways._front_area if seen else ways._area
+            area = geometric._front_area if seen else geometric._area
         assert AREA not in slots or row.supply[AREA] is area
 
 

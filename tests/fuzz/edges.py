@@ -14,7 +14,7 @@ from contextlib import contextmanager
 import numpy as np
 
 from radcalc.errors import RadcalcError
-from radcalc.geometry import directions, outline, polygons, projected, projections
+from radcalc.geometry import directions, polygons, projected, projections
 from radcalc.quantities.symbols import PROJECTIONS
 
 SHORT, LONG = 6, 2_000  # calls of each function
@@ -99,7 +99,7 @@ def sweep(count: int, seed: int) -> str:
         answers += held(polygons.polygon, points, clean=True)
         answers += held(polygons.triangle, *points, clean=True)
         answers += held(projected.polygon, points, toward, clean=True)
-        answers += held(outline.read, points, toward, clean=False)
+        answers += held(polygons.read, points, toward, clean=False)
         answers += held(directions.facing, toward, clean=True)
         answers += held(directions.reflected, points[0], toward, clean=True)
         answers += held(directions.mirror_normal, points[0], toward, clean=True)

@@ -6,7 +6,7 @@ import pytest
 from geometry.references import close, excess, lambert
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import outline, projected
+from radcalc.geometry import polygons, projected
 from radcalc.geometry.polygons import polygon
 
 SQUARE = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
@@ -33,14 +33,14 @@ HERE = (0.0, 0.0, 0.0)
 )  # fmt: skip
 def test_invalid_polygons_are_refused(vertices, viewpoint, message):
     with pytest.raises(ConditionError, match=message) as caught:
-        outline.read(vertices, viewpoint)
+        polygons.read_vertices(vertices, viewpoint)
     assert caught.value.hint
 
 
 def test_a_polygon_with_a_notch_is_the_sum_of_its_triangles():
     notched = [(-2.0, -2.0, 0.0), (2.0, -2.0, 0.0), (0.0, -1.0, 0.0), (2.0, 2.0, 0.0)]
     viewpoint = (0.3, 0.2, -1.5)
-    found = outline.read(notched, viewpoint)
+    found = polygons.read_vertices(notched, viewpoint)
     moved = [tuple(x - v for x, v in zip(p, viewpoint, strict=True)) for p in notched]
     # the notch is at the third vertex: two triangles that share the diagonal from it
     want = sum(excess([moved[2], *pair]) for pair in ((moved[0], moved[1]), (moved[0], moved[3])))
@@ -49,7 +49,7 @@ def test_a_polygon_with_a_notch_is_the_sum_of_its_triangles():
     assert not found.dips_below((0.0, 0.0, 1.0))
     assert found.dips_below((0.0, 0.0, -1.0))
     assert found.normal == pytest.approx((0.0, 0.0, 1.0), abs=1e-15)
-    away = outline.read(notched, (0.3, 0.2, 1.5))
+    away = polygons.read_vertices(notched, (0.3, 0.2, 1.5))
     assert away.normal == pytest.approx((0.0, 0.0, -1.0), abs=1e-15)
     # a receiver that faces the plane sees the whole polygon
     close(projected.polygon(found.vertices, found.normal), abs(lambert(moved, (0, 0, 1))))
@@ -57,7 +57,7 @@ def test_a_polygon_with_a_notch_is_the_sum_of_its_triangles():
 
 def test_a_polygon_of_a_thousand_vertices():
     ring = [(math.cos(k * math.pi / 500), math.sin(k * math.pi / 500), 1.0) for k in range(1000)]
-    found = outline.read(ring, HERE)
+    found = polygons.read_vertices(ring, HERE)
     # a regular pyramid's apex: 2 pi - 2 n arctan(tan(pi/n) / sqrt(1 + r^2/h^2))
     want = 2 * math.pi - 2000 * math.atan(math.tan(math.pi / 1000) / math.sqrt(2))
     assert polygon(found.vertices) == pytest.approx(want, rel=1e-12)

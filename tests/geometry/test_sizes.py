@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.geometry import cones, projected, solid, spheres
+from radcalc.geometry import cones, projected, solid
 
 angles = st.floats(1e-6, 1.5)
 tilts = st.floats(-math.pi, math.pi)
@@ -17,7 +17,7 @@ PAIRS = {
         solid.zone(a, a + abs(t) / 4),
         projected.zone(a, a + abs(t) / 4),
     ),
-    "sphere": lambda a, t, x, y, z: (spheres.solid_angle(x, x + y), projected.sphere(x, x + y, t)),
+    "sphere": lambda a, t, x, y, z: (solid.sphere(x, x + y), projected.sphere(x, x + y, t)),
     "disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z, t)),
     "facing disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z)),
     "rectangle": lambda a, t, x, y, z: (
@@ -41,7 +41,7 @@ def test_larger_shapes_fill_larger_solid_angles(a, t, x, y, z, factor):
     for one, two in (
         (cones.cone(bigger), cones.cone(a)),
         (projected.cone(bigger, t), projected.cone(a, t)),
-        (spheres.solid_angle(x * factor, 3 * x + y), spheres.solid_angle(x, 3 * x + y * factor)),
+        (solid.sphere(x * factor, 3 * x + y), solid.sphere(x, 3 * x + y * factor)),
         (solid.disc(x * factor, y, z), solid.disc(x, y, z)),
         (projected.disc(x * factor, y, z), projected.disc(x, y, z)),
         (solid.rectangle(x * factor, y, z, t, a), solid.rectangle(x, y, z, t, a)),

@@ -21,7 +21,7 @@ from geometry.references import (
 from helpers import for_each
 from mpmath import mpf
 
-from radcalc.geometry import cones, projected, solid, spheres
+from radcalc.geometry import cones, projected, solid
 
 # --- Closed forms.
 
@@ -69,10 +69,10 @@ SPHERES = [(1.0, 1 + 2.0**-k) for k in (52, 51, 40, 30, 20, 3)] + [
 
 @pytest.mark.parametrize(("radius", "distance"), SPHERES)
 def test_a_sphere_is_the_cone_that_touches_it(radius, distance):
-    close(spheres.solid_angle(radius, distance), sphere_mp(radius, distance))
+    close(solid.sphere(radius, distance), sphere_mp(radius, distance))
     with mpmath.workdps(DIGITS):
         want = mpmath.pi * (mpf(radius) / mpf(distance)) ** 2
-        close(spheres.angular_radius(radius, distance), mpmath.asin(mpf(radius) / mpf(distance)))
+        close(solid.angular_radius(radius, distance), mpmath.asin(mpf(radius) / mpf(distance)))
     close(projected.sphere(radius, distance), want)
 
 
@@ -179,6 +179,6 @@ def test_a_cone_round_trip(angle):
 
 @pytest.mark.parametrize(("radius", "distance"), SPHERES[1:])
 def test_a_sphere_round_trip(radius, distance):
-    size = spheres.solid_angle(radius, distance)
-    close(spheres.distance_of(radius, size), distance)
-    close(spheres.radius_of(distance, size), radius)
+    size = solid.sphere(radius, distance)
+    close(solid.sphere_distance(radius, size), distance)
+    close(solid.sphere_radius(distance, size), radius)

@@ -9,10 +9,10 @@ FOOT = 0.3048
 # with 20 lm and 0.02 m, by JCGM 100:2008, 5.1.6: u/E = sqrt((20/800)^2 + (2 * 0.02/2)^2) = 3.202 %.
 CONVERSION = ("convert", "100+-3", "lx", "fc")
 LAMP = ("point-source", "--flux", "800+-20lm", "--distance", "2.00+-0.02m")
-# 100 cd at 2 m are 25 lx; u/E = 2 * 1/2, u = 25 lx.  400 cd at 1 m are 400 lx; u = 400 lx.
+# 100 cd at 2 m are 25 lx, 400 cd at 1 m are 400 lx: the uncertainty is as large.
 EXACT = ("convert", "100", "cd", "lx", "--distance", "2m")
-NEARLY = (*EXACT[:-1], "2.0(10)m")
-FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
+NEARLY = ("convert", "100+-100", *EXACT[2:])
+FAR = ("convert", "400+-400", "cd", "lx", "--distance", "1m")
 
 
 @for_each(

@@ -9,7 +9,7 @@ from helpers import for_each, number
 
 from radcalc import lambertian, point_source, room, screen
 from radcalc.errors import Contradiction
-from radcalc.laws import etendue, exposure, heat, mesopic, point, sizes, surface
+from radcalc.laws import common, exposure, mesopic, point, solid_angles, surface
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.units.numbers import rounding
 
@@ -17,8 +17,8 @@ PI = math.pi
 
 LOBE = [*point.LAWS["lobe"], *point.ANY_LAWS, point.INVERSE_SQUARE]
 CONE = [*point.LAWS["cone"], *point.ANY_LAWS, point.INVERSE_SQUARE]
-SURFACE = [*surface.LAWS, surface.FLAT, sizes.CIRCLE]
-BEAM = [etendue.FLUX, etendue.PER_AREA, surface.CONFIGURATION_FACTOR, sizes.CIRCLE]
+SURFACE = [*surface.LAWS, surface.FLAT, common.CIRCLE]
+BEAM = [solid_angles.FLUX, solid_angles.PER_AREA, common.CONFIGURATION_FACTOR, common.CIRCLE]
 
 
 def known(**values: float) -> dict[str, Known]:
@@ -35,11 +35,11 @@ def known(**values: float) -> dict[str, Known]:
         (SURFACE, known(exposure=60, time=2, projected_solid_angle=0.3, radius=0.2)),
         (SURFACE, known(energy=60, time=2, radius=0.2, incident_irradiance=900)),
         (exposure.LAWS, known(luminance=512, k=12.5, c=250, iso=400, f_number=8)),
-        (heat.LAWS, known(mass=0.1, specific_heat=385, temperature_rise=2, absorptance=0.9,
+        (common.HEAT_LAWS, known(mass=0.1, specific_heat=385, temperature_rise=2, absorptance=0.9,
                           time=30, receiver_area=0.01)),
-        ([*BEAM, etendue.DISCS, etendue.RECEIVER_CIRCLE, etendue.FAR_FIELD],
+        ([*BEAM, solid_angles.DISCS, solid_angles.RECEIVER_CIRCLE, solid_angles.FAR_FIELD],
          known(flux=3, radiance=2, radius=1, distance=3)),
-        ([*BEAM, etendue.CONE], known(etendue=0.3, radius=1, flux=9)),
+        ([*BEAM, solid_angles.CONE], known(etendue=0.3, radius=1, flux=9)),
         (mesopic.LAWS, known(mesopic_luminance=0.1, sp_ratio=2)),
     ],
 )  # fmt: skip

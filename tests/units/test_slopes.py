@@ -1,55 +1,58 @@
-"""The range of a number, compared with closed forms."""
+"""Slopes and corners of numbers, compared with closed forms."""
 
 import math
-import random
 
 import pytest
 
-from radcalc.units.slopes import reach
+from radcalc.units.slopes import sharpest, slopes
 
-INFINITE = math.inf
-
-
-def possible(function, holds=lambda t: True):
-    """Return the function where a condition is true; None elsewhere, and at its poles."""
-
-    def at(t):
-        try:
-            return function(t) if holds(t) else None
-        except ZeroDivisionError:
-            return None
-
-    return at
+SMALL = 0.02  # of a change of 1: what is left of the curvature of a smooth number
 
 
 @pytest.mark.parametrize(
-    ("at", "ends"),
+    ("at", "corner"),
     [
-        (possible(lambda t: 3 * t + 1), (-2, 4)),
-        (possible(lambda t: 5.0), (5, 5)),
-        (possible(lambda t: t * t), (0, 1)),
-        # a plateau with numerical noise of an integration is not a pole
-        (possible(lambda t: max(t, 0) + 1e-9 * math.sin(1e9 * t)), (0, 1)),
-        (possible(abs), (0, 1)),
-        (possible(lambda t: t**3 - 0.75 * t), (-0.25, 0.25)),  # at both ends and at ±1/2
-        (possible(math.exp), (math.exp(-1), math.exp(1))),
-        (possible(math.log, lambda t: t > 0), (-INFINITE, 0)),
-        (possible(math.sqrt, lambda t: t >= 0), (0, 1)),
-        (possible(lambda t: t**0.25, lambda t: t > 0), (0, 1)),
-        (possible(lambda t: 1 / (t - 0.3) ** 2), (1 / 1.69, INFINITE)),
-        (possible(lambda t: 1 / (t - 0.3)), (-INFINITE, INFINITE)),
-        (possible(math.acos, lambda t: t <= 0.5), (math.pi / 3, math.pi)),
+        (lambda t: 3 * t + 1, 0),
+        (lambda t: t * t, 0),
+        (math.exp, 0),
+        (lambda t: 1 / (2 + t) ** 2, 0),
+        (lambda t: max(t, 0) + 1e-9 * math.sin(1e9 * t), 1),  # with noise of an integration
+        (abs, 2),
+        (lambda t: max(0, t - 0.77), 1),
+        (lambda t: min(3 * t, 1 + t), 2),
     ],
 )
-def test_the_range_of_a_number_is_found(at, ends):
-    assert reach(at) == pytest.approx(ends, rel=1e-7, abs=2e-9)
+def test_the_change_of_the_slope_at_a_corner_is_found(at, corner):
+    """The nearest of the points is within half a step, where half of the change is seen."""
+    assert corner / 2 - SMALL <= sharpest(at) <= corner + SMALL
 
 
-def test_the_extremum_of_a_parabola_is_found_wherever_it_is():
-    rng = random.Random(20261123)
-    for _ in range(200):
-        top = rng.uniform(-1.5, 1.5)
-        ends = [-((end - top) ** 2) for end in (-1, 1)]
-        most = 0.0 if abs(top) <= 1 else max(ends)
-        found = reach(lambda t, top=top: -((t - top) ** 2))
-        assert found == pytest.approx((min(ends), most), rel=1e-12, abs=1e-10)
+@pytest.mark.parametrize("jump", [-1, -0.99, -0.3, 0, 0.123, 0.5, 1])
+def test_a_jump_is_a_large_change_of_the_slope(jump):
+    assert sharpest(lambda t: float(t >= jump) if jump > 0 else float(t > jump)) > 500
+
+
+def test_a_pole_is_an_infinite_change():
+    assert sharpest(lambda t: 1 / t if t else None) == math.inf
+
+
+def test_the_slopes_of_several_numbers():
+    def at(shift):
+        x = 2 + shift
+        return {"square": x * x, "root": math.sqrt(x), "log": math.log(x)}
+
+    for off in (1.9, 0.1, 1e-9):
+        found = slopes(at, at(0), 2.0, off)
+        expected = {"square": 4, "root": 0.5 / math.sqrt(2), "log": 0.5}
+        assert found == pytest.approx(expected, rel=1e-9)
+
+
+def test_slopes_next_to_a_limit_are_taken_within_the_uncertainty():
+    def at(shift):
+        return {"": (1 - shift) ** 2} if abs(shift) <= 1e-9 else {}
+
+    assert slopes(at, {"": 1.0}, 1.0, 1e-9)[""] == pytest.approx(-2, rel=1e-5)
+
+
+def test_a_number_that_a_point_lacks_has_no_slope():
+    assert slopes(lambda shift: {"": 1.0} if shift < 0 else {}, {"": 1.0}, 1.0, 0.1) == {"": None}

@@ -20,9 +20,8 @@ from typing import Any
 
 import numpy
 
-from radcalc.geometry.lenses import View
 from radcalc.geometry.light_vectors import half_edges, light_vectors, shown_directions
-from radcalc.geometry.projections import corner_of_pixel
+from radcalc.geometry.projections import View, corner_of_pixel
 
 SIDE = 16  # pixels along the side of a block
 FEWEST = 64  # blocks across an image, if it has as many pixels

@@ -9,12 +9,22 @@ import numpy
 from radcalc.distributions.distribution import Peak
 from radcalc.distributions.maps.light_sums import LightSums, Progress, Raster
 from radcalc.errors import ConditionError
-from radcalc.geometry.directions import FORWARD, cartesian, facing, spherical, upright
-from radcalc.geometry.lenses import View
+from radcalc.geometry.directions import (
+    FORWARD,
+    Vector,
+    cartesian,
+    components,
+    facing,
+    from_components,
+    spherical,
+    unit,
+    upright,
+    vector,
+)
 from radcalc.geometry.light_vectors import is_shown, shown_directions, solid_angles
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
-from radcalc.geometry.numerics.vectors import Vector, components, from_components, unit, vector
 from radcalc.geometry.projections import (
+    View,
     has_shape,
     middle_of_pixel,
     name_of_map,

@@ -37,7 +37,7 @@ from radcalc.errors import ConditionError, quote
 from radcalc.files import columns
 from radcalc.geometry.directions import UP
 from radcalc.geometry.directions import upright as upright_axes
-from radcalc.geometry.lenses import view_of_angles
+from radcalc.geometry.projections import view_of_angles
 from radcalc.quantities.symbols import (
     ANGULAR,
     CYLINDRICAL,

@@ -11,7 +11,7 @@ from radcalc.distributions.radiances import Sky
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian
 from radcalc.geometry.light_vectors import light_vectors
-from radcalc.geometry.numerics.quadrature import gauss
+from radcalc.geometry.numerics.integrals import gauss
 from radcalc.geometry.projections import middle_of_pixel, pixel_solid_angles
 from radcalc.geometry.sky import angle_between
 from radcalc.quantities.symbols import LATLONG, light_unit

@@ -1,1 +1,1 @@
-"""Numerical methods for the geometry: integrals, special functions, vectors, expressions."""
+"""Numerical methods for the geometry: integrals, special functions, expressions."""

@@ -1,16 +1,55 @@
-"""A plane surface between two transparent media, and a plane slab: Snell's and Fresnel's laws.
+"""Photons in vacuum, hot bodies, and plane surfaces between transparent media.
 
-The index is the refractive index after the surface over that before it.  The s field is
-perpendicular to the plane of incidence, the p field parallel to it.  A slab has the first medium on
-both sides; all reflections inside it are summed as powers.  The media do not absorb and are not
-magnetic.
+A photon has a frequency, a wavenumber and an energy by its wavelength.  The cycle and the photon
+are dimensions here, so a joule per photon is not a joule.
+
+A hot body has its exitance by Stefan and Boltzmann, its peak wavelength by Wien.  It emits like a
+black body times an emissivity that is the same at all wavelengths and in all directions.
+
+A plane surface follows Snell's and Fresnel's laws.  The index is the refractive index after the
+surface over that before it.  The s field is perpendicular to the plane of incidence, the p field
+parallel to it.  A slab has the first medium on both sides; all reflections inside it are summed as
+powers.  The media do not absorb and are not magnetic.
 """
 
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.laws.law import AnyLaw, At, relation
+from radcalc.laws.law import AnyLaw, At, law, relation
 from radcalc.maths import any_true, asin, atan, cos, sin, smaller, square, tan
+from radcalc.spectra.planck import LIGHT, PLANCK, STEFAN_BOLTZMANN, WIEN
+
+EXACT = "SI Brochure: exact h and c"
+FREQUENCY = law(
+    "frequency", "{frequency} = c / {wavelength}", EXACT, constant=LIGHT, unit="m cycle/s"
+)
+WAVENUMBER = law("wavenumber", "{wavenumber} = 1 / {wavelength}", unit="cycle")
+PHOTON_ENERGY = law(
+    "photon energy",
+    "{photon-energy} = h c / {wavelength}",
+    EXACT,
+    constant=PLANCK * LIGHT,
+    unit="J m/photon",
+)
+PHOTON_LAWS = [FREQUENCY, WAVENUMBER, PHOTON_ENERGY]
+
+
+SIGMA = "sigma: CODATA 2022 (exact)"
+EXITANCE = law(
+    "Stefan-Boltzmann law",
+    "{exitance} = {emissivity} sigma {temperature}^4",
+    SIGMA,
+    constant=STEFAN_BOLTZMANN,
+    unit="W/(m2 K^4)",
+)
+PEAK = law(
+    "Wien's displacement law",
+    "{peak-wavelength} = b / {temperature}",
+    "b: CODATA 2022 (exact), the peak per wavelength",
+    constant=WIEN,
+    unit="m K",
+)
+
 
 FRESNEL = "Fresnel equations, for media that do not absorb"
 
@@ -118,5 +157,13 @@ SLAB = relation(
     },
     FRESNEL,
 )
-LAWS: list[AnyLaw] = [SNELL, PERPENDICULAR, PARALLEL, UNPOLARISED, TRANSMITTED, SLAB, BREWSTER]
+REFRACTION_LAWS: list[AnyLaw] = [
+    SNELL,
+    PERPENDICULAR,
+    PARALLEL,
+    UNPOLARISED,
+    TRANSMITTED,
+    SLAB,
+    BREWSTER,
+]
 TOTAL: list[AnyLaw] = [UNPOLARISED, TRANSMITTED, SLAB, BREWSTER]  # with a reflectance of 1
