@@ -10,7 +10,7 @@ import radcalc
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 NOTICE = (ROOT / "NOTICE.md").read_text(encoding="utf-8")
 NAMED = {name for name in re.findall(r"`([^`]+)`", NOTICE) if "/" in name}
-CODE = {".py", ".pyi", ".typed", ".pyc"}
+CODE = {".py", ".pyi", ".typed", ".pyc", ".mo"}
 
 
 def data():

@@ -89,7 +89,7 @@ def test_a_call_is_answered_without_posix(words, input, status, output):
 def test_every_help_is_written_in_an_encoding_of_windows():
     code = """
 from radcalc.__main__ import run
-from radcalc.cli.names import COMMANDS
+from radcalc.calculators.pages import COMMANDS
 for name in COMMANDS:
     assert run([name, "--help"]) == 0
 """

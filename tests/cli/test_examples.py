@@ -8,7 +8,7 @@ import pytest
 from conftest import run
 from helpers import displays_of, for_each, terminal_of
 
-from radcalc.cli import man
+from radcalc.calculators.lists import manual_pages
 from radcalc.sentences.tasks import FILE, search, tasks
 
 TRADES = {
@@ -129,7 +129,7 @@ def test_a_terminal_shows_commands_that_can_be_pasted(width):
 
 
 def test_the_page_has_the_tasks():
-    page = man.pages(FILE.parents[2] / "man")
+    page = manual_pages()
     (source,) = [
         path.read_text(encoding="utf-8") for path in page if path.name == "radcalc-examples.7"
     ]

@@ -60,7 +60,7 @@ def test_a_photoperiod_is_missing_with_three_proposals():
     with pytest.raises(MissingCondition, match="the time of light in a day is missing") as caught:
         radcalc.convert("600 ppfd", "dli")
     for hours in (12, 16, 18):
-        assert f'radcalc.convert("600 ppfd", "dli", photoperiod="{hours}h")' in caught.value.hint
+        assert f'radcalc.convert("600 ppfd", "dli", photoperiod="{hours} h")' in caught.value.hint
 
 
 @for_each([{"photoperiod": "25h"}, {"time": "25h"}, {"photoperiod": "0h"}])
