@@ -7,33 +7,17 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import numpy
 
+from radcalc import errors
 from radcalc.answer import Row, in_short
 from radcalc.api.spelling import is_absent, symbol_name
-from radcalc.errors import (
-    ConditionError,
-    ConversionError,
-    RadcalcError,
-    UnitError,
-    add,
-    option,
-    quote,
-)
+from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.places import TOO_FAR, read_place
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import LARGEST, frozen, is_array, is_column
+from radcalc.quantities import symbols
 from radcalc.quantities.light import describe
-from radcalc.quantities.symbols import (
-    DIRECTION,
-    INTERVAL,
-    NUMBERS,
-    POINT,
-    QUANTITY,
-    SPECTRUM,
-    SYMBOLS,
-    VECTOR,
-    article,
-)
+from radcalc.quantities.symbols import article
 from radcalc.units.dimensions import COHERENT, LENGTH
 from radcalc.units.ranges import real, refuse_masked
 from radcalc.units.registry import (
@@ -59,7 +43,7 @@ def is_quantity(value: Any) -> bool:
     own = getattr(value, "_REGISTRY", None) is light_registry()  # also a Measurement
     other = getattr(value, "magnitude", None) if own else value
     if hasattr(other, "magnitude"):
-        raise UnitError(
+        raise errors.UnitError(
             f"'{quote(str(other))}' is a quantity of another registry",
             "radcalc.Quantity(q.magnitude, str(q.units)), where q is that quantity",
         )
@@ -102,7 +86,7 @@ def row_of(value: Any) -> Row:
     return Row("", "", magnitude_of(value), unit_of(value).text if is_quantity(value) else "1")
 
 
-class OtherQuantity(ConversionError, Dimensionality):
+class OtherQuantity(errors.ConversionError, Dimensionality):
     """A unit of another quantity: an error of radcalc, and of Pint for those who catch that."""
 
 
@@ -115,7 +99,7 @@ def _in_words(pint_method: Callable[..., Any]) -> Callable[..., Any]:
             require_texts(target=other)
         try:
             return pint_method(self, other, *contexts, **settings)
-        except (DimensionalityError, UnitError) as error:
+        except (DimensionalityError, errors.UnitError) as error:
             refusal = _refusal(self, other)
             if isinstance(error, DimensionalityError):
                 refusal = OtherQuantity(refusal.message, refusal.hint)
@@ -124,19 +108,21 @@ def _in_words(pint_method: Callable[..., Any]) -> Callable[..., Any]:
     return to
 
 
-def _refusal(value: Any, other: Any) -> RadcalcError:
+def _refusal(value: Any, other: Any) -> errors.RadcalcError:
     """Return the error for a unit of another quantity, or a text that is not a unit."""
     target = other if isinstance(other, str) else from_container(other._units).text
     try:
         converted = sys.modules["radcalc"].convert(value, target)
-    except RadcalcError as error:
+    except errors.RadcalcError as error:
         return error
     is_one = isinstance(value.magnitude, (int, float))
     problem = f"'{quote(target)}' is not a unit of {describe(unit_of(value))}"
     shown = f'"{typed(value)}"' if is_one else "quantity"
     hint = f'radcalc.convert({shown}, "{target}")'
     problem = f"{problem}, and Quantity.to keeps the quantity"
-    return UnitError(problem, f"{hint}\n     {in_short([row_of(converted)])}" if is_one else hint)
+    return errors.UnitError(
+        problem, f"{hint}\n     {in_short([row_of(converted)])}" if is_one else hint
+    )
 
 
 def _reduced(measure: Any) -> tuple[Any, ...]:
@@ -204,20 +190,20 @@ def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
     refuse_lazy(value, keyword)
     if name in intervals:
         return read_interval(name, as_interval(value))
-    form = SYMBOLS[name].form
-    if form == SPECTRUM and isinstance(value, Mapping):  # a result of radcalc.spectrum
+    form = symbols.SYMBOLS[name].form
+    if form == symbols.SPECTRUM and isinstance(value, Mapping):  # a result of radcalc.spectrum
         problem = f"{keyword} is {article(type(value).__name__)}, not a source of light"
-        raise ConditionError(problem, add(name, "D65", "its source"))
-    if form == SPECTRUM and _is_table(value):
+        raise errors.ConditionError(problem, errors.add(name, "D65", "its source"))
+    if form == symbols.SPECTRUM and _is_table(value):
         from radcalc.spectra.files import read_text
 
         value = read_text(*table_of(value))
     value = _gathered(name, value)
     if isinstance(value, (list, tuple)) and any(map(is_quantity, value)):
-        if form not in (DIRECTION, POINT, VECTOR, NUMBERS):
-            raise ConditionError(f"{keyword} is a list of quantities", "only one of them")
+        if form not in (symbols.DIRECTION, symbols.POINT, symbols.VECTOR, symbols.NUMBERS):
+            raise errors.ConditionError(f"{keyword} is a list of quantities", "only one of them")
         value = ",".join(map(as_text, value))
-    if form == INTERVAL:
+    if form == symbols.INTERVAL:
         value = as_interval(value)
     return read(name, _owned(plain(value)), uncertain=True)
 
@@ -235,12 +221,12 @@ def gathered(keyword: str, value: Any) -> Any:
     A text may be a list or a range itself: "1m,2m,5m", "1m:5m:1m".
     """
     name = symbol_name(keyword)
-    array_and_unit = _gathered(name, value) if name in SYMBOLS else value
+    array_and_unit = _gathered(name, value) if name in symbols.SYMBOLS else value
     return value if array_and_unit is value else quantity(*array_and_unit)
 
 
 def _gathered(name: str, value: Any) -> Any:
-    if SYMBOLS[name].form != QUANTITY:
+    if symbols.SYMBOLS[name].form != symbols.QUANTITY:
         return value
     if isinstance(value, str):
         texts = split_values(name, value)
@@ -251,7 +237,7 @@ def _gathered(name: str, value: Any) -> Any:
         return value
     inputs = [read(name, plain(element)) for element in value]
     if any(is_column(entry.value) for entry in inputs):
-        raise ConditionError(f"{option(name)} is a list of arrays", "one array")
+        raise errors.ConditionError(f"{option(name)} is a list of arrays", "one array")
     return together(option(name), [_with_unit(entry) for entry in inputs])
 
 
@@ -268,7 +254,7 @@ def together(label: str, pairs: Sequence[tuple[Any, Unit]]) -> tuple[Any, Unit]:
     first = units[0]
     if any(unit.dimension != first.dimension for unit in units):
         several = " and ".join(dict.fromkeys(map(describe, units)))
-        raise ConditionError(f"{label} mixes quantities: {several}", "one quantity")
+        raise errors.ConditionError(f"{label} mixes quantities: {several}", "one quantity")
     sizes = [
         number if unit == first else number * (unit.factor / first.factor) for number, unit in pairs
     ]
@@ -290,7 +276,7 @@ def require_texts(**given: Any) -> None:
     for keyword, value in given.items():
         if not isinstance(value, str):
             problem = f"{keyword} is a text, not {article(type(value).__name__)}"
-            raise ConditionError(problem, f"a text such as '{TEXTS[keyword]}'")
+            raise errors.ConditionError(problem, f"a text such as '{TEXTS[keyword]}'")
 
 
 def refuse_unlike_index(first: Any, second: Any) -> None:
@@ -299,21 +285,25 @@ def refuse_unlike_index(first: Any, second: Any) -> None:
     other: Any = getattr(second, "index", None)
     if hasattr(own, "equals") and hasattr(other, "equals") and not own.equals(other):
         problem = "the two series have other labels in their indices"
-        raise ConditionError(problem, ".to_numpy() of both, if their rows have the same order")
+        raise errors.ConditionError(
+            problem, ".to_numpy() of both, if their rows have the same order"
+        )
 
 
 def refuse_lazy(value: Any, what: str) -> None:
     """Refuse a Dask collection if its value is needed at once."""
     if is_lazy(value):
         problem = f"{what} is a Dask collection, but its value is needed at once"
-        raise ConditionError(problem, "an array in memory: .compute() before the call")
+        raise errors.ConditionError(problem, "an array in memory: .compute() before the call")
 
 
 def refuse_arrays(inputs: Inputs, whole: str) -> None:
     """Refuse arrays where a single value holds for the whole."""
     for given in inputs.values():
         if is_array(given.value):
-            raise ConditionError(f"{option(given.name)} is an array", f"one value for {whole}")
+            raise errors.ConditionError(
+                f"{option(given.name)} is an array", f"one value for {whole}"
+            )
 
 
 def library_of(value: Any) -> str:
@@ -331,7 +321,7 @@ def table_of(source: Any) -> tuple[str, str]:
             'radcalc.spectrum("D65"), radcalc.spectrum("FILE") or '
             'radcalc.spectrum((wavelengths, values), unit="W/m2/nm")'
         )
-        raise ConditionError(f"a spectrum is a text or a table, not of type {name}", hint)
+        raise errors.ConditionError(f"a spectrum is a text or a table, not of type {name}", hint)
     for values in columns.values():
         refuse_masked(magnitude_of(values), "the spectrum")
     if _is_pair(source):
@@ -339,7 +329,7 @@ def table_of(source: Any) -> tuple[str, str]:
     arrays = [numpy.asarray(magnitude_of(values)) for values in columns.values()]
     if any(array.ndim != 1 or array.shape != arrays[0].shape for array in arrays):
         shapes = " and ".join(str(array.shape) for array in arrays)
-        raise ConditionError(
+        raise errors.ConditionError(
             f"the wavelengths and the values have the shapes {shapes}", "arrays of one length"
         )
     rows = [columns, *zip(*(array.tolist() for array in arrays), strict=True)]
@@ -383,7 +373,7 @@ def refuse_column(value: Any, what: str) -> None:
         problem = f"{what} is {article(type(value).__name__)} of {library}"
         is_frame = type(value).__name__ == "DataFrame"
         hint = 'a column of it: frame["NAME"]' if is_frame else ".to_numpy(), for its values alone"
-        raise ConditionError(problem, hint)
+        raise errors.ConditionError(problem, hint)
 
 
 def read_points(point: Any) -> Input:
@@ -395,11 +385,13 @@ def read_points(point: Any) -> Input:
     metres, unit = in_metres(point, "a point")
     array = numpy.asarray(metres)
     if array.shape[-1:] != (3,):
-        raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
+        raise errors.ConditionError(
+            "a point has three coordinates", "an array of the shape (..., 3)"
+        )
     if not (abs(array) <= LARGEST).all():
-        raise ConditionError(*TOO_FAR)
+        raise errors.ConditionError(*TOO_FAR)
     place = tuple(array.tolist() if array.ndim == 1 else numpy.moveaxis(array, -1, 0))
-    return Input(SYMBOLS["point"], "the points", place, unit=unit)
+    return Input(symbols.SYMBOLS["point"], "the points", place, unit=unit)
 
 
 def in_metres(value: Any, what: str) -> tuple[Any, Unit | None]:
@@ -408,7 +400,7 @@ def in_metres(value: Any, what: str) -> tuple[Any, Unit | None]:
     if is_quantity(value):
         unit = unit_of(value)
         if unit.dimension != LENGTH:
-            raise ConditionError("the point is a length", "metres")
+            raise errors.ConditionError("the point is a length", "metres")
         value = value.magnitude * unit.factor
     return real(value, what, "three numbers, [1, 0, 2]"), unit
 
@@ -420,11 +412,13 @@ def broadcast(work_out: Callable[[], T]) -> T:
     except ValueError as error:
         if "broadcast" not in str(error):
             raise
-        raise ConditionError("the arrays do not fit together", "arrays of one shape") from None
+        raise errors.ConditionError(
+            "the arrays do not fit together", "arrays of one shape"
+        ) from None
 
 
 def one_of(word: object, names: Sequence[str] | Mapping[str, Any], what: str) -> str:
     """Return a word that is one of several names, in any case."""
     if not isinstance(word, str) or word.lower() not in names:
-        raise ConditionError(f"unknown {what} '{quote(str(word))}'", ", ".join(names))
+        raise errors.ConditionError(f"unknown {what} '{quote(str(word))}'", ", ".join(names))
     return word.lower()

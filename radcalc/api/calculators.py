@@ -10,21 +10,7 @@ from typing import Any, Literal
 import numpy
 
 from radcalc.answer import Value, texts_of
-from radcalc.api.arguments import (
-    Quantity,
-    in_metres,
-    is_quantity,
-    one_of,
-    plain,
-    quantity,
-    read_inputs,
-    read_points,
-    refuse_arrays,
-    refuse_column,
-    require_texts,
-    table_of,
-    unit_of,
-)
+from radcalc.api import arguments
 from radcalc.api.functions import calculate, function_of_page, of_page
 from radcalc.api.keywords import (
     Amount,
@@ -101,7 +87,7 @@ def lambertian(shape: Diffuse | None = None, **given: Any) -> Result:
     >>> print(lambertian(luminance="100 cd/m2", area="0.1 m2").flux.round(3))
     31.416 lumen
     """
-    name = "" if shape is None else one_of(shape, SHAPES, "shape")
+    name = "" if shape is None else arguments.one_of(shape, SHAPES, "shape")
     operands = {"shape": name or OPERAND.default}
     return calculate("lambertian", given, partial(function_of_page("lambertian"), name), operands)
 
@@ -172,14 +158,14 @@ def spectrum(
     >>> print(lamp.irradiance)
     500.0 watt / metre ** 2
     """
-    require_texts(unit=unit)
+    arguments.require_texts(unit=unit)
     texts = {"column": "" if column is None else str(column), "unit": unit}
     operands = {name: chosen for name, chosen in texts.items() if chosen}
     if isinstance(source, (str, os.PathLike)):
         text = os.fspath(source)
         chosen: Any = (text, *texts.values()) if operands else text
     else:
-        chosen = read_text(*table_of(source), *texts.values())
+        chosen = read_text(*arguments.table_of(source), *texts.values())
     requested = ("ssi",) if given.get("reference") is not None else ()  # which it is for
     symbols = {"spectrum": chosen, **given}
     return calculate(
@@ -237,11 +223,11 @@ def scene(
     >>> print(scene(lamps, [[0, 0, 0], [0, 0, 1]]).irradiance)
     [50.0 200.0] lux
     """
-    inputs = read_inputs(given)
+    inputs = arguments.read_inputs(given)
     refuse_uncertain(inputs.values(), "a scene")
-    refuse_arrays(inputs, "the whole scene")
+    arguments.refuse_arrays(inputs, "the whole scene")
     rows = _rows(sources)
-    read_at = read_points(points)
+    read_at = arguments.read_points(points)
     places = numpy.atleast_2d(numpy.stack(read_at.value, -1))
     facing = None if normal is None else read("normal", normal).value
     notes = () if read_at.unit else (IN_METRES,)
@@ -278,7 +264,9 @@ def _rows(sources: Any) -> str | list[Any]:
             "the path of a CSV file, or a list with a dict for each",
         )
     return [
-        {key: plain(value) for key, value in source.items()} if isinstance(source, dict) else source
+        {key: arguments.plain(value) for key, value in source.items()}
+        if isinstance(source, dict)
+        else source
         for source in sources
     ]
 
@@ -302,7 +290,7 @@ def solid_angle(shape: Shape, vertices: Sequence[Vector] = (), **given: Any) -> 
     >>> print(octant.solid_angle.to("deg^2").round(2))
     5156.62 degree ** 2
     """
-    name = one_of(shape, NAMES, "shape")
+    name = arguments.one_of(shape, NAMES, "shape")
     name = ALIASES.get(name, name)
     corners = _corners(vertices)
     points = [read_point(corner, "the vertex") for corner in corners]
@@ -347,8 +335,10 @@ def integrate(expression: str, *, unit: str = "", **given: Any) -> Result:
     >>> print(integrate("cos(theta)", half_angle="90 deg").integral.round(6))
     3.141593 steradian
     """
-    require_texts(expression=expression, unit=unit)
-    refuse_arrays(read_inputs(given, page_of("integrate").intervals), "an integral")
+    arguments.require_texts(expression=expression, unit=unit)
+    arguments.refuse_arrays(
+        arguments.read_inputs(given, page_of("integrate").intervals), "an integral"
+    )
     of = integrand(unit) if unit else BARE
     work_out = partial(function_of_page("integrate"), expression, of=of)
     operands, drawn = {"expression": expression, "unit": unit}, (expression, unit)
@@ -390,7 +380,7 @@ def _vector(vector: Any) -> tuple[Any, str]:
     if isinstance(vector, str):
         place, unit = read_coordinates(vector.split(","))
     else:
-        metres, of = in_metres(vector, "a vector")
+        metres, of = arguments.in_metres(vector, "a vector")
         place, unit = tuple(numpy.atleast_1d(metres).tolist()), of.text if of else ""
     if len(place) != 3 or numpy.ndim(place) > 1:
         raise ConditionError("a vector has three coordinates", "[1, 0, 2]")
@@ -465,7 +455,7 @@ def environment(source: Surroundings, **given: Any) -> Result:
 @of_page("environment", without=("normal", "toward", "size"))
 def irradiance_map(
     source: Surroundings, size: Pair = None, *, order: Literal[2] | None = None, **given: Any
-) -> Quantity:
+) -> arguments.Quantity:
     """Compute the irradiances of receivers facing every direction, as a latlong map.
 
     Parameters
@@ -496,10 +486,10 @@ def irradiance_map(
     (8, 16, 1) 9424.8 lux
     """
     around, given = _surroundings(source, {"size": size, **given})
-    inputs = read_inputs(given)
+    inputs = arguments.read_inputs(given)
     refuse_uncertain(inputs.values(), "a map")
     rendered = page.irradiance_map(around, inputs, order)
-    return quantity(rendered.pixels, resolve(rendered.unit))
+    return arguments.quantity(rendered.pixels, resolve(rendered.unit))
 
 
 def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Source, dict[str, Any]]:
@@ -508,10 +498,10 @@ def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Source, dict[str,
         return Source(source), given
     if isinstance(source, os.PathLike):
         return Source(os.fspath(source), is_path=True), given
-    if is_quantity(source):
+    if arguments.is_quantity(source):
         if given.get("unit") is not None:
             raise ConditionError("unit cannot be used with a map that has a unit", "leave out unit")
-        given = {**given, "unit": unit_of(source)}
+        given = {**given, "unit": arguments.unit_of(source)}
         source = source.magnitude
-    refuse_column(source, "the map")
+    arguments.refuse_column(source, "the map")
     return Source(picture_of(source)), given

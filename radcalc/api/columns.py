@@ -11,17 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.api.arguments import (
-    LIBRARIES,
-    gathered,
-    is_lazy,
-    is_quantity,
-    library_of,
-    magnitude_of,
-    quantity,
-    refuse_column,
-    unit_of,
-)
+from radcalc.api import arguments
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.quantities.column_titles import is_same, read_title, refuse_misnamed
@@ -30,7 +20,7 @@ from radcalc.units.ranges import floats
 from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Unit
 
-PANDAS, POLARS, XARRAY = LIBRARIES
+PANDAS, POLARS, XARRAY = arguments.LIBRARIES
 COLUMNS = {PANDAS: "Series", POLARS: "Series", XARRAY: "DataArray"}
 UNITS = "units"  # the attribute of xarray arrays in the CF conventions
 
@@ -47,13 +37,13 @@ class Columns(NamedTuple):
 
     def result(self, name: str, value: Any, title: str = "") -> Any:
         """Return a result, or readings on a scale, as a column if it depends on columns."""
-        magnitude = magnitude_of(value)
+        magnitude = arguments.magnitude_of(value)
         if not numpy.ndim(magnitude):
             return value
         if numpy.shape(magnitude) != self.like.shape:
             problem = f"{name} has the shape {numpy.shape(magnitude)}, and the columns another"
             raise ConditionError(problem, "radcalc.Quantity(column.to_numpy(), UNIT)")
-        unit = unit_of(value).text if is_quantity(value) else ""
+        unit = arguments.unit_of(value).text if arguments.is_quantity(value) else ""
         if self.library == XARRAY:
             column = self.like.copy(data=value if self.quantities else magnitude)
             column.attrs = {} if self.quantities or not unit else {UNITS: unit}
@@ -71,22 +61,24 @@ def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, An
     columns = {
         key: value
         for key, value in given.items()
-        if library_of(magnitude_of(value)) and not is_spectrum(key)
+        if arguments.library_of(arguments.magnitude_of(value)) and not is_spectrum(key)
     }
     if not columns:
         return None, dict(given)
     for key, value in columns.items():
-        column = magnitude_of(value)
+        column = arguments.magnitude_of(value)
         symbol = SYMBOLS.get(symbol_name(key))
-        if type(column).__name__ != COLUMNS[library_of(column)] or (
+        if type(column).__name__ != COLUMNS[arguments.library_of(column)] or (
             key != "value" and (symbol is None or symbol.form != QUANTITY)
         ):
-            refuse_column(column, key)
+            arguments.refuse_column(column, key)
     units = {key: _unit_of(key, value) for key, value in columns.items()}
     aligned = _aligned(columns)
     first = aligned[0]
     pattern = Columns(
-        library_of(first), first, library_of(first) == XARRAY and is_quantity(first.data)
+        arguments.library_of(first),
+        first,
+        arguments.library_of(first) == XARRAY and arguments.is_quantity(first.data),
     )
     arrays = {
         key: _array(key, column, unit)
@@ -103,7 +95,7 @@ def is_spectrum(key: str) -> bool:
 
 def _unit_of(key: str, given: Any) -> Unit | None:
     """Return the unit of a column, by its attributes or its title; refuse one without a unit."""
-    column = magnitude_of(given)
+    column = arguments.magnitude_of(given)
     if stated := _stated_unit(given):
         _refuse_other(column, stated)
         return stated
@@ -127,24 +119,24 @@ def _unit_of(key: str, given: Any) -> Unit | None:
 
 def _stated_unit(given: Any) -> Unit | None:
     """Return the unit of a column that is not in its title."""
-    column = magnitude_of(given)
+    column = arguments.magnitude_of(given)
     if column is not given:
-        return unit_of(given)
-    if library_of(column) != XARRAY:
+        return arguments.unit_of(given)
+    if arguments.library_of(column) != XARRAY:
         return None
-    if is_quantity(column.data):
-        return unit_of(column.data)
+    if arguments.is_quantity(column.data):
+        return arguments.unit_of(column.data)
     return resolve(str(column.attrs[UNITS])) if UNITS in column.attrs else None
 
 
 def with_unit(column: Any, unit: Unit) -> Any:
     """Return a column without a unit in a unit; raise UnitError if it has another one."""
-    if type(column).__name__ != COLUMNS[library_of(column)]:
-        refuse_column(column, "the value")
+    if type(column).__name__ != COLUMNS[arguments.library_of(column)]:
+        arguments.refuse_column(column, "the value")
     if stated := _stated_unit(column):
         problem = f"the column has the unit {quote(stated.text)}, and '{quote(unit.text)}' too"
         raise UnitError(problem, "only one of them")
-    if library_of(column) == XARRAY:
+    if arguments.library_of(column) == XARRAY:
         return column.assign_attrs({UNITS: unit.text})
     name = "value" if column.name in (None, "") else str(column.name)
     _refuse_other(column, unit)
@@ -172,11 +164,11 @@ def _is_text(column: Any) -> bool:
 
 def _aligned(given: Mapping[str, Any]) -> Sequence[Any]:
     """Return the columns with the same rows, or with all of their dimensions."""
-    columns = [magnitude_of(column) for column in given.values()]
+    columns = [arguments.magnitude_of(column) for column in given.values()]
     first, *others = columns
-    library = library_of(first)
+    library = arguments.library_of(first)
     names = " and ".join(given)
-    if any(library_of(column) != library for column in others):
+    if any(arguments.library_of(column) != library for column in others):
         raise ConditionError(f"{names} are columns of two libraries", "columns of one")
     if library == XARRAY:
         xarray: Any = import_module(XARRAY)
@@ -199,10 +191,10 @@ def _array(key: str, column: Any, unit: Unit | None) -> Any:
         texts = column.to_numpy().tolist()
         if not all(isinstance(text, str) for text in texts):
             _refuse_missing(key, column)
-        return gathered(key, texts)
-    values = column.data if library_of(column) == XARRAY else column.to_numpy()
-    values = magnitude_of(values)
-    if not is_lazy(values):
+        return arguments.gathered(key, texts)
+    values = column.data if arguments.library_of(column) == XARRAY else column.to_numpy()
+    values = arguments.magnitude_of(values)
+    if not arguments.is_lazy(values):
         try:
             values = floats(values)
         except (TypeError, ValueError):
@@ -212,7 +204,7 @@ def _array(key: str, column: Any, unit: Unit | None) -> Any:
             raise ConditionError(problem, "a column of numbers") from None
         if key != "value" and numpy.isnan(values).any():
             _refuse_missing(key, column)
-    return values if unit is None else quantity(values, unit)
+    return values if unit is None else arguments.quantity(values, unit)
 
 
 def _refuse_missing(key: str, column: Any) -> None:

@@ -6,20 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import ShownInput
-from radcalc.api.arguments import (
-    Quantity,
-    broadcast,
-    is_lazy,
-    is_quantity,
-    library_of,
-    plain,
-    quantity,
-    read_inputs,
-    refuse_lazy,
-    require_texts,
-    together,
-    unit_of,
-)
+from radcalc.api import arguments
 from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
 from radcalc.api.functions import of_page
 from radcalc.api.keywords import Number
@@ -45,7 +32,9 @@ WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'
 
 
 @of_page("convert")
-def convert(value: Number, target: str, to: str | None = None, **conditions: Any) -> Quantity:
+def convert(
+    value: Number, target: str, to: str | None = None, **conditions: Any
+) -> arguments.Quantity:
     """Convert a quantity to another unit, or to another quantity under conditions.
 
     Parameters
@@ -90,19 +79,25 @@ def convert(value: Number, target: str, to: str | None = None, **conditions: Any
     if columns:
         unit = target_of(target)
         name = keyword(result_name(unit) or "value")
-        column: Quantity = of_conversion(columns, convert(target=target, **arrays), unit, name)
+        column: arguments.Quantity = of_conversion(
+            columns, convert(target=target, **arrays), unit, name
+        )
         return column
-    if any(map(is_lazy, arrays.values())):
+    if any(map(arguments.is_lazy, arrays.values())):
         from radcalc.api.lazy import blockwise
 
-        waiting: Quantity = blockwise("convert", _again, {**arrays, "target": target})
+        waiting: arguments.Quantity = blockwise("convert", _again, {**arrays, "target": target})
         return waiting
     conversion, magnitude, given = _plan(value, target, conditions)
     if _has_uncertainty(magnitude) or any_uncertain(given):
         number = _converted(conversion, magnitude, given).number
     else:
-        number = broadcast(lambda: conversion.apply(magnitude))
-    return frozen(number) if conversion.target.is_scale else quantity(number, conversion.target)
+        number = arguments.broadcast(lambda: conversion.apply(magnitude))
+    return (
+        frozen(number)
+        if conversion.target.is_scale
+        else arguments.quantity(number, conversion.target)
+    )
 
 
 @of_page("convert")
@@ -161,7 +156,9 @@ def explain(value: Number, target: str, to: str | None = None, **conditions: Any
     )
     answer = answer._replace(inputs=inputs).spelled(in_words)
     name = keyword(answer.rows[0].name or "value")
-    result = reading if conversion.target.is_scale else quantity(reading, conversion.target)
+    result = (
+        reading if conversion.target.is_scale else arguments.quantity(reading, conversion.target)
+    )
 
     def ask() -> Any:
         from radcalc.homework.question import of_conversion
@@ -201,9 +198,9 @@ def factor(source: str, target: str, **conditions: Any) -> float:
     >>> factor("klx", "lx"), factor("lx", "umol/m2/s", efficacy="50 lm s/umol")
     (1000.0, 0.02)
     """
-    require_texts(source=source, target=target)
+    arguments.require_texts(source=source, target=target)
     start = resolve_any(source)
-    given = [*read_inputs(conditions).values()]
+    given = [*arguments.read_inputs(conditions).values()]
     refuse_uncertain(given, "a factor")
     for condition in given:
         if is_column(condition.value):
@@ -228,9 +225,9 @@ def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
         raise ConditionError("a truth value is not a number", WITH_UNIT)
     if to is None:
         return value, unit
-    require_texts(unit=unit, to=to)
+    arguments.require_texts(unit=unit, to=to)
     start = resolve_any(unit)
-    if is_quantity(value) or (isinstance(value, str) and read_amount(value).unit):
+    if arguments.is_quantity(value) or (isinstance(value, str) and read_amount(value).unit):
         problem = f"the value '{quote(str(value))}' has a unit, and '{quote(unit)}' is another"
         raise ConversionError(problem, f'radcalc.convert("{quote(str(value))}", "{quote(to)}")')
     if isinstance(value, str) or type(value) in (int, float):
@@ -240,9 +237,9 @@ def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
         raise ConversionError(problem, "a call for each reading")
     if isinstance(value, (list, tuple)):
         value = real(value, "the value", "real numbers")
-    if library_of(value):
+    if arguments.library_of(value):
         return with_unit(value, start), to
-    return Quantity(value, light_registry().container(start)), to
+    return arguments.Quantity(value, light_registry().container(start)), to
 
 
 def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:
@@ -279,11 +276,11 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
 
     The magnitude of a text with an uncertainty is a `ReadAmount`.
     """
-    refuse_lazy(value, "the value")
-    require_texts(target=target)
+    arguments.refuse_lazy(value, "the value")
+    arguments.require_texts(target=target)
     magnitude: Any
     source: Unit | None
-    given = [*read_inputs(conditions).values()]
+    given = [*arguments.read_inputs(conditions).values()]
     if isinstance(value, (list, tuple)):
         value = as_array(value)
     if isinstance(value, str):
@@ -291,8 +288,8 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         magnitude = amount.exact
         source = source_of(amount, target_of(target, amount.typed[1]), given)
         magnitude = amount if amount.is_uncertain else magnitude
-    elif is_quantity(value):
-        magnitude, source = value.magnitude, unit_of(value)
+    elif arguments.is_quantity(value):
+        magnitude, source = value.magnitude, arguments.unit_of(value)
     else:
         magnitude, source = value, None
     is_one = isinstance(magnitude, (int, float)) and abs(magnitude) < LARGEST
@@ -301,7 +298,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         return conversion, magnitude, given
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
     if not isinstance(magnitude, (int, float)) and kind not in ("i", "u", "f"):
-        hint = "real numbers" if is_quantity(value) else "a text, a quantity or numbers"
+        hint = "real numbers" if arguments.is_quantity(value) else "a text, a quantity or numbers"
         magnitude = real(magnitude, "the value", hint)
     return conversion, magnitude, given
 
@@ -317,17 +314,21 @@ def _plan_of(source: Unit | None, target: str, given: list[Input], number: str) 
 
 def as_array(value: Sequence[Any]) -> Any:
     """Return a list of texts or quantities as one array in the unit of the first; others as is."""
-    if not any(isinstance(element, str) or is_quantity(element) for element in value):
+    if not any(isinstance(element, str) or arguments.is_quantity(element) for element in value):
         return value
     amounts = [read_amount(element) if isinstance(element, str) else None for element in value]
     if any(amount and amount.is_uncertain for amount in amounts) or any(map(is_uncertain, value)):
         raise ConditionError("a list has an uncertain value", ONE_EACH)
     typed = [
-        amount.typed if amount else plain(element) if is_quantity(element) else (element, None)
+        amount.typed
+        if amount
+        else arguments.plain(element)
+        if arguments.is_quantity(element)
+        else (element, None)
         for element, amount in zip(value, amounts, strict=True)
     ]
     pairs = [(number, unit or resolve("1")) for number, unit in typed]
     if any(unit.is_scale for _, unit in pairs):
         problem = "a list has readings on a scale"
         raise ConditionError(problem, "one text a call, or what they stand for, in a unit")
-    return quantity(*together("a list", pairs))
+    return arguments.quantity(*arguments.together("a list", pairs))

@@ -13,17 +13,7 @@ from warnings import warn
 import numpy
 
 from radcalc.answer import ShownInput, texts_of
-from radcalc.api.arguments import (
-    is_quantity,
-    magnitude_of,
-    one_of,
-    read_inputs,
-    refuse_arrays,
-    refuse_lazy,
-    refuse_unlike_index,
-    require_texts,
-    unit_of,
-)
+from radcalc.api import arguments
 from radcalc.api.conversion import as_array
 from radcalc.api.functions import calculate, of_page
 from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
@@ -148,13 +138,15 @@ def dose(
     >>> print(dose([0, 500, 0], hours, unit="umol/m2/s").exposure)
     10.8 mole / metre ** 2
     """
-    means = one_of(samples, READINGS, "kind of samples") == MEANS_OF_STEPS
-    one_of(invalid, SKIPPING, "treatment of an invalid reading")
-    period = "" if by is None else one_of(by, PERIODS, "period")
-    require_texts(unit=unit, time_zone=time_zone, time_unit=time_unit, time_format=time_format)
-    inputs = read_inputs(given)
+    means = arguments.one_of(samples, READINGS, "kind of samples") == MEANS_OF_STEPS
+    arguments.one_of(invalid, SKIPPING, "treatment of an invalid reading")
+    period = "" if by is None else arguments.one_of(by, PERIODS, "period")
+    arguments.require_texts(
+        unit=unit, time_zone=time_zone, time_unit=time_unit, time_format=time_format
+    )
+    inputs = arguments.read_inputs(given)
     refuse_uncertain([inputs["max-gap"]] if "max-gap" in inputs else [], "a log")
-    refuse_arrays(inputs, "the whole log")
+    arguments.refuse_arrays(inputs, "the whole log")
     clock = TimeSettings(time_zone, time_unit, time_format)
     columns = tuple(map(str, _listed(time_column)))
     place = "" if column is None else str(column)
@@ -205,11 +197,11 @@ def _table(readings: Any, times: Any, unit: str) -> Table:
         if not hasattr(times, "freq"):  # an index of dates or of timedeltas
             raise MissingInput("the times of the readings are missing", TIMES)
     of_times = _elements(times, "times")
-    refuse_unlike_index(values, times)
+    arguments.refuse_unlike_index(values, times)
     if len(of_values) != len(of_times):
         problem = f"there are {len(of_values)} readings and {len(of_times)} times"
         raise ConditionError(problem, "a time for each reading")
-    own = unit_of(values).text if is_quantity(values) else ""
+    own = arguments.unit_of(values).text if arguments.is_quantity(values) else ""
     if own and unit:
         raise ConditionError("unit cannot be used with readings that have a unit", "leave out unit")
     first = of_times[0] if of_times else None
@@ -220,15 +212,15 @@ def _table(readings: Any, times: Any, unit: str) -> Table:
         [_cell(time) for time in of_times],
         [_cell(value) for value in of_values],
         own or unit,
-        unit_of(times).text if is_quantity(times) else unit_of_times,
+        arguments.unit_of(times).text if arguments.is_quantity(times) else unit_of_times,
         getattr(zone, "key", None) or getattr(zone, "zone", None) or "",
     )
 
 
 def _elements(value: Any, what: str) -> list[Any]:
     """Return the elements of a sequence, a column or an array of one dimension."""
-    refuse_lazy(value, what)
-    array = magnitude_of(value)
+    arguments.refuse_lazy(value, what)
+    array = arguments.magnitude_of(value)
     if hasattr(array, "to_list"):  # of pandas and Polars
         return list(array.to_list())
     if not isinstance(array, (list, tuple, numpy.ndarray)) or getattr(array, "ndim", 1) != 1:

@@ -4,34 +4,16 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from radcalc import errors
 from radcalc.answer import Answer, Remark, Step, Value, texts_of
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Task, Wants, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, refuse_foreign, worksheet
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    Try,
-    UsageError,
-    call,
-    command,
-    leave_out,
-    option,
-    quote,
-)
-from radcalc.geometry.directions import (
-    Vector,
-    cartesian,
-    cross,
-    dot,
-    length,
-    mirror_normal,
-    reflected,
-    spherical,
-    unit,
-)
+from radcalc.errors import option, quote
+from radcalc.geometry import directions
+from radcalc.geometry.directions import length, unit
 from radcalc.geometry.projections import direction_at, is_outside, place_of
 from radcalc.inputs.given import Input, Inputs, any_of, one_of
 from radcalc.inputs.places import read_coordinates
@@ -106,43 +88,45 @@ def task(words: Sequence[str], wants: Wants) -> Task:
         names = [name for name in given if name not in MIRRORS]
         if vector and names:
             what = option("mirror-ball") if "mirror-ball" in names else "angles"
-            without = call("direction", **{name: item.text for name, item in given.items()})
+            without = errors.call("direction", **{name: item.text for name, item in given.items()})
             problem = f"a vector cannot be used with {what}"
-            raise ConditionError(problem, [leave_out(*names), without])
+            raise errors.ConditionError(problem, [errors.leave_out(*names), without])
         if not vector and not names:
             texts = {name: item.text for name, item in given.items()}
-            by_angles = Try((("polar", ""), ("azimuth", "")))
-            ways = [call("direction", "1", "1", "1", **texts), by_angles]
-            raise UsageError("a direction is missing", ways)
+            by_angles = errors.Try((("polar", ""), ("azimuth", "")))
+            ways = [errors.call("direction", "1", "1", "1", **texts), by_angles]
+            raise errors.UsageError("a direction is missing", ways)
         return direction(given, vector, unit, with_ball)
 
     return Task("direction", work_out, texts_of({"vector": ",".join(coordinates)}))
 
 
-def _read(coordinates: list[str]) -> tuple[Vector, str]:
+def _read(coordinates: list[str]) -> tuple[directions.Vector, str]:
     if len(coordinates) != 3:
         problem = f"a vector has three coordinates, not {len(coordinates)}"
-        raise UsageError(problem, _of_two(coordinates) or command("direction", "1", "1", "1"))
+        raise errors.UsageError(
+            problem, _of_two(coordinates) or errors.command("direction", "1", "1", "1")
+        )
     (x, y, z), unit = read_coordinates(coordinates)
     return (x, y, z), unit
 
 
-def _of_two(words: list[str]) -> list[Try]:
+def _of_two(words: list[str]) -> list[errors.Try]:
     """Propose the direction of two angles, or of a vector in a plane."""
     units = [unit_of(split_value(word)[1]) for word in words]
     if len(words) == 2 and not any(split_value(word)[1] for word in words):
-        return [call("direction", *words, "0", remark="in the plane of x and y")]
+        return [errors.call("direction", *words, "0", remark="in the plane of x and y")]
     if len(words) != 2 or any(unit is None or unit.dimension != ANGLE for unit in units):
         return []
     first, second = words
     return [
-        call("direction", polar=first, azimuth=second),
-        call("direction", azimuth=first, elevation=second),
+        errors.call("direction", polar=first, azimuth=second),
+        errors.call("direction", azimuth=first, elevation=second),
     ]
 
 
 def direction(
-    given: Inputs, vector: Vector | None = None, unit: str = "", with_ball: bool = False
+    given: Inputs, vector: directions.Vector | None = None, unit: str = "", with_ball: bool = False
 ) -> Answer:
     """Return the answer for a direction given by coordinates, angles or a mirror ball.
 
@@ -154,10 +138,10 @@ def direction(
     if "mirror-ball" in given:
         for name in (*ANGLES, *MIRRORS):
             if name in given:
-                raise Exclusive(("mirror-ball", name))
+                raise errors.Exclusive(("mirror-ball", name))
         return _of_ball(given["mirror-ball"])
     if all(name in given for name in MIRRORS):
-        raise Exclusive(MIRRORS)
+        raise errors.Exclusive(MIRRORS)
     if any(name in given for name in MIRRORS):
         answer = _reflect(given, vector, unit)
     elif vector:
@@ -186,7 +170,7 @@ def _polar_of_elevation(sheet: Worksheet) -> Placed:
 
 def of_vector(x: Number, y: Number, z: Number, unit: str = "") -> Answer:
     """Return the direction of a vector; its coordinates are in SI units if they have a unit."""
-    polar, azimuth, length = spherical(x, y, z)
+    polar, azimuth, length = directions.spherical(x, y, z)
     unit_vector = (x / length, y / length, z / length)
     notes = [f"{POLE}; 0 is shown"] if any_true(_is_at_pole(x, y)) else []
     from_axis, far = format_number(hypot(x, y)), format_number(z)
@@ -212,11 +196,11 @@ def _is_at_pole(x: Number, y: Number) -> Any:
     return (x == 0) & (y == 0)
 
 
-def _from_angles(given: Inputs) -> tuple[Number, Number, Vector, Step]:
+def _from_angles(given: Inputs) -> tuple[Number, Number, directions.Vector, Step]:
     given_angle = any_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = one_of(given, "the azimuth", "azimuth").value
     polar = given_angle.value if given_angle.name == "polar" else math.pi / 2 - given_angle.value
-    x, y, z = cartesian(polar, azimuth)
+    x, y, z = directions.cartesian(polar, azimuth)
     if given_angle.name == "elevation":
         z = sin(given_angle.value)  # avoids the rounding error of a right angle
         x, y = cos(given_angle.value) * cos(azimuth), cos(given_angle.value) * sin(azimuth)
@@ -226,7 +210,7 @@ def _from_angles(given: Inputs) -> tuple[Number, Number, Vector, Step]:
     return polar, azimuth, (x, y, z), UNIT_VECTOR.with_numbers(numbers)
 
 
-def _without_rounding(vector: Vector, least: Number) -> Vector:
+def _without_rounding(vector: directions.Vector, least: Number) -> directions.Vector:
 
     def rounded(size: Number) -> Number:
         return piecewise(abs(size) < least, lambda s: 0.0 * abs(s), lambda s: s, size)
@@ -235,25 +219,25 @@ def _without_rounding(vector: Vector, least: Number) -> Vector:
     return x, y, z
 
 
-def _reflect(given: Inputs, vector: Vector | None, unit: str) -> Answer:
+def _reflect(given: Inputs, vector: directions.Vector | None, unit: str) -> Answer:
     """Return the reflection of a direction, or the normal of the mirror that reflects it."""
     steps = []
     if vector is None:
         *_, vector, step = _from_angles(given)
         steps.append(step)
-    size = spherical(*vector)[2]
+    size = directions.spherical(*vector)[2]
     numbers = f"d = {_format_vector(vector)}"
     if "reflect-at" in given:
         normal = given["reflect-at"].value
         incidence = _angle(vector, normal)
         _refuse_behind(given["reflect-at"], incidence)
-        result = _without_rounding(reflected(vector, normal), 4 * LEAST * size)
+        result = _without_rounding(directions.reflected(vector, normal), 4 * LEAST * size)
         numbers += f", n = {_format_vector(normal)}; r = {_format_vector(result)}"
         steps.append(REFLECTION.with_numbers(numbers))
         assumption = "the results are those of the reflection"
     else:
         to = given["reflect-to"].value
-        result, unit = _without_rounding(mirror_normal(vector, to), 4 * LEAST), ""
+        result, unit = _without_rounding(directions.mirror_normal(vector, to), 4 * LEAST), ""
         incidence = _angle(vector, result)
         steps.append(
             BISECTOR.with_numbers(
@@ -269,23 +253,23 @@ def _reflect(given: Inputs, vector: Vector | None, unit: str) -> Answer:
     )
 
 
-def _angle(first: Vector, second: Vector) -> Number:
+def _angle(first: directions.Vector, second: directions.Vector) -> Number:
     """Return the angle between two vectors, to all digits."""
     a, b = unit(first), unit(second)
-    return atan2(length(cross(a, b)), dot(a, b))
+    return atan2(length(directions.cross(a, b)), directions.dot(a, b))
 
 
 def _refuse_behind(normal: Input, incidence: Number) -> None:
     if any_true(incidence > math.pi / 2 * (1 + SLACK)):
         turned = ",".join(format_number(-component, 15) for component in normal.value)
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{option('reflect-at', quote(normal.text))}: the direction is behind the mirror, "
             f"{format_angle(incidence)} from its normal",
             f"{option('reflect-at', turned)} for its other side",
         )
 
 
-def _format_vector(vector: Vector) -> str:
+def _format_vector(vector: directions.Vector) -> str:
     return f"({', '.join(map(format_number, vector))})"
 
 
@@ -293,7 +277,7 @@ def _of_ball(place: Input) -> Answer:
     u, v = place.value
     if is_outside(MIRROR_BALL, u, v):
         ratio = format_number(hypot(u, v))
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{option('mirror-ball', quote(place.text))} is outside the ball, {ratio} times its "
             "radius from the middle",
             "u and v with u^2 + v^2 of at most 1",
@@ -338,7 +322,7 @@ def _length(length: Any, unit: str = "") -> Value:
     return row._replace(dimensions=(dimension,))
 
 
-def _rows(polar: Any, azimuth: Any, vector: Vector, given: Inputs) -> list[Value]:
+def _rows(polar: Any, azimuth: Any, vector: directions.Vector, given: Inputs) -> list[Value]:
     """Return the angles, as given where they are inputs, and the unit vector."""
     x, y, z = vector
     angles = {"polar": polar, "azimuth": azimuth, "elevation": atan2(z, hypot(x, y))}

@@ -17,15 +17,9 @@ from radcalc.inputs.given import Inputs, at_most_one, split_by_light
 from radcalc.inputs.places import require_azimuth
 from radcalc.inputs.reading import read
 from radcalc.maths import is_array
+from radcalc.quantities import symbols
 from radcalc.quantities.light import KINDS
-from radcalc.quantities.symbols import (
-    LATLONG,
-    LINKS,
-    REFINEMENTS,
-    SYMBOLS,
-    light_unit,
-    specific_name,
-)
+from radcalc.quantities.symbols import LATLONG, LINKS
 from radcalc.units.dimensions import SOLID_ANGLE
 from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER
@@ -78,7 +72,7 @@ PAGE = Page(
             ),
             "size",
         ),
-        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*LINKS, *symbols.REFINEMENTS),
     },
     texts={
         "toward": "Direction to where the light comes from, as POLAR (from +z), "
@@ -384,8 +378,8 @@ class _Surroundings:
 
         unit, label = "sr", "relative irradiance"
         if self.kind:
-            unit = light_unit("irradiance", self.kind)
-            label = specific_name("irradiance", self.kind).replace("-", " ")
+            unit = symbols.light_unit("irradiance", self.kind)
+            label = symbols.specific_name("irradiance", self.kind).replace("-", " ")
         pixels = values / float(resolve(unit).factor)
         floats = as_floats(pixels, unit)
         height, width, _ = pixels.shape
@@ -423,7 +417,7 @@ class _Surroundings:
 
     def _format(self, name: str, amount: float) -> str:
         relative = _relative(name, amount).units[0]
-        unit = light_unit(name, self.kind, coherent=True) if self.kind else relative
+        unit = symbols.light_unit(name, self.kind, coherent=True) if self.kind else relative
         return format_value(amount, unit)
 
     def _error(self, error: float) -> Value:
@@ -448,8 +442,8 @@ class _Surroundings:
 
 
 def _relative(name: str, amount: float) -> Value:
-    symbol = SYMBOLS[name]
-    is_radiance = symbol.geometry == SYMBOLS["radiance"].geometry
+    symbol = symbols.SYMBOLS[name]
+    is_radiance = symbol.geometry == symbols.SYMBOLS["radiance"].geometry
     dimension, unit = (NUMBER, "1") if is_radiance else (SOLID_ANGLE, "sr")
     return value(name, amount, unit, label=f"relative {symbol.label}")._replace(
         dimensions=(dimension,)

@@ -2,24 +2,13 @@
 
 from typing import Any
 
+from radcalc import errors
 from radcalc.answer import Answer
 from radcalc.calculators.page import Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, facing, place, worksheet
 from radcalc.derivation import format_number
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    HorizonCuts,
-    MissingInput,
-    NumberError,
-    TooNear,
-    Try,
-    add,
-    leave_out,
-    mention,
-)
 from radcalc.geometry import cones, far_field
 from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
 from radcalc.laws import solid_angles as laws_of
@@ -80,11 +69,11 @@ def etendue(given: Inputs) -> Answer:
     has_receiver = any(name in given for name in RECEIVERS)
     has_receiver |= "distance" in given and not has_cone
     if has_receiver and has_cone:
-        raise ConditionError(
+        raise errors.ConditionError(
             "a receiver cannot be used with a cone: both limit the light",
             [
-                leave_out(*(name for name in CONES if name in given)),
-                leave_out(*(name for name in (*RECEIVERS, "distance") if name in given)),
+                errors.leave_out(*(name for name in CONES if name in given)),
+                errors.leave_out(*(name for name in (*RECEIVERS, "distance") if name in given)),
             ],
         )
     takes = WITH_RECEIVER if has_receiver else WITH_CONE
@@ -102,7 +91,7 @@ def etendue(given: Inputs) -> Answer:
     if any_true(size == 0):
         solved.note("one of the patches is seen from its edge or from behind")
     elif any_true(size < FAINTEST):
-        raise NumberError("the etendue is too small for a number", "larger sizes")
+        raise errors.NumberError("the etendue is too small for a number", "larger sizes")
     _note_far_field(solved)
     first = value("etendue", size, "m2 sr", "mm2 sr")
     if "etendue" in given:
@@ -110,20 +99,24 @@ def etendue(given: Inputs) -> Answer:
     return solved.answer([first])
 
 
-def _unlimited(given: Inputs) -> MissingInput:
+def _unlimited(given: Inputs) -> errors.MissingInput:
     if set(given) & {*CONES, *RECEIVERS}:
         sizes = "{area=1cm2}, {radius=10cm}, {diameter=20cm}, or {width=2cm} with {length=1cm}"
-        return MissingInput("the size of the source is missing", mention(sizes))
+        return errors.MissingInput("the size of the source is missing", errors.mention(sizes))
     limits = "{half-angle}, {apex-angle}, {na}, {f-number}, or {receiver-area} (-radius, -diameter)"
-    ways = [add("half-angle"), add("f-number"), Try((("receiver-area", ""), ("distance", "")))]
-    hint = mention(limits + " with {distance}")
-    return MissingInput("a cone or a receiver is missing", hint, ways)
+    ways = [
+        errors.add("half-angle"),
+        errors.add("f-number"),
+        errors.Try((("receiver-area", ""), ("distance", ""))),
+    ]
+    hint = errors.mention(limits + " with {distance}")
+    return errors.MissingInput("a cone or a receiver is missing", hint, ways)
 
 
 def _source(given: Inputs) -> list[AnyLaw]:
     sides, radii = ([n for n in names if n in given] for names in (("width", "length"), ROUND))
     if sides and radii:
-        raise Exclusive((sides[0], radii[0]), "a rectangle and a circle")
+        raise errors.Exclusive((sides[0], radii[0]), "a rectangle and a circle")
     if sides:
         return [RECTANGLE]
     return [*round_sizes(given), CIRCLE] if radii else []
@@ -199,7 +192,9 @@ def _refuse_near(solved: Solved) -> None:
         if {"tilt", "incidence"} & set(solved.given):
             hint = "two discs without {tilt} and {incidence}, which are exact"
         size = format_number(longest)
-        raise TooNear(solved.describe("distance"), "patches", size, mention(hint), FAR_FIELD)
+        raise errors.TooNear(
+            solved.describe("distance"), "patches", size, errors.mention(hint), FAR_FIELD
+        )
     tilt, incidence = angle_of(solved.given, "tilt"), angle_of(solved.given, "incidence")
     _refuse_cut(solved, "incidence", far_field.REACH * source)
     _refuse_cut(solved, "tilt", far_field.REACH * receiver)
@@ -215,7 +210,7 @@ def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:
     away, angle = solved.value("distance"), angle_of(solved.given, name)
     if any_true(far_field.is_cut(reach, away, angle)):
         least = far_field.steepest(reach, away)
-        raise HorizonCuts(name, solved.given[name].text, least, law=FAR_FIELD)
+        raise errors.HorizonCuts(name, solved.given[name].text, least, law=FAR_FIELD)
 
 
 def _note_far_field(solved: Solved) -> None:

@@ -8,37 +8,18 @@ from contextlib import suppress
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
+from radcalc import errors
 from radcalc.answer import Remark, Step, Value
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
 from radcalc.derivation import format_number, format_value, letter_of
-from radcalc.errors import (
-    ConditionError,
-    Contradiction,
-    Exclusive,
-    Impossible,
-    MissingInput,
-    NumberError,
-    TooNarrow,
-    add,
-    leave_out,
-    option,
-    options,
-    quote,
-)
+from radcalc.errors import option, options
 from radcalc.inputs.given import Input, Inputs
 from radcalc.laws.law import Law, law, same
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.maths import is_lost, larger
+from radcalc.quantities import symbols
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
-from radcalc.quantities.symbols import (
-    EFFICACIES,
-    LINKS,
-    QUANTITY,
-    REFINEMENTS,
-    SYMBOLS,
-    light_unit,
-    specific_name,
-)
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
 from radcalc.units.unit import Dimension
@@ -136,7 +117,7 @@ def _by_generic_names(typed: Inputs) -> tuple[Inputs, Inputs, list[str]]:
                 of[generic], item = item, of[generic]
             notes += _compare(of[generic], item)
         elif given_in_two_kinds:
-            raise Exclusive((given[generic].name, item.name), "they are the same quantity")
+            raise errors.Exclusive((given[generic].name, item.name), "they are the same quantity")
         else:
             given_in_two_kinds[generic] = item
     return given, given_in_two_kinds, notes
@@ -153,9 +134,9 @@ def _links(
 
         links, agreed = without_efficacy(links)
         notes += agreed
-    linking = [name for name in links if name in LINKS]
+    linking = [name for name in links if name in symbols.LINKS]
     if len(linking) > 1:
-        raise Exclusive(linking[:2], "both link radiant, luminous and photon quantities")
+        raise errors.Exclusive(linking[:2], "both link radiant, luminous and photon quantities")
     for name, twin in given_in_two_kinds.items():
         ratio = Ratio.of(given[name], twin)
         if linking:
@@ -168,19 +149,19 @@ def _links(
     return links, notes, steps
 
 
-def _unlinked(item: Input, first: Input, kind: str) -> MissingInput:
+def _unlinked(item: Input, first: Input, kind: str) -> errors.MissingInput:
     """Return the error for a light quantity that no link converts to the kind of the first."""
-    return MissingInput(
+    return errors.MissingInput(
         f"{option(item.name)} is {KIND_NAMES[kind_of(item)]}, "
         f"{option(first.name)} {KIND_NAMES[kind]}: {MISSING_LINK}",
         LINKS_HINT,
-        [add("wavelength"), add("spectrum"), leave_out(item.name)],
+        [errors.add("wavelength"), errors.add("spectrum"), errors.leave_out(item.name)],
     )
 
 
 def _compare(first: Input, second: Input) -> list[str]:
     """Refuse two values of one quantity that differ by more than their digits; return a note."""
-    texts = [option(item.name, quote(item.text)) for item in (first, second)]
+    texts = [option(item.name, errors.quote(item.text)) for item in (first, second)]
     known = {
         name: Known(item.value, item.rounding * abs(item.value))
         for name, item in (("first", first), ("second", second))
@@ -190,7 +171,7 @@ def _compare(first: Input, second: Input) -> list[str]:
     except Disagreement:
         problem = "{} contradicts {}: they are the same quantity".format(*texts)
         hint = options((first.name, second.name), ", ")
-        raise Contradiction(
+        raise errors.Contradiction(
             problem, f"leave out one of {hint}", first.symbol.generic, first.value, second.value
         ) from None
     note = "{} is used; {} agrees to the digits typed".format(*texts)
@@ -209,7 +190,7 @@ class Ratio(NamedTuple):
         kinds = {kind_of(given): given for given in (first, second)}
         return next(
             cls(name, kinds[over], kinds[under])
-            for name, over, under in EFFICACIES
+            for name, over, under in symbols.EFFICACIES
             if {over, under} == kinds.keys()
         )
 
@@ -235,7 +216,8 @@ class Ratio(NamedTuple):
     @property
     def law(self) -> Law:
         over, under = (
-            specific_name(quantity.symbol.generic, kind_of(quantity)) for quantity in self[1:]
+            symbols.specific_name(quantity.symbol.generic, kind_of(quantity))
+            for quantity in self[1:]
         )
         label = f"{SYMBOLS[self.name].label} of the light"
         return law(label, f"{{{over}}} = {{{self.name}}} {{{under}}}")
@@ -245,7 +227,9 @@ class Ratio(NamedTuple):
 
         generic, kinds = self.over.symbol.generic, (kind_of(self.over), kind_of(self.under))
         over, under = (
-            format_value(quantity.value, light_unit(generic, kind_of(quantity), coherent=True))
+            format_value(
+                quantity.value, symbols.light_unit(generic, kind_of(quantity), coherent=True)
+            )
             for quantity in self[1:]
         )
         letter = letter_of(self.name)
@@ -264,7 +248,7 @@ def rounding(lit: LightInputs, name: str) -> Any:
         for quantity, twin in lit.given_in_two_kinds.items():
             off += (lit.values[quantity].rounding + twin.rounding) * amount
         for key, link in lit.links.items():
-            if link.symbol.form == QUANTITY and link.rounding:
+            if link.symbol.form == symbols.QUANTITY and link.rounding:
                 parts = (1 + link.rounding, 1 - link.rounding)
                 moved = ({**lit.links, key: link._replace(value=link.value * p)} for p in parts)
                 factors = [
@@ -278,22 +262,22 @@ def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
     kinds = (kind_of(quantity) for quantity in ratio[1:])
     try:
         linking_factor(links, *kinds)
-    except Impossible as error:
+    except errors.Impossible as error:
         quantities = " and ".join(
-            option(quantity.name, quote(quantity.text)) for quantity in ratio[1:]
+            option(quantity.name, errors.quote(quantity.text)) for quantity in ratio[1:]
         )
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{quantities} contradict each other: {error.because}",
             f"less of the one or more of the other: {error.limit}",
-            [leave_out(quantity.name) for quantity in ratio[1:]],
+            [errors.leave_out(quantity.name) for quantity in ratio[1:]],
         ) from None
 
 
 def _refuse_idle_refinements(links: Inputs) -> None:
-    for name in REFINEMENTS:
-        useful = LINKS if name == "observer" else ("spectrum",)
+    for name in symbols.REFINEMENTS:
+        useful = symbols.LINKS if name == "observer" else ("spectrum",)
         if name in links and not set(useful) & set(links):
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{option(name)} does not apply without {options(useful)}",
                 f"add {options(useful)}, or use neither",
             )
@@ -307,17 +291,19 @@ def linking_factor(links: Inputs, over: str, under: str) -> "Factor | None":
 
     try:
         return spectral.linked(links, over, under)
-    except (Impossible, TooNarrow):
+    except (errors.Impossible, errors.TooNarrow):
         raise
-    except ConditionError as error:
-        raise error.reworded(tries=error.tries or [leave_out(name) for name in links]) from None
+    except errors.ConditionError as error:
+        raise error.reworded(
+            tries=error.tries or [errors.leave_out(name) for name in links]
+        ) from None
 
 
 def _multiple(name: str, amount: Any, factor: Any) -> Any:
     """Return an amount in another kind; refuse one that is too small for a number."""
     product = amount * factor
     if is_lost(product, amount, factor):
-        raise NumberError(f"{name} is too small for a number", "less extreme values")
+        raise errors.NumberError(f"{name} is too small for a number", "less extreme values")
     return product
 
 
@@ -333,11 +319,11 @@ class LightResults(NamedTuple):
 def show_light(lit: LightInputs, amounts: dict[str, Any]) -> LightResults:
     """Return light quantities [SI, by generic name] as results in every linked kind."""
     factors: dict[str, Factor] = {}
-    refused: dict[str, TooNarrow] = {}
+    refused: dict[str, errors.TooNarrow] = {}
     for kind in KINDS:
         try:
             factor = linking_factor(lit.links, kind, lit.kind) if kind != lit.kind else None
-        except TooNarrow as error:
+        except errors.TooNarrow as error:
             refused[kind] = error
         else:
             if factor:
@@ -380,7 +366,7 @@ def _value(
         (candidate for candidate in candidates if candidate and kind_of(candidate) == kind), None
     )
     letter = SYMBOLS[name].letter
-    also = specific = specific_name(name, kind)
+    also = specific = symbols.specific_name(name, kind)
     own_name = specific if specific != name else f"radiant-{name}"
     if kind in lit.mixed:
         typed = given.name if given else own_name
@@ -393,7 +379,7 @@ def _value(
         letter if "_" in letter else f"{letter}_{kind}",
         given.value if given else amount,
         (dimension(name, kind),),
-        (given.unit_text if given else light_unit(name, kind),),
+        (given.unit_text if given else symbols.light_unit(name, kind),),
         reach,
         given.number if given else None,
         also,
@@ -406,9 +392,9 @@ def efficacies(lit: LightInputs) -> list[tuple[str, Any]]:
         Ratio.of(lit.values[name], twin).name for name, twin in lit.given_in_two_kinds.items()
     }
     ratios = []
-    for name, over, under in EFFICACIES:
+    for name, over, under in symbols.EFFICACIES:
         if name in ratio_names or (over, under) == (LUMINOUS, RADIANT):
-            with suppress(TooNarrow):  # results that need the ratio report it
+            with suppress(errors.TooNarrow):  # results that need the ratio report it
                 if factor := linking_factor(lit.links, over, under):
                     ratios.append((name, factor.value))
     return ratios

@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from functools import partial
 
+from radcalc import errors
 from radcalc.answer import Answer, Remark, texts_of
 from radcalc.calculators.kinds import LightInputs
 from radcalc.calculators.page import Operand, Page
@@ -22,21 +23,7 @@ from radcalc.calculators.shapes import (
 from radcalc.calculators.solved import Solved, Task, Wants, solve_all
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
-from radcalc.errors import (
-    ConditionError,
-    HorizonCuts,
-    Idle,
-    MissingInput,
-    RadcalcError,
-    TooNear,
-    UsageError,
-    add,
-    command,
-    correct,
-    mention,
-    option,
-    quote,
-)
+from radcalc.errors import command, option, quote
 from radcalc.geometry import far_field
 from radcalc.inputs.given import Input, Inputs, angle_of, offset_of, split_by_light
 from radcalc.inputs.reading import read
@@ -156,8 +143,8 @@ def task(words: Sequence[str], wants: Wants) -> Task:
         return Task("lambertian", partial(OPERAND.refuse, shape, takes))
     shape = OPERAND.choice(shape)
     if more_words:
-        ways = [correct(word) for word in words[::-1]]
-        raise UsageError(f"unexpected argument '{quote(more_words[0])}'", "one shape", ways)
+        ways = [errors.correct(word) for word in words[::-1]]
+        raise errors.UsageError(f"unexpected argument '{quote(more_words[0])}'", "one shape", ways)
     work_out = partial(lambertian, shape if words else "")
     return Task("lambertian", work_out, texts_of({"shape": shape}), shape)
 
@@ -171,22 +158,22 @@ def lambertian(shape: str, given: Inputs) -> Answer:
         _refuse_round(given)
     try:
         return _answer(shape, SHAPES[shape or OPERAND.default].place, given)
-    except (TooNear, HorizonCuts) as error:
+    except (errors.TooNear, errors.HorizonCuts) as error:
         raise error.reworded(hint=_exact_call(given)) from None
-    except Idle as error:
+    except errors.Idle as error:
         received = [item.text for item in given.values() if item.symbol.generic == "irradiance"]
         if not received or "reflectance" not in given:
             raise
         incident = option("incident-irradiance", quote(received[0]))
         hint = f"{incident} for the light on the reflector; {error.hint}"
         raise error.reworded(hint=hint) from None
-    except ConditionError as error:
+    except errors.ConditionError as error:
         without, other_way = OTHERWISE.get(shape, ((), None))
         if other_way is None or set(without) & set(given):
             raise
         try:
             return _answer(shape, other_way, given)
-        except RadcalcError:
+        except errors.RadcalcError:
             raise error from None
 
 
@@ -195,9 +182,9 @@ def _refuse_round(given: Inputs) -> None:
     sizes = [name for name in ("radius", "diameter") if name in given]
     _, _, rest = split_by_light(given)
     if sizes and {*rest} <= {*_inputs_of("sphere")}:
-        ways = [add(OPERAND.name, shape) for shape in ("disc", "sphere")]
+        ways = [errors.add(OPERAND.name, shape) for shape in ("disc", "sphere")]
         size = option(sizes[0], quote(given[sizes[0]].text))
-        raise MissingInput(f"the shape is missing: {size} fits a disc and a sphere", ways)
+        raise errors.MissingInput(f"the shape is missing: {size} fits a disc and a sphere", ways)
 
 
 def _inputs_of(shape: str) -> tuple[str, ...]:
@@ -228,20 +215,20 @@ def _answer(named: str, find: Callable[[Worksheet], Placed], given: Inputs) -> A
 
 
 def _refuse_dark(given: Inputs, lit: LightInputs) -> None:
-    hint = mention("{radiance}, {exitance} or {flux}")
+    hint = errors.mention("{radiance}, {exitance} or {flux}")
     if not lit.values and ({"reflectance", "time"} & set(given) or lit.links):
-        raise MissingInput("a light quantity is missing", hint)
+        raise errors.MissingInput("a light quantity is missing", hint)
     if not given:
-        raise MissingInput("nothing is given", hint)
+        raise errors.MissingInput("nothing is given", hint)
 
 
 def _refuse_whole(shape: str, lit: LightInputs) -> None:
     """Refuse the total flux, energy or intensity of an infinite source."""
     for name in ("flux", "energy", "intensity"):
         if name in lit.values:
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{option(lit.values[name].name)}: a {shape} is infinite and has no total {name}",
-                mention("{radiance}, {exitance} or {irradiance} in its place"),
+                errors.mention("{radiance}, {exitance} or {irradiance} in its place"),
             )
 
 
@@ -309,7 +296,7 @@ def _exact_call(given: Inputs) -> str:
         inputs["incidence"] = read("incidence", "0deg")
     try:
         lambertian(shape, inputs)
-    except RadcalcError:
+    except errors.RadcalcError:
         return ""
     texts = {name: quote(item.text) for name, item in inputs.items()}
     circle = " if the patch is a circle" if "area" in given and not sides else ""
@@ -330,7 +317,7 @@ def _check_far(solved: Solved) -> tuple[str, ...]:
     longest = far_field.size(solved.value("area"), *sides)
     if far_field.is_near(away, longest):
         size = format_number(longest)
-        raise TooNear(solved.describe("distance"), "source", size, far_field.MORE_ROOM)
+        raise errors.TooNear(solved.describe("distance"), "source", size, far_field.MORE_ROOM)
     if CUT_DISC in (law for law, _ in solved.solution.used):
         return ()
     given = solved.given

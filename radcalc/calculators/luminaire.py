@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from radcalc import errors
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
@@ -35,17 +36,7 @@ from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, absent, value
 from radcalc.calculators.solved import Solved, contradiction, remarks_on
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.derivation import format_angle, format_number, format_value
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    MissingInput,
-    Try,
-    Unused,
-    mention,
-    option,
-    options,
-    quote,
-)
+from radcalc.errors import option, quote
 from radcalc.geometry import far_field
 from radcalc.inputs.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
@@ -108,15 +99,15 @@ class Figures(NamedTuple):
 
     axial: float
     peak: "Peak"
-    flux: "Integral | ConditionError"
+    flux: "Integral | errors.ConditionError"
 
 
 @lru_cache(maxsize=8)
 def _figures(distribution: Any) -> Figures:
-    flux: Integral | ConditionError
+    flux: Integral | errors.ConditionError
     try:
         flux = distribution.flux()
-    except ConditionError as error:
+    except errors.ConditionError as error:
         flux = error
     return Figures(float(distribution.intensity(0.0, 0.0)), distribution.peak(), flux)
 
@@ -190,9 +181,9 @@ class _Luminaire:
         values = solution.values
         self.placed.note(*remarks_on(self.sheet, solution))
         if name not in values:
-            raise MissingInput(
+            raise errors.MissingInput(
                 f"the {'shape' if shape == LOBED else 'width'} of the {shape} is missing",
-                options(SHAPED[shape]),
+                errors.options(SHAPED[shape]),
             )
         width = values[name].value
         for measure in SHAPED[shape]:
@@ -226,21 +217,23 @@ class _Luminaire:
         placed.add("relative-peak-intensity", self.figures.peak.value)
         if self.figures.axial == 0 and "intensity" in light:
             name = option(light["intensity"].name)
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{name} is the intensity on the axis, which is 0 in this distribution",
                 [
-                    Try((("peak-intensity", light["intensity"].text),), (light["intensity"].name,)),
-                    Try((("flux", ""),), (light["intensity"].name,)),
+                    errors.Try(
+                        (("peak-intensity", light["intensity"].text),), (light["intensity"].name,)
+                    ),
+                    errors.Try((("flux", ""),), (light["intensity"].name,)),
                 ],
             )
-        if isinstance(flux, ConditionError):
+        if isinstance(flux, errors.ConditionError):
             if {"flux", "energy"} & set(light):
                 raise flux
             placed.note(f"no flux: {flux.message}")
             return
         if not flux.value:
             dark = "the distribution has no intensity in the sampled directions"
-            raise ConditionError(
+            raise errors.ConditionError(
                 "; ".join((dark, *self.photometry.assumptions)),
                 "a wider one, or a table of its angles and intensities",
             )
@@ -256,7 +249,7 @@ class _Luminaire:
         try:
             upward = _upward(self.source, flux, self.aim, self.rotate)
             placed.add("upward-part", upward / flux.value)
-        except ConditionError as error:
+        except errors.ConditionError as error:
             placed.note(f"no flux upwards or downwards: {error.message}")
         placed.laws.append(laws_of.part(self.source, flux.value))
 
@@ -264,9 +257,9 @@ class _Luminaire:
         """Add a scale of 1 for an absolute source that no light quantity scales."""
         sheet, kind = self.sheet, self.source.kind
         if not sheet.lit.values and not kind:
-            raise MissingInput(
+            raise errors.MissingInput(
                 "the distribution is relative: a quantity that scales it is missing",
-                mention("{flux}, {intensity} or {peak-intensity}") + self._unit_hint,
+                errors.mention("{flux}, {intensity} or {peak-intensity}") + self._unit_hint,
             )
         known = {*sheet.known_with(self.placed)}
         if not self.any_incidence:
@@ -276,7 +269,7 @@ class _Luminaire:
             return
         if sheet.lit.kind != kind:
             name = option(next(iter(sheet.lit.values.values())).name)
-            raise MissingInput(
+            raise errors.MissingInput(
                 f"the distribution is in {light_unit('intensity', kind)}, {name} is of another "
                 f"kind: {MISSING_LINK}",
                 LINKS_HINT,
@@ -345,7 +338,7 @@ class _Luminaire:
                 placed.assume(LYING, of=ON_RECEIVER)
         if not self.source.is_axial or "rotate" in given:
             placed.assume(
-                mention("{offset} is towards C0, {offset-y} towards C90")
+                errors.mention("{offset} is towards C0, {offset-y} towards C90")
                 if not self.rotate
                 else f"C0 is turned by {format_angle(self.rotate)} from x towards y",
                 of=ON_DIRECTION,
@@ -452,10 +445,10 @@ class _Luminaire:
         place = (solved.value(name) for name in ("distance", "off-axis", "azimuth"))
         uneven = unevenness(self.source, radius, *place)
         if uneven > UNEVEN:
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"the light varies by {format_number(100 * uneven, 2)} % over the receiver, and "
                 "the axis of its incidence is not known",
-                mention("a smaller {receiver-area}, or leave out {incidence}"),
+                errors.mention("a smaller {receiver-area}, or leave out {incidence}"),
             )
         varies = f"the light varies by {format_number(100 * uneven, 2)} % over the receiver"
         solved.assume(varies, of=["received-solid-angle"])
@@ -464,7 +457,7 @@ class _Luminaire:
 
     def _facts(self, solved: Solved) -> Iterator[Value]:
         flux = self.figures.flux
-        if isinstance(flux, ConditionError):
+        if isinstance(flux, errors.ConditionError):
             yield absent("flux", flux.message, flux.hint)
         elif not self.of_shape and solved.has("flux"):
             yield self._error(solved, flux)
@@ -503,7 +496,7 @@ class _Luminaire:
             return absent(
                 name,
                 f"the intensity does not fall to {percentage} of the plane's maximum",
-                mention("{within}, and the flux within it"),
+                errors.mention("{within}, and the flux within it"),
             )
         solved.assume(
             "beam and field angles: between the outermost directions in which the plane has a "
@@ -541,7 +534,9 @@ class _Luminaire:
     @property
     def _not_declared(self) -> tuple[str, str]:
         if self.photometry.declared and self.is_scaled:
-            scaling = options([item.name for item in self.sheet.lit.values.values()], " and ")
+            scaling = errors.options(
+                [item.name for item in self.sheet.lit.values.values()], " and "
+            )
             problem = "declared values do not apply to a scaled distribution"
             return problem, f"leave out {scaling}"
         return "it is not declared", "a file with the flux of its lamps and their power"
@@ -551,17 +546,17 @@ def _refuse_idle(given: Inputs) -> None:
     """Refuse two positions of the receiver, and a rotation without a position or an aim."""
     placed = next((name for name in ("height", *OFFSETS) if name in given), None)
     if "toward" in given and placed:
-        raise Exclusive(("toward", placed), "both place the receiver")
+        raise errors.Exclusive(("toward", placed), "both place the receiver")
     if "rotate" in given and not placed and "aim" not in given:
-        raise Unused(
+        raise errors.Unused(
             ("rotate",),
             "without a receiver off the axis",
-            mention("add {height=3m} and {offset=1m}"),
+            errors.mention("add {height=3m} and {offset=1m}"),
         )
 
 
-def _one_at_a_time(name: str) -> ConditionError:
-    return ConditionError(
+def _one_at_a_time(name: str) -> errors.ConditionError:
+    return errors.ConditionError(
         f"{option(name)} cannot be a long range here", "a list of at most 1000 values"
     )
 

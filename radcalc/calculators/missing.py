@@ -3,21 +3,11 @@
 from collections.abc import Iterable, Sequence, Set
 from itertools import combinations
 
+from radcalc import errors
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.calculators.worksheet import OFFSETS, Worksheet
-from radcalc.errors import (
-    Hint,
-    Idle,
-    MissingUnit,
-    RadcalcError,
-    Try,
-    WrongQuantity,
-    add,
-    call,
-    leave_out,
-    option,
-)
+from radcalc.errors import option
 from radcalc.inputs.quantities import with_likely_unit
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import reached
@@ -60,7 +50,7 @@ class Search(NamedTuple):
         useful = [other for other, symbols in lively.items() if idle.keys() <= symbols]
         useful = (useful or [other for other, symbols in lively.items() if name in symbols])[:4]
         problem = "needs further inputs"
-        hint: Hint = leave_out(item.name)
+        hint: errors.Hint = errors.leave_out(item.name)
         if useful:
             hint = self._one_of(useful)
         elif partners := self._partners(name):
@@ -69,9 +59,9 @@ class Search(NamedTuple):
             problem = "does not apply to the other inputs"
         if len(inputs) == 1:
             problem = "alone is not enough"
-        raise Idle(f"{option(item.name, item.text)} {problem}", hint)
+        raise errors.Idle(f"{option(item.name, item.text)} {problem}", hint)
 
-    def lacking(self, name: str) -> Hint:
+    def lacking(self, name: str) -> errors.Hint:
         """Return the inputs that would give a result, alone or in pairs."""
         light = self.sheet.page.light
         candidates = [
@@ -105,11 +95,11 @@ class Search(NamedTuple):
         others = self.known - given
         return not given or name not in reached(self.laws, {*others, *added})
 
-    def _one_of(self, names: Sequence[str]) -> list[Try]:
+    def _one_of(self, names: Sequence[str]) -> list[errors.Try]:
         light = self.sheet.page.light  # after the geometry, which people know
         return [self._all_of([name]) for name in sorted(names, key=lambda name: name in light)]
 
-    def _all_of(self, names: Sequence[str]) -> Try:
+    def _all_of(self, names: Sequence[str]) -> errors.Try:
         """Propose inputs with the examples of the page, in the kind of light of the call."""
         kind = self.sheet.lit.kind
         values = [
@@ -118,7 +108,7 @@ class Search(NamedTuple):
             else ""
             for name in names
         ]
-        return Try(tuple(zip(names, values, strict=True)))
+        return errors.Try(tuple(zip(names, values, strict=True)))
 
     def _partners(self, name: str) -> list[str]:
         """Return the fewest missing inputs of a law of a symbol that help."""
@@ -150,7 +140,7 @@ class Search(NamedTuple):
         return {name for names in complete if names <= live for name in names}
 
 
-def _as_another(error: WrongQuantity, page: Page) -> list[Try]:
+def _as_another(error: errors.WrongQuantity, page: Page) -> list[errors.Try]:
     """Propose the inputs of a page that take a value, or its number as the right quantity."""
     inputs = {*page.listed}
     inputs |= {other for name in inputs for other in names_of_kinds(name)}
@@ -169,23 +159,23 @@ def _as_another(error: WrongQuantity, page: Page) -> list[Try]:
         if SYMBOLS[name].form == QUANTITY and dimension in page.symbol(name).dimensions
     ]
     if takers:
-        return [Try(((name, error.text),), (error.symbol,)) for name in takers[:2]]
+        return [errors.Try(((name, error.text),), (error.symbol,)) for name in takers[:2]]
     light = read_light(amount.unit)
     if light is None or not symbol.generic:
         return []
     unit = light_unit(symbol.generic, light.kind).replace(" ", ".")
     number = error.text.removesuffix(amount.unit.text).strip()
     if symbol.kind in ("", light.kind):
-        return [add(error.symbol, f"{number}{unit}")]
+        return [errors.add(error.symbol, f"{number}{unit}")]
     other = light_unit(symbol.generic, symbol.kind).replace(" ", ".")
-    return [call("convert", error.text, other, spectrum="D65", remark="for this spectrum")]
+    return [errors.call("convert", error.text, other, spectrum="D65", remark="for this spectrum")]
 
 
-def on_page(error: RadcalcError, command: str) -> RadcalcError:
+def on_page(error: errors.RadcalcError, command: str) -> errors.RadcalcError:
     """Return the error about a unit with a unit, or with inputs, that are likely in a command."""
-    if isinstance(error, WrongQuantity) and command in SUMMARIES:
+    if isinstance(error, errors.WrongQuantity) and command in SUMMARIES:
         return error.reworded(tries=_as_another(error, page_of(command)))
-    if not isinstance(error, MissingUnit) or not error.number or command not in SUMMARIES:
+    if not isinstance(error, errors.MissingUnit) or not error.number or command not in SUMMARIES:
         return error
     if error.hint != option(error.symbol, error.written):  # a better one was found
         return error
@@ -193,6 +183,6 @@ def on_page(error: RadcalcError, command: str) -> RadcalcError:
     likely = error.with_unit(with_likely_unit(page.symbol(error.symbol), error.number))
     is_shutter = page.bare.get(error.symbol) == "s" and error.number.isdigit()
     if is_shutter and not error.several:
-        marked = add(error.symbol, f"1/{error.number}s", "as cameras are marked")
+        marked = errors.add(error.symbol, f"1/{error.number}s", "as cameras are marked")
         return error.reworded(hint=[marked, *likely.tries])
     return likely

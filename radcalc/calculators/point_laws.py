@@ -5,20 +5,12 @@ from collections.abc import Sequence
 from functools import reduce
 from typing import Any
 
+from radcalc import errors
 from radcalc.calculators.kinds import LightInputs
 from radcalc.calculators.solved import Solved, solve, solve_all
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet
 from radcalc.derivation import coherent_unit_of, format_value
-from radcalc.errors import (
-    ConditionError,
-    MissingInput,
-    add,
-    command,
-    mention,
-    one_of,
-    option,
-    quote,
-)
+from radcalc.errors import option
 from radcalc.inputs.given import Inputs, angle_of, require
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import ASIDE, CONICAL, ISOTROPIC, LOBED
@@ -63,7 +55,7 @@ def place_at_incidence(given: Inputs, placed: Placed, lying: str = LYING) -> Non
     """Add the law and the meaning of an incidence below a source."""
     if lies_at_incidence(given):
         placed.laws.append(ASIDE)
-        angle = mention("{incidence} is the light's angle to its normal")
+        angle = errors.mention("{incidence} is the light's angle to its normal")
         placed.assume(f"{lying}, and {angle}", of=ON_DIRECTION)
     else:
         placed.assume(TURNED, of=ON_RECEIVER)
@@ -87,9 +79,9 @@ def require_height(solved: Solved) -> None:
     """Refuse an offset without a height."""
     if not solved.has("height"):
         offset = next(solved.given[name] for name in OFFSETS if name in solved.given)
-        raise MissingInput(
+        raise errors.MissingInput(
             f"{option(offset.name)} alone is not enough: {option('height')} is missing",
-            mention("{height=6m}, along the source's axis"),
+            errors.mention("{height=6m}, along the source's axis"),
         )
 
 
@@ -113,18 +105,18 @@ def solve_facing(
     facing.assume("light arrives along the receiver's normal", of=ON_RECEIVER)
     try:
         return solve_all(sheet, laws, facing)
-    except ConditionError as error:
+    except errors.ConditionError as error:
         angle = _explaining_incidence(sheet, laws, placed)
         if angle is None or is_array(angle):
             raise
-        turned = add("incidence", f"{math.degrees(angle):.6g}deg", "would explain it")
+        turned = errors.add("incidence", f"{math.degrees(angle):.6g}deg", "would explain it")
         raise error.reworded(hint=[turned, *error.tries]) from None
 
 
 def _explaining_incidence(sheet: Worksheet, laws: list[AnyLaw], placed: Placed) -> Any:
     try:
         solved = solve(sheet, laws, placed)
-    except ConditionError:
+    except errors.ConditionError:
         return None
     return solved.value("incidence") if solved.has("incidence") else None
 
@@ -133,8 +125,8 @@ def refuse_light_of_surfaces(lit: LightInputs, takes: Sequence[str] = QUANTITIES
     """Refuse quantities of surfaces, which a point source does not have: radiance, exitance."""
     for name, item in lit.values.items():
         if name not in takes:
-            raise ConditionError(
-                f"{option(item.name)}: a point source has no {name}", command("lambertian")
+            raise errors.ConditionError(
+                f"{option(item.name)}: a point source has no {name}", errors.command("lambertian")
             )
 
 
@@ -148,14 +140,14 @@ def spread(given: Inputs) -> str:
     (first, shape), *further = shapes.items()
     for name, other in further:
         if other != shape:
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{option(first)} describes {OF[shape]}, {option(name)} {OF[other]}",
-                one_of(first, name),
+                errors.one_of(first, name),
             )
     if chosen not in (None, shape):
-        distribution = option("distribution", quote(given["distribution"].text))
+        distribution = option("distribution", errors.quote(given["distribution"].text))
         message = f"{option(first)} cannot be used with {distribution}: it describes {OF[shape]}"
-        raise ConditionError(message, one_of(first, "distribution"))
+        raise errors.ConditionError(message, errors.one_of(first, "distribution"))
     return shape
 
 

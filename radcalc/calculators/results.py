@@ -5,40 +5,20 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
+from radcalc import errors
 from radcalc.answer import Answer, Row, Value
 from radcalc.conversion.linear import exact_ratio
 from radcalc.derivation import letter_of
-from radcalc.errors import (
-    MissingInput,
-    NumberError,
-    RadcalcError,
-    Try,
-    UnitError,
-    UnknownResult,
-    UsageError,
-    add,
-    ambiguous,
-    correct,
-    corrections,
-    mention,
-    nearest,
-    quote,
-)
+from radcalc.errors import quote
 from radcalc.floats import SMALLEST
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
+from radcalc.quantities import symbols
 from radcalc.quantities.language import meant
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
-from radcalc.quantities.symbols import (
-    NUMBERS_ALONE,
-    SPECIFIC,
-    SYMBOLS,
-    generic_name,
-    light_unit,
-    specific_name,
-)
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
 from radcalc.units.unit import NUMBER, Dimension, Unit
@@ -49,7 +29,7 @@ if TYPE_CHECKING:
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
 LIKE = 4  # letters at the start of related words
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
-LINKS_HINT = mention("{spectrum=sun}, {spectrum=LED-B3}, {wavelength} or {efficacy}")
+LINKS_HINT = errors.mention("{spectrum=sun}, {spectrum=LED-B3}, {wavelength} or {efficacy}")
 MISSING_LINK = "a wavelength, a spectrum or an efficacy that links them is missing"
 NEEDS_LINK = "needs the wavelength or the spectrum of the light, or an efficacy"
 
@@ -84,7 +64,7 @@ def absent(name: str, problem: str, hint: str, *others: str) -> Value:
     """
     message = f"there is no {SYMBOLS[name].label}: {problem}"
     words = [word for other in others for word in ("-g", other)][1:]
-    error = UsageError(message, hint, [correct(name, *words)] if others else ())
+    error = errors.UsageError(message, hint, [errors.correct(name, *words)] if others else ())
     return value(name, 0.0)._replace(units=(), because=error)
 
 
@@ -103,7 +83,7 @@ def known(given: Input, *more_units: str) -> Value:
 
 def is_alone(name: str, unit: Unit) -> bool:
     """Return whether a result is a number alone, and a unit a part of a whole: %, ppm."""
-    return name in NUMBERS_ALONE and unit.dimension == NUMBER and unit.factor != 1
+    return name in symbols.NUMBERS_ALONE and unit.dimension == NUMBER and unit.factor != 1
 
 
 def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
@@ -112,7 +92,7 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     if is_alone(value.name, unit):
         typed = f"{value.name}:{unit.text}"
         problem = f"{value.name} is a number without a unit, not in {quote(unit.text)}"
-        raise UnitError(problem, correct(typed, value.name))
+        raise errors.UnitError(problem, errors.correct(typed, value.name))
     if unit.is_scale:
         return _on_scale(value, cast("ScaleUnit", unit), among)
     amount = value.reach.get(unit.dimension)
@@ -126,7 +106,7 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
         is_other_kind = own_grid and wanted_grid and own_grid[1:] == wanted_grid[1:]
         if is_other_kind and not _results_in(unit.text, among):
             message = f"{name_in(value, unit.dimension)} in {quote(unit.text)} {NEEDS_LINK}"
-            raise MissingInput(message, LINKS_HINT)
+            raise errors.MissingInput(message, LINKS_HINT)
         raise _wrong_unit(value, unit, among)
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
@@ -136,14 +116,14 @@ def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     )
 
 
-def _wrong_unit(value: Value, unit: Unit, among: Sequence[Value]) -> UsageError:
+def _wrong_unit(value: Value, unit: Unit, among: Sequence[Value]) -> errors.UsageError:
     described = quote(unit.text)
     if not unit.is_scale:
         name = unit_name(unit)
         described = f"{described}, a unit of {name}" if name else f"'{described}'"
     ways = [*_results_in(unit.text, among), *(f"{value.name}:{text}" for text in value.units)]
     problem = f"{value.name} cannot be in {described}"
-    return UsageError(problem, corrections(f"{value.name}:{unit.text}", *ways))
+    return errors.UsageError(problem, errors.corrections(f"{value.name}:{unit.text}", *ways))
 
 
 def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
@@ -154,9 +134,9 @@ def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
         raise _wrong_unit(value, unit, among)
     try:
         return scale.reading(in_unit(value, scale.unit, among))
-    except MissingInput:
+    except errors.MissingInput:
         raise
-    except UsageError:
+    except errors.UsageError:
         raise _wrong_unit(value, unit, among) from None
 
 
@@ -209,10 +189,12 @@ def _refuse_absent(value: Value, case: str = "") -> None:
     if (because := value.because) is not None:
         raise because.reworded(f"{of_case}{because.message}")
     if value.lacking is not None:
-        raise MissingInput(f"{of_case}the inputs do not give the {value.label}", value.lacking())
+        raise errors.MissingInput(
+            f"{of_case}the inputs do not give the {value.label}", value.lacking()
+        )
     if value.is_absent:
         problem = f"{of_case}{value.name} is calculated only if it is requested by name"
-        raise UsageError(problem, add("get", value.name))
+        raise errors.UsageError(problem, errors.add("get", value.name))
 
 
 def element(value: Value, k: int) -> Value:
@@ -238,7 +220,7 @@ def check_representable(name: str, number: Any, of: Any = None) -> Any:
         check_representable(name, number.nominal_value, getattr(of, "nominal_value", of))
         return number
     if is_lost(number, number if of is None else of):
-        raise NumberError(f"{name} is too small for a number", "less extreme values")
+        raise errors.NumberError(f"{name} is too small for a number", "less extreme values")
     if type(number) is float and number - number == 0:
         return number + 0.0
     if is_column(number):
@@ -247,7 +229,7 @@ def check_representable(name: str, number: Any, of: Any = None) -> Any:
         number = float(number)
         good = math.isfinite(number)
     if not good:
-        raise NumberError(f"{name} is too large for a number", "less extreme values")
+        raise errors.NumberError(f"{name} is too large for a number", "less extreme values")
     return number + 0.0
 
 
@@ -300,34 +282,36 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     if other:
         try:
             return pick(values, f"{other}:{text or unit_text}", case)
-        except RadcalcError as error:
+        except errors.RadcalcError as error:
             raise _as_typed(error, name, other) from None
     names = names_of(values)
-    generic = SPECIFIC.get(name, ("", ""))[0]
+    generic = symbols.SPECIFIC.get(name, ("", ""))[0]
     linked = _of_kind(name, generic, values) if generic in names and not text else []
     if generic in names and not linked:
-        raise MissingInput(f"{name} {NEEDS_LINK}", f"{LINKS_HINT}, or {generic}")
+        raise errors.MissingInput(f"{name} {NEEDS_LINK}", f"{LINKS_HINT}, or {generic}")
     of_case = f"{case}: " if case else ""
     few = names if len(names) <= MOST_OF_A_UNIT else []
-    hint = linked or corrections(name, *(right_names(name, values) or few))
-    raise UnknownResult(f"{of_case}unknown result '{quote(name)}'", names, hint)
+    hint = linked or errors.corrections(name, *(right_names(name, values) or few))
+    raise errors.UnknownResult(f"{of_case}unknown result '{quote(name)}'", names, hint)
 
 
-def _as_typed(error: RadcalcError, typed: str, name: str) -> RadcalcError:
+def _as_typed(error: errors.RadcalcError, typed: str, name: str) -> errors.RadcalcError:
     """Return the error of a result whose hint replaces the name as the user typed it."""
     tries = [
-        correct(typed, *one.instead[1:], remark=one.remark) if one.instead[:1] == (name,) else one
+        errors.correct(typed, *one.instead[1:], remark=one.remark)
+        if one.instead[:1] == (name,)
+        else one
         for one in error.tries
     ]
     return error.reworded(tries=tries)
 
 
-def _of_kind(name: str, generic: str, values: Sequence[Value]) -> list[Try]:
+def _of_kind(name: str, generic: str, values: Sequence[Value]) -> list[errors.Try]:
     """Propose the result of a light quantity in a unit of a kind, if the light has that kind."""
-    kind = SPECIFIC[name][1]
-    unit = light_unit(generic, kind)
+    kind = symbols.SPECIFIC[name][1]
+    unit = symbols.light_unit(generic, kind)
     reach = next(value.reach for value in values if value.name == generic)
-    return [correct(name, f"{generic}:{unit}")] if resolve(unit).dimension in reach else []
+    return [errors.correct(name, f"{generic}:{unit}")] if resolve(unit).dimension in reach else []
 
 
 def said_of(answer: Answer, rows: Sequence[Row]) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -343,7 +327,7 @@ def _in_its_kind(values: Sequence[Value], row: Row) -> tuple[str, str]:
     if unit.is_scale:
         unit = cast("ScaleUnit", unit).measures((*value.dimensions, *value.reach)).unit
     place = GRID.get(unit.dimension)
-    return generic_name(value.name), place[0] if place else ""
+    return symbols.generic_name(value.name), place[0] if place else ""
 
 
 def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:
@@ -354,8 +338,8 @@ def _called(values: Sequence[Value], name: str, text: str) -> list[Value]:
     if len(names) < 2:
         return found
     if not text:
-        problem = ambiguous(name, "light is given in two kinds")
-        raise UsageError(problem, corrections(name, *names))
+        problem = errors.ambiguous(name, "light is given in two kinds")
+        raise errors.UsageError(problem, errors.corrections(name, *names))
     dimension = measured_in(text).dimension
     return [value for value in found if dimension in value.dimensions] or found
 
@@ -391,7 +375,7 @@ def right_names(name: str, values: Sequence[Value]) -> Sequence[str]:
     return (
         [*dict.fromkeys(lettered)]
         or meant(word, names)
-        or nearest(word, names)
+        or errors.nearest(word, names)
         or _related(word, present)
     )
 
@@ -422,7 +406,7 @@ def name_in(value: Value, dimension: Dimension) -> str:
         return value.also if is_luminous else value.name
     symbol = SYMBOLS.get(value.name)
     generic = symbol.generic if symbol else ""
-    return specific_name(generic, place[0]) if "radiance" in generic else value.name
+    return symbols.specific_name(generic, place[0]) if "radiance" in generic else value.name
 
 
 def of_kind(value: Value, unit: Unit) -> tuple[str, str]:
@@ -430,7 +414,7 @@ def of_kind(value: Value, unit: Unit) -> tuple[str, str]:
     symbol, place = SYMBOLS.get(value.name), GRID.get(unit.dimension)
     if symbol is None or not symbol.generic or place is None:
         return value.label, value.letter
-    specific = SYMBOLS[specific_name(symbol.generic, place[0])]
+    specific = SYMBOLS[symbols.specific_name(symbol.generic, place[0])]
     return (
         specific.label,
         specific.letter if "_" in specific.letter else f"{specific.letter}_{place[0]}",

@@ -11,6 +11,7 @@ from functools import partial
 from numbers import Real
 from typing import Any, NamedTuple
 
+from radcalc import errors
 from radcalc.calculators import kinds
 from radcalc.calculators.point_laws import CONE, LOBE, SHAPED
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
@@ -20,16 +21,7 @@ from radcalc.distributions.files import read_lines
 from radcalc.distributions.formula import Cone, Isotropic, Lobe
 from radcalc.distributions.scene import Emitter, Panel, Source
 from radcalc.distributions.sources import PATH, photometry
-from radcalc.errors import (
-    ConditionError,
-    NumberError,
-    Plain,
-    RadcalcError,
-    UnitError,
-    listed,
-    nearest,
-    quote,
-)
+from radcalc.errors import listed, quote
 from radcalc.files import columns, text
 from radcalc.files.table import Table
 from radcalc.geometry import far_field
@@ -90,13 +82,13 @@ class Row(NamedTuple):
     cells: dict[str, Any]
     titles: dict[str, str]
 
-    def error(self, column: str, problem: str, hint: str) -> ConditionError:
+    def error(self, column: str, problem: str, hint: str) -> errors.ConditionError:
         place = f"{self.where}, {_title(self.titles, column)}"
-        return ConditionError(f"{place}: {problem}", hint)
+        return errors.ConditionError(f"{place}: {problem}", hint)
 
-    def both(self, first: str, second: str) -> ConditionError:
+    def both(self, first: str, second: str) -> errors.ConditionError:
         message = f"{self.where}: {typed(first)} cannot be used with {typed(second)}"
-        return ConditionError(message, "only one of them")
+        return errors.ConditionError(message, "only one of them")
 
 
 class NamedSource(NamedTuple):
@@ -125,7 +117,7 @@ def is_scene(titles: Sequence[str]) -> bool:
     """Return whether the titles of a table are those of sources at their places."""
     names: set[str] = set()
     for title in titles:
-        with suppress(ConditionError):
+        with suppress(errors.ConditionError):
             names.add(_column(title, "")[0])
     return {"x", "y"} <= names and not names.isdisjoint(OF_LIGHT)
 
@@ -138,12 +130,14 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     lines = [entry for entry in lines if entry not in comments]
     if len(lines) < 2:
         problem = "the file has a header but no source" if lines else "the file has no source"
-        raise ConditionError(f"{name}: {problem}", "a header such as x,y,z,flux and rows below it")
+        raise errors.ConditionError(
+            f"{name}: {problem}", "a header such as x,y,z,flux and rows below it"
+        )
     begin = _header_place([line for _, line in lines])
     number, header = lines[begin]
     delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
     if delimiter is None:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{text.where(name, number)}: there is only one column", "a header such as x,y,z,flux"
         )
     cells, below = _with_units(lines[begin:], delimiter)
@@ -236,10 +230,12 @@ def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str
     units: dict[str, Unit] = {}
     for number, title in enumerate(titles, 1):
         if not title:
-            raise ConditionError(f"{where}: column {number} has no title", "a title, or no column")
+            raise errors.ConditionError(
+                f"{where}: column {number} has no title", "a title, or no column"
+            )
         name, unit = _column(title, where)
         if name in names:
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{where}: column '{quote(title)}' appears twice", "each column once"
             )
         names[name] = title
@@ -260,12 +256,14 @@ def _column(title: str, where: str) -> tuple[str, Unit | None]:
     if name and name == normalized:
         return name, None
     if name in TEXTS:
-        raise ConditionError(f"{where}: column '{quote(title)}' has a unit", f"'{name}' alone")
+        raise errors.ConditionError(
+            f"{where}: column '{quote(title)}' has a unit", f"'{name}' alone"
+        )
     if name and (unit := _unit(name, title, where)):
         return name, unit
-    near = [typed(head) for head in nearest(normalized, KNOWN, 3)]
+    near = [typed(head) for head in errors.nearest(normalized, KNOWN, 3)]
     hint = ", ".join(near) or "x, y, z, flux, intensity, distribution, aim_x, rotate, name ..."
-    raise ConditionError(f"{where}: unknown column '{quote(title)}'", hint)
+    raise errors.ConditionError(f"{where}: unknown column '{quote(title)}'", hint)
 
 
 def _name(title: str) -> str:
@@ -286,13 +284,13 @@ def _unit(name: str, title: str, where: str) -> Unit | None:
                 resolve(text)  # raises the error of an unknown unit
             return None
         if unit.is_scale:
-            raise UnitError(f"{quote(unit.text)} is a scale", example)
-    except RadcalcError as error:
-        raise ConditionError(
+            raise errors.UnitError(f"{quote(unit.text)} is a scale", example)
+    except errors.RadcalcError as error:
+        raise errors.ConditionError(
             f"{where}, column '{quote(title)}': {error.message}", error.hint or example
         ) from None
     if unit.dimension not in symbol.dimensions or unit.dimension == NUMBER:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}", example
         )
     return unit if _name(matched.name) == name else None
@@ -304,7 +302,7 @@ def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
     headers: dict[tuple[str, ...], tuple[dict[str, str], dict[str, Unit]]] = {}
     for number, source in enumerate(sources, 1):
         if not isinstance(source, Mapping):
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"source {number} is a {type(source).__name__}", "a dict for each source"
             )
         where, keys = f"source {number}", tuple(map(str, source))
@@ -318,7 +316,7 @@ def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
         }
         rows.append(Row(where, cells, {}))
     if not rows:
-        raise ConditionError("there is no source", "a dict for each")
+        raise errors.ConditionError("there is no source", "a dict for each")
     return rows
 
 
@@ -383,8 +381,8 @@ class Reader:
             value = f"{value} m" if isinstance(value, str) else (value, resolve("m"))
         try:
             return read_as(symbol, value)
-        except RadcalcError as error:
-            message, hint = error.spelled(Plain)
+        except errors.RadcalcError as error:
+            message, hint = error.spelled(errors.Plain)
             hint = hint.removeprefix(f"{column} ")
             if message.startswith("the unit of") and row.titles:
                 unit = symbol.example.lstrip("0123456789.")
@@ -396,14 +394,16 @@ class Reader:
             if name not in given:
                 problem = "is blank" if name in row.titles else "is missing"
                 hint = ", ".join(map(typed, names))
-                raise ConditionError(f"{row.where}: {typed(name)} {problem}", f"all of {hint}")
+                raise errors.ConditionError(
+                    f"{row.where}: {typed(name)} {problem}", f"all of {hint}"
+                )
         x, y, z = (float(given[name].value) for name in names)
         return x, y, z
 
     def pose(self, row: Row, given: Inputs, place: Vector, is_aimed: bool) -> Pose:
         aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
         if len(aims) > 1:
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{row.where}: aim_x cannot be used with direction_x",
                 "a point to aim at, or a direction",
             )
@@ -427,7 +427,7 @@ class Reader:
         shapes = [shape for shape, takes in TAKES.items() if names.intersection(takes)]
         if text is None:
             if len(shapes) > 1:
-                raise ConditionError(
+                raise errors.ConditionError(
                     f"{row.where}: it has columns for {' and for '.join(shapes)}",
                     "only one of them",
                 )
@@ -464,8 +464,8 @@ class Reader:
     def _photometry(self, row: Row, source: Any) -> Photometry:
         try:
             return photometry(source)
-        except RadcalcError as error:
-            raise row.error("distribution", *error.spelled(Plain)) from None
+        except errors.RadcalcError as error:
+            raise row.error("distribution", *error.spelled(errors.Plain)) from None
 
     def width(self, row: Row, given: Inputs, shape: str, wanted: str) -> float:
         """Return the half angle of a cone [rad], or the exponent of a lobe."""
@@ -475,7 +475,7 @@ class Reader:
                 "shape" if shape == LOBED else "width",
                 " or ".join(map(typed, TAKES[shape])),
             )
-            raise ConditionError(f"{row.where}: the {what} of the {shape} is missing", hint)
+            raise errors.ConditionError(f"{row.where}: the {what} of the {shape} is missing", hint)
         known = {
             size.name: Known(float(size.value), size.rounding * abs(float(size.value)))
             for size in sizes
@@ -487,7 +487,7 @@ class Reader:
             unit = coherent_unit_of(error.name)
             values = [format_value(value, unit) for value in (error.given, error.implied)]
             problem = f"{names} contradict each other: {' is not '.join(values)}"
-            raise ConditionError(f"{row.where}: {problem}", "only one of them") from None
+            raise errors.ConditionError(f"{row.where}: {problem}", "only one of them") from None
         if solution.agreed:
             self.notes[f"{row.where}: {names} agree {TO_DIGITS}"] = None
         return float(solution.values[wanted].value)
@@ -503,7 +503,7 @@ class Reader:
         """Return the factor from a distribution to intensities in the scene's kind."""
         if strength is None:
             if not distribution.kind:
-                raise ConditionError(
+                raise errors.ConditionError(
                     f"{row.where}: the flux or intensity of the source is missing",
                     "flux or intensity, with its unit: 800lm",
                 )
@@ -523,8 +523,8 @@ class Reader:
         if distribution not in self.fluxes:
             try:
                 self.fluxes[distribution] = distribution.flux().value
-            except ConditionError as error:
-                raise row.error("distribution", *error.spelled(Plain)) from None
+            except errors.ConditionError as error:
+                raise row.error("distribution", *error.spelled(errors.Plain)) from None
         return self.fluxes[distribution]
 
     def amount(self, row: Row, given: Input) -> float:
@@ -556,12 +556,12 @@ class Reader:
         """Return a Lambertian patch: an exact rectangle, or a small area."""
         sides = [given[name].value for name in ("width", "length") if name in given]
         if len(sides) == 1 or ("area" in given) == bool(sides):
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{row.where}: the size of the patch is missing or given twice",
                 "width and length, or area",
             )
         if strength is None:
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{row.where}: a light quantity of the patch is missing",
                 "luminance, exitance, flux or intensity, with its unit",
             )
@@ -581,5 +581,5 @@ def _is_bare(value: Any) -> bool:
         return not isinstance(value, tuple)
     try:
         return not split_value(value)[1]
-    except NumberError:
+    except errors.NumberError:
         return False

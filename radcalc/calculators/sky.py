@@ -7,6 +7,7 @@ the plane, which the laws use.
 import math
 from typing import TYPE_CHECKING
 
+from radcalc import errors
 from radcalc.answer import Answer, Step
 from radcalc.calculators.kinds import kind_of
 from radcalc.calculators.page import Operand, Page, text
@@ -14,17 +15,7 @@ from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import Formula, format_angle, format_number, format_value
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    MissingInput,
-    Try,
-    Unused,
-    add,
-    mention,
-    option,
-    quote,
-)
+from radcalc.errors import option
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import UP, Vector, cartesian, dot, unit
 from radcalc.geometry.projections import USUAL_SIZE
@@ -43,14 +34,7 @@ from radcalc.inputs.given import Inputs
 from radcalc.inputs.places import require_azimuth
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import Number, any_true, cos, each, sin, square
-from radcalc.quantities.symbols import (
-    CHOICE,
-    LATLONG,
-    LINKS,
-    REFINEMENTS,
-    light_unit,
-    specific_name,
-)
+from radcalc.quantities import symbols
 from radcalc.units.table import resolve
 
 if TYPE_CHECKING:
@@ -130,7 +114,7 @@ LIGHT = (
     "sun-radiance",
 )
 SHARED = "daylight-share"
-OPERAND = Operand("type", "[TYPE]", CHOICE, NAMES, "overcast")
+OPERAND = Operand("type", "[TYPE]", symbols.CHOICE, NAMES, "overcast")
 PAGE = Page(
     "a sky",
     (*ANGLES, "sun-radius"),
@@ -161,7 +145,7 @@ PAGE = Page(
             ),
             "size",
         ),
-        "Radiant, luminous and photon quantities": (*LINKS, *REFINEMENTS),
+        "Radiant, luminous and photon quantities": (*symbols.LINKS, *symbols.REFINEMENTS),
     },
     texts={
         "irradiance": "Irradiance on the plane.",
@@ -232,9 +216,9 @@ SUN_COSINE = Formula(
     "incidence of the sun",
     "{cosine} = max(n . s, 0), where n is the normal of the plane and s the direction of the sun",
 )
-BRIGHT = mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
-NO_PLANE = "no plane is given", mention("{tilt=90deg} or {normal}")
-NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
+BRIGHT = errors.mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
+NO_PLANE = "no plane is given", errors.mention("{tilt=90deg} or {normal}")
+NO_DIRECTION = "no direction is given", errors.mention("{toward=60deg,90deg}")
 
 
 def sky(name: str, given: Inputs, is_drawn: bool = False) -> Answer:
@@ -252,7 +236,7 @@ def sky_map(name: str, given: Inputs) -> "RenderedMap":
     from radcalc.calculators.solved import RenderedMap
 
     if "size" in given:
-        refuse_shape(given["size"], LATLONG)
+        refuse_shape(given["size"], symbols.LATLONG)
     sky = _Sky(name, {key: item for key, item in given.items() if key != "size"}, for_map=True)
     solved = sky.solve()
     answer = sky.answer(solved)
@@ -296,14 +280,16 @@ class _Sky:
         lacking |= {} if "toward" in self.given else {"radiance-toward": NO_DIRECTION}
         answer = solved.answer()
         rows = [
-            absent(name, *why)._replace(also=specific_name(name, kind) if name in LIGHT else name)
+            absent(name, *why)._replace(
+                also=symbols.specific_name(name, kind) if name in LIGHT else name
+            )
             for name, why in lacking.items()
         ]
         return answer._replace(values=[*answer.values, *rows])
 
     def solve(self) -> Solved:
         if not (self.lit or self.has_plane):
-            raise MissingInput("a light quantity is missing", BRIGHT)
+            raise errors.MissingInput("a light quantity is missing", BRIGHT)
         placed = Placed()
         if self.is_sunlit and "sun-radius" not in self.given:
             placed.add("sun-radius", SUN_RADIUS)
@@ -316,15 +302,15 @@ class _Sky:
         from radcalc.distributions.radiances import Sky
 
         if not solved.has("zenith-radiance"):
-            raise MissingInput("the brightness of the sky is missing", BRIGHT)
+            raise errors.MissingInput("the brightness of the sky is missing", BRIGHT)
         zenith = solved.value("zenith-radiance")
         place = place_of_sun(self.given) if "sun-elevation" in self.given else (0.0, 0.0)
         sky = Sky(self.name, place if self.type.follows_sun else None, zenith, solved.lit.kind)
         disc = None
         if self.is_sunlit:
             if not solved.has("sun-irradiance"):
-                raise MissingInput(
-                    "the brightness of the sun is missing", mention("{sun-irradiance}")
+                raise errors.MissingInput(
+                    "the brightness of the sun is missing", errors.mention("{sun-irradiance}")
                 )
             polar, azimuth = place
             radius, irradiance = solved.value("sun-radius"), solved.value("sun-irradiance")
@@ -336,9 +322,11 @@ class _Sky:
 
         kind = solved.lit.kind
         factor = float(resolve(picture.unit).factor)
-        integral = RadianceMap(picture.pixels, LATLONG, factor=factor, kind=kind).irradiance(UP)
+        integral = RadianceMap(
+            picture.pixels, symbols.LATLONG, factor=factor, kind=kind
+        ).irradiance(UP)
         right = solved.value("global-irradiance" if self.is_sunlit else "horizontal-irradiance")
-        unit = light_unit("irradiance", kind)
+        unit = symbols.light_unit("irradiance", kind)
         irradiance_text = f"{format_number(integral.value / float(resolve(unit).factor))} {unit}"
         off = 100 * (integral.value / right - 1) if right else 0.0
         return f"its pixels give the ground {irradiance_text} (error: {off:.1g} %)"
@@ -360,23 +348,25 @@ class _Sky:
         given, lit = self.given, self.lit
         for other in ("tilt", "azimuth"):
             if "normal" in given and other in given:
-                raise Exclusive(("normal", other), "both turn the plane")
+                raise errors.Exclusive(("normal", other), "both turn the plane")
         if "azimuth" in given and "tilt" not in given:
-            raise Unused(("azimuth",), "without a tilt", mention("add {tilt=90deg}"))
+            raise errors.Unused(("azimuth",), "without a tilt", errors.mention("add {tilt=90deg}"))
         if "irradiance" in lit and not self.has_plane:
             item = lit["irradiance"]
-            hint = mention("{tilt=90deg} or {normal}, or {horizontal-irradiance} of the ground")
-            ground = specific_name("horizontal-irradiance", kind_of(item))
-            of_ground = Try(((ground, item.text),), (item.name,), remark="on the ground")
-            ways = [add("tilt", "90deg", "on a wall"), of_ground]
-            raise MissingInput(f"the plane of {option(item.name)} is missing", hint, ways)
+            hint = errors.mention(
+                "{tilt=90deg} or {normal}, or {horizontal-irradiance} of the ground"
+            )
+            ground = symbols.specific_name("horizontal-irradiance", kind_of(item))
+            of_ground = errors.Try(((ground, item.text),), (item.name,), remark="on the ground")
+            ways = [errors.add("tilt", "90deg", "on a wall"), of_ground]
+            raise errors.MissingInput(f"the plane of {option(item.name)} is missing", hint, ways)
         if "radiance-toward" in lit and "toward" not in given:
             option_text = option(lit["radiance-toward"].name)
-            raise MissingInput(f"the direction of {option_text} is missing", NO_DIRECTION[1])
+            raise errors.MissingInput(f"the direction of {option_text} is missing", NO_DIRECTION[1])
         if "radiance-toward" in lit and any_true(given["toward"].value[0] > math.pi / 2):
             option_text = option(lit["radiance-toward"].name)
             problem = f"{option_text} cannot be used below the horizon, where it is dark"
-            raise ConditionError(problem, mention("{toward=60deg,90deg}"))
+            raise errors.ConditionError(problem, errors.mention("{toward=60deg,90deg}"))
 
     def _refuse_sun(self) -> None:
         """Refuse the position of the sun if nothing depends on it."""
@@ -384,26 +374,28 @@ class _Sky:
             symbol_name for symbol_name in (*OF_PLACE, "azimuth") if symbol_name in self.given
         ]
         if useless:
-            raise Unused(useless, IS_EVEN.format(quote(self.name)))
+            raise errors.Unused(useless, IS_EVEN.format(errors.quote(self.name)))
 
     def _refuse_misplaced(self, for_map: bool, is_drawn: bool) -> None:
         """Refuse missing angles and unused ones."""
         given = self.given
         if "sun-elevation" not in given:
-            raise MissingInput(*MISSING_SUN)
+            raise errors.MissingInput(*MISSING_SUN)
         if "sun-radius" in given and not self.is_sunlit:
-            raise Unused(("sun-radius",), "without the sun's light")
+            raise errors.Unused(("sun-radius",), "without the sun's light")
         turned = self._is_turned()
         is_off_zenith = self.type.follows_sun and "toward" in given and given["toward"].value[0] > 0
         # one plane of a list may be level, and one direction the zenith
         needs_azimuth = self.has_plane or (self.type.follows_sun and "toward" in given)
         if "sun-azimuth" in given and not (needs_azimuth or for_map or is_drawn):
-            hint = mention("add {tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}")
-            raise Unused(("sun-azimuth",), "without a plane or a direction", hint)
+            hint = errors.mention("add {tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}")
+            raise errors.Unused(("sun-azimuth",), "without a plane or a direction", hint)
         if "sun-azimuth" not in given and (turned or is_off_zenith or for_map):
-            raise MissingInput(*MISSING_AZIMUTH)
+            raise errors.MissingInput(*MISSING_AZIMUTH)
         if turned and "tilt" in given and "azimuth" not in given:
-            raise MissingInput("the plane's azimuth is missing", mention("{azimuth=180deg}"))
+            raise errors.MissingInput(
+                "the plane's azimuth is missing", errors.mention("{azimuth=180deg}")
+            )
         if self.type.follows_sun and "toward" in given:
             require_azimuth(given["toward"], "the sky follows the sun")
 

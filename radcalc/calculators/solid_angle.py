@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from radcalc import errors
 from radcalc.answer import Answer, Step, texts_of
 from radcalc.calculators.page import Operand, Page, words_of
 from radcalc.calculators.results import of_directions
@@ -21,22 +22,7 @@ from radcalc.calculators.worksheet import (
     worksheet,
 )
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    MissingInput,
-    NumberError,
-    TooNear,
-    Try,
-    Unused,
-    UsageError,
-    call,
-    command,
-    correct,
-    mention,
-    options,
-    quote,
-)
+from radcalc.errors import options, quote
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, angle_of, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
@@ -93,8 +79,8 @@ def task(words: Sequence[str], wants: Wants) -> Task:
     """Return the task of a call: a shape, and the vertices of a polygon."""
     if not words:
         examples = {words_of(example)[0][0]: example for example in PAGE.examples[::-1]}
-        ways = [call("solid-angle", *words_of(examples[name])[0]) for name in USUAL]
-        raise UsageError("a shape is missing", ", ".join(NAMES), ways)
+        ways = [errors.call("solid-angle", *words_of(examples[name])[0]) for name in USUAL]
+        raise errors.UsageError("a shape is missing", ", ".join(NAMES), ways)
     shape, *vertices = words
     if shape.lower() not in NAMES:
         takes = {name: known.takes for name, known in SHAPES.items() if known.takes}
@@ -103,7 +89,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
     shape = ALIASES.get(shape, shape)
     if shape != "polygon" and vertices:
         problem = f"unexpected argument '{quote(vertices[0])}'"
-        raise UsageError(problem, mention("options, as in {help}"))
+        raise errors.UsageError(problem, errors.mention("options, as in {help}"))
     points = _points(vertices)
     work_out: Callable[[Inputs], Answer] = partial(solid_angle, shape, points=points)
     if shape == "pixel":
@@ -117,20 +103,26 @@ def task(words: Sequence[str], wants: Wants) -> Task:
 def _points(vertices: Sequence[str]) -> list[Point]:
     try:
         return [read_point(vertex, "the vertex") for vertex in vertices]
-    except ConditionError as error:
+    except errors.ConditionError as error:
         raise error.reworded(tries=_with_three(vertices)) from None
 
 
-def _with_three(vertices: Sequence[str]) -> list[Try]:
+def _with_three(vertices: Sequence[str]) -> list[errors.Try]:
     """Propose three coordinates of the first vertex that has two or four."""
     parts = [vertex.split(",") for vertex in vertices]
     thirds = {coordinates[2] for coordinates in parts if len(coordinates) == 3}
     for vertex, (x, y, *rest) in [(v, p) for v, p in zip(vertices, parts, strict=True) if p[1:]]:
         if not rest and len(thirds) == 1:
-            return [correct(vertex, ",".join([x, y, *thirds]), remark="in the plane of the others")]
+            return [
+                errors.correct(
+                    vertex, ",".join([x, y, *thirds]), remark="in the plane of the others"
+                )
+            ]
         if len(rest) == 2:
-            decimal = correct(vertex, f"{x},{y},{'.'.join(rest)}", remark="with a decimal point")
-            return [decimal, correct(vertex, f"{x},{y},{rest[0]}", remark="the first three")]
+            decimal = errors.correct(
+                vertex, f"{x},{y},{'.'.join(rest)}", remark="with a decimal point"
+            )
+            return [decimal, errors.correct(vertex, f"{x},{y},{rest[0]}", remark="the first three")]
     return []
 
 
@@ -149,7 +141,7 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
         raise _missing_input(sheet)
     omega, flat = solved.value("solid-angle"), solved.value("projected-solid-angle")
     if not solved.notes and any_true(smaller(omega, flat) < FAINTEST):
-        raise NumberError("the solid angle is too small for a number", "less extreme sizes")
+        raise errors.NumberError("the solid angle is too small for a number", "less extreme sizes")
     half = solved.value("half-angle") if solved.has("half-angle") else cones.cone_of(omega)
     sizes = (omega, flat, omega / cones.FULL, half, 2 * half)
     results = [of_directions(given, name, size) for name, size in zip(RESULTS, sizes, strict=True)]
@@ -179,11 +171,11 @@ def _in_units_given(answer: Answer, given: Inputs) -> Answer:
     return answer._replace(values=values)
 
 
-def _missing_input(sheet: Worksheet) -> UsageError:
+def _missing_input(sheet: Worksheet) -> errors.UsageError:
     optional = ("diameter", "offset", "tilt", *sheet.given)
     choices = [name for name in sheet.page.takes if name not in optional]
     message = f"an input is missing: {sheet.page.title} takes two"
-    return MissingInput(message, options(choices))
+    return errors.MissingInput(message, options(choices))
 
 
 def _onto(plane: str, *laws: AnyLaw) -> Placed:
@@ -240,8 +232,8 @@ def _zone(sheet: Worksheet) -> Placed:
     from radcalc.geometry import projected, solid
 
     if "polar" not in sheet.given:
-        raise MissingInput(
-            "the polar angles of the zone are missing", mention("{polar=30deg:60deg}")
+        raise errors.MissingInput(
+            "the polar angles of the zone are missing", errors.mention("{polar=30deg:60deg}")
         )
     placed = _onto("a plane whose normal is +z")
     polar, azimuth = sheet.given["polar"], sheet.given.get("azimuth")
@@ -275,7 +267,7 @@ def _sphere(sheet: Worksheet) -> Placed:
     if len(sizes) < 2:
         takes = ("radius", "distance", "solid-angle")
         missing = options(name for name in takes if name not in sizes)
-        raise MissingInput("an input is missing: a sphere takes two", missing)
+        raise errors.MissingInput("an input is missing: a sphere takes two", missing)
     laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
     return _onto("a plane whose normal points to the sphere's centre", *laws)
 
@@ -299,7 +291,7 @@ def _disc(sheet: Worksheet) -> Placed:
     if "solid-angle" in given and not (is_sized and is_placed):
         away = "height" if "height" in given else "distance"
         if is_aside:
-            raise Exclusive(("solid-angle", "offset"), "it is a solid angle on the axis")
+            raise errors.Exclusive(("solid-angle", "offset"), "it is a solid angle on the axis")
         if not (is_sized or is_placed):
             raise _missing_input(sheet)
         placed = _onto(FACING, *round_sizes(given), disc(away), CONE, PROJECTED_CONE)
@@ -417,7 +409,7 @@ def _on_sphere(sheet: Worksheet) -> Placed:
     given = sheet.given
     any_of(given, "the size of the sphere", *ROUND)
     if foreign := [name for name in given if name not in ("area", *ROUND, "solid-angle")]:
-        raise Unused(foreign, "to a patch of a sphere")
+        raise errors.Unused(foreign, "to a patch of a sphere")
     plane = "a plane whose normal points to the patch, taken as a circle"
     placed = _onto(plane, *round_sizes(given), ON_SPHERE)
     solved = solve(sheet, placed.laws)
@@ -425,7 +417,7 @@ def _on_sphere(sheet: Worksheet) -> Placed:
     if any_true(omega > cones.FULL * (1 + SLACK)):
         size = format_number(omega / cones.FULL)
         problem = f"{solved.describe('area')} is {size} times the whole sphere"
-        raise ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
+        raise errors.ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
     placed.add("projected-solid-angle", cones.projected_cone(cones.cone_of(omega)))
     placed.assume("a patch of the sphere, of any shape, seen from its centre")
     return placed
@@ -444,10 +436,10 @@ def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
             place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if is_tilted else {}
             sizes = {"radius": size / 2, **(place or {"distance": away})}
             disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
-            exact = command("solid-angle", "disc", **disc)
+            exact = errors.command("solid-angle", "disc", **disc)
             hint = f"{exact}, exact if the patch is a circle"
         law = "A cos(theta) / d^2"
-        raise TooNear(solved.describe("distance"), "source", format_number(size), hint, law)
+        raise errors.TooNear(solved.describe("distance"), "source", format_number(size), hint, law)
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
@@ -459,9 +451,9 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     normal: Point | None = given["normal"].value if "normal" in given else None
     try:
         shape = polygons.read_vertices(points, viewpoint)
-    except ConditionError as error:  # another polygon keeps the viewpoint and the normal
+    except errors.ConditionError as error:  # another polygon keeps the viewpoint and the normal
         others = [f"{name}={item.text}" for name, item in given.items()]
-        ways = [call(*way.words, *others) if way.words else way for way in error.tries]
+        ways = [errors.call(*way.words, *others) if way.words else way for way in error.tries]
         raise error.reworded(tries=ways) from None
     omega = abs(polygon(shape.vertices))
     flat = projected.polygon(shape.vertices, normal or shape.normal)
@@ -471,7 +463,7 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     placed = _onto(plane)
     placed.note(*shape.notes)
     if normal and shape.dips_below(normal):
-        placed.note(mention("the part below the horizon of {normal} does not count"))
+        placed.note(errors.mention("the part below the horizon of {normal} does not count"))
     step = TRIANGLES._replace(name="polygon, as triangles").with_numbers(
         f"{len(points)} vertices; Omega = {_sr(omega)}"
     )

@@ -17,16 +17,8 @@ from radcalc.laws import solver
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import TO_DIGITS, Derivation, Disagreement, Solution
 from radcalc.maths import any_true, is_array
-from radcalc.quantities.symbols import (
-    EFFICACIES,
-    INNER,
-    QUANTITY,
-    SYMBOLS,
-    article,
-    generic_name,
-    in_kind,
-    specific_name,
-)
+from radcalc.quantities import symbols
+from radcalc.quantities.symbols import SYMBOLS, article, in_kind
 from radcalc.tuples import NamedTuple
 
 if TYPE_CHECKING:
@@ -69,7 +61,7 @@ def requesting(function: Callable[..., Answer], names: Sequence[str]) -> Callabl
 def _with_readings(answer: Answer, inputs: Inputs) -> Answer:
     readings: list[str] = []
     for given in inputs.values():
-        readings += [Remark(text, [generic_name(given.name)]) for text in given.assumptions]
+        readings += [Remark(text, [symbols.generic_name(given.name)]) for text in given.assumptions]
     if not readings:
         return answer
     if answer.origins is itself:
@@ -228,7 +220,7 @@ class Solved(Remarks):
 
         Any result may come from an input outside the laws, and a value of the page from any input.
         """
-        ratios = {ratio: {*pair} for ratio, *pair in EFFICACIES}
+        ratios = {ratio: {*pair} for ratio, *pair in symbols.EFFICACIES}
         names = self.derived.get(name, (name,) if self.has(name) else ())
         if not names and name not in ratios:
             return None
@@ -242,7 +234,7 @@ class Solved(Remarks):
         values, page = self.solution.values, self.sheet.page
         results = []
         for name in page.others:
-            if name in self.given and self.given[name].symbol.form == QUANTITY:
+            if name in self.given and self.given[name].symbol.form == symbols.QUANTITY:
                 result = known(self.given[name])
             elif name in values:
                 result = value(name, self.value(name))
@@ -261,9 +253,9 @@ class Solved(Remarks):
         page, values = self.sheet.page, self.solution.values
         for name in dict.fromkeys((*page.light, *page.others, *page.takes)):
             symbol = SYMBOLS[name]
-            if symbol.form == QUANTITY and name not in values and name not in self.given:
+            if symbol.form == symbols.QUANTITY and name not in values and name not in self.given:
                 label = page.labels.get(name, symbol.label)
-                also = specific_name(name, self.lit.kind) if name == symbol.generic else ""
+                also = symbols.specific_name(name, self.lit.kind) if name == symbol.generic else ""
                 lacking = partial(search.lacking, name)
                 absent.append(
                     Value(name, label, "", 0.0, symbol.dimensions, (), also=also, lacking=lacking)
@@ -280,7 +272,7 @@ def remarks_on(sheet: Worksheet, solution: Solution) -> list[str]:
         label = f"{article(SYMBOLS[name].label)} of {size}"
         notes.append(f"{label} is the limit: the other inputs reach it only by their rounding")
     for name, value_used, implied in solution.agreed:
-        if name in INNER or is_array(value_used - implied):
+        if name in symbols.INNER or is_array(value_used - implied):
             inputs = options([item.name for item in sheet.quantities.values()], " and ")
             notes.append(f"{inputs} agree {TO_DIGITS}; each is used as typed")
             continue
@@ -301,7 +293,7 @@ def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]
     """Return the error for two values of a symbol, with their units and ratio."""
     inputs = sheet.quantities
     names = [item.name for item in inputs.values()]
-    if error.name in INNER:
+    if error.name in symbols.INNER:
         return Contradiction(
             f"{options(names, ' and ')} contradict each other: see the law '{error.law.name}'",
             "fewer of them",

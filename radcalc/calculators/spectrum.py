@@ -3,20 +3,13 @@
 import math
 from collections.abc import Sequence
 
+from radcalc import errors
 from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nanometres
 from radcalc.calculators.page import Operand, Page, flag, text
 from radcalc.calculators.results import absent, on_request, value
 from radcalc.derivation import Formula
-from radcalc.errors import (
-    ConditionError,
-    Try,
-    UsageError,
-    add,
-    command,
-    leave_out,
-    option,
-)
+from radcalc.errors import option
 from radcalc.inputs.given import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
@@ -142,7 +135,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     light = source.part(ranges[0]) if ranges[0] else source
     if light is None or not whole.amount(RADIANT) > 0:
         problem = f"there is no power in {whole.over(RADIANT)}{known}"
-        raise ConditionError(problem, f"another {option('range')}")
+        raise errors.ConditionError(problem, f"another {option('range')}")
     counts = Counts(light, eye, *ranges)
     colour = colours(light, requested, _reference(given, requested))
     uncounted = _without_photons(source, counts)
@@ -169,7 +162,9 @@ def _reference(given: Inputs, requested: Sequence[str]) -> Spectrum | None:
         return None
     if "ssi" not in requested:
         unused = f"{option('reference')} does not apply without a spectral similarity index"
-        raise ConditionError(unused, [leave_out("reference"), add("get", "ssi")])
+        raise errors.ConditionError(
+            unused, [errors.leave_out("reference"), errors.add("get", "ssi")]
+        )
     reference: Spectrum = given["reference"].value
     return reference
 
@@ -280,7 +275,7 @@ def _without_photons(source: Spectrum, counts: Counts) -> list[Value]:
     if not counted:
         ranges = {"all photons of the range, none of which is PAR": chosen}
     tries = [
-        add("photon-range", f"{low:g}nm:{high:g}nm", remark)
+        errors.add("photon-range", f"{low:g}nm:{high:g}nm", remark)
         for remark, (low, high) in ranges.items()
     ]
     text = range_text(chosen)
@@ -288,9 +283,9 @@ def _without_photons(source: Spectrum, counts: Counts) -> list[Value]:
     return [_absent_photons(name, why, tries) for name in names]
 
 
-def _absent_photons(name: str, why: str, tries: list[Try]) -> Value:
+def _absent_photons(name: str, why: str, tries: list[errors.Try]) -> Value:
     symbol = SYMBOLS[specific_name(name, PHOTON)]
-    error = UsageError(f"the {symbol.label} is ambiguous: {why}", tries)
+    error = errors.UsageError(f"the {symbol.label} is ambiguous: {why}", tries)
     return value(symbol.name, 0.0)._replace(units=(), because=error)
 
 
@@ -311,7 +306,7 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
         ]
     if source.absolute:
         return [_of_light(source.absolute, kind, amounts) for kind in amounts]
-    hint = command("convert", "VALUE", "UNIT", "UNIT", spectrum=source.label)
+    hint = errors.command("convert", "VALUE", "UNIT", "UNIT", spectrum=source.label)
     return [absent(name, RELATIVE, hint, *others) for name, *others in INSTEAD]
 
 

@@ -11,22 +11,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, partial
 from typing import Any, NamedTuple
 
+from radcalc import errors
 from radcalc.answer import Answer, Remark, Result, Step, Value
 from radcalc.calculators.results import in_unit
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import plan
 from radcalc.derivation import format_number, with_unit
-from radcalc.errors import (
-    ConditionError,
-    Contradiction,
-    Exclusive,
-    Hint,
-    Impossible,
-    RadcalcError,
-    corrections,
-    option,
-    quote,
-)
+from radcalc.errors import quote
 from radcalc.inputs.given import Input, Inputs, any_uncertain
 from radcalc.inputs.quantities import moved
 from radcalc.maths import is_array, is_uncertain
@@ -50,7 +41,9 @@ NARROWER = "a smaller uncertainty"
 
 Key = tuple[Any, ...]
 Numbers = Mapping[Key, Any]
-Faults = Mapping[Key, tuple[str, Hint]]  # results without a standard uncertainty: within what
+Faults = Mapping[
+    Key, tuple[str, errors.Hint]
+]  # results without a standard uncertainty: within what
 VALUE = Symbol("", "", (), limits=ANY)  # the value of a conversion, which has no name
 
 
@@ -144,17 +137,17 @@ def _assumed(given: Inputs) -> str:
 
 
 def _option_text(given: Input) -> str:
-    return option(given.name, quote(given.text)) if given.name else quote(given.text)
+    return errors.option(given.name, quote(given.text)) if given.name else quote(given.text)
 
 
 def _number(at: Callable[[float], Numbers], key: Key, times: float) -> float | None:
     return at(times).get(key)
 
 
-def _refusal(label: str, fault: tuple[str, Hint]) -> ConditionError:
+def _refusal(label: str, fault: tuple[str, errors.Hint]) -> errors.ConditionError:
     where, hint = fault
     problem = f"the {label} has no standard uncertainty: it jumps or bends within {where}"
-    return ConditionError(problem, hint)
+    return errors.ConditionError(problem, hint)
 
 
 def _carry(
@@ -174,7 +167,7 @@ def _carry(
         if is_uncertain(numbers[key]):
             sizes = numbers[key].error_components().values()
             check_uncertainty(math.hypot(*sizes) or math.nan)
-    faults: dict[Key, tuple[str, Hint]] = {}
+    faults: dict[Key, tuple[str, errors.Hint]] = {}
     for one in varied:
         faults = {**dict(one.faults(numbers)), **faults}
     return numbers, faults
@@ -209,7 +202,7 @@ class _Varied:
         # exact: the tolerance for rounded inputs must not hide a contradiction
         self.given = {key: item._replace(is_exact=True) for key, item in given.items()}
         self.input = given[name]
-        self.refused: RadcalcError | None = None
+        self.refused: errors.RadcalcError | None = None
         self.ways = list(self._ways())
         if self.refused or not all(at(side) for _, at, _ in self.ways for side in SIDES):
             raise self._out_of_range()
@@ -223,13 +216,13 @@ class _Varied:
         nominal_input = self.given[self.name]
         try:
             return self.work_out({**self.given, self.name: moved(nominal_input, shift)})
-        except (Contradiction, Exclusive) as error:
-            raise ConditionError(
+        except (errors.Contradiction, errors.Exclusive) as error:
+            raise errors.ConditionError(
                 f"{_option_text(self.input)} is uncertain, and cannot be checked against "
                 "redundant inputs",
                 error.hint,
             ) from None
-        except RadcalcError as error:
+        except errors.RadcalcError as error:
             self.refused = error
             return {}
 
@@ -253,14 +246,16 @@ class _Varied:
             where = f"{quote(part.text)} of {named}" if len(given.parts) > 1 else named
             yield where, cache(at), part.size * factor
 
-    def _out_of_range(self) -> ConditionError:
+    def _out_of_range(self) -> errors.ConditionError:
         refused, text = self.refused, _option_text(self.input)
         problem = f"{text} is out of range within its uncertainty"
-        if isinstance(refused, Impossible):
-            return ConditionError(problem, refused.limit)
-        return ConditionError(f"{problem}: {refused.message}" if refused else problem, NARROWER)
+        if isinstance(refused, errors.Impossible):
+            return errors.ConditionError(problem, refused.limit)
+        return errors.ConditionError(
+            f"{problem}: {refused.message}" if refused else problem, NARROWER
+        )
 
-    def faults(self, numbers: Numbers) -> Iterator[tuple[Key, tuple[str, Hint]]]:
+    def faults(self, numbers: Numbers) -> Iterator[tuple[Key, tuple[str, errors.Hint]]]:
         """Yield the results that have no standard uncertainty: within what, and a hint."""
         for where, at, rise in self.ways:
             sides = {side: at(side) for side in SIDES}
@@ -276,7 +271,7 @@ class _Varied:
                 if is_bent or sharpest(partial(_number, at, key)) > slight:
                     yield key, (where, self._ends())
 
-    def _ends(self) -> Hint:
+    def _ends(self) -> errors.Hint:
         """Propose a call for each end of the interval."""
         given = self.input
         if given.parts or given.symbol.form != QUANTITY or given.variable is not None:
@@ -284,7 +279,7 @@ class _Varied:
         unit = given.unit_text if given.unit else ""
         off = given.uncertainty / (float(given.unit.factor) if given.unit else 1.0)
         texts = [f"{given.number + end:.12g}{unit}" for end in (-off, off)]
-        return corrections(given.text, *texts)
+        return errors.corrections(given.text, *texts)
 
 
 def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
@@ -308,7 +303,7 @@ def _numbers(answer: Answer) -> Numbers:
             for dimension, amount in value.reach.items():
                 numbers[*key, dimension] = amount
     if any(map(is_array, numbers.values())):
-        raise ConditionError("an uncertain value cannot be used with several values", MANY)
+        raise errors.ConditionError("an uncertain value cannot be used with several values", MANY)
     return {key: number for key, number in numbers.items() if math.isfinite(number)}
 
 

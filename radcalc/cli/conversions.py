@@ -4,25 +4,12 @@ import os
 from collections.abc import Sequence
 from typing import Any
 
+from radcalc import errors
 from radcalc.answer import Result, Row, ShownInput
 from radcalc.cli.cases import Case
 from radcalc.cli.output import Output
 from radcalc.conversion.plan import Planned, answer, plan, plans, source_of, target_of
-from radcalc.errors import (
-    MINUS,
-    ConditionError,
-    ConversionError,
-    Hint,
-    MissingUnit,
-    RadcalcError,
-    UnitError,
-    UsageError,
-    call,
-    correct,
-    leave_out,
-    quote,
-    quote_path,
-)
+from radcalc.errors import call, quote
 from radcalc.inputs.given import Input, any_uncertain, shown_inputs
 from radcalc.quantities.light import read as read_light
 from radcalc.tuples import NamedTuple
@@ -50,7 +37,7 @@ class Conversion(NamedTuple):
 
     @property
     def inputs(self) -> tuple[ShownInput, ...]:
-        text, off = self.amount.text.replace(MINUS, "-"), self.amount.typed_uncertainty
+        text, off = self.amount.text.replace(errors.MINUS, "-"), self.amount.typed_uncertainty
         value = ShownInput("value", self.value, self.source.text, text, off)
         return (value, *shown_inputs(self.case.given))
 
@@ -98,8 +85,8 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
     """Return every conversion of a call: the values vary slowest, the targets fastest."""
     for word in words:
         if " --" in word and word.rpartition(" --")[2][:1].isalpha():
-            apart = correct(word, *word.split())
-            raise UsageError(f"'{quote(word)}' has an option in it", apart)
+            apart = errors.correct(word, *word.split())
+            raise errors.UsageError(f"'{quote(word)}' has an option in it", apart)
     lists = read_lists(words)
     refuse_many([len(lists), len(all_cases), len(lists[0])])
     notes = note_of(words[0]) if len(lists) > 1 else ()
@@ -121,30 +108,30 @@ def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]
 def refuse_file(words: Sequence[str]) -> None:
     """Refuse a file as a value, and propose the call that reads it."""
     if os.path.isfile(words[0]):
-        name = quote_path(words[0])
-        stream = correct(words[0], "-", "<", words[0])
+        name = errors.quote_path(words[0])
+        stream = errors.correct(words[0], "-", "<", words[0])
         if words[0].lower().endswith((".ies", ".ldt")):
             stream = call("point-source", distribution=words[0])
-        raise UsageError(f"'{name}' is a file, not a value", stream)
+        raise errors.UsageError(f"'{name}' is a file, not a value", stream)
 
 
 def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
     try:
         operands = [read_operands(words) for words in calls]
-    except UnitError as error:
+    except errors.UnitError as error:
         raise _meant(calls[0]) or error from None
-    except UsageError as error:
+    except errors.UsageError as error:
         raise error.reworded(hint=_with_source(calls[0])) from None
     (amount, first), *others = operands
     if others and not first:
         several = quote(",".join(words[-1] for words in calls))
         units = [words[-1] for words in calls]
-        targets = correct(",".join(units), units[0], ",".join(units[1:]))
-        raise UsageError(f"'{several}' is a list, but one unit is expected", targets)
+        targets = errors.correct(",".join(units), units[0], ",".join(units[1:]))
+        raise errors.UsageError(f"'{several}' is a list, but one unit is expected", targets)
     return amount, [target for _, target in operands if target]
 
 
-def _with_source(words: list[str]) -> Hint:
+def _with_source(words: list[str]) -> errors.Hint:
     """Propose a unit of the target's quantity for a bare number: `5 lx to fc` for `5 to fc`."""
     from radcalc.quantities.light import result_name
     from radcalc.quantities.targets import named
@@ -157,12 +144,12 @@ def _with_source(words: list[str]) -> Hint:
         target = target_of(text)
         usual = named(result_name(target)).text if result_name(target) else ""
         likely = next(unit for unit in (usual, *units_of(target)) if unit not in ("", target.text))
-    except (RadcalcError, StopIteration):
+    except (errors.RadcalcError, StopIteration):
         return ""
-    return correct(words[0], words[0], likely)
+    return errors.correct(words[0], words[0], likely)
 
 
-def _meant(words: list[str]) -> UnitError | None:
+def _meant(words: list[str]) -> errors.UnitError | None:
     """Return the error for a quantity as the unit of VALUE, or a blank after its prefix."""
     from radcalc.quantities.targets import is_name, named
 
@@ -174,22 +161,26 @@ def _meant(words: list[str]) -> UnitError | None:
             unit, *following = following
         if is_name(unit):
             usual = named(unit).text.replace(" ", ".")
-            return UnitError(f"'{quote(unit)}' is a quantity, not a unit", correct(unit, usual))
+            return errors.UnitError(
+                f"'{quote(unit)}' is a quantity, not a unit", errors.correct(unit, usual)
+            )
         if unit in PREFIX_SYMBOLS and following and unit_of(unit + following[0]):
             problem = f"'{quote(unit)} {quote(following[0])}' has a blank after its prefix"
-            return UnitError(problem, correct(f"{unit} {following[0]}", unit + following[0]))
-    except RadcalcError as error:
-        return error if isinstance(error, UnitError) and is_name(unit) else None
+            return errors.UnitError(
+                problem, errors.correct(f"{unit} {following[0]}", unit + following[0])
+            )
+    except errors.RadcalcError as error:
+        return error if isinstance(error, errors.UnitError) and is_name(unit) else None
     return None
 
 
-def likely_efficacy(error: MissingUnit, words: list[str]) -> Hint:
+def likely_efficacy(error: errors.MissingUnit, words: list[str]) -> errors.Hint:
     """Return the hint for an efficacy without a unit: one that links the kinds of the units."""
     try:
         amount, target = read_operands(words)
         ends = (amount.unit, target_of(target, amount.unit))
         readings = [read_light(unit) for unit in ends if unit]
-    except RadcalcError:  # reported when the unit is given
+    except errors.RadcalcError:  # reported when the unit is given
         return error.tries
     kinds = {reading.kind for reading in readings if reading}
     units = {
@@ -203,28 +194,30 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> Hint:
     return error.with_unit(f"{error.number}{units[is_small]}").tries
 
 
-def with_target(words: Sequence[str], call: Conversion) -> Hint:
+def with_target(words: Sequence[str], call: Conversion) -> errors.Hint:
     """Propose the first other unit of the quantity as the target."""
     from radcalc.quantities.units import units_of
 
     others = [text for text in units_of(call.source) if text != call.source.text]
-    return correct(words[-1], words[-1], others[0]) if others else "a TARGET unit"
+    return errors.correct(words[-1], words[-1], others[0]) if others else "a TARGET unit"
 
 
-def _cut(unit: str) -> Hint:
+def _cut(unit: str) -> errors.Hint:
     """Return the hint for a unit that is not of a quantity: `lx fc` are a unit and a target."""
     first, _, target = unit.partition(" ")
     is_target = target and unit_of(first) and unit_of(target)
-    return correct(unit, f"{first} to {target}") if is_target else "a TARGET unit"
+    return errors.correct(unit, f"{first} to {target}") if is_target else "a TARGET unit"
 
 
 def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result:
     """Return the value in every unit of its quantity."""
     source = call.source
     if typed:
-        raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", leave_out(*typed))
+        raise errors.UsageError(
+            f"--{next(iter(typed))} needs a unit to convert to", errors.leave_out(*typed)
+        )
     if is_bare:
-        raise UsageError("-n needs a unit to convert to", leave_out("number"))
+        raise errors.UsageError("-n needs a unit to convert to", errors.leave_out("number"))
     from radcalc.calculators import uncertainty
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
@@ -236,7 +229,7 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     ]
     targets = [source, *(resolve_any(text) for text in texts if text != source.text)]
     if len(targets) == 1 and not name_of(source):
-        raise UsageError(
+        raise errors.UsageError(
             f"'{quote(source.text)}' is not a unit of a quantity known to radcalc",
             _cut(source.text),
         )
@@ -249,7 +242,7 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
             if call.amount.is_uncertain:
                 uncertain = uncertainty.converted(conversion, call.amount, ())
                 off, assumed = uncertain.uncertainty, (uncertain.assumed,)
-        except (ConversionError, ConditionError):
+        except (errors.ConversionError, errors.ConditionError):
             if target is source:
                 raise
             continue  # beyond what a float holds in that unit, or has a reading on that scale

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.calculators.convert import PAGE
 from radcalc.cli import request
 from radcalc.cli.cases import cases, is_stream
@@ -15,13 +15,6 @@ from radcalc.cli.conversions import (
     with_target,
 )
 from radcalc.cli.output import Output
-from radcalc.errors import (
-    MissingUnit,
-    NumberError,
-    UsageError,
-    call,
-    correct,
-)
 from radcalc.units.numbers import SEPARATORS
 
 HELP = """\
@@ -82,13 +75,15 @@ def command(
         words = (*words[0].split(None, 1), *words[1:])
     if words and words[0] in SEPARATORS:
         problem = f"a value is missing before '{words[0]}', and no pipe has values"
-        raise UsageError(problem, call("convert", "-", *words[1:], remark="for values from a pipe"))
+        raise errors.UsageError(
+            problem, errors.call("convert", "-", *words[1:], remark="for values from a pipe")
+        )
     if words[:1] == ("-",):
         request.refuse_second_reader(typed)
     try:
         # before the operands, so that the hint for `--distance 2 m` is 2m
         all_cases = cases(typed, arrays=False, bare=PAGE.bare)
-    except MissingUnit as error:
+    except errors.MissingUnit as error:
         if error.symbol == "efficacy":
             raise error.reworded(hint=likely_efficacy(error, list(words))) from None
         raise
@@ -98,17 +93,19 @@ def command(
 
         request.refuse_stream(check)
         return streams.convert(list(words), options, all_cases, steps, output)
-    request.refuse_lines(options, correct(words[0], "-") if words else "a - as VALUE")
+    request.refuse_lines(options, errors.correct(words[0], "-") if words else "a - as VALUE")
     try:
         calls = conversions(list(words), all_cases)
-    except NumberError:
+    except errors.NumberError:
         refuse_file(words)
         raise
     first = calls[0]
     if not first.targets:
         for name, given in (("--steps", steps), ("--check", check), ("--auto", output.style.auto)):
             if given:
-                raise UsageError(f"{name} needs a unit to convert to", with_target(words, first))
+                raise errors.UsageError(
+                    f"{name} needs a unit to convert to", with_target(words, first)
+                )
     elif check is not None:
         from radcalc.homework.question import of_conversion
 

@@ -4,24 +4,11 @@ from itertools import pairwise
 
 import click
 
+from radcalc import errors
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.group import called_in, parameters
-from radcalc.errors import (
-    MINUS,
-    Hint,
-    MissingUnit,
-    RadcalcError,
-    Try,
-    WrongQuantity,
-    add,
-    call,
-    correct,
-    corrections,
-    drop,
-    nearest,
-    quote,
-)
+from radcalc.errors import quote
 from radcalc.quantities.language import meant
 from radcalc.terminal import FORMATS
 from radcalc.units.numbers import is_sentence
@@ -37,13 +24,15 @@ MEANT_OPERANDS = {
 }
 
 
-def about_unit(error: MissingUnit | WrongQuantity, words: list[str]) -> RadcalcError:
+def about_unit(
+    error: errors.MissingUnit | errors.WrongQuantity, words: list[str]
+) -> errors.RadcalcError:
     """Return the error about a unit with the calls that are likely in a command."""
-    joined = _join_unit(error, words) if isinstance(error, MissingUnit) else None
+    joined = _join_unit(error, words) if isinstance(error, errors.MissingUnit) else None
     return joined or on_page(error, called_in(words))
 
 
-def _join_unit(error: MissingUnit, words: list[str]) -> RadcalcError | None:
+def _join_unit(error: errors.MissingUnit, words: list[str]) -> errors.RadcalcError | None:
     """Return the error with the hint to write `--distance 2 ft` as one word, if it was two."""
     from radcalc.quantities.symbols import SYMBOLS
     from radcalc.units.table import resolve
@@ -55,42 +44,42 @@ def _join_unit(error: MissingUnit, words: list[str]) -> RadcalcError | None:
         if following and symbol and resolve(following[0]).dimension in symbol.dimensions:
             typed = f"{error.text} {following[0]}"
             return error.reworded(
-                hint=correct(typed, f"{error.text}{following[0]}", remark="one word")
+                hint=errors.correct(typed, f"{error.text}{following[0]}", remark="one word")
             )
-    except RadcalcError:
+    except errors.RadcalcError:
         pass
     return None
 
 
-def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
+def of_click(error: click.UsageError, words: list[str]) -> errors.RadcalcError:
     """Return Click's error about an option or a command, with the nearest correct ones."""
     called = called_in(words)
     if isinstance(error, click.NoSuchOption):
         return _no_such_option(error.option_name, called, words)
-    message = one_line(error.format_message().replace(MINUS, "-"))  # as it was typed
+    message = one_line(error.format_message().replace(errors.MINUS, "-"))  # as it was typed
     message = message.replace("a valid integer range", "a whole number in its range")
     if "unexpected extra argument" in message:
         return _unexpected(message.partition("(")[2].rstrip(")"), words)
-    hint = _of_value(error, called, words) or call(*filter(None, [called]), "--help")
-    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), hint)
+    hint = _of_value(error, called, words) or errors.call(*filter(None, [called]), "--help")
+    return errors.RadcalcError(message[:1].lower() + message[1:].rstrip("."), hint)
 
 
-def _unexpected(word: str, words: list[str]) -> RadcalcError:
+def _unexpected(word: str, words: list[str]) -> errors.RadcalcError:
     """Return the error for a word that no place is left for."""
     problem = f"unexpected argument '{word}'"
     if ("--plot", word) in pairwise(words):
-        return RadcalcError(problem, correct(word, f"{word.partition('.')[0]}.svg"))
+        return errors.RadcalcError(problem, errors.correct(word, f"{word.partition('.')[0]}.svg"))
     alone = "an option before each value, and the value and its unit as one word: --distance 2m"
-    return RadcalcError(problem, _one_word(word, words) or alone)
+    return errors.RadcalcError(problem, _one_word(word, words) or alone)
 
 
-def _of_value(error: click.UsageError, called: str, words: list[str]) -> Hint:
+def _of_value(error: click.UsageError, called: str, words: list[str]) -> errors.Hint:
     """Propose values for an option: its choices, its example, or no value where it needs none."""
     if isinstance(error, click.BadOptionUsage):
         name = error.option_name
         needless = next((word for word in words if word.startswith(f"{name}=")), "")
         is_needless = "does not take a value" in error.format_message()
-        return correct(needless, name) if is_needless else _with_value(name, called)
+        return errors.correct(needless, name) if is_needless else _with_value(name, called)
     option = error.param if isinstance(error, click.BadParameter) else None
     if option is None:
         return ""
@@ -98,62 +87,62 @@ def _of_value(error: click.UsageError, called: str, words: list[str]) -> Hint:
     if name and isinstance(option.type, click.Choice):
         typed = error.message.partition("'")[2].partition("'")[0]
         choices = [str(choice) for choice in option.type.choices]
-        return [add(name, choice) for choice in nearest(typed, choices) or choices]
-    return add(name) if name == "header" else ""
+        return [errors.add(name, choice) for choice in errors.nearest(typed, choices) or choices]
+    return errors.add(name) if name == "header" else ""
 
 
-def _with_value(typed: str, called: str) -> Hint:
+def _with_value(typed: str, called: str) -> errors.Hint:
     """Propose values for an option that has none, or the call without it."""
     from radcalc.quantities.symbols import SYMBOLS
 
     option = next((p for p in parameters(called) if typed in p.opts), None)
     if option and isinstance(option.type, click.Choice):
-        return [correct(typed, typed, str(choice)) for choice in option.type.choices]
-    return add(typed[2:]) if typed[2:] in SYMBOLS else drop(typed)
+        return [errors.correct(typed, typed, str(choice)) for choice in option.type.choices]
+    return errors.add(typed[2:]) if typed[2:] in SYMBOLS else errors.drop(typed)
 
 
-def _one_word(unit: str, words: list[str]) -> list[Try]:
+def _one_word(unit: str, words: list[str]) -> list[errors.Try]:
     """Propose a number and its unit, typed as two words, as one."""
     from radcalc.units.scales import find
     from radcalc.units.table import unit_of
 
     before = next((a for a, b in pairwise(words) if b == unit), "")
     if before[-1:].isdigit() and before[:1] not in "-" and (unit_of(unit) or find(unit)):
-        return [correct(f"{before} {unit}", f"{before}{unit}", remark="one word")]
+        return [errors.correct(f"{before} {unit}", f"{before}{unit}", remark="one word")]
     return []
 
 
-def _no_such_option(typed: str, called: str, words: list[str]) -> RadcalcError:
+def _no_such_option(typed: str, called: str, words: list[str]) -> errors.RadcalcError:
     from radcalc.calculators.page import GET
 
     if after_command := options_behind(words):
         problem = f"'{quote(words[0])}' is before the command: options go after it"
-        return RadcalcError(problem, after_command)
+        return errors.RadcalcError(problem, after_command)
     if called == "convert" and typed in GET.spellings:
         problem = f"convert has no {quote(typed)} option: a conversion has one result"
-        return RadcalcError(problem, call(*_with_values(_bare(words))))
+        return errors.RadcalcError(problem, errors.call(*_with_values(_bare(words))))
     problem = f"{called or 'radcalc'} has no {quote(typed)} option"
     if operand := _operand(typed, called, words):
-        return RadcalcError(problem, operand)
+        return errors.RadcalcError(problem, operand)
     if typed[2:] in FORMATS:
-        return RadcalcError(problem, correct(typed, "--format", typed[2:]))
+        return errors.RadcalcError(problem, errors.correct(typed, "--format", typed[2:]))
     known = [name for p in parameters(called) for name in p.opts if name.startswith("--")]
     if doubled := _doubled(typed, known, words):
-        return RadcalcError(problem, doubled)
+        return errors.RadcalcError(problem, doubled)
     near = [f"--{name}" for name in meant(typed[2:], [name[2:] for name in known])]
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
         others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
-        hint = call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")
-        return RadcalcError(problem, hint)
-    near = near or nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
+        hint = errors.call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")
+        return errors.RadcalcError(problem, hint)
+    near = near or errors.nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
     if near:
-        return RadcalcError(problem, corrections(typed, *near))
-    manual = call(*filter(None, [called]), "--help")
+        return errors.RadcalcError(problem, errors.corrections(typed, *near))
+    manual = errors.call(*filter(None, [called]), "--help")
     is_alone = typed.startswith("--") or words == [typed]
-    return RadcalcError(problem, manual if is_alone else drop(typed))
+    return errors.RadcalcError(problem, manual if is_alone else errors.drop(typed))
 
 
-def _doubled(typed: str, known: list[str], words: list[str]) -> list[Try]:
+def _doubled(typed: str, known: list[str], words: list[str]) -> list[errors.Try]:
     """Propose --divergence 1mrad for --half-divergence 0.5mrad."""
     whole = f"--{typed.removeprefix('--half-')}"
     values = [value for name, value in pairwise(words) if name == typed]
@@ -164,24 +153,26 @@ def _doubled(typed: str, known: list[str], words: list[str]) -> list[Try]:
 
     try:
         number, unit = split_value(values[0])
-    except RadcalcError:
+    except errors.RadcalcError:
         return []
     mark = "=" if f"{typed}={values[0]}" in words else " "
     twice = f"{2 * number:.15g}{unit}"
     return [
-        correct(f"{typed}{mark}{values[0]}", whole, twice, remark="the full one is twice the half")
+        errors.correct(
+            f"{typed}{mark}{values[0]}", whole, twice, remark="the full one is twice the half"
+        )
     ]
 
 
-def _operand(typed: str, called: str, words: list[str]) -> Try | None:
+def _operand(typed: str, called: str, words: list[str]) -> errors.Try | None:
     """Return the call with an option that is a word for the operand left out, or None."""
     if typed.removeprefix("--").lower() not in MEANT_OPERANDS.get(called, "").split():
         return None
     if typed in words[:-1]:
         following = words[words.index(typed) + 1]
-        return None if following.startswith("--") else drop(typed)
+        return None if following.startswith("--") else errors.drop(typed)
     joined = next((word for word in words if word.startswith(f"{typed}=")), "")
-    return correct(joined, joined.partition("=")[2]) if joined else None
+    return errors.correct(joined, joined.partition("=")[2]) if joined else None
 
 
 def _bare(words: list[str]) -> list[str]:
@@ -199,7 +190,7 @@ def _bare(words: list[str]) -> list[str]:
     return [*kept, "-n"]
 
 
-def options_behind(words: list[str]) -> Try | None:
+def options_behind(words: list[str]) -> errors.Try | None:
     """Return the call with the options before the command moved after it.
 
     Return None if there are none, or if the call has another error.
@@ -218,7 +209,7 @@ def options_behind(words: list[str]) -> Try | None:
         at += 1 if is_flag or equals else 2
     if not at or not (words[at:] and (words[at] == called or is_sentence(words[at:]))):
         return None
-    return call(*_with_values([*words[at:], *words[:at]]))
+    return errors.call(*_with_values([*words[at:], *words[:at]]))
 
 
 def _with_values(words: list[str]) -> list[str]:

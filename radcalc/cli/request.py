@@ -3,21 +3,11 @@
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.answer import Answer, Row, ShownInput
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import requesting
-from radcalc.errors import (
-    Hint,
-    Try,
-    UsageError,
-    add,
-    command,
-    correct,
-    leave_out,
-    one_of,
-    option,
-)
+from radcalc.errors import add
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
 
@@ -30,12 +20,14 @@ if TYPE_CHECKING:
 def refuse_idle(check: str | None, tolerance: str | None) -> None:
     """Refuse --tolerance without --check."""
     if tolerance is not None and check is None:
-        raise UsageError("--tolerance does not apply without --check", leave_out("tolerance"))
+        raise errors.UsageError(
+            "--tolerance does not apply without --check", errors.leave_out("tolerance")
+        )
 
 
 def several(
     varied: Sequence[ShownInput] = (), operands: Sequence[tuple[str, str]] = ()
-) -> UsageError:
+) -> errors.UsageError:
     """Return the error for --check with several answers, with the first values as a proposal.
 
     `varied` are the inputs with several values, `operands` the lists typed as words, each with
@@ -44,20 +36,20 @@ def several(
     problem = "--check takes one answer, not several"
     first = first_of(varied)
     if first.inputs:
-        return UsageError(problem, first)
-    lists = [correct(typed, value) for typed, value in operands if typed != value]
-    return UsageError(problem, lists or leave_out("check"))
+        return errors.UsageError(problem, first)
+    lists = [errors.correct(typed, value) for typed, value in operands if typed != value]
+    return errors.UsageError(problem, lists or errors.leave_out("check"))
 
 
-def first_of(varied: Sequence[ShownInput]) -> Try:
+def first_of(varied: Sequence[ShownInput]) -> errors.Try:
     """Propose the first value of each input that has several."""
-    return Try(tuple([(given.name, given.text) for given in varied if given.name]))
+    return errors.Try(tuple([(given.name, given.text) for given in varied if given.name]))
 
 
 def refuse_stream(check: str | None) -> None:
     """Refuse --check with a stream."""
     if check is not None:
-        raise UsageError("--check cannot be used with a stream", leave_out("check"))
+        raise errors.UsageError("--check cannot be used with a stream", errors.leave_out("check"))
 
 
 def judge(
@@ -73,7 +65,7 @@ def judge(
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
-    output.refuse_auto("--check compares it with the answer given", leave_out("auto"))
+    output.refuse_auto("--check compares it with the answer given", errors.leave_out("auto"))
     verdict = check(question, claim, tolerance)
     answer = question.answer
     right = next(value for value in answer.values if value.name == verdict.result)
@@ -98,30 +90,32 @@ class LineOptions(NamedTuple):
     invalid: str | None
 
 
-def refuse_lines(options: LineOptions, hint: Hint) -> None:
+def refuse_lines(options: LineOptions, hint: errors.Hint) -> None:
     """Refuse an option for streams if there is no stream."""
     for name, value in zip(LineOptions._fields, options, strict=True):
         if value is not None and value in SYMBOLS["electric-field"].choices:
-            raise UsageError(
+            raise errors.UsageError(
                 f"--{name} {value} applies to the fields of lines, not to a wave",
-                Try((("electric-field", value),), (name,), remark="for a wave"),
+                errors.Try((("electric-field", value),), (name,), remark="for a wave"),
             )
         if value is not None:
-            raise UsageError(f"--{name} applies to lines of standard input only", hint)
+            raise errors.UsageError(f"--{name} applies to lines of standard input only", hint)
 
 
 def refuse_second_reader(typed: dict[str, Any]) -> None:
     """Refuse a spectrum from standard input, which has the numbers."""
     if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
-        raise UsageError("- cannot be used twice: there is one standard input", add("spectrum"))
+        raise errors.UsageError(
+            "- cannot be used twice: there is one standard input", add("spectrum")
+        )
 
 
 def refuse_condition(case: "Case") -> None:
     """Refuse lines of standard input for a condition of a conversion."""
     if case.stream:
-        stream_option = option(case.stream.name, "-")
+        stream_option = errors.option(case.stream.name, "-")
         problem = f"{stream_option}: a conversion reads lines of standard input only for VALUE"
-        raise UsageError(problem, command("convert", "-", "UNIT", "TARGET"))
+        raise errors.UsageError(problem, errors.command("convert", "-", "UNIT", "TARGET"))
 
 
 class Request(NamedTuple):
@@ -151,7 +145,9 @@ class Request(NamedTuple):
         request = cls(wanted, steps, checked, tolerance, lines, values.pop("plot", None) or "")
         refuse_idle(request.check, request.tolerance)
         if request.check is not None and request.wanted:
-            raise UsageError("--check cannot be used with --get", one_of("check", "get"))
+            raise errors.UsageError(
+                "--check cannot be used with --get", errors.one_of("check", "get")
+            )
         return request
 
     def wants(self, name: str) -> bool:

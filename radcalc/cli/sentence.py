@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.page import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, Option
 from radcalc.calculators.pages import COMMANDS, page_of
@@ -18,15 +18,6 @@ from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other
 from radcalc.cli.output import decide
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, typed
-from radcalc.errors import (
-    ExpressionError,
-    MissingCondition,
-    MissingInput,
-    RadcalcError,
-    SeveralReadings,
-    TooManyWords,
-    UsageError,
-)
 from radcalc.quantities.symbols import FLAG
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.products import assumptions_of
@@ -52,11 +43,11 @@ class Gate(NamedTuple):
     """
 
     run: Callable[[Words], int]
-    has_answers: Callable[[RadcalcError, Words], bool]
+    has_answers: Callable[[errors.RadcalcError, Words], bool]
     listener: "Listener | None" = None
 
 
-def instead(words: Words, error: RadcalcError, gate: Gate) -> int:
+def instead(words: Words, error: errors.RadcalcError, gate: Gate) -> int:
     """Answer a refused call as a sentence, if it is one; otherwise raise the better error.
 
     If the call that the sentence means is refused, it replaces `words`, for the calls of its hint.
@@ -66,26 +57,26 @@ def instead(words: Words, error: RadcalcError, gate: Gate) -> int:
     call, options = meant(words, error, gate.has_answers)
     try:
         return _answer(call, options, gate)
-    except RadcalcError as refused:
-        is_missing = isinstance(refused, (MissingCondition, MissingInput))
+    except errors.RadcalcError as refused:
+        is_missing = isinstance(refused, (errors.MissingCondition, errors.MissingInput))
         if not is_missing and _is_clear(error, words, gate.has_answers):
             raise error from None
         words[:] = [*call, *options]
         raise on_page(refused, call[0]) from None
 
 
-def _is_clear(error: RadcalcError, words: Words, has_answers: Callable[..., bool]) -> bool:
+def _is_clear(error: errors.RadcalcError, words: Words, has_answers: Callable[..., bool]) -> bool:
     """Return whether the hint of an error that is not about the number of words has answers."""
-    return not isinstance(error, TooManyWords) and has_answers(error, words)
+    return not isinstance(error, errors.TooManyWords) and has_answers(error, words)
 
 
-def may_be(words: Sequence[str], error: RadcalcError) -> bool:
+def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
     """Return whether a refused call may be a sentence, and not a command with a mistake."""
     others = {*HELP_NAMES, "help", "--version", EXPLAIN}
     if not words or any(map(is_stream, words)) or {*words} & others:
         return False
     asked, _ = options_of(options_of(words)[0], _of_file(words))
-    is_read = isinstance(error, (ExpressionError, MissingCondition))
+    is_read = isinstance(error, (errors.ExpressionError, errors.MissingCondition))
     if is_read or all(word[:1] == "-" for word in asked):
         return False
     options = [word.partition("=")[0] for word in asked if word[:2] == "--"]
@@ -103,7 +94,9 @@ def may_be(words: Sequence[str], error: RadcalcError) -> bool:
 
 
 def meant(
-    words: Words, error: RadcalcError, has_answers: Callable[[RadcalcError, Words], bool]
+    words: Words,
+    error: errors.RadcalcError,
+    has_answers: Callable[[errors.RadcalcError, Words], bool],
 ) -> tuple[Words, Words]:
     """Return the call that a refused call means as a sentence, and its options of the output.
 
@@ -117,11 +110,11 @@ def meant(
         sentence = read(asked)
         understood = _is_understood(sentence, asked)
         call = [*typed(call_of(sentence)), *own]
-    except RadcalcError as problem:
+    except errors.RadcalcError as problem:
         has_readings = any(one.is_call for one in problem.tries)
-        is_several = isinstance(problem, SeveralReadings)
+        is_several = isinstance(problem, errors.SeveralReadings)
         is_free = (asked[0] not in COMMANDS or is_several) and (understood or has_readings)
-        is_long = isinstance(error, UsageError) and len(" ".join(asked).split()) > LONG
+        is_long = isinstance(error, errors.UsageError) and len(" ".join(asked).split()) > LONG
         has_option = any(word[:2] == "--" for word in asked)
         is_long |= is_several and not has_option
         is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
@@ -144,8 +137,8 @@ def _is_understood(sentence: Sentence, asked: Words) -> bool:
 
 def as_call(
     words: Words,
-    error: RadcalcError | click.UsageError,
-    has_answers: Callable[[RadcalcError, Words], bool],
+    error: errors.RadcalcError | click.UsageError,
+    has_answers: Callable[[errors.RadcalcError, Words], bool],
 ) -> Words:
     """Return the call, with its options, that a refused call means as a sentence.
 
@@ -209,7 +202,7 @@ def _of_file(words: Sequence[str]) -> Sequence[Option]:
     path = next(filter(os.path.isfile, words), "")
     try:
         command = route(path)[0] if path and words[0] not in COMMANDS else ""
-    except RadcalcError:
+    except errors.RadcalcError:
         return ()
     own = page_of(command).options.values() if command else ()
     return [row for rows in own for row in rows if row != GET]

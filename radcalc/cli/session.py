@@ -21,18 +21,8 @@ from radcalc.cli.cases import is_stream
 from radcalc.cli.output import decide
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
+from radcalc.quantities import symbols
 from radcalc.quantities.light import LUMINOUS, name_of
-from radcalc.quantities.symbols import (
-    DIRECTION,
-    GRID,
-    INTERVAL,
-    NUMBERS,
-    POINT,
-    QUANTITY,
-    SYMBOLS,
-    VECTOR,
-    in_kind,
-)
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
 from radcalc.sentences.words import ENDS
@@ -55,7 +45,15 @@ WORDS = {"help": "The commands, or a search.", "vars": "The variables and their 
 WORDS |= dict.fromkeys(LEAVING, "Leave the prompt.")
 SEPARATING = {*SEPARATORS, *ALSO_UNITS}
 RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, *FUNCTIONS, "radcalc", "per", "pi", "π"}
-OF_AMOUNTS = {QUANTITY, INTERVAL, POINT, VECTOR, GRID, DIRECTION, NUMBERS}  # forms of symbols
+OF_AMOUNTS = {
+    symbols.QUANTITY,
+    symbols.INTERVAL,
+    symbols.POINT,
+    symbols.VECTOR,
+    symbols.GRID,
+    symbols.DIRECTION,
+    symbols.NUMBERS,
+}  # forms of symbols
 OPERANDS_ARE_AMOUNTS = {"convert", "photon"}
 LIMITS = ("", ",", ":")  # characters of a value in a list or a range
 
@@ -192,7 +190,7 @@ class Session:
         return [*self._operands(operands), *filled] if called == "convert" else filled
 
     def _value(self, name: str, text: str) -> str:
-        symbol = SYMBOLS.get(name.removeprefix("--"))
+        symbol = symbols.SYMBOLS.get(name.removeprefix("--"))
         if name == "--check":
             result, equals, value = text.rpartition("=")
             return f"{result}{equals}{self._fill(value)}"
@@ -229,7 +227,7 @@ class Session:
     def _only_row(self, result: str, rows: Sequence[Row], name: str) -> Row:
         if not rows:
             raise UsageError(f"{name} has no value yet", "an answer before it, such as 100 lx fc")
-        known = (result, in_kind(result, LUMINOUS))
+        known = (result, symbols.in_kind(result, LUMINOUS))
         matching = [row for row in rows if not result or row.name in known]
         if len(matching) == 1:
             return matching[0]

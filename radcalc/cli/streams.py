@@ -4,7 +4,7 @@ import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.answer import Answer, Result, ShownInput, Value
 from radcalc.calculators.solved import Task
 from radcalc.cli.cases import Case
@@ -13,19 +13,7 @@ from radcalc.cli.request import LineOptions, first_of
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.plan import answer, plan, source_of, target_of
-from radcalc.errors import (
-    Hint,
-    NumberError,
-    RadcalcError,
-    Unused,
-    UsageError,
-    add,
-    corrections,
-    leave_out,
-    one_of,
-    option,
-    quote,
-)
+from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.streams import Source
@@ -49,11 +37,11 @@ def convert(
     """Convert standard input; return the exit status."""
     from radcalc.streams.readers import Numbers, Quantities, Texts
 
-    output.refuse_auto("a stream has one unit for all lines", leave_out("auto"))
+    output.refuse_auto("a stream has one unit for all lines", errors.leave_out("auto"))
     source_text, target_text = read_stream_operands(words)
     if "," in target_text:
         problem = f"'{quote(target_text)}' is a list, but a stream has one target"
-        raise UsageError(problem, corrections(target_text, *target_text.split(",")))
+        raise errors.UsageError(problem, errors.corrections(target_text, *target_text.split(",")))
     given = _given(cases, steps)
     _refuse_format(output)
     layout = Layout.of(options, bool(source_text))
@@ -123,7 +111,7 @@ class _Conversion(_Work):
     def plan(self, unit: Unit, *assumptions: str) -> Plan:
         try:
             planned = plan(unit, self.target, self.given)
-        except Unused as error:
+        except errors.Unused as error:
             if self.source or assumptions:
                 raise
             hint = f"{error.hint}, or a call for each kind of line"  # later units may use it
@@ -186,13 +174,13 @@ def calculate(
     """
     source = case.stream
     assert source is not None
-    output.refuse_auto("a stream has one unit for all lines", leave_out("auto"))
+    output.refuse_auto("a stream has one unit for all lines", errors.leave_out("auto"))
     _refuse_format(output)
     refuse_uncertain(case.given.values(), "a stream")
     layout = Layout.of(options, source.is_bare)
     calculation = _Calculation(case, source, task, wanted, layout, output)
     if len(wanted) > 1 and not calculation.as_json and (layout.cut or layout.lines or layout.adds):
-        raise UsageError(f"{len(wanted)} results cannot replace one field", "-g once")
+        raise errors.UsageError(f"{len(wanted)} results cannot replace one field", "-g once")
     names_in_units = calculation.in_units(source)
     header = None
     if layout.lines or layout.adds:
@@ -294,7 +282,7 @@ class _Calculation(_Work):
         names = self.in_units(of_unit)
         self.target = _unit_of(names)
         if self.target is None and not self.as_json:
-            raise UsageError("the title needs a unit", option("get", "NAME:UNIT"))
+            raise errors.UsageError("the title needs a unit", option("get", "NAME:UNIT"))
         self._refuse_change(unit)
         return self.texts(of_unit, names), self.target or resolve("1")
 
@@ -319,14 +307,14 @@ def _in_units(
         *others, last = names
         listing = f"{', '.join(others)} or {last}" if others else last
         problem = f"a stream ({option(source.name, '-')}) needs -g NAME"
-        raise UsageError(problem, f"-g with {listing}")
+        raise errors.UsageError(problem, f"-g with {listing}")
     names_in_units = list(wanted)
     for k, name in enumerate(wanted if values else ()):
         try:
             row = pick(values, name)
-        except NumberError:  # an error of that value only
+        except errors.NumberError:  # an error of that value only
             continue
-        except UsageError:
+        except errors.UsageError:
             if name_of(name) not in {v.name for v in values if v.is_absent}:
                 raise
             continue
@@ -350,16 +338,16 @@ def _likely(source: Source, of_line: Callable[[Input], Answer]) -> Sequence[Valu
     for text in texts:
         try:
             return of_line(source.read(text)).values
-        except RadcalcError:  # an error of that value, or one that the first line reports
+        except errors.RadcalcError:  # an error of that value, or one that the first line reports
             continue
     return ()
 
 
 def _refuse_format(output: Output) -> None:
     if output.is_chosen and output.format in (TABLE, CSV):
-        raise UsageError(
+        raise errors.UsageError(
             f"--format {output.format} cannot be used with a stream",
-            [add("format", "json"), leave_out("format")],
+            [errors.add("format", "json"), errors.leave_out("format")],
         )
 
 
@@ -389,16 +377,18 @@ class Layout(NamedTuple):
             cut = Cut(os.fsencode(delimiter))
         mark = (options.decimal or ".").encode()
         if cut and cut.delimiter == mark != b".":
-            raise UsageError(
+            raise errors.UsageError(
                 "--decimal , cannot be used with --delimiter ,", option("delimiter", "tab")
             )
         fields = Fields("1" if options.field is None else options.field)
         name = options.rename if options.add is None else options.add
         name = None if name is None else name.strip()
         if name is not None and not fields.is_one:
-            each = [add("field", str(first)) for first, last in fields.ranges if first == last]
-            hint: Hint = each[:3] or "a call for each field"
-            raise UsageError("--add and --rename take one field", hint)
+            each = [
+                errors.add("field", str(first)) for first, last in fields.ranges if first == last
+            ]
+            hint: errors.Hint = each[:3] or "a call for each field"
+            raise errors.UsageError("--add and --rename take one field", hint)
         return cls(cut, fields, lines, mark, name, options.add is not None)
 
     @property
@@ -422,28 +412,36 @@ class Layout(NamedTuple):
 
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
     if options.field is not None and options.column is not None:
-        raise UsageError("--field cannot be used with --column", one_of("field", "column"))
+        raise errors.UsageError(
+            "--field cannot be used with --column", errors.one_of("field", "column")
+        )
     if options.add is not None and options.rename is not None:
-        raise UsageError("--add cannot be used with --rename", one_of("add", "rename"))
+        raise errors.UsageError(
+            "--add cannot be used with --rename", errors.one_of("add", "rename")
+        )
     if options.rename is not None and not lines:
-        raise UsageError("--rename needs a header", add("header"))
+        raise errors.UsageError("--rename needs a header", errors.add("header"))
     if not has_unit and options.delimiter is None and options.field is not None and not lines:
-        raise UsageError(
+        raise errors.UsageError(
             "--field needs --delimiter if the lines have their own units",
-            [add("delimiter", "tab"), add("delimiter", ","), leave_out("field")],
+            [
+                errors.add("delimiter", "tab"),
+                errors.add("delimiter", ","),
+                errors.leave_out("field"),
+            ],
         )
 
 
 def _given(cases: Sequence[Case], steps: bool) -> Sequence[Input]:
     if steps:
-        raise UsageError("--steps cannot be used with a stream", leave_out("steps"))
+        raise errors.UsageError("--steps cannot be used with a stream", errors.leave_out("steps"))
     if len(cases) > 1:
         each = [first_of(case.varied) for case in cases[:3]]
-        raise UsageError("a list of conditions cannot be used with a stream", each)
+        raise errors.UsageError("a list of conditions cannot be used with a stream", each)
     refuse_uncertain(cases[0].given.values(), "a stream")
     return list(cases[0].given.values())
 
 
-def complain(error: RadcalcError) -> None:
+def complain(error: errors.RadcalcError) -> None:
     """Write the error of a line, without a hint: there may be many."""
     terminal.say([f"radcalc: {spelled(error.message)}"])

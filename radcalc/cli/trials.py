@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from radcalc import terminal
+from radcalc import errors, terminal
 from radcalc.answer import Row, in_short
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.cases import is_stream
@@ -17,20 +17,7 @@ from radcalc.cli.command import with_plot
 from radcalc.cli.group import called_in, commands, context, parameters, protect_negatives
 from radcalc.cli.heard import hear
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, Shell, pasted, spelled, typed
-from radcalc.errors import (
-    MINUS,
-    MOST,
-    Exclusive,
-    OutputError,
-    RadcalcError,
-    SeveralReadings,
-    Try,
-    UsageError,
-    drop,
-    option,
-    quote,
-    with_correction,
-)
+from radcalc.errors import option, quote
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.ranges import size_of
 
@@ -73,7 +60,7 @@ class Trial(NamedTuple):
         has_check = len(words) < len(self.words)
         try:
             rows = _results(words) if _is_short(words) else ()
-        except (RadcalcError, click.UsageError) as error:
+        except (errors.RadcalcError, click.UsageError) as error:
             from radcalc.cli import sentence
 
             rows = _results(sentence.as_call(words, error, lambda *_: False))
@@ -83,19 +70,19 @@ class Trial(NamedTuple):
         """Return the fields of JSON."""
         first = [{"value": row.value, "unit": row.unit} for row in self.rows[:1]]
         record: dict[str, Any] = {"command": self.command}
-        with suppress(RadcalcError):  # a stream has no call in Python
+        with suppress(errors.RadcalcError):  # a stream has no call in Python
             record["call"] = _in_python(self.words)
         return record | dict(*first)
 
 
-def refuse(error: RadcalcError, words: Words) -> int:
+def refuse(error: errors.RadcalcError, words: Words) -> int:
     """Write an error with the calls that its hint proposes; return the exit status."""
     shown = trials(error, words)
     if "--json" in words or " --format json" in f" {' '.join(words)}".replace("=", " "):
         from radcalc.render.json import refusal
 
         message, hint = error.spelled(Shell)
-        with suppress(OutputError):  # often the error itself
+        with suppress(errors.OutputError):  # often the error itself
             terminal.write(refusal(error, message, hint, [trial.record() for trial in shown]))
     hints = lines(error, words, shown) if shown else None
     if error.tries and not shown and is_refused(error, words):
@@ -103,14 +90,14 @@ def refuse(error: RadcalcError, words: Words) -> int:
     return terminal.complain(error, Shell, hints)
 
 
-def trials(error: RadcalcError, words: Words) -> list[Trial]:
+def trials(error: errors.RadcalcError, words: Words) -> list[Trial]:
     """Return the calls that the hint of an error proposes, without those that are refused.
 
     If all are refused because one more input is missing, return them with that input.
     """
     made: list[Trial] = []
-    lacking: list[tuple[Trial, RadcalcError, int]] = []
-    for way, proposal in enumerate(error.tries[:MOST]):
+    lacking: list[tuple[Trial, errors.RadcalcError, int]] = []
+    for way, proposal in enumerate(error.tries[: errors.MOST]):
         call = changed(words, proposal)
         if call is None or call in (words, *(trial.words for trial in made)):
             continue
@@ -122,8 +109,8 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
             if answered.rows and not trial.remark:
                 answered = answered._replace(remark=_example_in(proposal, words))
             made.append(answered)
-        except RadcalcError as further:
-            if proposal.inputs or not proposal.without or isinstance(error, Exclusive):
+        except errors.RadcalcError as further:
+            if proposal.inputs or not proposal.without or isinstance(error, errors.Exclusive):
                 lacking.append((trial, further, way))
     if made:
         return made
@@ -134,7 +121,7 @@ def trials(error: RadcalcError, words: Words) -> list[Trial]:
     return sorted(unique.values(), key=lambda trial: len(trial.words))
 
 
-def _example_in(proposal: Try, words: Words) -> str:
+def _example_in(proposal: errors.Try, words: Words) -> str:
     """Return the remark on a value that a proposal adds, and that the user did not type."""
     typed_text = " ".join(words)
     for name, value in proposal.inputs:
@@ -144,26 +131,26 @@ def _example_in(proposal: Try, words: Words) -> str:
     return ""
 
 
-def has_answers(error: RadcalcError, words: Words) -> bool:
+def has_answers(error: errors.RadcalcError, words: Words) -> bool:
     """Return whether a call that the hint of an error proposes has an answer."""
     return any(trial.rows for trial in trials(error, words))
 
 
-def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
+def _completed(trial: Trial, further: errors.RadcalcError, way: int) -> list[Trial]:
     """Return a refused call with what it lacks, if it is answered then."""
     is_sentence = called_in(trial.words) in ("", "convert")
     if (
         is_sentence
-        and isinstance(further, SeveralReadings)
+        and isinstance(further, errors.SeveralReadings)
         and all(one.words for one in further.tries)
     ):
         readings = []
-        for one in further.tries[:MOST]:
-            with suppress(RadcalcError):
+        for one in further.tries[: errors.MOST]:
+            with suppress(errors.RadcalcError):
                 readings.append(Trial([*typed(one.words)], one.remark).answered())
         return readings
     typed_words = trial.words
-    for _ in range(MOST - 1):
+    for _ in range(errors.MOST - 1):
         added = [one for one in further.tries if one.inputs and not one.without]
         if not added:  # another word of the same kind: 1/2 m + 1/2 m
             added = [one for one in further.tries[way:] if one.instead]
@@ -175,18 +162,18 @@ def _completed(trial: Trial, further: RadcalcError, way: int) -> list[Trial]:
         trial = Trial(call, remark)
         try:
             return [trial.answered()]
-        except RadcalcError as error:
+        except errors.RadcalcError as error:
             further = error
     return []
 
 
-def is_refused(error: RadcalcError, words: Words) -> bool:
+def is_refused(error: errors.RadcalcError, words: Words) -> bool:
     """Return whether the hint is nothing but calls that are refused themselves."""
     calls = [changed(words, proposal) for proposal in error.tries]
     return all(calls) and error.hint == " or ".join(map(str, error.tries))
 
 
-def lines(error: RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str]:
+def lines(error: errors.RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str]:
     """Return the lines of a hint: calls, each with its answer below it, and further options."""
     texts = []
     for start, trial in zip(("try: ", *["or:  "] * len(shown)), shown, strict=False):
@@ -195,7 +182,7 @@ def lines(error: RadcalcError, words: Words, shown: Sequence[Trial]) -> list[str
             texts.append("     " + trial.outcome)
     if others := [f"--{name}" for name in error.others]:
         texts.append(f"or {', '.join(others)} (radcalc {called_in(words)} --help)")
-    words_instead = [one.instead[1:] for one in error.tries[MOST:]]
+    words_instead = [one.instead[1:] for one in error.tries[errors.MOST :]]
     if further := [quote(" ".join(others)) for others in words_instead if others]:
         texts.append(f"or {', '.join(further)}")
     return texts
@@ -207,7 +194,7 @@ def _results(words: Words) -> list[Row]:
     return [row for row in rows if "-g" in words or not row.given]
 
 
-def changed(words: Words, proposal: Try) -> Words | None:
+def changed(words: Words, proposal: errors.Try) -> Words | None:
     """Return the words of a call as a hint proposes, or None if they cannot be changed so."""
     if proposal.words:
         return list(typed(proposal.words))
@@ -242,7 +229,7 @@ def _as_typed(command: str, option: click.Parameter, name: str, value: str) -> W
     word = IN_SHORT.get(name, f"--{name}")
     if getattr(option, "is_flag", False) or (name in WITHOUT_VALUE and not value):
         return [word]
-    value = value.replace(MINUS, "-") or _example(command, name)
+    value = value.replace(errors.MINUS, "-") or _example(command, name)
     return [word, value] if value else []
 
 
@@ -274,11 +261,11 @@ def _corrected(call: Words, *texts: str) -> Words | None:
     if not places:
         return _joined(call, typed, correction, *more)
     k = (exact or places)[0]
-    return [*call[:k], with_correction(call[k], typed, correction), *more, *call[k + 1 :]]
+    return [*call[:k], errors.with_correction(call[k], typed, correction), *more, *call[k + 1 :]]
 
 
 def _as_message(text: str) -> str:
-    return text.replace(MINUS, "-")
+    return text.replace(errors.MINUS, "-")
 
 
 def _joined(call: Words, typed: str, correction: str, *more: str) -> Words | None:
@@ -344,7 +331,7 @@ def refuse_effects(words: Words) -> None:
     """
     command = called_in(words)
     if command and command not in SUMMARIES:
-        raise UsageError(
+        raise errors.UsageError(
             f"radcalc {command} has no answer to check", "a calculator or a conversion"
         )
     for word in words:
@@ -354,9 +341,9 @@ def refuse_effects(words: Words) -> None:
             is_joined and protect_negatives([word]) == [word]
         ):
             problem = f"{quote(word)} cannot be used in a question"
-            raise UsageError(problem, drop(word) if len(words) > 1 else "a command")
+            raise errors.UsageError(problem, errors.drop(word) if len(words) > 1 else "a command")
         if is_stream(word) or _is_special(word):
-            raise UsageError(
+            raise errors.UsageError(
                 f"{quote(word)} is not a value or a regular file", "a value or a file's name"
             )
 

@@ -26,22 +26,8 @@ from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import spell
 from radcalc.files.text import ENDINGS as COLUMNS
 from radcalc.plots.figure import FORMATS
+from radcalc.quantities import symbols
 from radcalc.quantities.light import GEOMETRIES
-from radcalc.quantities.symbols import (
-    CHOICE,
-    DIRECTION,
-    DISTRIBUTION,
-    DISTRIBUTIONS,
-    FLAG,
-    INTERVAL,
-    QUANTITY,
-    SPECTRUM,
-    SYMBOLS,
-    UNIT,
-    WAVELENGTHS,
-    WORD,
-    Symbol,
-)
 from radcalc.quantities.targets import GENERIC, names_with_units
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra import listing
@@ -51,8 +37,8 @@ from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER, Dimension, Unit
 
 ENDINGS = {
-    SPECTRUM: (*COLUMNS, ".spd", ".asc", ".sp", ".xls", ".spdx"),
-    DISTRIBUTION: (".ies", ".ldt", *COLUMNS),
+    symbols.SPECTRUM: (*COLUMNS, ".spd", ".asc", ".sp", ".xls", ".spdx"),
+    symbols.DISTRIBUTION: (".ies", ".ldt", *COLUMNS),
     ENVIRONMENT: tuple(MAPS),
 }
 Row = tuple[Any, ...]
@@ -94,7 +80,7 @@ class _Rows:
     def __init__(self) -> None:
         self.units: dict[str, tuple[tuple[str, str], ...]] = {}
         for name in ("distance", "temperature"):  # the parameters of spectra
-            self.quantities(SYMBOLS[name])
+            self.quantities(symbols.SYMBOLS[name])
 
     def light_first(self) -> dict[str, tuple[tuple[str, str], ...]]:
         light = {name for names, _ in GEOMETRIES.values() for name in names}
@@ -110,10 +96,10 @@ class _Rows:
         listed = [row for rows in page.options.values() for row in rows]
         options = [self.of_option(row, results) for row in (*listed, *HELPS)]
         if page.operand is None:
-            return (WORD, ()), options
-        if page.operand.form == QUANTITY:
-            symbol = SYMBOLS[page.operand.name]
-            return (QUANTITY, (symbol.example, self.quantities(symbol))), options
+            return (symbols.WORD, ()), options
+        if page.operand.form == symbols.QUANTITY:
+            symbol = symbols.SYMBOLS[page.operand.name]
+            return (symbols.QUANTITY, (symbol.example, self.quantities(symbol))), options
         return (page.operand.form, tuple(page.operand.choices)), options
 
     def of_option(self, option: Option, results: Results) -> Row:
@@ -128,30 +114,30 @@ class _Rows:
         form = option.form
         if form == FIGURE:
             return form, tuple(FORMATS)
-        if form in (FLAG, CHOICE):
+        if form in (symbols.FLAG, symbols.CHOICE):
             return form, option.choices
         if form == RESULT or (form == CLAIM and results):
             return form, dict(results)
         if option.example.startswith("FILE"):
             return FILE, ENDINGS[ENVIRONMENT]
         if not option.symbol:
-            return WORD, ()
+            return symbols.WORD, ()
         example = "" if option.example.isupper() else option.example
-        if form in (QUANTITY, INTERVAL):
-            return QUANTITY, (example, self.quantities(option.symbol))
-        if form in (WAVELENGTHS, DIRECTION):
-            parts = "wavelength" if form == WAVELENGTHS else "half-angle"
-            return QUANTITY, (example, self.quantities(SYMBOLS[parts])[:1])
-        if form == UNIT:
-            return UNIT, self.quantities(SYMBOLS["radiance"])
-        if form in (DISTRIBUTION, SPECTRUM):
-            return form, DISTRIBUTIONS if form == DISTRIBUTION else ()
-        return WORD, (example,) if example else ()
+        if form in (symbols.QUANTITY, symbols.INTERVAL):
+            return symbols.QUANTITY, (example, self.quantities(option.symbol))
+        if form in (symbols.WAVELENGTHS, symbols.DIRECTION):
+            parts = "wavelength" if form == symbols.WAVELENGTHS else "half-angle"
+            return symbols.QUANTITY, (example, self.quantities(symbols.SYMBOLS[parts])[:1])
+        if form == symbols.UNIT:
+            return symbols.UNIT, self.quantities(symbols.SYMBOLS["radiance"])
+        if form in (symbols.DISTRIBUTION, symbols.SPECTRUM):
+            return form, symbols.DISTRIBUTIONS if form == symbols.DISTRIBUTION else ()
+        return symbols.WORD, (example,) if example else ()
 
-    def quantities(self, symbol: Symbol) -> tuple[str, ...]:
+    def quantities(self, symbol: symbols.Symbol) -> tuple[str, ...]:
         return tuple(self.quantity(dimension, symbol) for dimension in symbol.dimensions)
 
-    def quantity(self, dimension: Dimension, symbol: Symbol) -> str:
+    def quantity(self, dimension: Dimension, symbol: symbols.Symbol) -> str:
         """Return the key of the units of a dimension; the displayed unit comes first."""
         name = full_name(Unit("", 1, 1, dimension, ()))
         if name in self.units:

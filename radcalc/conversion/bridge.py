@@ -5,6 +5,7 @@ Formulas of textbooks are typed as expressions without the steradian: I / d^2, P
 
 from collections.abc import Iterable, Sequence
 
+from radcalc import errors
 from radcalc.conversion.conditions import (
     AREA,
     BAND,
@@ -26,21 +27,7 @@ from radcalc.conversion.geometric import (
     RADIANCE,
     Way,
 )
-from radcalc.errors import (
-    ConversionError,
-    Hint,
-    MissingCondition,
-    Try,
-    Unused,
-    add,
-    call,
-    correct,
-    manual,
-    mentioned,
-    option,
-    options,
-    quote,
-)
+from radcalc.errors import manual, option, quote
 from radcalc.quantities.light import PHOTON, Reading, coherent_text, describe, read
 from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
@@ -77,7 +64,7 @@ def as_law(text: str, source: Unit, target: Unit) -> Unit:
             return complete.of_class(Unit, f"sr read into the formula: {law}")
     if forms and any(sign in text.replace(source.text, "") for sign in "/*"):
         laws = " or ".join(law for *_, law in forms)
-        raise ConversionError(
+        raise errors.ConversionError(
             f"'{quote(text)}' is in {source.text}, and {target.text} differs by a steradian",
             f"{laws}, with the distance in brackets as in (10 m)^2 and pi as pi; or sr where it "
             "belongs",
@@ -94,61 +81,68 @@ class Wanted(NamedTuple):
 
     phrase: str
     hint: str
-    choices: tuple[Try, ...] = ()
+    choices: tuple[errors.Try, ...] = ()
 
 
 _WAVELENGTH = option("wavelength", "LAMBDA")
 _CONE = option("half-angle", "ANGLE")
-_INTO_CONE = add("half-angle", "30deg", "evenly into a cone of half angle 30 deg")
+_INTO_CONE = errors.add("half-angle", "30deg", "evenly into a cone of half angle 30 deg")
 WANTED = {
     KIND: Wanted(
         "a wavelength, a spectrum or an efficacy",
         f"{_WAVELENGTH}, {option('spectrum', 'SOURCE')} or {option('efficacy', 'RATIO')}",
         (
-            add("spectrum", "sun", "sunlight (AM1.5G)"),
-            add("spectrum", "LED-B3", "a white LED"),
-            add("wavelength", "555nm", "green light of one wavelength"),
+            errors.add("spectrum", "sun", "sunlight (AM1.5G)"),
+            errors.add("spectrum", "LED-B3", "a white LED"),
+            errors.add("wavelength", "555nm", "green light of one wavelength"),
         ),
     ),
-    AXIS: Wanted("a wavelength", _WAVELENGTH, (add("wavelength", "555nm"),)),
+    AXIS: Wanted("a wavelength", _WAVELENGTH, (errors.add("wavelength", "555nm"),)),
     PER_LENGTH: Wanted(
         "a length",
         f"the number times that length ({option('bandwidth')} is for densities written with nm, "
         "um, angstrom)",
     ),
-    BAND: Wanted("a bandwidth", option("bandwidth", "WIDTH"), (add("bandwidth", "10nm"),)),
-    TIME: Wanted("a time", option("time", "T"), (add("time", "1h"), add("time", "1s"))),
+    BAND: Wanted("a bandwidth", option("bandwidth", "WIDTH"), (errors.add("bandwidth", "10nm"),)),
+    TIME: Wanted(
+        "a time", option("time", "T"), (errors.add("time", "1h"), errors.add("time", "1s"))
+    ),
     "photoperiod": Wanted(
         "the time of light in a day",
         option("photoperiod", "T"),
-        tuple([add("photoperiod", f"{hours}h", f"{hours} h of light") for hours in (12, 16, 18)]),
+        tuple(
+            [
+                errors.add("photoperiod", f"{hours}h", f"{hours} h of light")
+                for hours in (12, 16, 18)
+            ]
+        ),
     ),
     PUPIL: Wanted(
         "the pupil's diameter",
         option("pupil", "DIAMETER"),
-        (add("pupil", "3mm", "a pupil of 3 mm, in daylight"),),
+        (errors.add("pupil", "3mm", "a pupil of 3 mm, in daylight"),),
     ),
     RESPONSIVITY: Wanted(
         "the detector's responsivity",
         option("responsivity", "S"),
-        (add("responsivity", "0.4A/W", "silicon, in red light"),),
+        (errors.add("responsivity", "0.4A/W", "silicon, in red light"),),
     ),
-    AREA: Wanted("an area", option("area", "A"), (add("area", "1m2", "evenly over 1 m2"),)),
+    AREA: Wanted("an area", option("area", "A"), (errors.add("area", "1m2", "evenly over 1 m2"),)),
     CONE: Wanted(
         "a solid angle",
         f"{option('isotropic')}, {_CONE} or {option('solid-angle', 'OMEGA')}",
-        (add("isotropic", "", "evenly in all directions"), _INTO_CONE),
+        (errors.add("isotropic", "", "evenly in all directions"), _INTO_CONE),
     ),
     PROJECTED: Wanted(
         "a projected solid angle",
         f"{_CONE} or {option('hemisphere')}",
-        (add("hemisphere", "", "evenly bright in the whole hemisphere"), _INTO_CONE),
+        (errors.add("hemisphere", "", "evenly bright in the whole hemisphere"), _INTO_CONE),
     ),
-    DISTANCE: Wanted("a distance", option("distance", "D"), (add("distance", "2m"),)),
+    DISTANCE: Wanted("a distance", option("distance", "D"), (errors.add("distance", "2m"),)),
     REFLECTANCE: Wanted(
         "a reflectance",
         option("reflectance", "RHO"),
-        (add("reflectance", "0.5", "a matte surface that reflects half of the light"),),
+        (errors.add("reflectance", "0.5", "a matte surface that reflects half of the light"),),
     ),
 }
 
@@ -175,7 +169,7 @@ class Bridge:
         extending = [way for way in rows if way.extends and given and given < set(way.powers)]
         sensible = [way for way in rows if way.is_suggested] or list(rows)
         alternatives: dict[str, str] = {}
-        tries: list[Try] = []
+        tries: list[errors.Try] = []
         start = read(self.source)
         start_shines = start is not None and start.is_radiance
         for way in (extending or sensible)[:2]:
@@ -204,9 +198,9 @@ class Bridge:
             raise self._missing(unused)
         if unused:
             where = f"to the conversion of {describe(self.source)} to {describe(self.target)}"
-            raise Unused(unused, where, self._instead(unused))
+            raise errors.Unused(unused, where, self._instead(unused))
 
-    def _instead(self, unused: Sequence[str]) -> Hint:
+    def _instead(self, unused: Sequence[str]) -> errors.Hint:
         """Return the probable intention of an unused condition between units of one quantity."""
         start, end = read(self.source), read(self.target)
         if start is None or end is None or start != end or len(self.conditions.given) > 1:
@@ -216,19 +210,23 @@ class Bridge:
         )
         if given.name == "photoperiod":  # a rate of mol/m2/day counts all 24 h
             rates = [unit.text for unit in (self.source, self.target) if unit.text.endswith(SLOW)]
-            return correct(rates[0], "dli", remark="the sum of a day") if len(rates) == 1 else ""
+            return (
+                errors.correct(rates[0], "dli", remark="the sum of a day")
+                if len(rates) == 1
+                else ""
+            )
         if given.name == "reflectance" and start.area and not start.solid_angle:
             number = f"{self.number}*{given.value:.12g}"
             units = quote(self.source.text), quote(self.target.text)
-            return call("convert", number, *units, remark="the reflected part")
+            return errors.call("convert", number, *units, remark="the reflected part")
         if given.name == TIME and not start.time:
             slow = self.source.text.endswith(SLOW) and not self.target.text.endswith(SLOW)
             rate = self.source if slow else self.target
             total = _over_time(rate, end)
-            return correct(rate.text, total, remark="in all of that time")
+            return errors.correct(rate.text, total, remark="in all of that time")
         return ""
 
-    def _missing(self, unused: Sequence[str]) -> MissingCondition:
+    def _missing(self, unused: Sequence[str]) -> errors.MissingCondition:
         phrases, hints, choices = zip(*self.lacking.values(), strict=True)
         several = len(phrases) > 1
         listed = several and any(" or " in phrase for phrase in phrases)
@@ -238,17 +236,19 @@ class Bridge:
             f"{'are' if several or _is_plural(phrases[0]) else 'is'} missing"
         )
         if unused:
-            useless = options(unused, " and ")
+            useless = errors.options(unused, " and ")
             message += f"; {useless} {'does' if len(unused) == 1 else 'do'} not apply"
         hint = f"{'; and '.join(hints)} (see {manual('convert')})"
-        missing = {wanted.phrase: mentioned(wanted.hint) for wanted in self.lacking.values()}
+        missing = {wanted.phrase: errors.mentioned(wanted.hint) for wanted in self.lacking.values()}
         tries = [*self._as_ppfd(), *together(choices, tuple(unused))]
         if PER_LENGTH in self.lacking and not unused:
             product = f"{self.number} {quote(self.source.text)} * 1 m"
-            tries = [call("convert", product, quote(self.target.text), remark="over 1 m")]
-        return MissingCondition(message, hint, self.source.text, self.target.text, missing, tries)
+            tries = [errors.call("convert", product, quote(self.target.text), remark="over 1 m")]
+        return errors.MissingCondition(
+            message, hint, self.source.text, self.target.text, missing, tries
+        )
 
-    def _as_ppfd(self) -> list[Try]:
+    def _as_ppfd(self) -> list[errors.Try]:
         """Propose PPFD for a number of photons in umol, as growers say it."""
         for unit, other in ((self.source, self.target), (self.target, self.source)):
             own, on_area = read(unit), read(other)
@@ -258,7 +258,9 @@ class Bridge:
                 inputs = [given for choice in light for given in choice.inputs]
                 inputs += [("photoperiod", "16h")] if isinstance(other, Daily) else []
                 remark = ", ".join(["PPFD: umol/m2/s", *[choice.remark for choice in light]])
-                return [Try(tuple(inputs), instead=(quote(unit.text), "ppfd"), remark=remark)]
+                return [
+                    errors.Try(tuple(inputs), instead=(quote(unit.text), "ppfd"), remark=remark)
+                ]
         return []
 
 
@@ -267,7 +269,9 @@ def joined(number: str, unit: str) -> str:
     return f"{number}{unit.removeprefix('1')}"
 
 
-def together(choices: Sequence[Sequence[Try]], without: tuple[str, ...] = ()) -> list[Try]:
+def together(
+    choices: Sequence[Sequence[errors.Try]], without: tuple[str, ...] = ()
+) -> list[errors.Try]:
     """Return calls with a choice for each of several inputs: the first of all, then others."""
     if not all(choices):
         return []
@@ -276,7 +280,7 @@ def together(choices: Sequence[Sequence[Try]], without: tuple[str, ...] = ()) ->
     for k, of_one in enumerate(choices):
         combined += [[*first[:k], other, *first[k + 1 :]] for other in of_one[1:]]
     return [
-        Try(
+        errors.Try(
             tuple([given for proposal in chosen for given in proposal.inputs]),
             without,
             remark=", ".join([proposal.remark for proposal in chosen if proposal.remark]),

@@ -8,6 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from radcalc import errors
 from radcalc.conversion import geometric
 from radcalc.conversion.bridge import Bridge, Links, Wanted
 from radcalc.conversion.conditions import (
@@ -35,19 +36,7 @@ from radcalc.conversion.geometric import (
     Way,
     ways_between,
 )
-from radcalc.errors import (
-    ConditionError,
-    ConversionError,
-    Hint,
-    RadcalcError,
-    add,
-    call,
-    command,
-    correct,
-    leave_out,
-    option,
-    quote,
-)
+from radcalc.errors import command, option, quote
 from radcalc.inputs.given import Input, require
 from radcalc.maths import any_true, power
 from radcalc.quantities.light import (
@@ -63,15 +52,7 @@ from radcalc.quantities.light import (
     read,
 )
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.units.dimensions import (
-    ANGLE,
-    CHARGE,
-    CURRENT,
-    LENGTH,
-    PER_TIME,
-    SOLID_ANGLE,
-    TEMPERATURE,
-)
+from radcalc.units import dimensions
 from radcalc.units.unit import Daily, Unit
 
 # The efficacies of lamps, and the light of each watt.
@@ -145,7 +126,7 @@ def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radia
         bridge.lacking["size"] = Wanted(
             "the size of the source",
             f"{option('radius', 'R')} or {option('area', 'A')}",
-            (add("radius", "10cm", "a round source with a radius of 10 cm"),),
+            (errors.add("radius", "10cm", "a round source with a radius of 10 cm"),),
         )
     else:
         bridge.want_space(ways, given)
@@ -169,7 +150,7 @@ def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
     by_flux = coherent_text(start._replace(area=0, solid_angle=0))
     by_radiance = coherent_text(start._replace(area=1, solid_angle=1))
     steps = [
-        call(
+        errors.call(
             *("convert", bridge.amount, unit),
             **{step.name: quote(step.text)},
             remark=f"and then {option(then.name, quote(then.text))}, for a uniform {what}",
@@ -179,7 +160,7 @@ def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
             (by_radiance, second, first, "radiance"),
         )
     ]
-    raise ConversionError(
+    raise errors.ConversionError(
         f"{bridge.heading}: over {option(cone.name, quote(cone.text))} either the intensity or "
         "the radiance may be uniform, and the answers differ",
         steps,
@@ -193,10 +174,14 @@ def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
         links.append((geometric.turned(tilt), way.powers[AREA] * sign))
     for factor, exponent in links:
         if exponent < 0 and any_true(factor.value == 0):
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{factor.assumption}: no light arrives, so the source cannot be determined",
                 "a reflectance above 0, and an incidence or a tilt below 90 deg",
-                [leave_out(name) for name in ("incidence", "tilt") if name in conditions.given],
+                [
+                    errors.leave_out(name)
+                    for name in ("incidence", "tilt")
+                    if name in conditions.given
+                ],
             )
     return links
 
@@ -278,46 +263,50 @@ def _width(bridge: Bridge) -> Links:
     raise _unlike(bridge)
 
 
-def _unlike(bridge: Bridge) -> RadcalcError:
+def _unlike(bridge: Bridge) -> errors.RadcalcError:
     source, target, heading = bridge.source, bridge.target, bridge.heading
-    if PER_TIME in (source.dimension, target.dimension):
-        hint: Hint = "Hz, or cycle/s, for a frequency"
-        if source.dimension == PER_TIME:
+    if dimensions.PER_TIME in (source.dimension, target.dimension):
+        hint: errors.Hint = "Hz, or cycle/s, for a frequency"
+        if source.dimension == dimensions.PER_TIME:
             per = source.text.removeprefix("1")
             cycles = f"cycle{per}" if per.startswith("/") else f"cycle.{source.text}"
-            hint = call("convert", f"{bridge.number} {quote(cycles)}", quote(target.text))
-        return ConversionError(f"{heading}: a frequency counts cycles", hint)
+            hint = errors.call("convert", f"{bridge.number} {quote(cycles)}", quote(target.text))
+        return errors.ConversionError(f"{heading}: a frequency counts cycles", hint)
     if source.dimension in PHOTON_NAMES and target.dimension in PHOTON_NAMES:
-        return ConversionError(
+        return errors.ConversionError(
             f"{heading}: no condition links them, but a photon has both",
-            call(
+            errors.call(
                 "photon",
                 bridge.amount,
                 get=f"{PHOTON_NAMES[target.dimension]}:{quote(target.text)}",
             ),
         )
     if source.dimension in PHOTON_NAMES and target.dimension == RATIOS[LUMINOUS, RADIANT]:
-        return ConversionError(
+        return errors.ConversionError(
             f"{heading}: no condition links them, but light of one wavelength has an efficacy",
-            call("photon", bridge.amount, get=f"luminous-efficacy:{quote(target.text)}"),
+            errors.call("photon", bridge.amount, get=f"luminous-efficacy:{quote(target.text)}"),
         )
     if source.dimension in OF_LAMPS and target.dimension in OF_LAMPS:
         given = bridge.conditions.given.get(slot_of("spectrum"))
         spectrum = given.text if given and given.name == "spectrum" else "LED-B3"
-        light = call(
+        light = errors.call(
             "convert", f"{bridge.amount}*1W", OF_LAMPS[target.dimension], spectrum=spectrum,
             remark="of each watt",
         )  # fmt: skip
-        return ConversionError(
+        return errors.ConversionError(
             f"{heading}: no condition links them, but a spectrum links the light", light
         )
-    if TEMPERATURE in (source.dimension, target.dimension):
+    if dimensions.TEMPERATURE in (source.dimension, target.dimension):
         return _unlike_heat(bridge)
-    if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
-        names = ("apex-angle", "half-angle") if source.dimension == ANGLE else ("solid-angle",)
-        return ConversionError(
+    if {source.dimension, target.dimension} == {dimensions.ANGLE, dimensions.SOLID_ANGLE}:
+        names = (
+            ("apex-angle", "half-angle")
+            if source.dimension == dimensions.ANGLE
+            else ("solid-angle",)
+        )
+        return errors.ConversionError(
             f"{heading}: no condition links them, since a solid angle depends on the shape",
-            [call("solid-angle", "cone", **{name: bridge.amount}) for name in names],
+            [errors.call("solid-angle", "cone", **{name: bridge.amount}) for name in names],
         )
     hint = f"{command('units', 'UNIT')}, which shows what a unit measures"
     if notes := source.notes + target.notes:
@@ -325,24 +314,24 @@ def _unlike(bridge: Bridge) -> RadcalcError:
     elif target.atoms and all(power < 0 for _, power in target.atoms):
         both = f"{source.text} {target.text}"
         hint = f"quotes around '{quote(both)}', if that is one unit"
-    return ConversionError(
+    return errors.ConversionError(
         f"{heading}: they are different quantities, and no condition links them", hint
     )
 
 
-def _unlike_heat(bridge: Bridge) -> RadcalcError:
+def _unlike_heat(bridge: Bridge) -> errors.RadcalcError:
     """Return the error for a temperature and what a hot body does not determine in one number."""
     source, target = bridge.source, bridge.target
-    hint: Hint = "W/m2 or W/m2/sr of a black body, or um for the peak of its spectrum"
-    if source.dimension == LENGTH:
+    hint: errors.Hint = "W/m2 or W/m2/sr of a black body, or um for the peak of its spectrum"
+    if source.dimension == dimensions.LENGTH:
         hint = "a wavelength in nm or um, for the peak of a black body's spectrum"
-    elif target.dimension == LENGTH:
-        hint = correct(target.text, "um", remark="for the peak of a black body's spectrum")
-    elif source.dimension == TEMPERATURE and target.is_light:
-        hint = call("spectrum", f"blackbody:{bridge.amount}")
+    elif target.dimension == dimensions.LENGTH:
+        hint = errors.correct(target.text, "um", remark="for the peak of a black body's spectrum")
+    elif source.dimension == dimensions.TEMPERATURE and target.is_light:
+        hint = errors.call("spectrum", f"blackbody:{bridge.amount}")
     what = "but a black body of a temperature has an exitance, a radiance and a peak wavelength"
     message = f"{bridge.heading}: no condition links them, {what}"
-    return ConversionError(message, hint)
+    return errors.ConversionError(message, hint)
 
 
 def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
@@ -362,7 +351,10 @@ def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
     return [(geometric.duration(given, is_daily), end.time - start.time)]
 
 
-ELECTRIC = {CURRENT: 0, CHARGE: 1}  # with the power of time relative to a flux
+ELECTRIC = {
+    dimensions.CURRENT: 0,
+    dimensions.CHARGE: 1,
+}  # with the power of time relative to a flux
 
 
 def _behind_detector(unit: Unit) -> Reading | None:

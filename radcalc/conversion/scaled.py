@@ -7,20 +7,11 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from radcalc import errors
 from radcalc.answer import Step
 from radcalc.conversion.linear import Plan, are_reciprocal, between
 from radcalc.conversion.natural import by_law
-from radcalc.errors import (
-    ConversionError,
-    MissingCondition,
-    RadcalcError,
-    Unused,
-    add,
-    call,
-    correct,
-    option,
-    quote,
-)
+from radcalc.errors import option, quote
 from radcalc.inputs.given import Input
 from radcalc.quantities.light import describe
 from radcalc.units.electric_fields import PEAK, RMS, FieldUnit, plane_wave
@@ -41,16 +32,16 @@ def refuse_difference(text: str, target: Unit) -> None:
     if len(terms) == 1 or not all(map(_is_temperature, terms[::2])):
         return
     shift = "".join([term if k % 2 else f"1/({term})" for k, term in enumerate(terms)])
-    raise ConversionError(
+    raise errors.ConversionError(
         f"'{quote(text)}' is a sum or a difference, whose reciprocal is not a colour temperature",
-        call("convert", shift, "MK-1", remark="the shift"),
+        errors.call("convert", shift, "MK-1", remark="the shift"),
     )
 
 
 def _is_temperature(text: str) -> bool:
     try:
         unit = read_amount(text).unit
-    except RadcalcError:
+    except errors.RadcalcError:
         return False
     return unit is not None and unit.dimension == TEMPERATURE_ALONE
 
@@ -116,9 +107,9 @@ def _refuse_gain_as_loss(source: Unit, target: ScaleUnit, value: Any, factor: An
 
         if any_true(factor > 1):
             unit = quote(source.text)
-            raise ConversionError(
+            raise errors.ConversionError(
                 f"{value:.6g} {unit} is more light, but a density above 0 is less",
-                correct(f"{value:.6g} {unit}", f"-{value:.6g} {unit}", remark="a loss"),
+                errors.correct(f"{value:.6g} {unit}", f"-{value:.6g} {unit}", remark="a loss"),
             )
 
 
@@ -134,18 +125,20 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
     if FIELD_STRENGTH in (source.dimension, target.dimension):
         source, target, conditions = _fields(source, target, conditions)
     sources, targets = _readings(source, target, constants), _readings(target, source, constants)
-    error: RadcalcError | None = None
+    error: errors.RadcalcError | None = None
     pairs = [(start, end) for start in sources for end in targets]
     for start, end in sorted(pairs, key=lambda pair: pair[0].dimension != pair[1].dimension):
         try:
             linear = _between(_unit(start), _unit(end), conditions, number)
-        except RadcalcError as problem:
+        except errors.RadcalcError as problem:
             if error is None or _lacks_less(problem, error):
                 error = problem
             continue
         used = {unit.scale.constant for unit in (start, end) if isinstance(unit, ScaleUnit)}
         if idle := [name for name in constants if name not in used]:
-            raise Unused(idle, f"to the conversion of {quote(source.text)} to {quote(target.text)}")
+            raise errors.Unused(
+                idle, f"to the conversion of {quote(source.text)} to {quote(target.text)}"
+            )
         planned = ScaledPlan(start, end, linear)
         assumptions = [text for name in constants for text in meter[name].assumptions]
         planned.assumptions = (*assumptions, *planned.assumptions)
@@ -154,9 +147,11 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
     raise error
 
 
-def _lacks_less(problem: RadcalcError, other: RadcalcError) -> bool:
+def _lacks_less(problem: errors.RadcalcError, other: errors.RadcalcError) -> bool:
     """Return whether a reading lacks fewer conditions than another."""
-    both = isinstance(problem, MissingCondition) and isinstance(other, MissingCondition)
+    both = isinstance(problem, errors.MissingCondition) and isinstance(
+        other, errors.MissingCondition
+    )
     return both and len(problem.missing) < len(other.missing)
 
 
@@ -177,14 +172,14 @@ def _fields(source: Unit, target: Unit, given: list[Input]) -> tuple[Unit, Unit,
     """Return the units, with fields as irradiances of plane waves, and the other conditions."""
     kinds = [condition for condition in given if condition.name == "electric-field"]
     if not kinds:
-        raise MissingCondition(
+        raise errors.MissingCondition(
             f"cannot convert {describe(source)} to {describe(target)}: the kind of field value "
             "(peak or root mean square) is missing",
             f"{option('electric-field', RMS)} or {option('electric-field', PEAK)}",
             source.text,
             target.text,
             {"the kind of field value": ("electric-field",)},
-            [add("electric-field", kind) for kind in (RMS, PEAK)],
+            [errors.add("electric-field", kind) for kind in (RMS, PEAK)],
         )
     rest = [condition for condition in given if condition.name != "electric-field"]
     return _wave(source, kinds[0]), _wave(target, kinds[0]), rest

@@ -2,20 +2,11 @@
 
 from typing import TYPE_CHECKING, Any
 
-from radcalc import maths
+from radcalc import errors, maths
 from radcalc.answer import Step
 from radcalc.conversion.conditions import BAND, LINK, Factor
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import (
-    ConditionError,
-    Impossible,
-    Try,
-    call,
-    correct,
-    leave_out,
-    option,
-    quote,
-)
+from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, Inputs, require
 from radcalc.quantities.light import (
     AXIS,
@@ -133,7 +124,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
         forward = over == LUMINOUS
     if not forward:
         if maths.any_true(value == 0):
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{quote(given.text)} is invisible: watts or photons cannot be calculated from "
                 "a luminous quantity",
                 f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
@@ -175,10 +166,10 @@ def spectral_factor(
     if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
         spectrum_text = option("spectrum", quote(given.text))
         known_range = f"; it is known over {counted.known}" if counted.known else ""
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{spectrum_text} has no light to count there: {'; '.join(remarks[1:])}{known_range}",
             "another spectrum or range",
-            [leave_out(given.name) for given in (limits, photon_limits) if given],
+            [errors.leave_out(given.name) for given in (limits, photon_limits) if given],
         )
     if problem := counted.impossible(over, under):
         raise problem
@@ -259,7 +250,7 @@ def given_ratio(given: Input, over: str, under: str, observer: Input | None) -> 
         if is_beyond and pair[0] == RADIANT:  # 75 uW/lm, the UV of museums
             notes = (PART_OF_LIGHT.format(given.text, most),)
         elif is_beyond:
-            raise Impossible(
+            raise errors.Impossible(
                 given.name,
                 given.text,
                 f"an efficacy of up to {int(most * scale)}{unit}",
@@ -353,11 +344,11 @@ def _check_narrow(of: Light, width: Any, axis: str, text_where: "Callable[[Any],
         both = place[axis] - width / 2, place[axis] + width / 2
         ends = [maths.chosen(end, wide) * size for end in both]
         listed = ",".join([f"{format_number(end)}{unit}" for end in ends])
-        raise ConditionError(
+        raise errors.ConditionError(
             f"a width of {text_where(wide)} is not small compared with "
             f"{option(of.given.name, of.given.text)}: its ends are not at equal distances on both "
             "axes",
-            call("photon", listed, get=other, remark="the two ends of the band"),
+            errors.call("photon", listed, get=other, remark="the two ends of the band"),
         )
 
 
@@ -394,9 +385,9 @@ def _refuse_other_photons(bridge: "Bridge", unit: Photosynthetic, links: "Links"
     asked = bridge.conditions.given.get("photon-range")
     notes = [note for factor, _ in links for note in factor.notes]
     if (asked and tuple(asked.value) != PAR) or any(OUTSIDE in note for note in notes):
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{quote(unit.name)} counts photons from 400 nm to 700 nm only",
-            correct(unit.name, name_of(unit).replace(" ", "-"), remark="all photons"),
+            errors.correct(unit.name, name_of(unit).replace(" ", "-"), remark="all photons"),
         )
 
 
@@ -428,7 +419,7 @@ def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
     factor = given_ratio(given, end.kind, start.kind, seen_by)
     if factor is None:
         both = f"{KIND_NAMES[start.kind]} and {KIND_NAMES[end.kind]}"
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{option('efficacy', given.text)} does not link {both} quantities",
             option("efficacy", EXAMPLES[frozenset((start.kind, end.kind))]),
         )
@@ -444,9 +435,9 @@ EXAMPLES = {
 
 def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -> Factor:
     if start.axis or end.axis:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
-            Try((("wavelength", ""),), ("spectrum",)),
+            errors.Try((("wavelength", ""),), ("spectrum",)),
         )
     return spectral_factor(given, end.kind, start.kind, *_refinements(bridge, start, end))
 

@@ -11,15 +11,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy
 
-from radcalc.geometry.directions import (
-    Vector,
-    components,
-    dot,
-    from_components,
-    plus,
-    spherical,
-    unit,
-)
+from radcalc.geometry import directions
 from radcalc.geometry.numerics.cubature import Dark, Integral, Steps, over_directions
 from radcalc.maths import Number
 
@@ -28,7 +20,7 @@ ALL_POLAR: Interval = (0.0, math.pi)  # [rad]
 ALL_AZIMUTHS: Interval = (0.0, 2 * math.pi)  # [rad]
 STEPS = 3600  # samples of a half plane, from the axis to the opposite direction
 DIFFER = math.radians(2)  # a larger difference between the definitions is reported
-DOWN: Vector = (0.0, 0.0, -1.0)
+DOWN: directions.Vector = (0.0, 0.0, -1.0)
 ODD = 0.02  # [1] a larger difference between declared and computed figures is reported
 
 
@@ -285,26 +277,26 @@ class Pose:
     (45.0, 0.0, 2.828427)
     """
 
-    def __init__(self, aim: Vector = DOWN, rotate: float = 0.0) -> None:
-        spherical(*aim)  # raises an error if there is no direction
-        axis = unit(aim)
+    def __init__(self, aim: directions.Vector = DOWN, rotate: float = 0.0) -> None:
+        directions.spherical(*aim)  # raises an error if there is no direction
+        axis = directions.unit(aim)
         c0 = (math.cos(rotate), math.sin(rotate), 0.0)
         c90 = (-math.sin(rotate), math.cos(rotate), 0.0)
         self.axes = tuple(_turned(source_axis, axis) for source_axis in (c0, c90, DOWN))
 
-    def angles(self, to: Vector) -> tuple[Number, Number, Number]:
+    def angles(self, to: directions.Vector) -> tuple[Number, Number, Number]:
         """Return polar angle and azimuth [rad] in the source's coordinates, and the distance.
 
         `to` is the world vector from the source to a point; raise a ConditionError if it is 0.
         """
-        return spherical(*components(self.axes, to))
+        return directions.spherical(*directions.components(self.axes, to))
 
-    def world(self, direction: Vector) -> Vector:
+    def world(self, direction: directions.Vector) -> directions.Vector:
         """Return a vector in the source's coordinates in world coordinates."""
-        return from_components(self.axes, direction)
+        return directions.from_components(self.axes, direction)
 
 
-def _turned(vector: Vector, axis: Vector) -> Vector:
+def _turned(vector: directions.Vector, axis: directions.Vector) -> directions.Vector:
     """Turn a vector by the shortest rotation from straight down to an axis.
 
     v - (s . v) s / (1 + cos) + 2 (down . v) axis, with s = down + axis.  The z component of s is
@@ -315,8 +307,10 @@ def _turned(vector: Vector, axis: Vector) -> Vector:
     middle = (x, y, up)
     if not any(middle):
         return (vector[0], -vector[1], -vector[2])
-    kept = plus(vector, middle, -dot(middle, vector) / (dot(middle, middle) / 2))
-    return plus(kept, axis, 2 * dot(DOWN, vector))
+    kept = directions.plus(
+        vector, middle, -directions.dot(middle, vector) / (directions.dot(middle, middle) / 2)
+    )
+    return directions.plus(kept, axis, 2 * directions.dot(DOWN, vector))
 
 
 class Photometry(NamedTuple):

@@ -4,20 +4,10 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from radcalc import errors
 from radcalc.distributions.radiances import FormulaRadiances, Radiances
 from radcalc.distributions.sources import formula_with_unit, is_unknown_word, path_pattern, unseen
-from radcalc.errors import (
-    ConditionError,
-    MissingInput,
-    Try,
-    Unused,
-    add,
-    correct,
-    mention,
-    nearest,
-    option,
-    quote,
-)
+from radcalc.errors import quote
 from radcalc.geometry import sky
 from radcalc.geometry.directions import FORWARD, Vector
 from radcalc.geometry.projections import View, field_text, has_shape, name_of_map, view_of_field
@@ -73,9 +63,13 @@ def expression(text: str) -> Environment:
     3000.0
     """
     if is_unknown_word(text):
-        skies = nearest(text.lower(), sky.NAMES, 1) or sky.MEANT.get(text.lower(), "").split()
+        skies = (
+            errors.nearest(text.lower(), sky.NAMES, 1) or sky.MEANT.get(text.lower(), "").split()
+        )
         problem = f"'{quote(text)}' is not a file, a sky or an expression"
-        raise ConditionError(problem, EXAMPLE, [correct(text, f"sky:{name}") for name in skies])
+        raise errors.ConditionError(
+            problem, EXAMPLE, [errors.correct(text, f"sky:{name}") for name in skies]
+        )
     formula = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
     assumption = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"
     return Environment(FormulaRadiances(formula), assumptions=(assumption, *unseen(formula)))
@@ -126,9 +120,9 @@ def of_picture(
         assumptions[0] += f", {field_text(field)} wide"
     if picture.aim and not aim:
         at = "{:g},{:g},{:g}".format(*picture.aim)
-        assumptions[0] += mention(f", with {at} at the centre by its file ({{aim}})")
+        assumptions[0] += errors.mention(f", with {at} at the centre by its file ({{aim}})")
     elif not aim:
-        assumptions[0] += mention(", with +x at the centre ({aim})")
+        assumptions[0] += errors.mention(", with +x at the centre ({aim})")
     elif aim[0] == aim[1] == 0:  # the rotation about a vertical axis is open
         assumptions[0] += ", with +y on the left"
     assumptions += statements
@@ -153,9 +147,9 @@ def channel_of(picture: "Picture", channel: str) -> "Picture":
     """Return a picture with one channel, in any case; raise a ConditionError without it."""
     names = [name.lower() for name in picture.channels]
     if channel.lower() not in names:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"the map has no channel '{quote(channel)}'",
-            [add("channel", name) for name in picture.channels],
+            [errors.add("channel", name) for name in picture.channels],
         )
     place = names.index(channel.lower())
     pixels = picture.pixels[:, :, place : place + 1]
@@ -196,7 +190,7 @@ def picture_of(pixels: Any) -> "Picture":
     if len(shape) == 2:
         pixels = pixels[:, :, None]
     elif len(shape) != 3 or shape[2] not in (1, 3):
-        raise ConditionError(
+        raise errors.ConditionError(
             f"pixels of the shape {quote(str(shape))} are not a map",
             "an array of the shape (height, width) or (height, width, 3)",
         )
@@ -250,33 +244,35 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
         problem = (
             f"the map is in {quote(file_unit.text)} by its file, and that is {describe(file_unit)}"
         )
-        raise ConditionError(problem, "a map of radiances")
+        raise errors.ConditionError(problem, "a map of radiances")
     unit = given or file_unit
     if unit is None:
-        raise MissingInput(
+        raise errors.MissingInput(
             "the unit of the map is missing",
-            mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results"),
+            errors.mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results"),
         )
     if unit.dimension == NUMBER:
         if unit.factor != 1:
-            raise ConditionError(f"{_unit_option(unit)} is not a unit", mention("{unit=1}"))
+            raise errors.ConditionError(
+                f"{_unit_option(unit)} is not a unit", errors.mention("{unit=1}")
+            )
         return 1.0, ""
     if unit.dimension not in RADIANCES:
         problem = f"{_unit_option(unit)}: a map has radiances, but that is {describe(unit)}"
-        raise ConditionError(problem, _radiance_for(unit))
+        raise errors.ConditionError(problem, _radiance_for(unit))
     return unit.factor, RADIANCES[unit.dimension]
 
 
 def _unit_option(unit: Unit) -> str:
-    return option("unit", quote(unit.text))
+    return errors.option("unit", quote(unit.text))
 
 
 def _radiance_for(unit: Unit) -> str:
     """Return the unit of radiance of the same kind of light, or a choice of units."""
     reading = read_light(unit)
     if reading is None or reading.kind not in KINDS:
-        return mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results")
-    return option("unit", light_unit("radiance", reading.kind).replace(" ", "."))
+        return errors.mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results")
+    return errors.option("unit", light_unit("radiance", reading.kind).replace(" ", "."))
 
 
 class Weighted(NamedTuple):
@@ -316,9 +312,9 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
         primaries = "of Radiance's primaries" if weights == BRIGHTNESS else "of the map's primaries"
         assumption = f"the radiance is {sums}, {primaries}"
         return Weighted(weights, assumption, f"L = {sums}", RADIANCE, EFFICACY)
-    raise MissingInput(
+    raise errors.MissingInput(
         f"{', '.join(names)} have no sum that is a radiance in this unit",
-        [add("channel", name) for name in names],
+        [errors.add("channel", name) for name in names],
     )
 
 
@@ -335,10 +331,10 @@ def view_of(picture: "Picture", projection: str, field: float | None) -> View | 
     """
     if projection in WHOLE_SPHERE:
         if field:
-            raise Unused(
+            raise errors.Unused(
                 ["field"],
                 f"to {name_of_map(projection)}, which shows the whole sphere",
-                option("projection", FISHEYE),
+                errors.option("projection", FISHEYE),
             )
         return None
     if field:
@@ -346,8 +342,9 @@ def view_of(picture: "Picture", projection: str, field: float | None) -> View | 
         return view_of_field(projection, field, *(picture.frame or (0, 0, width, height))[2:])
     if picture.view and picture.projection == projection:
         return picture.view
-    raise MissingInput(
-        f"the field of view of the {projection} picture is missing", option("field", "180deg")
+    raise errors.MissingInput(
+        f"the field of view of the {projection} picture is missing",
+        errors.option("field", "180deg"),
     )
 
 
@@ -362,7 +359,7 @@ def projection_of(picture: "Picture", given: str) -> str:
     if picture.frame:
         width, height = picture.frame[2:]
     if not given and picture.projection == PARALLEL:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"the map is a parallel view ({picture.view_text}), which shows a single direction",
             "a picture with another view",
         )
@@ -375,10 +372,10 @@ def projection_of(picture: "Picture", given: str) -> str:
         from radcalc.distributions.maps.radiance_map import check_shape
 
         check_shape(LATLONG, width, height)  # refuses it
-    raise MissingInput(
+    raise errors.MissingInput(
         f"the projection of the map is missing: {width} x {height} pixels fit several",
         [
-            *(add("projection", name) for name in round_ones),
-            Try((("projection", FISHEYE), ("field", "180deg"))),
+            *(errors.add("projection", name) for name in round_ones),
+            errors.Try((("projection", FISHEYE), ("field", "180deg"))),
         ],
     )

@@ -12,16 +12,8 @@ import numpy
 from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Peak, integrated
 from radcalc.distributions.formula import ACCURACY, OF_AXIAL, Formula
 from radcalc.errors import ConditionError, MissingInput, Unused, mention
+from radcalc.geometry import directions
 from radcalc.geometry import sky as geometry
-from radcalc.geometry.directions import (
-    Vector,
-    cartesian,
-    dot,
-    facing,
-    from_components,
-    spherical,
-    times,
-)
 from radcalc.geometry.numerics.cubature import Integral
 from radcalc.maths import Number
 
@@ -55,7 +47,7 @@ class Radiances(Protocol):
         """
         ...
 
-    def irradiance(self, normal: Vector) -> Integral:
+    def irradiance(self, normal: directions.Vector) -> Integral:
         """Return the irradiance [lx, W/m2, photon/s/m2 or sr] of a plane receiver."""
         ...
 
@@ -90,16 +82,16 @@ class FormulaRadiances:
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         return self.formula.intensity(polar, azimuth)
 
-    def irradiance(self, normal: Vector) -> Integral:
-        forward, left, up = facing(normal)
+    def irradiance(self, normal: directions.Vector) -> Integral:
+        forward, left, up = directions.facing(normal)
         is_level = not (forward[0] or forward[1])
         if is_level or self.formula.expression.comparisons:
             return self._in_own_angles(forward, self.formula.is_axial and is_level)
         # about the normal the integrand is smooth: the receiver's horizon does not cross it
-        turned = _ReceivedAboutNormal(self.formula, (times(up, -1.0), left, forward))
+        turned = _ReceivedAboutNormal(self.formula, (directions.times(up, -1.0), left, forward))
         return integrated(turned, (0.0, math.pi / 2), ALL_AZIMUTHS, ACCURACY)
 
-    def _in_own_angles(self, normal: Vector, is_axial: bool) -> Integral:
+    def _in_own_angles(self, normal: directions.Vector, is_axial: bool) -> Integral:
         """Integrate in theta and phi, for which the steps of the expression are known."""
         polar = ALL_POLAR
         if is_axial:
@@ -120,11 +112,11 @@ class _Received(NamedTuple):
     """The radiance times the cosine of incidence on a receiver."""
 
     formula: Formula
-    normal: Vector
+    normal: directions.Vector
     is_axial: bool
 
     def intensity(self, theta: Any, phi: Any) -> Any:
-        cosine = dot(self.normal, cartesian(theta, phi))
+        cosine = directions.dot(self.normal, directions.cartesian(theta, phi))
         return self.formula.intensity(theta, phi) * numpy.maximum(cosine, 0.0)
 
 
@@ -132,12 +124,12 @@ class _ReceivedAboutNormal(NamedTuple):
     """The radiance times the cosine, in angles about the receiver's normal."""
 
     formula: Formula
-    axes: tuple[Vector, Vector, Vector]
+    axes: tuple[directions.Vector, directions.Vector, directions.Vector]
     is_axial: bool = False
 
     def intensity(self, theta: Any, phi: Any) -> Any:
-        direction = cartesian(theta, phi)
-        polar, azimuth, _ = spherical(*from_components(self.axes, direction))
+        direction = directions.cartesian(theta, phi)
+        polar, azimuth, _ = directions.spherical(*directions.from_components(self.axes, direction))
         return self.formula.intensity(polar, azimuth) * direction[2]
 
 
@@ -191,7 +183,7 @@ class Sky:
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         return self.zenith * geometry.relative_luminance(self.type, polar, azimuth, self.sun)
 
-    def irradiance(self, normal: Vector) -> Integral:
+    def irradiance(self, normal: directions.Vector) -> Integral:
         value, error = geometry.projected_sky(self.type, normal, self.sun)
         return Integral(self.zenith * value, self.zenith * error, 0)
 

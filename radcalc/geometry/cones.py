@@ -13,23 +13,9 @@ from collections.abc import Callable, Sequence
 from functools import wraps
 from typing import Any, TypeVar
 
+from radcalc import maths
 from radcalc.errors import ConditionError, Try
-from radcalc.maths import (
-    LARGEST,
-    SLACK,
-    Number,
-    any_true,
-    asin,
-    cos,
-    expm1,
-    log1p,
-    piecewise,
-    power,
-    sin,
-    smaller,
-    sqrt,
-    square,
-)
+from radcalc.maths import LARGEST
 
 FULL = 4 * math.pi  # [sr] all directions
 HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
@@ -67,7 +53,7 @@ def refuse(bad: Any, message: str, hint: str, tries: Sequence[Try] = ()) -> None
     radcalc.errors.ConditionError: the radius is out of range
     try: 0 or more
     """
-    if any_true(bad):
+    if maths.any_true(bad):
         raise ConditionError(message, hint, tries)
 
 
@@ -108,7 +94,7 @@ def bounded(function: F) -> F:
                 continue
             far = abs(size)
             least = 1 / LARGEST if name in SIZES else 0.0
-            if any_true((far > LARGEST) | ((far < least) & (far > 0))):
+            if maths.any_true((far > LARGEST) | ((far < least) & (far > 0))):
                 size_text = f"a size of {size}" if isinstance(size, float) else "one of the sizes"
                 raise ConditionError(
                     f"{size_text} is out of range",
@@ -121,7 +107,7 @@ def bounded(function: F) -> F:
     return checked  # type: ignore[return-value]
 
 
-def cone(half_angle: Number) -> Number:
+def cone(half_angle: maths.Number) -> maths.Number:
     """Return the solid angle of a circular cone.
 
     Parameters
@@ -159,12 +145,12 @@ def cone(half_angle: Number) -> Number:
     >>> round(cone(math.radians(60)) / math.pi, 12)
     1.0
     """
-    bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
+    bad = (half_angle < 0) | (half_angle > math.pi * (1 + maths.SLACK))
     refuse(bad, "the half angle of the cone is out of range", "from 0 to 180 deg")
-    return FULL * square(sin(half_angle / 2))
+    return FULL * maths.square(maths.sin(half_angle / 2))
 
 
-def cone_of(solid_angle: Number) -> Number:
+def cone_of(solid_angle: maths.Number) -> maths.Number:
     """Return the half angle of the circular cone with a given solid angle; the inverse of `cone`.
 
     Parameters
@@ -202,12 +188,14 @@ def cone_of(solid_angle: Number) -> Number:
     60.0
     """
     part = solid_angle / FULL
-    bad = (part < 0) | (part > 1 + SLACK)
+    bad = (part < 0) | (part > 1 + maths.SLACK)
     refuse(bad, "the solid angle of the cone is out of range", "from 0 to 4pi sr")
-    return 2 * asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
+    return 2 * maths.asin(
+        maths.sqrt(maths.piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part))
+    )
 
 
-def projected_cone(half_angle: Number) -> Number:
+def projected_cone(half_angle: maths.Number) -> maths.Number:
     """Return the projected solid angle of a cone onto the plane perpendicular to its axis.
 
     Parameters
@@ -241,12 +229,15 @@ def projected_cone(half_angle: Number) -> Number:
     0.25
     """
     cone(half_angle)  # checks the half angle
-    return math.pi * piecewise(
-        half_angle < math.pi / 2, lambda a: square(sin(a)), lambda a: 1.0 + 0 * a, half_angle
+    return math.pi * maths.piecewise(
+        half_angle < math.pi / 2,
+        lambda a: maths.square(maths.sin(a)),
+        lambda a: 1.0 + 0 * a,
+        half_angle,
     )
 
 
-def projected_cone_of(solid_angle: Number) -> Number:
+def projected_cone_of(solid_angle: maths.Number) -> maths.Number:
     """Return the half angle of the cone with a projected solid angle, up to a hemisphere.
 
     Parameters
@@ -275,12 +266,14 @@ def projected_cone_of(solid_angle: Number) -> Number:
     30.0
     """
     part = solid_angle / math.pi
-    bad = (part < 0) | (part > 1 + SLACK)
+    bad = (part < 0) | (part > 1 + maths.SLACK)
     refuse(bad, "the projected solid angle of the cone is out of range", "from 0 to pi sr")
-    return asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
+    return maths.asin(
+        maths.sqrt(maths.piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part))
+    )
 
 
-def check_tilt(tilt: Number) -> None:
+def check_tilt(tilt: maths.Number) -> None:
     """Refuse a tilt outside -pi to pi.
 
     Parameters
@@ -301,10 +294,10 @@ def check_tilt(tilt: Number) -> None:
     radcalc.errors.ConditionError: the tilt is out of range
     try: from 0 to 180 deg
     """
-    refuse(abs(tilt) > math.pi * (1 + SLACK), "the tilt is out of range", "from 0 to 180 deg")
+    refuse(abs(tilt) > math.pi * (1 + maths.SLACK), "the tilt is out of range", "from 0 to 180 deg")
 
 
-def facing(tilt: Number) -> Number:
+def facing(tilt: maths.Number) -> maths.Number:
     """Return the cosine of the incidence on a flat surface, 0 for light on its back.
 
     Parameters
@@ -331,13 +324,15 @@ def facing(tilt: Number) -> Number:
     >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
     (0.5, 0.0)
     """
-    return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * smaller(math.pi, abs(t)), tilt)
+    return maths.piecewise(
+        abs(tilt) < math.pi / 2, maths.cos, lambda t: 0.0 * maths.smaller(math.pi, abs(t)), tilt
+    )
 
 
 LEAST_EXPONENT = 1e-150  # [rad] full angle whose square a float can hold
 
 
-def ln_cos(angle: Number) -> Number:
+def ln_cos(angle: maths.Number) -> maths.Number:
     """Return the natural logarithm of the cosine of an angle.
 
     Parameters
@@ -371,10 +366,10 @@ def ln_cos(angle: Number) -> Number:
     """
     bad = abs(angle) > math.pi / 2
     refuse(bad, "a lobe has no light beyond 90 deg from its axis", "from 0 to 90 deg")
-    return log1p(-2 * square(sin(angle / 2)))
+    return maths.log1p(-2 * maths.square(maths.sin(angle / 2)))
 
 
-def lobe_exponent(full_angle: Number, share: float) -> Number:
+def lobe_exponent(full_angle: maths.Number, share: float) -> maths.Number:
     """Return the exponent of the lobe that falls to a share of its peak at a given full angle.
 
     Parameters
@@ -423,7 +418,7 @@ def _check_share(share: float) -> None:
     refuse(bad, "the share of the peak is out of range", "more than 0 and less than 1")
 
 
-def lobe_angle(exponent: Number, share: float) -> Number:
+def lobe_angle(exponent: maths.Number, share: float) -> maths.Number:
     """Return the full angle at which a lobe falls to a share of its peak; inverse of `exponent`.
 
     Parameters
@@ -461,13 +456,13 @@ def lobe_angle(exponent: Number, share: float) -> Number:
     """
     _check_share(share)
     _check_exponent(exponent)
-    fall = piecewise(
-        exponent > 0, lambda n: expm1(math.log(share) / n), lambda n: n - 1.0, exponent
+    fall = maths.piecewise(
+        exponent > 0, lambda n: maths.expm1(math.log(share) / n), lambda n: n - 1.0, exponent
     )
-    return 4 * asin(power(-fall / 2, 0.5))  # 1 - cos(x) = 2 sin^2(x/2)
+    return 4 * maths.asin(maths.power(-fall / 2, 0.5))  # 1 - cos(x) = 2 sin^2(x/2)
 
 
-def lobe_part(exponent: Number, within: Number) -> Number:
+def lobe_part(exponent: maths.Number, within: maths.Number) -> maths.Number:
     """Return the share of a lobe's flux within an angle from its axis.
 
     Parameters
@@ -502,18 +497,18 @@ def lobe_part(exponent: Number, within: Number) -> Number:
     0.25
     """
     _check_exponent(exponent)
-    bad = (within < 0) | (within > math.pi * (1 + SLACK))
+    bad = (within < 0) | (within > math.pi * (1 + maths.SLACK))
     refuse(bad, "the angle from the axis is out of range", "from 0 to 180 deg")
-    return piecewise(
+    return maths.piecewise(
         within < math.pi / 2,
-        lambda w, n: -expm1((n + 1) * ln_cos(w)),
+        lambda w, n: -maths.expm1((n + 1) * ln_cos(w)),
         lambda w, n: 1.0 + 0 * (w + n),
         within,
         exponent,
     )
 
 
-def lobe(exponent: Number) -> Number:
+def lobe(exponent: maths.Number) -> maths.Number:
     """Return the solid angle that a lobe's whole flux would fill with its peak intensity.
 
     Parameters
@@ -545,6 +540,6 @@ def lobe(exponent: Number) -> Number:
     return 2 * math.pi / (exponent + 1)
 
 
-def _check_exponent(exponent: Number) -> None:
+def _check_exponent(exponent: maths.Number) -> None:
     bad = (exponent < 0) | (exponent == math.inf)
     refuse(bad, "the exponent of the lobe is out of range", "0 or more, and finite")

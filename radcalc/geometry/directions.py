@@ -13,23 +13,11 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from radcalc import maths
 from radcalc.errors import ConditionError, option
 from radcalc.geometry.cones import refuse
-from radcalc.maths import (
-    SLACK,
-    Number,
-    any_true,
-    atan2,
-    cos,
-    hypot,
-    larger,
-    piecewise,
-    power_of_two,
-    sin,
-    sqrt,
-)
 
-Vector = tuple[Number, Number, Number]
+Vector = tuple[maths.Number, maths.Number, maths.Number]
 
 
 def vector(point: Any) -> Vector:
@@ -69,7 +57,7 @@ def vector(point: Any) -> Vector:
     return coordinates
 
 
-def dot(a: Vector, b: Vector) -> Number:
+def dot(a: Vector, b: Vector) -> maths.Number:
     """Return the scalar product of two vectors.
 
     Parameters
@@ -112,7 +100,7 @@ def cross(a: Vector, b: Vector) -> Vector:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def plus(a: Vector, b: Vector, factor: Number = 1.0) -> Vector:
+def plus(a: Vector, b: Vector, factor: maths.Number = 1.0) -> Vector:
     """Return the sum of a vector and a multiple of another.
 
     Parameters
@@ -156,7 +144,7 @@ def minus(a: Vector, b: Vector) -> Vector:
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-def times(a: Vector, factor: Number) -> Vector:
+def times(a: Vector, factor: maths.Number) -> Vector:
     """Return the product of a vector and a number.
 
     Parameters
@@ -225,7 +213,7 @@ def from_components(axes: Sequence[Vector], parts: Vector) -> Vector:
     return plus(plus(times(first, parts[0]), second, parts[1]), third, parts[2])
 
 
-def length(a: Vector) -> Number:
+def length(a: Vector) -> maths.Number:
     """Return the length of a vector.
 
     Parameters
@@ -244,7 +232,7 @@ def length(a: Vector) -> Number:
     >>> length((2.0, 3.0, 6.0))
     7.0
     """
-    return sqrt(dot(a, a))
+    return maths.sqrt(dot(a, a))
 
 
 def scaled(a: Vector) -> Vector:
@@ -267,8 +255,8 @@ def scaled(a: Vector) -> Vector:
     >>> scaled((0.0, 3.0, -8.0))
     (0.0, 0.1875, -0.5)
     """
-    largest = larger(larger(abs(a[0]), abs(a[1])), abs(a[2]))
-    return times(a, 1 / power_of_two(largest))
+    largest = maths.larger(maths.larger(abs(a[0]), abs(a[1])), abs(a[2]))
+    return times(a, 1 / maths.power_of_two(largest))
 
 
 def unit(a: Vector) -> Vector:
@@ -306,7 +294,9 @@ OPPOSITE = (
 )
 
 
-def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
+def spherical(
+    x: maths.Number, y: maths.Number, z: maths.Number
+) -> tuple[maths.Number, maths.Number, maths.Number]:
     """Return the spherical coordinates of a vector: polar angle, azimuth and length.
 
     Parameters
@@ -347,17 +337,21 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
     >>> round(math.degrees(polar), 10), round(math.degrees(azimuth), 10), round(length, 10)
     (45.0, 45.0, 2.0)
     """
-    across = hypot(x, y)
-    size = hypot(across, z)
+    across = maths.hypot(x, y)
+    size = maths.hypot(across, z)
     refuse(size == 0, *NO_DIRECTION)
-    azimuth = atan2(y, x)
-    azimuth = piecewise(azimuth < 0, lambda a: a + TURN, lambda a: a + 0.0, azimuth)
+    azimuth = maths.atan2(y, x)
+    azimuth = maths.piecewise(azimuth < 0, lambda a: a + TURN, lambda a: a + 0.0, azimuth)
     # a tiny negative azimuth plus a turn is rounded to a whole turn
-    azimuth = piecewise((azimuth >= TURN) | (across == 0), lambda a: 0.0 * a, lambda a: a, azimuth)
-    return atan2(across, z), azimuth, size
+    azimuth = maths.piecewise(
+        (azimuth >= TURN) | (across == 0), lambda a: 0.0 * a, lambda a: a, azimuth
+    )
+    return maths.atan2(across, z), azimuth, size
 
 
-def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
+def cartesian(
+    polar: maths.Number, azimuth: maths.Number
+) -> tuple[maths.Number, maths.Number, maths.Number]:
     """Return the unit vector of a direction with a given polar angle and azimuth.
 
     Parameters
@@ -392,15 +386,15 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
     >>> [round(x, 6) for x in cartesian(math.radians(60), math.radians(90))]
     [0.0, 0.866025, 0.5]
     """
-    if any_true((polar < 0) | (polar > math.pi * (1 + SLACK))):
+    if maths.any_true((polar < 0) | (polar > math.pi * (1 + maths.SLACK))):
         raise ConditionError(
             "the polar angle is out of range: it must be from 0 to 180 deg",
             "an elevation is from -90 to 90 deg",
         )
-    if any_true(abs(azimuth) == math.inf):
+    if maths.any_true(abs(azimuth) == math.inf):
         raise ConditionError("the azimuth is infinite", "any number of turns")
-    across = sin(polar)
-    return across * cos(azimuth), across * sin(azimuth), cos(polar)
+    across = maths.sin(polar)
+    return across * maths.cos(azimuth), across * maths.sin(azimuth), maths.cos(polar)
 
 
 def upright(direction: Vector, up: Vector) -> tuple[Vector, Vector, Vector]:
@@ -461,8 +455,8 @@ def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:
     """
     x, y, z = direction
     _, azimuth, size = spherical(x, y, z)
-    across, level = hypot(x, y) / size, z / size
-    c, s = cos(azimuth), sin(azimuth)
+    across, level = maths.hypot(x, y) / size, z / size
+    c, s = maths.cos(azimuth), maths.sin(azimuth)
     forward = (x / size, y / size, level)
     return forward, (0.0 - s, c, 0.0), (0.0 - c * level, 0.0 - s * level, across)
 
@@ -539,5 +533,5 @@ def mirror_normal(direction: Vector, reflection: Vector) -> Vector:
     d, r = scaled(direction), scaled(reflection)
     both, sizes = plus(times(d, length(r)), r, length(d)), length(d) * length(r)
     refuse(sizes == 0, *NO_DIRECTION)
-    refuse(length(both) <= SLACK * sizes, *OPPOSITE)
+    refuse(length(both) <= maths.SLACK * sizes, *OPPOSITE)
     return unit(both)

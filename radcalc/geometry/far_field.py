@@ -12,19 +12,8 @@ floats or arrays, broadcast together.
 import math
 from typing import Any
 
+from radcalc import maths
 from radcalc.geometry.cones import bounded, facing, refuse
-from radcalc.maths import (
-    Number,
-    any_true,
-    asin,
-    is_array,
-    larger,
-    piecewise,
-    power,
-    sin,
-    smaller,
-    square,
-)
 
 MORE_ROOM = "more distance, or less area"  # the hint if a patch is too near
 FAR = 5  # [1] the least distance over the size
@@ -32,7 +21,7 @@ REACH = 0.64  # [1] half the diagonal of a rectangle over its size is 0.636 at m
 
 
 @bounded
-def size(area: Number, *sides: Number) -> Number:
+def size(area: maths.Number, *sides: maths.Number) -> maths.Number:
     """Return the size of a patch that its distance is compared with.
 
     Parameters
@@ -57,13 +46,13 @@ def size(area: Number, *sides: Number) -> Number:
     (1.128379, 4.0)
     """
     refuse(area < 0, "the area is out of range", "0 or more")
-    longest = 2 * power(area / math.pi, 0.5)
+    longest = 2 * maths.power(area / math.pi, 0.5)
     for side in sides:
-        longest = larger(longest, side)
+        longest = maths.larger(longest, side)
     return longest
 
 
-def reach(area: Number, *sides: Number) -> Number:
+def reach(area: maths.Number, *sides: maths.Number) -> maths.Number:
     """Return how far a patch reaches from its centre, at most, if no longer than its `size`.
 
     Parameters
@@ -90,7 +79,7 @@ def reach(area: Number, *sides: Number) -> Number:
     return REACH * size(area, *sides)
 
 
-def is_near(distance: Number, extent: Number) -> bool:
+def is_near(distance: maths.Number, extent: maths.Number) -> bool:
     """Return whether any distance is under five times a size, by more than a relative 1e-9.
 
     Parameters
@@ -107,10 +96,10 @@ def is_near(distance: Number, extent: Number) -> bool:
     >>> is_near(4.9, 1.0), is_near(5.0, 1.0)
     (True, False)
     """
-    return any_true(nearer(distance, extent))
+    return maths.any_true(nearer(distance, extent))
 
 
-def nearer(distance: Number, extent: Number) -> Any:
+def nearer(distance: maths.Number, extent: maths.Number) -> Any:
     """Return which distances are under five times a size, by more than a relative 1e-9.
 
     Parameters
@@ -133,12 +122,12 @@ def nearer(distance: Number, extent: Number) -> Any:
 
 @bounded
 def error(
-    size: Number,
-    distance: Number,
-    tilt: Number = 0.0,
-    incidence: Number = 0.0,
+    size: maths.Number,
+    distance: maths.Number,
+    tilt: maths.Number = 0.0,
+    incidence: maths.Number = 0.0,
     is_long: bool = False,
-) -> Number:
+) -> maths.Number:
     """Return a bound of the relative error of the far field that is due to the size of one patch.
 
     Parameters
@@ -184,17 +173,19 @@ def error(
     """
     _check(size, distance)
     cosine = facing(incidence)
-    slope = piecewise(cosine > 0, lambda c: power(1 - c * c, 0.5) / c, lambda c: 0.0 * c, cosine)
+    slope = maths.piecewise(
+        cosine > 0, lambda c: maths.power(1 - c * c, 0.5) / c, lambda c: 0.0 * c, cosine
+    )
     if is_long:
-        terms = 1.08 + 0.92 * square(sin(tilt)) + 4 / 3 * abs(sin(tilt)) * slope
+        terms = 1.08 + 0.92 * maths.square(maths.sin(tilt)) + 4 / 3 * abs(maths.sin(tilt)) * slope
     else:
-        terms = 1.05 + 0.53 * abs(sin(2 * tilt)) * slope
+        terms = 1.05 + 0.53 * abs(maths.sin(2 * tilt)) * slope
     part = size / (2 * distance)
     return 1.15 * part * part * terms
 
 
 @bounded
-def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
+def is_cut(reach: maths.Number, distance: maths.Number, incidence: maths.Number) -> Any:
     """Return whether a receiver's plane may cut a patch.
 
     Parameters
@@ -223,17 +214,17 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
     [False, True, True, False]
     """
     _check(reach, distance)
-    within = asin(smaller(reach / distance, 1.0 + 0 * reach / distance))
+    within = maths.asin(maths.smaller(reach / distance, 1.0 + 0 * reach / distance))
     return abs(abs(incidence) - math.pi / 2) < within
 
 
-def _check(reach: Number, distance: Number) -> None:
+def _check(reach: maths.Number, distance: maths.Number) -> None:
     refuse(reach < 0, "the size is out of range", "0 or more")
     refuse(distance <= 0, "the receiver is on the patch", "a distance above 0")
 
 
 @bounded
-def steepest(reach: Number, distance: Number) -> str:
+def steepest(reach: maths.Number, distance: maths.Number) -> str:
     """Return the largest incidence at which a receiver's plane does not cut a patch, as a text.
 
     Parameters
@@ -257,12 +248,12 @@ def steepest(reach: Number, distance: Number) -> str:
     """
     _check(reach, distance)
     part = reach / distance
-    part = float(part.max(initial=0.0)) if is_array(part) else part
+    part = float(part.max(initial=0.0)) if maths.is_array(part) else part
     most = 90 - math.degrees(math.asin(min(part, 1.0)))
     return f"{math.floor(10 * most) / 10:g}deg"
 
 
-def percent(bound: Number) -> str:
+def percent(bound: maths.Number) -> str:
     """Return a bound of an error as the predicate of a sentence.
 
     Parameters
@@ -280,5 +271,5 @@ def percent(bound: Number) -> str:
     >>> percent(0.022)
     'has an error of at most 2.2 %'
     """
-    most = float(bound.max(initial=0.0)) if is_array(bound) else bound
+    most = float(bound.max(initial=0.0)) if maths.is_array(bound) else bound
     return f"has an error of at most {100 * most:.2g} %"

@@ -13,14 +13,7 @@ import numpy
 from radcalc.geometry.directions import Vector
 from radcalc.geometry.numerics.integrals import gauss
 from radcalc.geometry.projections import ROUND, density, direction_at, solid_angles_in_circle
-from radcalc.quantities.symbols import (
-    ANGULAR,
-    CYLINDRICAL,
-    EQUISOLID,
-    LATLONG,
-    MIRROR_BALL,
-    ORTHOGRAPHIC,
-)
+from radcalc.quantities import symbols
 
 
 def light_vectors(projection: str, u: Any, v: Any) -> Any:
@@ -67,18 +60,18 @@ def light_vectors(projection: str, u: Any, v: Any) -> Any:
     >>> (light_vectors("latlong", *edges).ravel().round(12) + 0).tolist()
     [0.0, 0.0, 3.14159265359]
     """
-    if projection in (LATLONG, CYLINDRICAL):
-        t = (1 - v) * (math.pi / 2) if projection == LATLONG else numpy.arctan2(1.0, v)
+    if projection in (symbols.LATLONG, symbols.CYLINDRICAL):
+        t = (1 - v) * (math.pi / 2) if projection == symbols.LATLONG else numpy.arctan2(1.0, v)
         return _by_rows(u, t)
     across, down = u[..., None, :], v[..., :, None]
-    if projection in (MIRROR_BALL, EQUISOLID):
-        sign = 1 if projection == MIRROR_BALL else -1
+    if projection in (symbols.MIRROR_BALL, symbols.EQUISOLID):
+        sign = 1 if projection == symbols.MIRROR_BALL else -1
         sides = [sign * _corners(_cubed, across, down), _corners(_cubed, down, across)]
         return numpy.stack([4 * _corners(_forward, across, down), *(-8 / 3 * s for s in sides)])
-    if projection == ORTHOGRAPHIC:
+    if projection == symbols.ORTHOGRAPHIC:
         sides = [_corners(_normal, across, down), -_corners(_normal, down, across)]
         return numpy.stack([_corners(_area, across, down), *sides])
-    if projection == ANGULAR:
+    if projection == symbols.ANGULAR:
         return _angular(across, down)
     return _by_points(projection, across, down)[0]
 
@@ -111,11 +104,11 @@ def solid_angles(projection: str, u: Any, v: Any) -> Any:
     3.14159265359
     """
     across, down = u[..., None, :], v[..., :, None]
-    if projection == CYLINDRICAL:  # the height of a zone of the unit sphere
+    if projection == symbols.CYLINDRICAL:  # the height of a zone of the unit sphere
         return math.pi * numpy.diff(across) * -numpy.diff(down / numpy.hypot(1.0, down), axis=-2)
-    if projection == EQUISOLID:
+    if projection == symbols.EQUISOLID:
         return 4 * _corners(_area, across, down)
-    if projection == ORTHOGRAPHIC:
+    if projection == symbols.ORTHOGRAPHIC:
         return _corners(_above, across, down)
     return _by_points(projection, across, down)[1]
 
@@ -206,7 +199,7 @@ def is_shown(projection: str, u: Any, v: Any) -> Any:
     """
     near_u = numpy.clip(0.0, u[..., :-1], u[..., 1:])[..., None, :]
     near_v = numpy.clip(0.0, v[..., 1:], v[..., :-1])[..., :, None]
-    if projection == CYLINDRICAL:
+    if projection == symbols.CYLINDRICAL:
         return (abs(near_u) < 1) & (near_v == near_v)
     return (numpy.hypot(near_u, near_v) < 1) | (projection not in ROUND)
 
@@ -302,7 +295,7 @@ def _by_points(projection: str, across: Any, down: Any) -> tuple[Any, Any]:
 
 def _angular(across: Any, down: Any) -> Any:
     """Return the light vectors of an angular map."""
-    total, solid_angle = _by_points(ANGULAR, across, down)
+    total, solid_angle = _by_points(symbols.ANGULAR, across, down)
     x, wide = (across[..., 1:] + across[..., :-1]) / 2, numpy.diff(across) / 2
     y, high = (down[..., :-1, :] + down[..., 1:, :]) / 2, -numpy.diff(down, axis=-2) / 2
     is_out = numpy.hypot(abs(x) + wide, abs(y) + high) > 1

@@ -25,22 +25,11 @@ from functools import reduce
 from itertools import pairwise, product, starmap
 from typing import Any
 
+from radcalc import maths
 from radcalc.errors import ConditionError, call, correct, leave_out
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import Vector, cross, dot, length, minus, plus, times, vector
 from radcalc.geometry.numerics.integrals import adaptive, arc_excess, integral
-from radcalc.maths import (
-    Number,
-    any_true,
-    atan2,
-    each,
-    in_chunks,
-    is_array,
-    larger,
-    piecewise,
-    power_of_two,
-    smaller,
-)
 
 STRIPS = 120  # intervals of strips, to limit the time; the thinnest splinters need fewer
 # [1] at which to stop.  If an edge passes the observer at 1e-9 of its length, the coordinates do
@@ -225,7 +214,7 @@ def _projected_strip(
 POOR = 1e-2  # [1] of the terms' sizes: a sum below it has lost too many digits
 
 
-def triangle(a: Any, b: Any, c: Any) -> Number:
+def triangle(a: Any, b: Any, c: Any) -> maths.Number:
     """Return the signed solid angle of a plane triangle, by Van Oosterom and Strackee's formula.
 
     Parameters
@@ -271,35 +260,35 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
     1.0
     """
     a, b, c = vector(a), vector(b), vector(c)
-    return in_chunks(_from_vertices, *a, *b, *c)
+    return maths.in_chunks(_from_vertices, *a, *b, *c)
 
 
-def _from_vertices(*xs: Number) -> Number:
+def _from_vertices(*xs: maths.Number) -> maths.Number:
     """Return the solid angle of a triangle from nine coordinates, as `in_chunks` passes them."""
     a, b, c = xs[:3], xs[3:6], xs[6:]
     return _triangle(a, b, c, minus(b, a), minus(c, a))
 
 
-def _triangle(a: Vector, b: Vector, c: Vector, ab: Vector, ac: Vector) -> Number:
+def _triangle(a: Vector, b: Vector, c: Vector, ab: Vector, ac: Vector) -> maths.Number:
     """Return the solid angle of a triangle whose sides from a are known with all their digits."""
     la, lb, lc = length(a), length(b), length(c)
     whole = la * lb * lc
     under = whole + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la
     triple = dot(a, cross(ab, ac))
-    angle = 2 * atan2(triple, under)
+    angle = 2 * maths.atan2(triple, under)
     # For a splinter seen from close by, `under` is a small difference of large terms.
     size = abs(under)
     off = (whole * abs(triple) > 1e3 * abs(angle) * (triple * triple + size * size)) | (
         size < 1e-13 * whole
     )
-    if not any_true(off):
+    if not maths.any_true(off):
         return angle
 
-    def strips(*xs: Any) -> Number:
+    def strips(*xs: Any) -> maths.Number:
         return over_triangle(xs[:3], xs[3:6], xs[6:])
 
-    return piecewise(
-        off, lambda _, *xs: each(strips, *xs), lambda angle, *_: angle, angle, *a, *ab, *ac
+    return maths.piecewise(
+        off, lambda _, *xs: maths.each(strips, *xs), lambda angle, *_: angle, angle, *a, *ab, *ac
     )
 
 
@@ -327,12 +316,12 @@ def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]
     """
     size = abs(first[0])
     for x in (*first[1:], *(x for side in sides for x in side)):
-        size = larger(size, abs(x))
-    scale = 1 / power_of_two(size)
+        size = maths.larger(size, abs(x))
+    scale = 1 / maths.power_of_two(size)
     return times(first, scale), [times(side, scale) for side in sides]
 
 
-def fan(first: Vector, sides: Sequence[Vector]) -> Number:
+def fan(first: Vector, sides: Sequence[Vector]) -> maths.Number:
     """Return the signed solid angle of a polygon, the sum of the triangles from its first vertex.
 
     Parameters
@@ -397,7 +386,7 @@ def split(vertices: Any) -> tuple[Vector, list[Vector]]:
     >>> split([(1.0, 0.0, 5.0), (3.0, 0.0, 5.0), (1.0, 4.0, 5.0)])
     ((1.0, 0.0, 5.0), [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 4.0, 0.0)])
     """
-    if is_array(vertices) and hasattr(vertices, "shape"):
+    if maths.is_array(vertices) and hasattr(vertices, "shape"):
         points = [vector(vertices[..., i, :]) for i in range(vertices.shape[-2])]
     else:
         points = [vector(point) for point in vertices]
@@ -406,7 +395,7 @@ def split(vertices: Any) -> tuple[Vector, list[Vector]]:
     return points[0], [minus(point, points[0]) for point in points]
 
 
-def polygon(vertices: Any) -> Number:
+def polygon(vertices: Any) -> maths.Number:
     """Return the signed solid angle of a plane polygon.
 
     Parameters
@@ -443,7 +432,7 @@ def polygon(vertices: Any) -> Number:
     return fan(*split(vertices))
 
 
-def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
+def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> maths.Number:
     """Return the signed projected solid angle of a polygon, by Lambert's contour formula.
 
     Parameters
@@ -501,7 +490,7 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
         refuse(size == 0, "the observer is at a corner of the shape", "another viewpoint")
     moves = [_move(first, far, *vertex) for vertex in zip(sides, points, lengths, strict=True)]
     turns = [
-        smaller(length(side) / size, 2.0 + 0 * size)
+        maths.smaller(length(side) / size, 2.0 + 0 * size)
         for side, size in zip(sides, lengths, strict=True)
     ]
     total, largest = 0.0, 0.0
@@ -513,14 +502,14 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
         product = cross(point, minus(sides[j], sides[i]))
         scale = size * lengths[j]
         sine, cosine = length(product) / scale, dot(point, points[j]) / scale
-        more = piecewise(cosine > 0.1, lambda s, c: arc_excess(s), _wide, sine, cosine)
+        more = maths.piecewise(cosine > 0.1, lambda s, c: arc_excess(s), _wide, sine, cosine)
         total = total + dot(normal, product) / scale * more
         largest = largest + sine * more
     poor = abs(total) < POOR * largest
-    if not any_true(poor):
+    if not maths.any_true(poor):
         return total / 2
 
-    def strips(*xs: Any) -> Number:
+    def strips(*xs: Any) -> maths.Number:
         start, toward, *rest = (xs[i : i + 3] for i in range(0, len(xs), 3))
         pairs = pairwise(rest[1:])
         return sum(
@@ -528,29 +517,31 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
         )
 
     given = [*first, *normal, *(x for side in sides for x in side)]
-    return piecewise(
-        poor, lambda _, *xs: each(strips, *xs), lambda half, *_: half, total / 2, *given
+    return maths.piecewise(
+        poor, lambda _, *xs: maths.each(strips, *xs), lambda half, *_: half, total / 2, *given
     )
 
 
-def _move(first: Vector, far: Number, side: Vector, point: Vector, size: Number) -> Vector:
+def _move(
+    first: Vector, far: maths.Number, side: Vector, point: Vector, size: maths.Number
+) -> Vector:
     """Return p/|p| - p0/|p0|, without loss of digits for a short side from p0 to p."""
     longer = dot(side, plus(point, first)) / (size + far)
     small = plus(times(side, 1 / size), first, -longer / (size * far))
     large = minus(times(point, 1 / size), times(first, 1 / far))
     short = length(side) < size / 2
     x, y, z = (
-        piecewise(short, lambda s, _: s, lambda _, w: w, s, w)
+        maths.piecewise(short, lambda s, _: s, lambda _, w: w, s, w)
         for s, w in zip(small, large, strict=True)
     )
     return x, y, z
 
 
-def _wide(sine: Number, cosine: Number) -> Number:
+def _wide(sine: maths.Number, cosine: maths.Number) -> maths.Number:
     """Return beta/sin(beta) - 1, for an angle that is not small."""
-    if any_true(sine == 0):
+    if maths.any_true(sine == 0):
         raise ConditionError("the observer is on an edge of the polygon", "another viewpoint")
-    return atan2(sine, cosine) / sine - 1
+    return maths.atan2(sine, cosine) / sine - 1
 
 
 def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vector, list[Vector]]:
@@ -718,7 +709,9 @@ def read_vertices(points: Sequence[Point], viewpoint: Point) -> Outline:
                 [correct(_write(point))],
             )
     # Only directions matter, so lengths are scaled so that no square overflows.
-    scale = 1 / power_of_two(max(abs(x) for point in (*points, viewpoint) for x in point) or 1.0)
+    scale = 1 / maths.power_of_two(
+        max(abs(x) for point in (*points, viewpoint) for x in point) or 1.0
+    )
     typed, points = points, [times(point, scale) for point in points]
     viewpoint = times(viewpoint, scale)
     first = points[0]

@@ -30,32 +30,17 @@ import math
 from functools import reduce
 from typing import Any
 
+from radcalc import maths
 from radcalc.geometry import cones, solid
 from radcalc.geometry.cones import bounded, refuse
 from radcalc.geometry.directions import NO_NORMAL, UP, dot, unit, vector
 from radcalc.geometry.numerics.integrals import adaptive, integral, less_arctangent
-from radcalc.maths import (
-    SLACK,
-    Number,
-    atan2,
-    cos,
-    each,
-    hypot,
-    is_array,
-    larger,
-    piecewise,
-    power_of_two,
-    sin,
-    smaller,
-    sqrt,
-    square,
-)
 
 RIGHT = math.pi / 2  # [rad] a right angle
 
 
 @cones.bounded
-def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
+def cone(half_angle: maths.Number, tilt: maths.Number = 0.0) -> maths.Number:
     """Return the projected solid angle of a circular cone tilted from the receiver's normal.
 
     Parameters
@@ -100,17 +85,17 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     """
     cones.cone(half_angle)  # checks the half angle
     cones.check_tilt(tilt)
-    return each(_cone, half_angle, abs(tilt))
+    return maths.each(_cone, half_angle, abs(tilt))
 
 
-def _cone(half_angle: float, tilt: float) -> Number:
+def _cone(half_angle: float, tilt: float) -> maths.Number:
     """Return the projected solid angle of one cone; `tilt` is not negative."""
     if half_angle > RIGHT:
         return math.pi - _cone(math.pi - half_angle, math.pi - tilt)
     sine, cosine = math.sin(half_angle), math.cos(tilt)
     if cosine >= sine:
         return math.pi * sine**2 * cosine
-    if cosine <= -sine * (1 - SLACK):
+    if cosine <= -sine * (1 - maths.SLACK):
         return 0.0
     if cosine < -0.9 * sine:
         return _crescent(half_angle, tilt)
@@ -146,7 +131,9 @@ def _crescent(half_angle: float, tilt: float) -> float:
 
 
 @cones.bounded
-def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
+def zone(
+    lower: maths.Number, upper: maths.Number, azimuth: maths.Number = 2 * math.pi
+) -> maths.Number:
     """Return the projected solid angle of a spherical zone about the normal, or of a part of it.
 
     Parameters
@@ -182,13 +169,13 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     0.5
     """
     solid.check_zone(lower, upper, azimuth)
-    lower, upper = smaller(lower, RIGHT + 0 * lower), smaller(upper, RIGHT + 0 * upper)
-    sum_ = sin(lower) * cos(upper) + cos(lower) * sin(upper)
-    return azimuth / 2 * sum_ * sin(upper - lower)
+    lower, upper = maths.smaller(lower, RIGHT + 0 * lower), maths.smaller(upper, RIGHT + 0 * upper)
+    sum_ = maths.sin(lower) * maths.cos(upper) + maths.cos(lower) * maths.sin(upper)
+    return azimuth / 2 * sum_ * maths.sin(upper - lower)
 
 
 @cones.bounded
-def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
+def sphere(radius: maths.Number, distance: maths.Number, tilt: maths.Number = 0.0) -> maths.Number:
     """Return the projected solid angle of a sphere, seen from a receiver outside it.
 
     Parameters
@@ -226,7 +213,9 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
 
 @cones.bounded
-def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.0) -> Number:
+def disc(
+    radius: maths.Number, height: maths.Number, offset: maths.Number = 0.0, tilt: maths.Number = 0.0
+) -> maths.Number:
     """Return the projected solid angle of a circular disc, for a receiver parallel to it or tilted.
 
     Parameters
@@ -277,39 +266,43 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     cones.refuse(radius < 0, "the radius is out of range", "0 or more")
     solid.check_height(height)
     cones.check_tilt(tilt)
-    scale = power_of_two(larger(larger(radius, height), abs(offset)))
+    scale = maths.power_of_two(maths.larger(maths.larger(radius, height), abs(offset)))
     radius, height, offset = radius / scale, height / scale, abs(offset) / scale
-    if not is_array(tilt) and tilt == 0:
+    if not maths.is_array(tilt) and tilt == 0:
         return _facing_disc(radius, height, offset)[1]
-    return each(_tilted_disc, radius, height, offset, tilt)
+    return maths.each(_tilted_disc, radius, height, offset, tilt)
 
 
-def _facing_disc(radius: Number, height: Number, offset: Number) -> tuple[Number, Number]:
+def _facing_disc(
+    radius: maths.Number, height: maths.Number, offset: maths.Number
+) -> tuple[maths.Number, maths.Number]:
     """Return the light vector of a whole disc: components towards the disc's axis and along it."""
-    nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
-    both, away = nearest * farthest, square(height) + square(offset)
-    more = square(height) + (offset - radius) * (offset + radius)
-    along = piecewise(
+    nearest, farthest = maths.hypot(height, offset - radius), maths.hypot(height, offset + radius)
+    both, away = nearest * farthest, maths.square(height) + maths.square(offset)
+    more = maths.square(height) + (offset - radius) * (offset + radius)
+    along = maths.piecewise(
         more > 0,
-        lambda b, m, r, h: 2 * square(r * h) / (b * (b + m)),
+        lambda b, m, r, h: 2 * maths.square(r * h) / (b * (b + m)),
         lambda b, m, r, h: (1 - m / b) / 2,
         both,
         more,
         radius,
         height,
     )
-    across = 2 * height * offset * square(radius) / (both * (both + away + square(radius)))
+    across = (
+        2 * height * offset * maths.square(radius) / (both * (both + away + maths.square(radius)))
+    )
     return math.pi * across, math.pi * along
 
 
-def _tilted_disc(radius: float, height: float, offset: float, tilt: float) -> Number:
+def _tilted_disc(radius: float, height: float, offset: float, tilt: float) -> maths.Number:
     """Return the projected solid angle of one disc: above, below or cut by the horizon."""
     sine, cosine = math.sin(tilt), math.cos(tilt)
     centre = sine * offset + cosine * height  # the heights above the receiver's plane
     if centre >= abs(sine) * radius:
         across, along = _facing_disc(radius, height, offset)
         return sine * across + cosine * along
-    if centre <= -abs(sine) * radius * (1 - SLACK):  # a part due to rounding has no integral
+    if centre <= -abs(sine) * radius * (1 - maths.SLACK):  # a part due to rounding has no integral
         return 0.0
     return _cut_disc(radius, height, offset, sine, cosine)
 
@@ -347,13 +340,13 @@ def _cut_disc(radius: float, height: float, offset: float, sine: float, cosine: 
 
 @cones.bounded
 def rectangle(
-    width: Number,
-    length: Number,
-    height: Number,
-    offset: Number = 0.0,
-    offset_y: Number = 0.0,
+    width: maths.Number,
+    length: maths.Number,
+    height: maths.Number,
+    offset: maths.Number = 0.0,
+    offset_y: maths.Number = 0.0,
     normal: Any = UP,
-) -> Number:
+) -> maths.Number:
     """Return the projected solid angle of a rectangle, for a receiver facing in any direction.
 
     Parameters
@@ -403,7 +396,7 @@ def rectangle(
     return _clipped(first, sides, normal)
 
 
-def pyramid(horizontal: Number, vertical: Number) -> Number:
+def pyramid(horizontal: maths.Number, vertical: maths.Number) -> maths.Number:
     """Return the projected solid angle of a right rectangular pyramid about the receiver's normal.
 
     Parameters
@@ -438,11 +431,11 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     """
     solid.check_pyramid(horizontal, vertical)
     a, b = horizontal / 2, vertical / 2
-    term = sin(a) * atan2(sin(b) * cos(a), cos(b))
-    return 2 * (term + sin(b) * atan2(sin(a) * cos(b), cos(a)))
+    term = maths.sin(a) * maths.atan2(maths.sin(b) * maths.cos(a), maths.cos(b))
+    return 2 * (term + maths.sin(b) * maths.atan2(maths.sin(a) * maths.cos(b), maths.cos(a)))
 
 
-def polygon(vertices: Any, normal: Any) -> Number:
+def polygon(vertices: Any, normal: Any) -> maths.Number:
     """Return the projected solid angle of the part of a polygon above a receiver's horizon.
 
     Parameters
@@ -485,7 +478,7 @@ def polygon(vertices: Any, normal: Any) -> Number:
     return _clipped(first, sides, normal)
 
 
-def _clipped(first: Any, sides: Any, normal: Any) -> Number:
+def _clipped(first: Any, sides: Any, normal: Any) -> maths.Number:
     """Return the projected solid angle of the part of a polygon above the horizon of a normal.
 
     In arrays, polygons wholly above the horizon are computed at once; the others one by one, since
@@ -499,24 +492,26 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
     axis = unit(n)
     coordinates = [*first, *axis, *(x for side in sides for x in side)]
 
-    def clipped(*xs: Any) -> Number:
+    def clipped(*xs: Any) -> maths.Number:
         flat: list[Any] = [xs[i : i + 3] for i in range(0, len(xs), 3)]
         kept, kept_sides = above(flat[0], flat[2:], flat[1])
         return abs(projected(kept, kept_sides, flat[1])) if kept_sides else 0.0
 
-    def unclipped(*xs: Any) -> Number:
+    def unclipped(*xs: Any) -> maths.Number:
         flat: list[Any] = [xs[i : i + 3] for i in range(0, len(xs), 3)]
         return abs(projected(flat[0], flat[2:], flat[1]))
 
-    if not any(map(is_array, coordinates)):
+    if not any(map(maths.is_array, coordinates)):
         return clipped(*coordinates)
     heights = [dot(axis, first) + dot(axis, side) for side in sides]
-    lowest = reduce(smaller, heights)
-    return piecewise(lowest >= 0, unclipped, lambda *xs: each(clipped, *xs), *coordinates)
+    lowest = reduce(maths.smaller, heights)
+    return maths.piecewise(
+        lowest >= 0, unclipped, lambda *xs: maths.each(clipped, *xs), *coordinates
+    )
 
 
 @bounded
-def patch_and_cone(area: Number, half_angle: Number) -> Number:
+def patch_and_cone(area: maths.Number, half_angle: maths.Number) -> maths.Number:
     """Return the etendue of a flat patch and a circular cone of directions about its normal.
 
     Parameters
@@ -554,7 +549,7 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
     0.5
     """
     refuse(
-        (half_angle < 0) | (half_angle > math.pi / 2 * (1 + SLACK)),
+        (half_angle < 0) | (half_angle > math.pi / 2 * (1 + maths.SLACK)),
         "the half angle is out of range: a surface has no light below its horizon",
         "a half angle from 0 to 90 deg",
     )
@@ -563,7 +558,9 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
 
 
 @bounded
-def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
+def coaxial_discs(
+    radius: maths.Number, other: maths.Number, distance: maths.Number
+) -> maths.Number:
     """Return the etendue of two parallel discs on one axis, at any distance.
 
     Parameters
@@ -607,15 +604,17 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     """
     refuse((radius < 0) | (other < 0), "the radius is out of range", "0 or more")
     refuse(distance <= 0, "the discs touch", "a distance above 0")
-    scale = power_of_two(larger(larger(radius, other), distance))
+    scale = maths.power_of_two(maths.larger(maths.larger(radius, other), distance))
     radius, other, distance = radius / scale, other / scale, distance / scale
-    root = hypot(distance, radius - other) * hypot(distance, radius + other)
-    total = square(radius) + square(other) + square(distance)
-    return 2 * square(math.pi * (radius * (other / sqrt(total + root))) * scale)
+    root = maths.hypot(distance, radius - other) * maths.hypot(distance, radius + other)
+    total = maths.square(radius) + maths.square(other) + maths.square(distance)
+    return 2 * maths.square(math.pi * (radius * (other / maths.sqrt(total + root))) * scale)
 
 
 @bounded
-def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
+def discs_distance(
+    radius: maths.Number, other: maths.Number, etendue: maths.Number
+) -> maths.Number:
     """Return the distance of two parallel discs on one axis from their etendue.
 
     Parameters
@@ -648,12 +647,14 @@ def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
     >>> round(discs_distance(1.0, 2.0, coaxial_discs(1.0, 2.0, 3.0)), 9)
     3.0
     """
-    part = _part_of_discs(etendue, smaller(radius, other))
-    return sqrt((square(radius) - part) * (square(other) - part) / part)
+    part = _part_of_discs(etendue, maths.smaller(radius, other))
+    return maths.sqrt((maths.square(radius) - part) * (maths.square(other) - part) / part)
 
 
 @bounded
-def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
+def discs_radius(
+    other: maths.Number, distance: maths.Number, etendue: maths.Number
+) -> maths.Number:
     """Return the radius of one of two parallel discs on one axis from their etendue.
 
     Parameters
@@ -690,15 +691,17 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
     """
     refuse(distance <= 0, "the discs touch", "a distance above 0")
     part = _part_of_discs(etendue, other)
-    return sqrt(part * (square(other) + square(distance) - part) / (square(other) - part))
+    return maths.sqrt(
+        part * (maths.square(other) + maths.square(distance) - part) / (maths.square(other) - part)
+    )
 
 
-def _part_of_discs(etendue: Number, radius: Number) -> Number:
+def _part_of_discs(etendue: maths.Number, radius: maths.Number) -> maths.Number:
     """Return G / pi^2, which must be less than the square of the smaller radius."""
     refuse(radius < 0, "the radius is out of range", "0 or more")
     part = etendue / math.pi**2
     refuse(
-        (part <= 0) | (part >= square(radius)),
+        (part <= 0) | (part >= maths.square(radius)),
         "the etendue is out of range for discs of these radii",
         "an etendue above 0 and below pi times the area of the smaller disc",
     )

@@ -32,45 +32,21 @@ References
 import math
 from typing import Any, NamedTuple
 
+from radcalc import maths
 from radcalc.errors import ConditionError
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import NO_DIRECTION, Vector
 from radcalc.geometry.numerics.integrals import gauss
-from radcalc.maths import (
-    SLACK,
-    Number,
-    any_true,
-    asin,
-    atan2,
-    cos,
-    hypot,
-    is_array,
-    larger,
-    piecewise,
-    power,
-    sin,
-    smaller,
-    sqrt,
-    square,
-    tan,
-)
-from radcalc.quantities.symbols import (
-    ANGULAR,
-    CIRCLES,
-    CYLINDRICAL,
-    EQUISOLID,
-    FISHEYE,
-    LATLONG,
-    MIRROR_BALL,
-    ORTHOGRAPHIC,
-    PERSPECTIVE,
-    PROJECTIONS,
-    STEREOGRAPHIC,
-    WHOLE_SPHERE,
-)
+from radcalc.quantities import symbols
 
 # Projections whose places are in a circle of the radius 1.
-ROUND = (MIRROR_BALL, ANGULAR, FISHEYE, EQUISOLID, ORTHOGRAPHIC)
+ROUND = (
+    symbols.MIRROR_BALL,
+    symbols.ANGULAR,
+    symbols.FISHEYE,
+    symbols.EQUISOLID,
+    symbols.ORTHOGRAPHIC,
+)
 FAR = 1e99  # distance from the middle of a direction that a projection cannot show
 FEW, MANY = 4, 16  # points of a rule each way, over a small and a large pixel
 INSIDE = 1 - 1e-9  # of half a side: the rest is rounding
@@ -78,7 +54,7 @@ USUAL_SIZE = (1024, 512)  # default size of a new latlong map [pixels]
 SMALL = 1 / 64  # of the image: with 4 points the error of such a pixel is 1e-16
 
 
-def is_outside(projection: str, u: Number, v: Number) -> Any:
+def is_outside(projection: str, u: maths.Number, v: maths.Number) -> Any:
     """Return whether a place is outside an image, or outside the circle in it.
 
     Parameters
@@ -103,16 +79,16 @@ def is_outside(projection: str, u: Number, v: Number) -> Any:
     (False, True)
     """
     if _is_latlong(projection):
-        return (abs(u) > 1 + SLACK) | (abs(v) > 1 + SLACK)
+        return (abs(u) > 1 + maths.SLACK) | (abs(v) > 1 + maths.SLACK)
     if projection in ROUND:
-        return hypot(u, v) > 1 + SLACK
-    return (abs(u) > 1 + SLACK) & (projection == CYLINDRICAL)
+        return maths.hypot(u, v) > 1 + maths.SLACK
+    return (abs(u) > 1 + maths.SLACK) & (projection == symbols.CYLINDRICAL)
 
 
-def _is_latlong(projection: str, known: tuple[str, ...] = PROJECTIONS) -> bool:
+def _is_latlong(projection: str, known: tuple[str, ...] = symbols.PROJECTIONS) -> bool:
     """Return whether a projection is latlong, which has no circle; refuse an unknown one."""
     refuse(projection not in known, f"unknown projection '{projection}'", ", ".join(known))
-    return projection == LATLONG
+    return projection == symbols.LATLONG
 
 
 def name_of_map(projection: str) -> str:
@@ -131,7 +107,7 @@ def name_of_map(projection: str) -> str:
     >>> name_of_map("angular")
     'an angular map'
     """
-    noun = "map" if projection in WHOLE_SPHERE else "picture"
+    noun = "map" if projection in symbols.WHOLE_SPHERE else "picture"
     return f"{'an' if projection[0] in 'aeo' else 'a'} {projection} {noun}"
 
 
@@ -155,12 +131,12 @@ def has_shape(projection: str, width: int, height: int) -> bool:
     >>> has_shape("latlong", 64, 32), has_shape("angular", 64, 32)
     (True, False)
     """
-    if projection not in WHOLE_SPHERE:
+    if projection not in symbols.WHOLE_SPHERE:
         return True
-    return width == (2 * height if projection == LATLONG else height)
+    return width == (2 * height if projection == symbols.LATLONG else height)
 
 
-def direction_at(projection: str, u: Number, v: Number) -> Vector:
+def direction_at(projection: str, u: maths.Number, v: maths.Number) -> Vector:
     """Return the direction that an image shows at a place.
 
     Parameters
@@ -199,45 +175,51 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
     [0.0, 1.0, 0.0]
     """
     outside = is_outside(projection, u, v)
-    if any_true(outside):
-        if not (is_array(u) or is_array(v)):
-            limit = "u and v from -1 to 1" if projection == LATLONG else "u^2 + v^2 of at most 1"
+    if maths.any_true(outside):
+        if not (maths.is_array(u) or maths.is_array(v)):
+            limit = (
+                "u and v from -1 to 1"
+                if projection == symbols.LATLONG
+                else "u^2 + v^2 of at most 1"
+            )
             raise ConditionError("the place is outside the image", limit)
         u, v = (
-            piecewise(outside, lambda a: a * math.nan, lambda a: a, coordinate)
+            maths.piecewise(outside, lambda a: a * math.nan, lambda a: a, coordinate)
             for coordinate in (u, v)
         )
-    if projection in (LATLONG, CYLINDRICAL):
+    if projection in (symbols.LATLONG, symbols.CYLINDRICAL):
         azimuth = -math.pi * u
-        elevation = math.pi / 2 * v if projection == LATLONG else atan2(v, 1.0)
-        across = cos(elevation)
-        return across * cos(azimuth), across * sin(azimuth), sin(elevation)
-    r = hypot(u, v)
-    if projection == MIRROR_BALL:
-        normal = sqrt(larger(0.0, (1 - r) * (1 + r)))
-        return 2 * square(normal) - 1, 2 * normal * u, 2 * normal * v
+        elevation = math.pi / 2 * v if projection == symbols.LATLONG else maths.atan2(v, 1.0)
+        across = maths.cos(elevation)
+        return across * maths.cos(azimuth), across * maths.sin(azimuth), maths.sin(elevation)
+    r = maths.hypot(u, v)
+    if projection == symbols.MIRROR_BALL:
+        normal = maths.sqrt(maths.larger(0.0, (1 - r) * (1 + r)))
+        return 2 * maths.square(normal) - 1, 2 * normal * u, 2 * normal * v
     forward, share = _cosine_and_share(projection, r)
     return forward, -share * u, share * v
 
 
-def _cosine_and_share(projection: str, r: Number) -> tuple[Number, Number]:
+def _cosine_and_share(projection: str, r: maths.Number) -> tuple[maths.Number, maths.Number]:
     """Return the cosine of the angle of a distance from the middle, and its sine over r."""
-    if projection == PERSPECTIVE:
-        cosine = 1 / hypot(1.0, r)
+    if projection == symbols.PERSPECTIVE:
+        cosine = 1 / maths.hypot(1.0, r)
         return cosine, cosine
-    if projection == STEREOGRAPHIC:
-        share = 2 / (1 + square(r))
+    if projection == symbols.STEREOGRAPHIC:
+        share = 2 / (1 + maths.square(r))
         return share - 1, share
-    if projection in (ANGULAR, FISHEYE):
-        share = piecewise(r == 0, lambda a: a + math.pi, lambda a: sin(math.pi * a) / a, r)
-        return cos(math.pi * r), share
-    normal = sqrt(larger(0.0, (1 - r) * (1 + r)))
-    if projection == ORTHOGRAPHIC:
+    if projection in (symbols.ANGULAR, symbols.FISHEYE):
+        share = maths.piecewise(
+            r == 0, lambda a: a + math.pi, lambda a: maths.sin(math.pi * a) / a, r
+        )
+        return maths.cos(math.pi * r), share
+    normal = maths.sqrt(maths.larger(0.0, (1 - r) * (1 + r)))
+    if projection == symbols.ORTHOGRAPHIC:
         return normal, 1.0 + 0.0 * r
-    return 2 * square(normal) - 1, 2 * normal
+    return 2 * maths.square(normal) - 1, 2 * normal
 
 
-def density(projection: str, u: Number, v: Number) -> Number:
+def density(projection: str, u: maths.Number, v: maths.Number) -> maths.Number:
     """Return the solid angle per area of an image, d omega / (du dv), within its limits.
 
     Parameters
@@ -256,22 +238,24 @@ def density(projection: str, u: Number, v: Number) -> Number:
     >>> density("equisolid", 0.3, 0.4), round(density("perspective", 0.0, 1.0), 6)
     (4.0, 0.353553)
     """
-    if projection == LATLONG:
-        return math.pi**2 / 2 * cos(math.pi / 2 * v)
-    if projection == CYLINDRICAL:
-        return math.pi / power(hypot(1.0, v), 3)
-    r = hypot(u, v)
-    if projection in (MIRROR_BALL, EQUISOLID):
+    if projection == symbols.LATLONG:
+        return math.pi**2 / 2 * maths.cos(math.pi / 2 * v)
+    if projection == symbols.CYLINDRICAL:
+        return math.pi / maths.power(maths.hypot(1.0, v), 3)
+    r = maths.hypot(u, v)
+    if projection in (symbols.MIRROR_BALL, symbols.EQUISOLID):
         return 4.0 + 0.0 * r
     cosine, share = _cosine_and_share(projection, r)
-    if projection in (ANGULAR, FISHEYE):
+    if projection in (symbols.ANGULAR, symbols.FISHEYE):
         return math.pi * share
-    if projection == ORTHOGRAPHIC:
-        return 1 / larger(cosine, 1e-9)
-    return power(share, 2 if projection == STEREOGRAPHIC else 3)
+    if projection == symbols.ORTHOGRAPHIC:
+        return 1 / maths.larger(cosine, 1e-9)
+    return maths.power(share, 2 if projection == symbols.STEREOGRAPHIC else 3)
 
 
-def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, Number]:
+def place_of(
+    projection: str, x: maths.Number, y: maths.Number, z: maths.Number
+) -> tuple[maths.Number, maths.Number]:
     """Return the place at which an image shows a direction; the inverse of `direction_at`.
 
     Parameters
@@ -311,21 +295,23 @@ def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, 
     """
     zero = (x == 0) & (y == 0) & (z == 0)
     refuse(zero, *NO_DIRECTION)
-    if _is_latlong(projection) or projection == CYLINDRICAL:
-        azimuth = atan2(y + 0.0, x + 0.0)  # + 0.0 because -0.0 would give the other edge
-        elevation = atan2(z, hypot(x, y))
-        v = elevation * (2 / math.pi) if projection == LATLONG else tan(elevation)
+    if _is_latlong(projection) or projection == symbols.CYLINDRICAL:
+        azimuth = maths.atan2(y + 0.0, x + 0.0)  # + 0.0 because -0.0 would give the other edge
+        elevation = maths.atan2(z, maths.hypot(x, y))
+        v = elevation * (2 / math.pi) if projection == symbols.LATLONG else maths.tan(elevation)
         return 0.0 - azimuth / math.pi, v
-    across = hypot(y, z)
-    r = radius_of(projection, atan2(across, x))
-    sign = 1.0 if projection == MIRROR_BALL else -1.0
+    across = maths.hypot(y, z)
+    r = radius_of(projection, maths.atan2(across, x))
+    sign = 1.0 if projection == symbols.MIRROR_BALL else -1.0
     on_axis = across == 0
-    u = piecewise(on_axis, lambda r, a, b: r, lambda r, a, b: sign * r * (a / b), r, y, across)
-    v = piecewise(on_axis, lambda r, a, b: 0 * r, lambda r, a, b: r * (a / b), r, z, across)
+    u = maths.piecewise(
+        on_axis, lambda r, a, b: r, lambda r, a, b: sign * r * (a / b), r, y, across
+    )
+    v = maths.piecewise(on_axis, lambda r, a, b: 0 * r, lambda r, a, b: r * (a / b), r, z, across)
     return u, v
 
 
-def radius_of(projection: str, angle: Number) -> Number:
+def radius_of(projection: str, angle: maths.Number) -> maths.Number:
     """Return the distance from the middle, in u and v, of directions at an angle from it.
 
     Parameters
@@ -345,15 +331,15 @@ def radius_of(projection: str, angle: Number) -> Number:
     >>> round(radius_of("orthographic", math.pi / 6), 12), radius_of("fisheye", math.pi / 4)
     (0.5, 0.25)
     """
-    if projection in (ANGULAR, FISHEYE):
+    if projection in (symbols.ANGULAR, symbols.FISHEYE):
         return angle / math.pi
-    if projection in (MIRROR_BALL, EQUISOLID):
-        return sin(angle / 2)
-    if projection == STEREOGRAPHIC:
-        return smaller(tan(angle / 2), FAR)
-    function = sin if projection == ORTHOGRAPHIC else tan
-    limit = math.pi / 2 * (1 + SLACK) if projection == ORTHOGRAPHIC else math.pi / 2
-    return piecewise(angle < limit, function, lambda a: FAR + 0 * a, angle)
+    if projection in (symbols.MIRROR_BALL, symbols.EQUISOLID):
+        return maths.sin(angle / 2)
+    if projection == symbols.STEREOGRAPHIC:
+        return maths.smaller(maths.tan(angle / 2), FAR)
+    function = maths.sin if projection == symbols.ORTHOGRAPHIC else maths.tan
+    limit = math.pi / 2 * (1 + maths.SLACK) if projection == symbols.ORTHOGRAPHIC else math.pi / 2
+    return maths.piecewise(angle < limit, function, lambda a: FAR + 0 * a, angle)
 
 
 def middle_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any, Any]:
@@ -442,9 +428,9 @@ def pixel_solid_angle(projection: str, width: int, height: int, column: int, row
     >>> f"{pixel_solid_angle('latlong', 1024, 512, 0, 255):.6e}"
     '3.764932e-05'
     """
-    if _is_latlong(projection, WHOLE_SPHERE):
+    if _is_latlong(projection, symbols.WHOLE_SPHERE):
         return float(_latlong(width, height, row))
-    ball = projection == MIRROR_BALL
+    ball = projection == symbols.MIRROR_BALL
     return float(_in_quadrant(ball, *_span(column, width), *_span(row, height)))
 
 
@@ -478,13 +464,13 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
     import numpy
 
     row = numpy.arange(height)[rows]
-    if _is_latlong(projection, WHOLE_SPHERE):
+    if _is_latlong(projection, symbols.WHOLE_SPHERE):
         return _latlong(width, height, row[:, None])
     # Left and right, top and bottom are mirror images, so the lower right quadrant is enough.
     below, down = numpy.unique(abs(2 * row + 1 - height) // 2, return_inverse=True)
     high = (bound[:, None] for bound in _span(height // 2 + below, height))
     across = _span(numpy.arange(width // 2, width), width)
-    quadrant = _in_quadrant(projection == MIRROR_BALL, *across, *high)
+    quadrant = _in_quadrant(projection == symbols.MIRROR_BALL, *across, *high)
     return quadrant[numpy.ix_(down, abs(2 * numpy.arange(width) + 1 - width) // 2)]
 
 
@@ -518,19 +504,19 @@ def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any
         within = abs(middle) < half * INSIDE  # the axis is in the middle: two halves
         parts = 1.0 + within
         return (
-            piecewise(within, lambda _, h: h / 2, lambda m, _: abs(m), middle, half),
+            maths.piecewise(within, lambda _, h: h / 2, lambda m, _: abs(m), middle, half),
             (half / parts),
             parts,
         )
 
-    return _in_quadrant(projection == MIRROR_BALL, *side(u, wide), *side(v, high))
+    return _in_quadrant(projection == symbols.MIRROR_BALL, *side(u, wide), *side(v, high))
 
 
 def _latlong(width: int, height: int, row: Any) -> Any:
     """Return the solid angle of a pixel of a latlong map, by its row."""
-    row = smaller(row, height - 1 - row)  # the sine of an angle close to pi would lose digits
+    row = maths.smaller(row, height - 1 - row)  # the sine of an angle close to pi would lose digits
     middle = math.pi * (row + 0.5) / height
-    return 4 * math.pi / width * sin(middle) * sin(math.pi / (2 * height))
+    return 4 * math.pi / width * maths.sin(middle) * maths.sin(math.pi / (2 * height))
 
 
 def _span(pixel: Any, count: int) -> tuple[Any, Any, Any]:
@@ -539,85 +525,105 @@ def _span(pixel: Any, count: int) -> tuple[Any, Any, Any]:
     The middle pixel of an odd number counts as two halves, any other as one whole.
     """
     middle = abs(2 * pixel + 1 - count)
-    half = piecewise(middle == 0, lambda m: 0.5 + m, lambda m: 1.0 + 0 * m, middle)
-    return larger(middle, 0.5) / count, half / count, 1 / half
+    half = maths.piecewise(middle == 0, lambda m: 0.5 + m, lambda m: 1.0 + 0 * m, middle)
+    return maths.larger(middle, 0.5) / count, half / count, 1 / half
 
 
 def _in_quadrant(
-    ball: bool, x: Number, wide: Number, halves: Number, y: Number, high: Number, parts: Number
-) -> Number:
+    ball: bool,
+    x: maths.Number,
+    wide: maths.Number,
+    halves: maths.Number,
+    y: maths.Number,
+    high: maths.Number,
+    parts: maths.Number,
+) -> maths.Number:
     """Return the solid angle of a pixel of positive u and v, times the number of its parts."""
 
-    def uncut(x: Number, wide: Number, y: Number, high: Number) -> Number:
+    def uncut(
+        x: maths.Number, wide: maths.Number, y: maths.Number, high: maths.Number
+    ) -> maths.Number:
         return _rectangle(ball, x, wide, y, high)
 
-    def cut(x: Number, wide: Number, y: Number, high: Number) -> Number:
+    def cut(
+        x: maths.Number, wide: maths.Number, y: maths.Number, high: maths.Number
+    ) -> maths.Number:
         return _cut(ball, x, wide, y, high)
 
-    def inside(x: Number, wide: Number, y: Number, high: Number) -> Number:
-        is_whole = hypot(x + wide, y + high) <= 1
-        return piecewise(is_whole, uncut, cut, x, wide, y, high)
+    def inside(
+        x: maths.Number, wide: maths.Number, y: maths.Number, high: maths.Number
+    ) -> maths.Number:
+        is_whole = maths.hypot(x + wide, y + high) <= 1
+        return maths.piecewise(is_whole, uncut, cut, x, wide, y, high)
 
-    is_out = hypot(x - wide, y - high) >= 1
-    return halves * parts * piecewise(is_out, lambda *xs: 0 * xs[0], inside, x, wide, y, high)
+    is_out = maths.hypot(x - wide, y - high) >= 1
+    return halves * parts * maths.piecewise(is_out, lambda *xs: 0 * xs[0], inside, x, wide, y, high)
 
 
-def _rectangle(ball: bool, x: Number, wide: Number, y: Number, high: Number) -> Number:
+def _rectangle(
+    ball: bool, x: maths.Number, wide: maths.Number, y: maths.Number, high: maths.Number
+) -> maths.Number:
     """Return the solid angle of a rectangle within the circle, by its middle and half its sides."""
     rule = zip(*gauss(_points(wide, high)), strict=True)
     return high * sum(weight * _line(ball, x, wide, y + b * high) for b, weight in rule)
 
 
-def _points(wide: Number, high: Number) -> int:
-    return MANY if any_true(larger(wide, high) > SMALL) else FEW
+def _points(wide: maths.Number, high: maths.Number) -> int:
+    return MANY if maths.any_true(maths.larger(wide, high) > SMALL) else FEW
 
 
-def _cut(ball: bool, x: Number, wide: Number, y: Number, high: Number) -> Number:
+def _cut(
+    ball: bool, x: maths.Number, wide: maths.Number, y: maths.Number, high: maths.Number
+) -> maths.Number:
     """Return the solid angle of the part of a rectangle inside the circle."""
     left, right, low, top = x - wide, x + wide, y - high, y + high
     # up to `full` the circle is right of the rectangle; beyond `end` it is left of it
-    full = smaller(top, larger(low, sqrt(larger(0.0, (1 - right) * (1 + right)))))
-    end = larger(full, smaller(top, sqrt((1 - left) * (1 + left))))
+    full = maths.smaller(
+        top, maths.larger(low, maths.sqrt(maths.larger(0.0, (1 - right) * (1 + right))))
+    )
+    end = maths.larger(full, maths.smaller(top, maths.sqrt((1 - left) * (1 + left))))
     total = _rectangle(ball, x, wide, (full + low) / 2, (full - low) / 2)
-    first, last = asin(full), asin(end)
+    first, last = maths.asin(full), maths.asin(end)
     points = gauss(_points(wide, high))
     for a, weight in zip(*points, strict=True):
         angle = (first + last) / 2 + a * (last - first) / 2
-        strip = weight * cos(angle) * (last - first) / 2  # height of the strip
-        half = (cos(angle) - left) / 2
-        total = total + strip * _line(ball, left + half, half, sin(angle))
+        strip = weight * maths.cos(angle) * (last - first) / 2  # height of the strip
+        half = (maths.cos(angle) - left) / 2
+        total = total + strip * _line(ball, left + half, half, maths.sin(angle))
     return total
 
 
-def _line(ball: bool, x: Number, half: Number, y: Number) -> Number:
+def _line(ball: bool, x: maths.Number, half: maths.Number, y: maths.Number) -> maths.Number:
     """Return the integral of the density along u, by the middle and half the length."""
     if ball:
         return 8 * half
     nodes: Any
     weights: Any
     nodes, weights = gauss(_points(half, half))
-    if is_array(half):  # all points at once, as arrays are short
+    if maths.is_array(half):  # all points at once, as arrays are short
         import numpy
 
         nodes, weights = (numpy.reshape(rule, (-1, *[1] * half.ndim)) for rule in (nodes, weights))
-        r = hypot(x + nodes * half, y)
-        terms = weights * (sin(math.pi * r) / r)
+        r = maths.hypot(x + nodes * half, y)
+        terms = weights * (maths.sin(math.pi * r) / r)
     else:
-        radii = [hypot(x + a * half, y) for a in nodes]
-        terms = [weight * (sin(math.pi * r) / r) for r, weight in zip(radii, weights, strict=True)]
+        radii = [maths.hypot(x + a * half, y) for a in nodes]
+        terms = [
+            weight * (maths.sin(math.pi * r) / r) for r, weight in zip(radii, weights, strict=True)
+        ]
     return math.pi * half * sum(terms, 0.0)
 
 
 # Largest fields [rad]; those in OPEN must be smaller, as their edges would be infinitely far away.
 WIDEST = {
-    FISHEYE: 2 * math.pi,
-    EQUISOLID: 2 * math.pi,
-    ORTHOGRAPHIC: math.pi,
-    STEREOGRAPHIC: 2 * math.pi,
-    PERSPECTIVE: math.pi,
-    CYLINDRICAL: 2 * math.pi,
+    symbols.FISHEYE: 2 * math.pi,
+    symbols.EQUISOLID: 2 * math.pi,
+    symbols.ORTHOGRAPHIC: math.pi,
+    symbols.STEREOGRAPHIC: 2 * math.pi,
+    symbols.PERSPECTIVE: math.pi,
+    symbols.CYLINDRICAL: 2 * math.pi,
 }
-OPEN = (STEREOGRAPHIC, PERSPECTIVE)
+OPEN = (symbols.STEREOGRAPHIC, symbols.PERSPECTIVE)
 NEAREST = 1e-6  # [rad] to that limit
 
 
@@ -732,9 +738,9 @@ def reach(projection: str, field: float, is_upright: bool = False) -> float:
     >>> round(reach("orthographic", math.pi), 12), round(reach("perspective", math.pi / 2), 12)
     (1.0, 1.0)
     """
-    flat = projection == CYLINDRICAL and is_upright
+    flat = projection == symbols.CYLINDRICAL and is_upright
     if flat:
-        projection = PERSPECTIVE
+        projection = symbols.PERSPECTIVE
     widest = WIDEST[projection]
     limit = widest - NEAREST if projection in OPEN else widest * (1 + 1e-9)
     refuse(
@@ -743,7 +749,9 @@ def reach(projection: str, field: float, is_upright: bool = False) -> float:
         f"more than 0, and {'less than' if projection in OPEN else 'at most'} {field_text(widest)}",
     )
     half = min(field, widest) / 2
-    return half / math.pi if projection == CYLINDRICAL else float(radius_of(projection, half))
+    return (
+        half / math.pi if projection == symbols.CYLINDRICAL else float(radius_of(projection, half))
+    )
 
 
 def view_of_field(projection: str, field: float, width: int, height: int) -> View:
@@ -775,7 +783,7 @@ def view_of_field(projection: str, field: float, width: int, height: int) -> Vie
     (1.0, 0.5)
     """
     right = reach(projection, field)
-    if projection in CIRCLES:
+    if projection in symbols.CIRCLES:
         refuse(
             width != height,
             f"{width} x {height} pixels are not square around the circle of {field_text(field)}",
@@ -783,7 +791,7 @@ def view_of_field(projection: str, field: float, width: int, height: int) -> Vie
         )
         is_whole = projection in ROUND and right > 1 - 1e-9  # all that the projection can show
         return View(right, right, circle=math.inf if is_whole else right)
-    is_flat = projection == PERSPECTIVE
+    is_flat = projection == symbols.PERSPECTIVE
     return View(right, (1 if is_flat else math.pi) * right * height / width)
 
 

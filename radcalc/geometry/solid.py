@@ -19,6 +19,7 @@ with 80 digits.
 import math
 from typing import Any
 
+from radcalc import maths
 from radcalc.errors import ConditionError, Try, add
 from radcalc.geometry.cones import (
     FULL,
@@ -31,27 +32,12 @@ from radcalc.geometry.cones import (
     refuse,
 )
 from radcalc.geometry.numerics.integrals import cel
-from radcalc.maths import (
-    SLACK,
-    Number,
-    any_true,
-    asin,
-    atan2,
-    cos,
-    hypot,
-    is_array,
-    larger,
-    piecewise,
-    power_of_two,
-    sin,
-    smaller,
-    sqrt,
-    square,
-)
 
 
 @bounded
-def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
+def zone(
+    lower: maths.Number, upper: maths.Number, azimuth: maths.Number = 2 * math.pi
+) -> maths.Number:
     """Return the solid angle of a spherical zone between two polar angles, or of a part of it.
 
     Parameters
@@ -94,11 +80,13 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     """
     check_zone(lower, upper, azimuth)
     # sin((t0 + t1)/2), from halves: exact near both poles
-    middle = sin(lower / 2) * cos(upper / 2) + cos(lower / 2) * sin(upper / 2)
-    return 2 * azimuth * middle * sin((upper - lower) / 2)
+    middle = maths.sin(lower / 2) * maths.cos(upper / 2) + maths.cos(lower / 2) * maths.sin(
+        upper / 2
+    )
+    return 2 * azimuth * middle * maths.sin((upper - lower) / 2)
 
 
-def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
+def check_zone(lower: maths.Number, upper: maths.Number, azimuth: maths.Number) -> None:
     """Refuse polar angles and azimuths that do not bound a zone.
 
     Parameters
@@ -123,19 +111,19 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
     try: the smaller polar angle first
     """
     refuse(
-        (lower < 0) | (upper > math.pi * (1 + SLACK)),
+        (lower < 0) | (upper > math.pi * (1 + maths.SLACK)),
         "the polar angle of the zone is out of range",
         "polar angles from 0 to 180 deg",
     )
     refuse(lower > upper, "the zone ends before it starts", "the smaller polar angle first")
     refuse(
-        (azimuth < 0) | (azimuth > 2 * math.pi * (1 + SLACK)),
+        (azimuth < 0) | (azimuth > 2 * math.pi * (1 + maths.SLACK)),
         "the width of the zone in azimuth is out of range",
         "from 0 to 360 deg",
     )
 
 
-def check_height(height: Number) -> None:
+def check_height(height: maths.Number) -> None:
     """Refuse an observer who is not in front of the plane of a flat shape.
 
     Parameters
@@ -166,7 +154,7 @@ def check_height(height: Number) -> None:
 
 
 @bounded
-def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
+def disc(radius: maths.Number, height: maths.Number, offset: maths.Number = 0.0) -> maths.Number:
     """Return the solid angle of a circular disc, from a point on its axis or off it.
 
     Parameters
@@ -224,13 +212,13 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     refuse(radius < 0, "the radius is out of range", "0 or more")
     check_height(height)
     offset = abs(offset)
-    scale = power_of_two(larger(larger(radius, height), offset))
+    scale = maths.power_of_two(maths.larger(maths.larger(radius, height), offset))
     radius, height, offset = radius / scale, height / scale, offset / scale
-    far = 4 * radius < hypot(height, offset)
-    return piecewise(far, _disc_from_afar, _disc_from_near, radius, height, offset)
+    far = 4 * radius < maths.hypot(height, offset)
+    return maths.piecewise(far, _disc_from_afar, _disc_from_near, radius, height, offset)
 
 
-def rim_of(solid_angle: Number) -> Number:
+def rim_of(solid_angle: maths.Number) -> maths.Number:
     """Return the angle between a disc's axis and its rim, seen from a point on the axis.
 
     Parameters
@@ -266,42 +254,50 @@ def rim_of(solid_angle: Number) -> Number:
 RIM = 32  # points on a disc's rim; beyond four radii, 26 give every digit
 
 
-def _disc_from_afar(radius: Number, height: Number, offset: Number) -> Number:
+def _disc_from_afar(
+    radius: maths.Number, height: maths.Number, offset: maths.Number
+) -> maths.Number:
     """Integrate a distant disc: the mean of a function over its rim, by the trapezoidal rule.
 
     The function is the solid angle per turn about the line from the observer to the disc's centre.
     """
-    away = hypot(height, offset)
-    far, both, total = square(away), square(away) + square(radius), 0.0
+    away = maths.hypot(height, offset)
+    far, both, total = maths.square(away), maths.square(away) + maths.square(radius), 0.0
     for k in range(RIM):
         along = radius * offset * math.cos(2 * math.pi * k / RIM)
-        to_rim = sqrt(both + 2 * along)
+        to_rim = maths.sqrt(both + 2 * along)
         total = total + 1 / (to_rim * (to_rim * away + far + along))
-    return 2 * math.pi / RIM * square(radius) * height * total
+    return 2 * math.pi / RIM * maths.square(radius) * height * total
 
 
-def _disc_from_near(radius: Number, height: Number, offset: Number) -> Number:
+def _disc_from_near(
+    radius: maths.Number, height: maths.Number, offset: maths.Number
+) -> maths.Number:
     """Return the solid angle of a near disc: the turn of its rim, minus an elliptic integral.
 
     In polar coordinates about the observer's perpendicular, the solid angle is the integral of
     1 - cos(polar angle of the rim) over the azimuth; the turn is the integral of the 1.
     """
-    nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
+    nearest, farthest = maths.hypot(height, offset - radius), maths.hypot(height, offset + radius)
     inside, outside = radius - offset, radius + offset
     # The rim turns by 2 pi, pi or 0 about the observer's foot; on the rim itself the integral has
     # no pole, and is of the first kind.
     turn = math.pi * (1.0 * (inside >= 0) + 1.0 * (inside > 0))
     rim = inside == 0
-    p = piecewise(rim, lambda x: 1.0 + x, lambda x: x * x, inside / outside)
-    b = piecewise(rim, lambda x: 1.0 + x, lambda x: x, inside / outside)
+    p = maths.piecewise(rim, lambda x: 1.0 + x, lambda x: x * x, inside / outside)
+    b = maths.piecewise(rim, lambda x: 1.0 + x, lambda x: x, inside / outside)
     part = radius / outside
     return turn - 4 * height / farthest * cel(nearest / farthest, p, part, part * b)
 
 
 @bounded
 def rectangle(
-    width: Number, length: Number, height: Number, offset: Number = 0.0, offset_y: Number = 0.0
-) -> Number:
+    width: maths.Number,
+    length: maths.Number,
+    height: maths.Number,
+    offset: maths.Number = 0.0,
+    offset_y: maths.Number = 0.0,
+) -> maths.Number:
     """Return the solid angle of a rectangle, from a point on its axis or off it.
 
     Parameters
@@ -350,7 +346,13 @@ def rectangle(
     return abs(fan(*corners(width, length, height, offset, offset_y)))
 
 
-def corners(width: Number, length: Number, height: Number, offset: Number, offset_y: Number) -> Any:
+def corners(
+    width: maths.Number,
+    length: maths.Number,
+    height: maths.Number,
+    offset: maths.Number,
+    offset_y: maths.Number,
+) -> Any:
     """Return the corners of a rectangle in the form that `radcalc.geometry.polygons` takes.
 
     Parameters
@@ -385,13 +387,15 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     """
     refuse((width < 0) | (length < 0), "the side is out of range", "0 or more")
     check_height(height)
-    far = larger(larger(width, length), larger(height, larger(abs(offset), abs(offset_y))))
+    far = maths.larger(
+        maths.larger(width, length), maths.larger(height, maths.larger(abs(offset), abs(offset_y)))
+    )
     refuse(far == math.inf, "a length of the rectangle is infinite", "a length that is finite")
     corner = (-offset - width / 2, -offset_y - length / 2, height)
     return corner, [(0.0, 0.0, 0.0), (width, 0.0, 0.0), (width, length, 0.0), (0.0, length, 0.0)]
 
 
-def pyramid(horizontal: Number, vertical: Number) -> Number:
+def pyramid(horizontal: maths.Number, vertical: maths.Number) -> maths.Number:
     """Return the solid angle of a right rectangular pyramid from its two apex angles.
 
     Parameters
@@ -428,10 +432,12 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     """
     check_pyramid(horizontal, vertical)
     a, b = horizontal / 2, vertical / 2
-    return 4 * atan2(sin(a) * sin(b), hypot(cos(a), sin(a) * cos(b)))
+    return 4 * maths.atan2(
+        maths.sin(a) * maths.sin(b), maths.hypot(maths.cos(a), maths.sin(a) * maths.cos(b))
+    )
 
 
-def pyramid_side(solid_angle: Number, other: Number) -> Number:
+def pyramid_side(solid_angle: maths.Number, other: maths.Number) -> maths.Number:
     """Return one full apex angle of a right rectangular pyramid from the other and its solid angle.
 
     Parameters
@@ -468,12 +474,12 @@ def pyramid_side(solid_angle: Number, other: Number) -> Number:
     check_pyramid(other, other)
     text = "the solid angle is out of range for a pyramid of that angle"
     refuse((solid_angle < 0) | (solid_angle > HEMISPHERE), text, "from 0 to 2pi sr")
-    sine, widest = sin(solid_angle / 4), sin(other / 2)
-    refuse((sine > widest * (1 + SLACK)) | (widest == 0), text, "a smaller solid angle")
-    return 2 * asin(smaller(sine / widest, 1.0 + 0 * sine))
+    sine, widest = maths.sin(solid_angle / 4), maths.sin(other / 2)
+    refuse((sine > widest * (1 + maths.SLACK)) | (widest == 0), text, "a smaller solid angle")
+    return 2 * maths.asin(maths.smaller(sine / widest, 1.0 + 0 * sine))
 
 
-def check_pyramid(horizontal: Number, vertical: Number) -> None:
+def check_pyramid(horizontal: maths.Number, vertical: maths.Number) -> None:
     """Refuse apex angles outside 0 to pi.
 
     Parameters
@@ -494,13 +500,13 @@ def check_pyramid(horizontal: Number, vertical: Number) -> None:
     radcalc.errors.ConditionError: the angle of the pyramid is out of range
     try: from 0 to 180 deg, face to face
     """
-    top = math.pi * (1 + SLACK)
+    top = math.pi * (1 + maths.SLACK)
     bad = (horizontal < 0) | (vertical < 0) | (horizontal > top) | (vertical > top)
     refuse(bad, "the angle of the pyramid is out of range", "from 0 to 180 deg, face to face")
 
 
 @bounded
-def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
+def patch(area: maths.Number, distance: maths.Number, tilt: maths.Number = 0.0) -> maths.Number:
     """Return the solid angle of a small flat patch of any outline, to first order in its size.
 
     Parameters
@@ -540,11 +546,11 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     refuse(area < 0, "the area is out of range", "0 or more")
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
     check_tilt(tilt)
-    return area / square(distance) * facing(tilt)
+    return area / maths.square(distance) * facing(tilt)
 
 
 @bounded
-def angular_radius(radius: Number, distance: Number) -> Number:
+def angular_radius(radius: maths.Number, distance: maths.Number) -> maths.Number:
     """Return the angular radius of a sphere: the half angle of the cone that touches it.
 
     Parameters
@@ -579,7 +585,7 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     30.0
     """
     refuse((radius < 0), "the radius is out of range", "0 or more")
-    if any_true(distance <= radius):
+    if maths.any_true(distance <= radius):
         raise ConditionError(
             "the observer is on or inside the sphere",
             "a distance to the centre greater than the radius; from its surface, the sphere fills "
@@ -587,18 +593,18 @@ def angular_radius(radius: Number, distance: Number) -> Number:
             _from_surface(radius, distance),
         )
     # R / sqrt(D^2 - R^2), which keeps its digits up to the surface
-    return atan2(radius, sqrt(distance - radius) * sqrt(distance + radius))
+    return maths.atan2(radius, maths.sqrt(distance - radius) * maths.sqrt(distance + radius))
 
 
-def _from_surface(radius: Number, distance: Number) -> list[Try]:
+def _from_surface(radius: maths.Number, distance: maths.Number) -> list[Try]:
     """Propose the distance to the centre, if the given one was measured from the surface."""
-    if is_array(radius) or is_array(distance):
+    if maths.is_array(radius) or maths.is_array(distance):
         return []
     remark = f"if {distance:g} m is the distance from the surface"
     return [add("distance", f"{radius + distance:.6g}m", remark)]
 
 
-def sphere(radius: Number, distance: Number) -> Number:
+def sphere(radius: maths.Number, distance: maths.Number) -> maths.Number:
     """Return the solid angle of a sphere seen from outside.
 
     Parameters
@@ -634,7 +640,7 @@ def sphere(radius: Number, distance: Number) -> Number:
     return cone(angular_radius(radius, distance))
 
 
-def _sine(solid_angle: Number) -> Number:
+def _sine(solid_angle: maths.Number) -> maths.Number:
     """Return the sine of the half angle of a sphere's cone, from its solid angle.
 
     With p = Omega/(4 pi) = sin^2(alpha/2), sin(alpha) = 2 sqrt(p (1 - p)).
@@ -645,11 +651,11 @@ def _sine(solid_angle: Number) -> Number:
         "the solid angle is out of range for a sphere seen from outside",
         "more than 0 and less than 2pi sr",
     )
-    return 2 * sqrt(part) * sqrt(1 - part)
+    return 2 * maths.sqrt(part) * maths.sqrt(1 - part)
 
 
 @bounded
-def sphere_distance(radius: Number, solid_angle: Number) -> Number:
+def sphere_distance(radius: maths.Number, solid_angle: maths.Number) -> maths.Number:
     """Return the distance of the centre of a sphere that fills a given solid angle.
 
     Parameters
@@ -687,7 +693,7 @@ def sphere_distance(radius: Number, solid_angle: Number) -> Number:
 
 
 @bounded
-def sphere_radius(distance: Number, solid_angle: Number) -> Number:
+def sphere_radius(distance: maths.Number, solid_angle: maths.Number) -> maths.Number:
     """Return the radius of a sphere that fills a given solid angle at a given distance.
 
     Parameters

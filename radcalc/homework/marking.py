@@ -4,19 +4,10 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
+from radcalc import errors
 from radcalc.answer import Row, Value
 from radcalc.calculators.results import pick, rows
-from radcalc.errors import (
-    ConditionError,
-    NumberError,
-    RadcalcError,
-    UsageError,
-    add,
-    listed,
-    nearest,
-    option,
-    quote,
-)
+from radcalc.errors import listed, option, quote
 from radcalc.files import columns
 from radcalc.files.table import Table
 from radcalc.files.text import Text, reading, refusal, where
@@ -61,9 +52,9 @@ class Sheet(NamedTuple):
     rows: Sequence[SheetRow]
     students: Sequence[str]
 
-    def error(self, row: SheetRow, column: str, problem: str, hint: str) -> ConditionError:
+    def error(self, row: SheetRow, column: str, problem: str, hint: str) -> errors.ConditionError:
         place = f"{where(self.name, row.line)}, column '{column}'"
-        return ConditionError(f"{place}: {problem}", hint)
+        return errors.ConditionError(f"{place}: {problem}", hint)
 
 
 def read_sheet(path: str) -> Sheet:
@@ -113,7 +104,7 @@ def _row(table: Table, line: int, cells: dict[str, Cell]) -> SheetRow:
 def _places(
     titles: Sequence[str],
     rows: Sequence[Sequence[str]],
-    refuse: Callable[[str, str], RadcalcError],
+    refuse: Callable[[str, str], errors.RadcalcError],
 ) -> dict[str, int]:
     """Return the place of each column by its title, or by its name if it is one of the sheet's.
 
@@ -134,7 +125,7 @@ def _places(
         raise refuse("a column 'command' or 'expected' is missing", HEADER)
     missing = [name for name in KNOWN if name not in places]
     for title in places:
-        if title not in KNOWN and (near := nearest(columns.plain(title), missing, 1, ALIKE)):
+        if title not in KNOWN and (near := errors.nearest(columns.plain(title), missing, 1, ALIKE)):
             raise refuse(f"column '{quote(title)}' is not a student", f"{near[0]}, as its title")
     if not {*places} - {*KNOWN}:
         raise refuse("no column has answers", "a column for each student, with the name as title")
@@ -214,11 +205,13 @@ def key(question: Question, wanted: str, expected: str, tolerance: str | None) -
         verdict = check(question, expected, tolerance)
         wanted = f"{verdict.name}:{verdict.unit}"
     if not wanted and len(names) != 1:
-        proposed = [add("get", f"{row.name}:{row.unit}") for row in rows(present)[:MOST]]
-        raise UsageError("a question has one answer, but its command has several", proposed)
+        proposed = [errors.add("get", f"{row.name}:{row.unit}") for row in rows(present)[:MOST]]
+        raise errors.UsageError("a question has one answer, but its command has several", proposed)
     row = pick(question.answer.values, wanted or present[0].name)
     if not isinstance(row.value, float):
-        raise UsageError("a question has one answer, not several", "a result that is a number")
+        raise errors.UsageError(
+            "a question has one answer, not several", "a result that is a number"
+        )
     target = next(v for v in question.answer.values if row.name in (v.name, v.also))
     found = Key(question, target, row, tolerance)
     own = f"{row.name}={row.value!r} {row.unit}"
@@ -231,7 +224,7 @@ def refuse_unlike(asked: Key, expected: str) -> None:
     verdict, _ = _judged(asked, expected)
     if not verdict.right:
         problem = f"{quote(expected)} contradicts the command, which gives {asked.text}"
-        raise ConditionError(problem, f"{asked.text}, or another command")
+        raise errors.ConditionError(problem, f"{asked.text}, or another command")
 
 
 def mark(asked: Key, answer: str) -> Mark:
@@ -241,7 +234,7 @@ def mark(asked: Key, answer: str) -> Mark:
     try:
         verdict, is_bare = _judged(asked, answer)
         claim = read_claim(answer)
-    except RadcalcError as error:
+    except errors.RadcalcError as error:
         return Mark(UNREADABLE, likely=error.message)
     if verdict.result != asked.target.name:
         return Mark(WRONG, likely=f"this is the {verdict.result}")
@@ -285,13 +278,17 @@ def read_parts(text: str) -> dict[str, float]:
         name, _, number = map(str.strip, entry.partition("="))
         if name not in NAMES:
             problem = f"{option('points')}: unknown verdict '{quote(name)}'"
-            raise ConditionError(problem, f"some of {listed([f'{n}=0.5' for n in NAMES], ',')}")
+            raise errors.ConditionError(
+                problem, f"some of {listed([f'{n}=0.5' for n in NAMES], ',')}"
+            )
         try:
             part, end = read_number(number)
-        except NumberError:
+        except errors.NumberError:
             part, end = -1.0, 0
         if end != len(number) or not 0 <= part <= 1:
             problem = f"{option('points')}: '{quote(entry.strip())}' is out of range"
-            raise ConditionError(problem, f"{name}=0.5: a part of a question's points, from 0 to 1")
+            raise errors.ConditionError(
+                problem, f"{name}=0.5: a part of a question's points, from 0 to 1"
+            )
         parts[NAMES[name]] = part
     return parts

@@ -9,16 +9,7 @@ from radcalc.answer import ShownInput
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, Exclusive, Impossible, MissingInput, option, quote
 from radcalc.maths import SLACK
-from radcalc.quantities.symbols import (
-    FLAG,
-    LINKS,
-    QUANTITY,
-    REFINEMENTS,
-    SPECTRUM,
-    SYMBOLS,
-    Limits,
-    Symbol,
-)
+from radcalc.quantities import symbols
 from radcalc.tuples import NamedTuple
 from radcalc.units.numbers import rounding
 from radcalc.units.unit import NUMBER, Dimension, Unit
@@ -41,7 +32,7 @@ class Input(NamedTuple):
     of its uncertain numbers, or of a reading, in `unit`.
     """
 
-    symbol: Symbol
+    symbol: symbols.Symbol
     text: str
     value: Any
     dimension: Dimension = NUMBER
@@ -85,7 +76,7 @@ class Input(NamedTuple):
     @property
     def size(self) -> float:
         """The value of a single number [SI]; for an uncertain spectrum, its parameter."""
-        if self.symbol.form == SPECTRUM:
+        if self.symbol.form == symbols.SPECTRUM:
             return float(self.number * self.unit.factor if self.unit else self.number)
         return float(self.value)
 
@@ -119,14 +110,14 @@ def shown_inputs(given: Inputs) -> tuple[ShownInput, ...]:
 
 def _shown_as(given: Input) -> list[ShownInput]:
     form = given.symbol.form
-    if form == QUANTITY:
+    if form == symbols.QUANTITY:
         off = given.uncertainty and given.uncertainty / float(
             given.unit.factor if given.unit else 1
         )
         if given.unit and given.unit.is_scale:
             off /= abs(given.unit.slope(given.number))
         return [ShownInput(given.name, given.number, given.unit_text, given.text, off)]
-    if form == FLAG:
+    if form == symbols.FLAG:
         return [ShownInput(given.name, True)]
     if given.name == "point":
         axes = zip("xyz", given.value, strict=True)
@@ -148,7 +139,7 @@ def refuse_uncertain(given: Iterable[Input], what: str) -> None:
             raise ConditionError(problem, "the value alone")
 
 
-def check_limits(given: Input, limits: Limits) -> None:
+def check_limits(given: Input, limits: symbols.Limits) -> None:
     """Refuse a value outside limits, and name the limit.
 
     If the symbol must be above 0, the message for 0 or less names that limit only.
@@ -169,9 +160,9 @@ def check_limits(given: Input, limits: Limits) -> None:
         raise Impossible(given.name, given.text, limits.said, nearest=nearest)
 
 
-def _nearest(given: Input, bound: float, limits: Limits) -> str:
+def _nearest(given: Input, bound: float, limits: symbols.Limits) -> str:
     """Return what was probably meant: a value without its sign, or a percentage; else ''."""
-    if maths.is_array(given.value) or given.symbol.form != QUANTITY:
+    if maths.is_array(given.value) or given.symbol.form != symbols.QUANTITY:
         return ""
     if bound == 0 and given.value < 0 and -given.value <= limits.high:
         return given.text.lstrip("-")
@@ -188,7 +179,7 @@ def require(given: Input, good: bool, limit: str) -> None:
 def split_by_light(given: Inputs) -> tuple[Inputs, Inputs, Inputs]:
     """Split inputs into light quantities, links between kinds, and the rest."""
     quantities = {n: item for n, item in given.items() if item.symbol.generic}
-    links = {n: item for n, item in given.items() if n in (*LINKS, *REFINEMENTS)}
+    links = {n: item for n, item in given.items() if n in (*symbols.LINKS, *symbols.REFINEMENTS)}
     rest = {n: item for n, item in given.items() if n not in quantities and n not in links}
     return quantities, links, rest
 
@@ -198,7 +189,7 @@ def any_of(inputs: Inputs, what: str, *names: str) -> Input:
     for name in names:
         if name in inputs:
             return inputs[name]
-    examples = " or ".join(option(name, SYMBOLS[name].example) for name in names)
+    examples = " or ".join(option(name, symbols.SYMBOLS[name].example) for name in names)
     raise MissingInput(f"{what} is missing", examples)
 
 
@@ -224,7 +215,7 @@ def radius_of(given: Input) -> Any:
 def half_angle_of(given: Input, most: int = 180) -> Any:
     """Return a half angle [rad] of at most `most` degrees, given as a half or an apex angle."""
     factor = 2 if given.name == "apex-angle" else 1
-    limit = Limits(0.0, math.radians(factor * most), f"at most {factor * most} deg", True)
+    limit = symbols.Limits(0.0, math.radians(factor * most), f"at most {factor * most} deg", True)
     check_limits(given, limit)
     return given.value / factor
 
@@ -239,6 +230,6 @@ def offset_of(inputs: Inputs, name: str = "offset") -> Any:
     return inputs[name].value if name in inputs else 0.0
 
 
-def runs_backwards(symbol: Symbol, text: str, hint: str) -> ConditionError:
+def runs_backwards(symbol: symbols.Symbol, text: str, hint: str) -> ConditionError:
     """Return the error for an interval that ends before it starts."""
     return ConditionError(f"{option(symbol.name, quote(text))} ends before it starts", hint)

@@ -5,33 +5,14 @@ from collections.abc import Callable, Iterator, Sequence
 from operator import index
 from typing import Any
 
-from radcalc import maths
-from radcalc.errors import (
-    ConditionError,
-    Impossible,
-    MissingInput,
-    NumberError,
-    RadcalcError,
-    Try,
-    correct,
-    option,
-    quote,
-)
+from radcalc import errors, maths
+from radcalc.errors import option, quote
 from radcalc.floats import divide
 from radcalc.inputs.given import Input
 from radcalc.inputs.quantities import is_number_with_unit
 from radcalc.maths import LARGEST, SLACK
+from radcalc.quantities import symbols
 from radcalc.quantities.light import describe
-from radcalc.quantities.symbols import (
-    DIRECTION,
-    GRID,
-    NUMBERS,
-    PAIR,
-    POINT,
-    SYMBOLS,
-    VECTOR,
-    Symbol,
-)
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import ANGLE, LENGTH
 from radcalc.units.numbers import parse_number
@@ -52,7 +33,7 @@ def read_vector(text: str, what: str) -> Point:
     """Read X,Y,Z like a point; refuse 0,0,0."""
     vector = read_point(text, what)
     if not any(vector):
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{what} '{quote(text)}' has no direction", "a vector other than 0: 1,0,0.5"
         )
     return vector
@@ -72,7 +53,7 @@ def read_direction(text: str, what: str) -> tuple[float, float]:
         return polar, azimuth
     polar, azimuth = (*(_read_angle(part, text, what) for part in parts), 0.0)[:2]
     if not 0 <= polar <= math.pi * (1 + SLACK):
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{what} '{quote(text)}' is out of range: its polar angle must be from 0 to 180 deg",
             AS_DIRECTION,
         )
@@ -85,7 +66,7 @@ def require_azimuth(given: Input, why: str) -> None:
     if given.value[0] % math.pi and "," not in given.text:
         typed = quote(given.text)
         problem = f"{option(given.name, typed)} has no azimuth, and {why}"
-        raise MissingInput(problem, option(given.name, f"{typed},90deg"))
+        raise errors.MissingInput(problem, option(given.name, f"{typed},90deg"))
 
 
 AS_DIRECTION = "angles with units (60deg or 60deg,90deg), or X,Y,Z without units (1,0,0.5)"
@@ -93,33 +74,39 @@ AS_DIRECTION = "angles with units (60deg or 60deg,90deg), or X,Y,Z without units
 
 def _read_angle(text: str, direction: str, what: str) -> float:
     if ":" in text:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{what} '{quote(direction)}' has a range, not a single angle",
             "one direction, or at a shell a range of polar angles: 0deg:90deg:15deg,90deg",
         )
     try:
         number, unit_text = split_value(text)
-    except NumberError as error:
-        raise NumberError(f"{what} '{quote(direction)}': {error.message}", AS_DIRECTION) from None
+    except errors.NumberError as error:
+        raise errors.NumberError(
+            f"{what} '{quote(direction)}': {error.message}", AS_DIRECTION
+        ) from None
     try:
         unit = resolve(unit_text) if unit_text else None
-    except RadcalcError as error:
+    except errors.RadcalcError as error:
         raise error.reworded(f"{what} '{quote(direction)}': {error.message}") from None
     if unit is None or unit.dimension != ANGLE:
         description = describe(unit) if unit else "a bare number"
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{what} '{quote(direction)}' has {description}, not an angle", AS_DIRECTION
         )
     angle = number * unit.factor
     if abs(angle) > LARGEST:
-        raise NumberError(f"{what} '{quote(direction)}' has too large an angle", AS_DIRECTION)
+        raise errors.NumberError(
+            f"{what} '{quote(direction)}' has too large an angle", AS_DIRECTION
+        )
     return angle
 
 
-def direction_input(symbol: Symbol, value: Any) -> Input:
+def direction_input(symbol: symbols.Symbol, value: Any) -> Input:
     """Read a direction: one angle or two, or a vector."""
     if is_number_with_unit(value) and maths.is_array(value[0]):
-        raise ConditionError(f"{option(symbol.name)} takes one direction at a time", AS_DIRECTION)
+        raise errors.ConditionError(
+            f"{option(symbol.name)} takes one direction at a time", AS_DIRECTION
+        )
     text = joined(value)
     return Input(symbol, text, read_direction(text, option(symbol.name)))
 
@@ -131,14 +118,16 @@ def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[
     parts = text.split(",")
     if len(parts) != count:
         how_many = f"{len(parts)} {noun}{'s' if len(parts) > 1 else ''}"
-        raise ConditionError(f"{what} '{quote(text)}' has {how_many}, not {COUNTED[count]}", hint)
+        raise errors.ConditionError(
+            f"{what} '{quote(text)}' has {how_many}, not {COUNTED[count]}", hint
+        )
     try:
         numbers = tuple(parse_number(part) for part in parts)
-    except NumberError as error:
-        raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
+    except errors.NumberError as error:
+        raise errors.NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
     if max(map(abs, numbers)) > LARGEST:
         problem = f"{what} '{quote(text)}' is out of range: numbers must be at most {LARGEST:g}"
-        raise NumberError(problem, hint)
+        raise errors.NumberError(problem, hint)
     return numbers
 
 
@@ -154,26 +143,26 @@ def joined(value: Any, mark: str = ",", number: Callable[[Any], Any] = float) ->
         return " ".join(str(value).split())
 
 
-def point_input(symbol: Symbol, value: Any) -> Input:
+def point_input(symbol: symbols.Symbol, value: Any) -> Input:
     """Read a point in space."""
     text = joined(value)
     return Input(symbol, text, read_point(text, option(symbol.name)))
 
 
-def vector_input(symbol: Symbol, value: Any) -> Input:
+def vector_input(symbol: symbols.Symbol, value: Any) -> Input:
     """Read a vector, as a text or as three numbers."""
     text = joined(value)
     return Input(symbol, text, read_vector(text, option(symbol.name)))
 
 
-def numbers_input(symbol: Symbol, value: Any) -> Input:
+def numbers_input(symbol: symbols.Symbol, value: Any) -> Input:
     """Read as many numbers as the symbol's example has."""
     text, count = joined(value), len(symbol.example.split(","))
     hint = option(symbol.name, symbol.example)
     return Input(symbol, text, _read_bare(text, option(symbol.name), count, "number", hint))
 
 
-def pair_input(symbol: Symbol, value: Any) -> Input:
+def pair_input(symbol: symbols.Symbol, value: Any) -> Input:
     """Read two whole numbers separated as in the symbol's example: 1024x512, or 0,0."""
     mark = "x" if "x" in symbol.example else ","
     text = joined(value, mark, index)
@@ -181,10 +170,10 @@ def pair_input(symbol: Symbol, value: Any) -> Input:
     option_text = option(symbol.name, quote(text))
     if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
         problem = f"{option_text} is not two whole numbers with '{mark}' between them"
-        raise ConditionError(problem, option(symbol.name, symbol.example))
+        raise errors.ConditionError(problem, option(symbol.name, symbol.example))
     low, high, limit_text, *_ = symbol.limits
     if not all(len(part) <= DIGITS and low <= int(part) <= high for part in parts):
-        raise Impossible(symbol.name, text, limit_text)
+        raise errors.Impossible(symbol.name, text, limit_text)
     return Input(symbol, text, (int(parts[0]), int(parts[1])))
 
 
@@ -199,34 +188,36 @@ def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
     A 0 among lengths needs no unit.
     """
     if any(":" in part for part in parts):
-        raise ConditionError("a coordinate is one number, not a range", "one point at a time")
+        raise errors.ConditionError(
+            "a coordinate is one number, not a range", "one point at a time"
+        )
     numbers_and_units = [split_value(part) for part in parts]
     units = [resolve(unit or "1") for _, unit in numbers_and_units]
     first_unit = next((unit for _, unit in numbers_and_units if unit), "")
     for part, (number, unit_text) in zip(parts, numbers_and_units, strict=True):
         if first_unit and not unit_text and number:
             problem = f"the unit of '{quote(part.strip())}' is missing: another coordinate has one"
-            raise ConditionError(problem, _with_units(parts, first_unit))
+            raise errors.ConditionError(problem, _with_units(parts, first_unit))
     sizes = tuple(
         _coordinate(number, unit_text, unit)
         for (number, unit_text), unit in zip(numbers_and_units, units, strict=True)
     )
     if max(map(abs, sizes)) > LARGEST:
-        raise ConditionError(*TOO_FAR)
+        raise errors.ConditionError(*TOO_FAR)
     return sizes, first_unit
 
 
-def _with_units(parts: Sequence[str], unit: str) -> list[Try]:
+def _with_units(parts: Sequence[str], unit: str) -> list[errors.Try]:
     """Propose coordinates that all have a unit, typed as one word or as several."""
     texts = [part.strip() for part in parts]
     whole = ",".join([text if split_value(text)[1] else text + unit for text in texts])
-    return [correct(mark.join(parts), whole) for mark in (",", " ")]
+    return [errors.correct(mark.join(parts), whole) for mark in (",", " ")]
 
 
 def _coordinate(number: float, unit_text: str, unit: Unit) -> float:
     """Return a coordinate [m], rounded once."""
     if unit_text and unit.dimension != LENGTH:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"a coordinate is a length or a bare number, not {describe(unit)}",
             f"without {quote(unit_text)}",
         )
@@ -244,34 +235,34 @@ def read_place(name: str, text: str, description: str = "") -> Input:
     hint = "X,Y,Z, as 1,0,2 in metres, or 1m,0m,2m"
     if len(parts) != 3:
         count = f"{len(parts)} coordinate{'s' if len(parts) > 1 else ''}"
-        raise ConditionError(f"{what} has {count}, not three", hint)
+        raise errors.ConditionError(f"{what} has {count}, not three", hint)
     try:
         place, unit = read_coordinates(parts)
-    except RadcalcError as error:
+    except errors.RadcalcError as error:
         raise error.reworded(f"{what}: {error.message}") from None
-    return Input(SYMBOLS[name], text, place, unit=resolve(unit) if unit else None)
+    return Input(symbols.SYMBOLS[name], text, place, unit=resolve(unit) if unit else None)
 
 
 AS_GRID = "X0:X1:N,Y0:Y1:N,Z, as in 0:6:61,0:4:41,0.75"
 MOST_POINTS = 100_000_000  # of a grid
 
 
-def grid_input(symbol: Symbol, value: Any) -> Input:
+def grid_input(symbol: symbols.Symbol, value: Any) -> Input:
     """Read X0:X1:N,Y0:Y1:N,Z as start, end and count of three axes; an axis may be one number."""
     text = joined(value)
     what = f"{option(symbol.name)} '{quote(text)}'"
     parts = [part.split(":") for part in text.split(",")]
     if len(parts) != 3 or any(len(part) not in (1, 3) for part in parts):
-        raise ConditionError(f"{what} is not a grid", AS_GRID)
+        raise errors.ConditionError(f"{what} is not a grid", AS_GRID)
     try:
         ends, unit = read_coordinates([word for part in parts for word in part[:2]])
-    except RadcalcError as error:
-        raise ConditionError(f"{what}: {error.message}", AS_GRID) from None
+    except errors.RadcalcError as error:
+        raise errors.ConditionError(f"{what}: {error.message}", AS_GRID) from None
     coordinates = iter(ends)
     axes = tuple([_axis(part, coordinates, what) for part in parts])
     size = math.prod(count for _, _, count in axes)
     if size > MOST_POINTS:
-        raise ConditionError(f"{what} has {size} points", f"at most {MOST_POINTS}")
+        raise errors.ConditionError(f"{what} has {size} points", f"at most {MOST_POINTS}")
     return Input(symbol, text, axes, unit=resolve(unit) if unit else None)
 
 
@@ -281,23 +272,23 @@ def _axis(part: list[str], coordinates: Iterator[float], what: str) -> tuple[flo
         return start, start, 1
     end, count = next(coordinates), _count(part[2].strip(), what)
     if start == end:
-        raise ConditionError(f"{what}: '{quote(':'.join(part))}' has no width", AS_GRID)
+        raise errors.ConditionError(f"{what}: '{quote(':'.join(part))}' has no width", AS_GRID)
     return start, end, count
 
 
 def _count(text: str, what: str) -> int:
     if not (text.isascii() and text.isdecimal() and 1 < int(text[:12]) <= MOST_POINTS):
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{what}: '{quote(text)}' is not a number of points (2 or more)", AS_GRID
         )
     return int(text)
 
 
 READERS = {
-    POINT: point_input,
-    VECTOR: vector_input,
-    GRID: grid_input,
-    DIRECTION: direction_input,
-    NUMBERS: numbers_input,
-    PAIR: pair_input,
+    symbols.POINT: point_input,
+    symbols.VECTOR: vector_input,
+    symbols.GRID: grid_input,
+    symbols.DIRECTION: direction_input,
+    symbols.NUMBERS: numbers_input,
+    symbols.PAIR: pair_input,
 }

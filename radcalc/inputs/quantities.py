@@ -3,21 +3,9 @@
 import math
 from typing import TYPE_CHECKING, Any, cast
 
-from radcalc import maths
+from radcalc import errors, maths
 from radcalc.derivation import format_number
-from radcalc.errors import (
-    MINUS,
-    ConditionError,
-    Hint,
-    MissingUnit,
-    NumberError,
-    RadcalcError,
-    Try,
-    WrongQuantity,
-    add,
-    option,
-    quote,
-)
+from radcalc.errors import option, quote
 from radcalc.floats import divide
 from radcalc.inputs.given import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
@@ -61,7 +49,9 @@ def moved(given: Input, shift: float) -> Input:
     if given.name:
         _refuse_extreme(given.name, given.text, value)
     elif not math.isfinite(value):
-        raise NumberError(f"more than '{quote(given.text)}' is too large for a number", "less")
+        raise errors.NumberError(
+            f"more than '{quote(given.text)}' is too large for a number", "less"
+        )
     if given.unit and given.unit.is_scale:
         number = cast("ScaleUnit", given.unit).reading(value / given.unit.factor)
     shifted = given._replace(
@@ -94,7 +84,7 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
     """Read a quantity: a text, a Python number, or a number with its unit."""
     variable = None
     if isinstance(value, str):
-        text = " ".join(value.split()).replace(MINUS, "-")  # on one line for messages
+        text = " ".join(value.split()).replace(errors.MINUS, "-")  # on one line for messages
         if symbol.name == "f-number":
             text = text.removeprefix(MARKED[symbol.name])  # f/2.8
         amount = _typed_amount(symbol, text)
@@ -162,19 +152,19 @@ def _check_unit(symbol: Symbol, amount: Amount) -> None:
         refused = f"a number, not {quote(unit.text)}"
     if refused:
         name = option(symbol.name)
-        raise ConditionError(f"{name} takes {refused}", option(symbol.name, symbol.example))
+        raise errors.ConditionError(f"{name} takes {refused}", option(symbol.name, symbol.example))
 
 
-def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionError:
+def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> errors.ConditionError:
     name, unit = symbol.name, amount.unit
     if unit is None and maths.is_array(amount.number):
         problem = f"{option(name)} has numbers without a unit"
         words = "an array with its unit, a radcalc.Quantity"
-        return ConditionError(problem, words, [add(name, symbol.unit)])
+        return errors.ConditionError(problem, words, [errors.add(name, symbol.unit)])
     if unit is None:
         is_expression = amount.rounding is not None
         number = f"({quote(text)})" if is_expression else quote(text)
-        return MissingUnit(name, quote(text), with_likely_unit(symbol, number), number)
+        return errors.MissingUnit(name, quote(text), with_likely_unit(symbol, number), number)
     example, is_array = symbol.example, maths.is_array(amount.number)
     if name == "bandwidth" and unit.dimension == ENERGY and not is_array:
         from radcalc.spectra.planck import PLANCK
@@ -188,14 +178,16 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionErro
         other = "solid-angle"
     text = "" if is_array else text
     if other in SYMBOLS and unit.dimension in SYMBOLS[other].dimensions:
-        proposal = Try(((other, text),), (name,))
-        return WrongQuantity(problem, proposal if text else str(proposal), name, text)
-    hint: Hint = add(name, example) if name == "bandwidth" else f"a value such as {example}"
-    error = WrongQuantity(problem, hint, name, text)
+        proposal = errors.Try(((other, text),), (name,))
+        return errors.WrongQuantity(problem, proposal if text else str(proposal), name, text)
+    hint: errors.Hint = (
+        errors.add(name, example) if name == "bandwidth" else f"a value such as {example}"
+    )
+    error = errors.WrongQuantity(problem, hint, name, text)
     if name == "wavelength" and unit.dimension == TIME and text and amount.number > 0:
         period = f"{1 / (amount.number * unit.factor):.6g}Hz"
         return error.reworded(
-            tries=[add(name, period, f"the frequency of a period of {quote(text)}")]
+            tries=[errors.add(name, period, f"the frequency of a period of {quote(text)}")]
         )
     return error
 
@@ -215,11 +207,11 @@ def is_number_with_unit(value: Any) -> bool:
 def _read_amount(symbol: Symbol, text: str) -> Amount:
     try:
         return read_amount(text, symbol.dimensions)
-    except NumberError as error:
-        hint: Hint = error.tries or error.hint
+    except errors.NumberError as error:
+        hint: errors.Hint = error.tries or error.hint
         if "," in text and error.tries:
             hint = with_list(error.tries, text)
-        raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
+        raise errors.NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
 
 
 def _difference(text: str) -> Amount | None:
@@ -233,7 +225,7 @@ def _difference(text: str) -> Amount | None:
         return None
     try:
         amount = read_amount(text.replace(unit_text, "K"))
-    except RadcalcError:
+    except errors.RadcalcError:
         return None  # the general reader reports the text as typed
     if amount.unit is None or amount.rounding is not None:
         return None
@@ -253,10 +245,10 @@ def _density(text: str) -> Amount | None:
         if text.isdecimal() and float(text) > 1:
             problem = f"{option('nd', quote(text))} is ambiguous: a density or a factor"
             ways = [
-                add("nd", f"{text}.0", "for the density"),
-                add("nd", f"ND{text}", "for the factor"),
+                errors.add("nd", f"{text}.0", "for the density"),
+                errors.add("nd", f"ND{text}", "for the factor"),
             ]
-            raise ConditionError(problem, ways)
+            raise errors.ConditionError(problem, ways)
         return None
     factor, off = parse_number(number), relative_rounding(number)
     if "." in number:
@@ -282,13 +274,13 @@ def _check_factor(text: str, number: str, factor: float) -> None:
     """Refuse a filter factor below 1, and one that may be a mark for stops."""
     if factor < 1:
         problem = f"{option('nd', quote(text))} is not a filter: its factor is below 1"
-        raise ConditionError(problem, option("nd", "ND8"))
+        raise errors.ConditionError(problem, option("nd", "ND8"))
     if factor in MARKS_OF_STOPS:  # some makers mark 3 stops as 103
         stops = number[1:].lstrip("0")
         problem = f"{option('nd', quote(text))} is ambiguous: a factor or {stops} stops"
-        of_stops = add("nd", f"{(factor - 100) * 0.3:.1f}", f"for {stops} stops")
-        of_factor = add("nd", f"{math.log10(factor):.4f}", f"for a factor of {number}")
-        raise ConditionError(problem, [of_stops, of_factor])
+        of_stops = errors.add("nd", f"{(factor - 100) * 0.3:.1f}", f"for {stops} stops")
+        of_factor = errors.add("nd", f"{math.log10(factor):.4f}", f"for a factor of {number}")
+        raise errors.ConditionError(problem, [of_stops, of_factor])
 
 
 def with_likely_unit(symbol: Symbol, number: str) -> str:
@@ -321,7 +313,7 @@ def _is_nearer(example: str, number: str, unit: str, usual: str) -> bool:
         typical, here, there = (
             math.log10(amount.number * amount.unit.factor) for amount in amounts if amount.unit
         )
-    except (RadcalcError, ValueError):  # not a positive number
+    except (errors.RadcalcError, ValueError):  # not a positive number
         return True
     return abs(there - typical) - abs(here - typical) >= 1
 
@@ -335,11 +327,13 @@ def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
 def _refuse_extreme(name: str, text: str, value: Any) -> None:
     """Refuse extreme values [SI], which would overflow later."""
     if isinstance(value, float) and value != value:
-        raise ConditionError(f"{option(name, quote(text))} is not a number", "a finite number")
+        raise errors.ConditionError(
+            f"{option(name, quote(text))} is not a number", "a finite number"
+        )
     size = abs(value)
     extreme = (size > LARGEST) | ((size < 1 / LARGEST) & (size != 0)) | (size != size)
     if maths.any_true(extreme):
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{option(name, quote(text))} is out of range: it is too large or too small",
             f"values from {1 / LARGEST:g} to {LARGEST:g} in SI units",
         )

@@ -4,34 +4,11 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from radcalc.errors import (
-    MINUS,
-    ConditionError,
-    Impossible,
-    MissingUnit,
-    add,
-    ambiguous,
-    option,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, runs_backwards
 from radcalc.inputs.quantities import MARKED, quantity_input, with_likely_unit
-from radcalc.quantities.symbols import (
-    CHOICE,
-    DIRECTION,
-    DISTRIBUTION,
-    FLAG,
-    INTERVAL,
-    LINKS,
-    QUANTITY,
-    SPECTRUM,
-    SYMBOLS,
-    UNIT,
-    WAVELENGTHS,
-    WORD,
-    Limits,
-    Symbol,
-)
+from radcalc.quantities import symbols
 from radcalc.units.amounts import split_value
 from radcalc.units.ranges import read_array, read_values
 from radcalc.units.table import resolve
@@ -43,19 +20,19 @@ def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
 
     A range of directions has polar angles and one azimuth: 0deg:90deg:15deg,90deg.
     """
-    form = SYMBOLS[name].form
+    form = symbols.SYMBOLS[name].form
     if name == "aspect":
         text = _as_aspect(text)
     if name in MARKED and MARKED[name] in str(text).lower():
         return text.split(",")  # type: ignore[no-any-return]
-    if form == SPECTRUM:
+    if form == symbols.SPECTRUM:
         from radcalc.spectra.sources import read_spectra
 
         return read_spectra(text)
-    if form == DIRECTION and ":" in str(text):
+    if form == symbols.DIRECTION and ":" in str(text):
         angles, comma, azimuth = text.partition(",")
         return [f"{polar}{comma}{azimuth}" for polar in read_values(angles)]
-    return _quantities(name, text, arrays) if form == QUANTITY else [text]
+    return _quantities(name, text, arrays) if form == symbols.QUANTITY else [text]
 
 
 def _as_aspect(text: str) -> str:
@@ -65,8 +42,8 @@ def _as_aspect(text: str) -> str:
 
 
 def _quantities(name: str, text: str, arrays: bool) -> Sequence[Any]:
-    has_unit = NUMBER not in SYMBOLS[name].dimensions
-    if arrays and name not in LINKS and (values := read_array(text, has_unit)):
+    has_unit = NUMBER not in symbols.SYMBOLS[name].dimensions
+    if arrays and name not in symbols.LINKS and (values := read_array(text, has_unit)):
         return [values]
     if not has_unit:
         _refuse_mixed_shares(text)
@@ -79,8 +56,8 @@ def _refuse_mixed_shares(text: str) -> None:
     *first_parts, last = [part.strip() for part in text.split(mark)]
     if last.endswith("%") and not all(part.endswith("%") for part in first_parts):
         in_percent = mark.join(f"{part.removesuffix('%')}%" for part in (*first_parts, last))
-        problem = ambiguous(text, "only the last value or all are in %")
-        raise ConditionError(problem, f"{quote(in_percent)}, or numbers without %")
+        problem = errors.ambiguous(text, "only the last value or all are in %")
+        raise errors.ConditionError(problem, f"{quote(in_percent)}, or numbers without %")
 
 
 AS_BARE = "0123456789./"  # characters of numbers that are usually written without a unit
@@ -95,26 +72,26 @@ def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Inpu
     """
     text = str(value).strip() if bare else ""
     if text and not text.strip(AS_BARE) and ("time" not in name or "/" in text):  # 4 may be 1/4
-        given = read_as(SYMBOLS[name], f"{text} {bare}", uncertain)
+        given = read_as(symbols.SYMBOLS[name], f"{text} {bare}", uncertain)
         assumption = f"{option(name, quote(text))} is in {bare}"
         return given._replace(text=text, assumptions=(*given.assumptions, assumption))
     if name == "aspect" and isinstance(value, str):
         value = _as_aspect(value)
-    return read_as(SYMBOLS[name], value, uncertain)
+    return read_as(symbols.SYMBOLS[name], value, uncertain)
 
 
-def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Input:
+def read_as(symbol: symbols.Symbol, value: Any, uncertain: bool = False) -> Input:
     """Read the value of any symbol, also outside the vocabulary."""
     given = _reader(symbol.form)(symbol, value)
     if given.is_uncertain and not uncertain:
         option_text = option(symbol.name, quote(given.text))
-        raise ConditionError(f"{option_text} cannot be uncertain here", "the value alone")
+        raise errors.ConditionError(f"{option_text} cannot be uncertain here", "the value alone")
     return given
 
 
-def _reader(form: str) -> Callable[[Symbol, Any], Input]:
+def _reader(form: str) -> Callable[[symbols.Symbol, Any], Input]:
     """Return the reader of a form; load those of places and spectra on demand."""
-    if form in (SPECTRUM, WAVELENGTHS):
+    if form in (symbols.SPECTRUM, symbols.WAVELENGTHS):
         from radcalc.inputs import spectra
 
         return spectra.READERS[form]
@@ -125,17 +102,17 @@ def _reader(form: str) -> Callable[[Symbol, Any], Input]:
     return _READERS[form]
 
 
-def _read_choice(symbol: Symbol, value: Any) -> Input:
+def _read_choice(symbol: symbols.Symbol, value: Any) -> Input:
     if not isinstance(value, str) or value not in symbol.choices:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"unknown {option(symbol.name)} '{quote(str(value))}'", ", ".join(symbol.choices)
         )
     return Input(symbol, str(value), value)
 
 
-def _read_flag(symbol: Symbol, value: Any) -> Input:
+def _read_flag(symbol: symbols.Symbol, value: Any) -> Input:
     if value is not True:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{option(symbol.name)} takes no value", f"{option(symbol.name)} alone"
         )
     return Input(symbol, "", True)
@@ -143,10 +120,10 @@ def _read_flag(symbol: Symbol, value: Any) -> Input:
 
 def read_interval(name: str, text: str) -> Input:
     """Read A:B, two angles [rad] of a symbol; an interval of azimuths may cross +x."""
-    symbol = SYMBOLS[name]._replace(limits=Limits(), example="30deg:60deg")
+    symbol = symbols.SYMBOLS[name]._replace(limits=symbols.Limits(), example="30deg:60deg")
     low, high = _ends(symbol, text)
     if low.value == high.value:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"{option(name, quote(text))} has no width", option(name, symbol.example)
         )
     if low.value > high.value:
@@ -154,10 +131,10 @@ def read_interval(name: str, text: str) -> Input:
         if name == "azimuth":  # across +x
             hint = option(name, f"{low.text}:{math.degrees(high.value) + 360:.12g}deg")
         raise runs_backwards(symbol, text, hint)
-    return Input(symbol._replace(form=INTERVAL), text, (low.value, high.value))
+    return Input(symbol._replace(form=symbols.INTERVAL), text, (low.value, high.value))
 
 
-def _read_interval(symbol: Symbol, value: Any) -> Input:
+def _read_interval(symbol: symbols.Symbol, value: Any) -> Input:
     text = " ".join(str(value).split())
     low, high = _ends(symbol, text)
     if low.value > high.value:
@@ -165,29 +142,33 @@ def _read_interval(symbol: Symbol, value: Any) -> Input:
     return Input(symbol, text, (low.value, high.value))
 
 
-def _ends(symbol: Symbol, text: str) -> tuple[Input, Input]:
+def _ends(symbol: symbols.Symbol, text: str) -> tuple[Input, Input]:
     parts = text.split(":")
     if len(parts) != 2:
         option_text = option(symbol.name, quote(text))
         remark = "from {} to {}".format(*symbol.example.split(":"))
-        hint = add(symbol.name, symbol.example, remark)
-        raise ConditionError(f"{option_text} is not an interval", hint)
-    end = symbol._replace(form=QUANTITY, example=symbol.example.partition(":")[0])
+        hint = errors.add(symbol.name, symbol.example, remark)
+        raise errors.ConditionError(f"{option_text} is not an interval", hint)
+    end = symbol._replace(form=symbols.QUANTITY, example=symbol.example.partition(":")[0])
     try:
         low, high = (read_as(end, part) for part in parts)
-    except MissingUnit:
+    except errors.MissingUnit:
         with_units = (
             part if split_value(part)[1] else with_likely_unit(end, part) for part in parts
         )
-        raise MissingUnit(symbol.name, quote(text), quote(":".join(with_units))) from None
-    except Impossible as error:
+        raise errors.MissingUnit(symbol.name, quote(text), quote(":".join(with_units))) from None
+    except errors.Impossible as error:
         nearest = [value for proposal in error.tries for _, value in proposal.inputs]
-        whole = text.replace(MINUS, "-").replace(error.text, nearest[0], 1) if nearest else ""
-        raise Impossible(symbol.name, error.text, error.limit, error.because, whole) from None
+        whole = (
+            text.replace(errors.MINUS, "-").replace(error.text, nearest[0], 1) if nearest else ""
+        )
+        raise errors.Impossible(
+            symbol.name, error.text, error.limit, error.because, whole
+        ) from None
     return low, high
 
 
-def _read_distribution(symbol: Symbol, value: Any) -> Input:
+def _read_distribution(symbol: symbols.Symbol, value: Any) -> Input:
     name = value.strip().lower() if isinstance(value, str) else ""
     if name in symbol.choices:
         return Input(symbol, name, name)
@@ -197,21 +178,21 @@ def _read_distribution(symbol: Symbol, value: Any) -> Input:
     return Input(symbol, value.strip() if name else distribution.format, distribution)
 
 
-def _read_unit(symbol: Symbol, value: Any) -> Input:
+def _read_unit(symbol: symbols.Symbol, value: Any) -> Input:
     unit = value if isinstance(value, Unit) else resolve(str(value))
     return Input(symbol, unit.text, unit, unit.dimension)
 
 
-def _read_word(symbol: Symbol, value: Any) -> Input:
+def _read_word(symbol: symbols.Symbol, value: Any) -> Input:
     return Input(symbol, str(value), str(value))
 
 
 _READERS = {
-    CHOICE: _read_choice,
-    FLAG: _read_flag,
-    INTERVAL: _read_interval,
-    UNIT: _read_unit,
-    WORD: _read_word,
-    DISTRIBUTION: _read_distribution,
-    QUANTITY: quantity_input,
+    symbols.CHOICE: _read_choice,
+    symbols.FLAG: _read_flag,
+    symbols.INTERVAL: _read_interval,
+    symbols.UNIT: _read_unit,
+    symbols.WORD: _read_word,
+    symbols.DISTRIBUTION: _read_distribution,
+    symbols.QUANTITY: quantity_input,
 }

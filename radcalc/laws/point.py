@@ -17,27 +17,12 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from radcalc import maths
 from radcalc.derivation import format_number
 from radcalc.errors import add, leave_out, option
 from radcalc.geometry import cones
 from radcalc.laws.common import APEX, CONE, COSINE, ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
-from radcalc.maths import (
-    SLACK,
-    atan,
-    atan2,
-    exp,
-    expm1,
-    hypot,
-    limit,
-    log,
-    piecewise,
-    power,
-    sin,
-    sqrt,
-    square,
-    tan,
-)
 from radcalc.quantities.symbols import DISTRIBUTIONS
 
 ISOTROPIC, CONICAL, LOBED = DISTRIBUTIONS
@@ -51,7 +36,7 @@ def _exponent_of(solid_angle: Any) -> Any:
         f"more intensity or less flux, or {option('distribution', 'cone')}",
         [add("distribution", "cone"), leave_out("intensity"), leave_out("flux")],
     )
-    return piecewise(exponent < 0, lambda n: 0.0 * n, lambda n: n, exponent)
+    return maths.piecewise(exponent < 0, lambda n: 0.0 * n, lambda n: n, exponent)
 
 
 LOBE = relation(
@@ -130,9 +115,9 @@ def _beam_diameter(name: str, away: str, angle: str, parts: int) -> Relation:
         name,
         f"{{beam-diameter}} = 2 {{{away}}} tan({part})",
         {
-            "beam-diameter": lambda at: 2 * at(away) * tan(at(angle) / parts),
-            away: lambda at: at("beam-diameter") / (2 * tan(at(angle) / parts)),
-            angle: lambda at: parts * atan(at("beam-diameter") / (2 * at(away))),
+            "beam-diameter": lambda at: 2 * at(away) * maths.tan(at(angle) / parts),
+            away: lambda at: at("beam-diameter") / (2 * maths.tan(at(angle) / parts)),
+            angle: lambda at: parts * maths.atan(at("beam-diameter") / (2 * at(away))),
         },
     )
 
@@ -149,7 +134,7 @@ LAWS: dict[str, list[AnyLaw]] = {
         relation(
             "part of an isotropic source",
             "{part} = sin^2({within}/2)",
-            {"part": lambda at: square(sin(at("within") / 2))},
+            {"part": lambda at: maths.square(maths.sin(at("within") / 2))},
         ),
     ],
     CONICAL: [
@@ -159,9 +144,9 @@ LAWS: dict[str, list[AnyLaw]] = {
             "part of a cone",
             "{part} = sin^2({within}/2) / sin^2({half-angle}/2), at most 1",
             {
-                "part": lambda at: piecewise(
+                "part": lambda at: maths.piecewise(
                     at("within") < at("half-angle"),
-                    lambda w, a: square(sin(w / 2) / sin(a / 2)),
+                    lambda w, a: maths.square(maths.sin(w / 2) / maths.sin(a / 2)),
                     lambda w, a: 1.0 + 0 * (w + a),
                     at("within"),
                     at("half-angle"),
@@ -210,7 +195,7 @@ STRAIGHT = relation(
     "straight line to the source",
     "{distance}^2 = {height}^2 + {lateral}^2",
     {
-        "distance": lambda at: hypot(at("height"), at("lateral")),
+        "distance": lambda at: maths.hypot(at("height"), at("lateral")),
         "height": lambda at: _height_or_offset(at("distance"), at("lateral"), "offset"),
         "lateral": lambda at: _height_or_offset(at("distance"), at("height"), "height"),
     },
@@ -233,15 +218,15 @@ def _height_or_offset(distance: Any, other: Any, name: str) -> Any:
         f"a {option('distance')} of at least the {option(name)}: it is "
         "the straight line to the source",
     )
-    return power(distance - other, 0.5) * power(distance + other, 0.5)
+    return maths.power(distance - other, 0.5) * maths.power(distance + other, 0.5)
 
 
 INSIDE = relation(
     "inside the cone",
     "{relative-intensity} = 1 where {off-axis} is within {half-angle}, else 0",
     {
-        "relative-intensity": lambda at: piecewise(
-            at("off-axis") <= at("half-angle") * (1 + SLACK),
+        "relative-intensity": lambda at: maths.piecewise(
+            at("off-axis") <= at("half-angle") * (1 + maths.SLACK),
             lambda a, b: 1.0 + 0 * (a + b),
             lambda a, b: 0.0 * (a + b),
             at("off-axis"),
@@ -253,7 +238,7 @@ FALL = relation(
     "fall of a lobe",
     "{relative-intensity} = cos({off-axis})^{exponent}",
     {
-        "relative-intensity": lambda at: exp(at("exponent") * cones.ln_cos(at("off-axis"))),
+        "relative-intensity": lambda at: maths.exp(at("exponent") * cones.ln_cos(at("off-axis"))),
         "exponent": lambda at: _exponent_at(at("relative-intensity"), at("off-axis")),
     },
 )
@@ -262,13 +247,13 @@ FALL = relation(
 AXIS = relation(
     "angle off the source's axis",
     "{off-axis} = atan({lateral} / {height})",
-    {"off-axis": lambda at: atan2(at("lateral"), at("height"))},
+    {"off-axis": lambda at: maths.atan2(at("lateral"), at("height"))},
 )
 FLAT = law("a receiver that lies flat", "{incidence} = {off-axis}")
 ASIDE = relation(
     "place of a receiver that lies flat, by its incidence",
     "{lateral} = {height} tan({incidence})",
-    {"lateral": lambda at: at("height") * tan(at("incidence"))},
+    {"lateral": lambda at: at("height") * maths.tan(at("incidence"))},
 )
 
 
@@ -294,7 +279,7 @@ def _floor(shape: str, of_energy: bool) -> Relation:
         f"{left} = {right}",
         {
             "lateral": lambda at: _lateral_of(
-                part(at) * square(at("height")), at("height"), exponent(at)
+                part(at) * maths.square(at("height")), at("height"), exponent(at)
             ),
             "height": lambda at: _heights_of(part(at), at("lateral"), exponent(at)),
         },
@@ -308,26 +293,26 @@ def _lateral_of(part: Any, height: Any, exponent: Any) -> Any:
         f"more light than that intensity sends to that height ({format_number(part)} times it)",
         "another irradiance, intensity or height",
     )
-    return height * sqrt(expm1(-2 * log(part) / (exponent + 3)))
+    return height * maths.sqrt(maths.expm1(-2 * maths.log(part) / (exponent + 3)))
 
 
 def _heights_of(part: Any, lateral: Any, exponent: Any) -> Any:
     """Return the one or two heights with E / I = (cos^(n + 1) sin^2)(gamma) / x^2 = `part`."""
     refuse_arrays("heights", part, lateral, exponent)
     if lateral == 0:
-        return sqrt(1 / part)
+        return maths.sqrt(1 / part)
 
-    wanted = log(part) + 2 * log(lateral)
+    wanted = maths.log(part) + 2 * maths.log(lateral)
 
     def excess(slope: float) -> float:  # ln(tan(gamma)), which is precise at both ends
         dimming = math.log1p(math.exp(-2 * abs(slope))) + 2 * max(slope, 0.0)  # -2 ln(cos(gamma))
         return float(2 * slope - (exponent + 3) / 2 * dimming - wanted)
 
-    brightest = log(2 / (exponent + 1)) / 2
+    brightest = maths.log(2 / (exponent + 1)) / 2
     low, high = wanted / 2, -wanted / (exponent + 1)  # with the cosine or the sine as 1
     ends = min(low, brightest) - 1, max(high, brightest) + 1
     slopes = _both_sides(excess, ends[0], brightest, ends[1], "height")
-    return Several(lateral * exp(-slope) for slope in slopes)
+    return Several(lateral * maths.exp(-slope) for slope in slopes)
 
 
 ROUNDING = 1e-12  # [1] of the light at the brightest place
@@ -347,7 +332,7 @@ def _both_sides(
     if most <= SAME:
         return (top,)
     ends = [end for end in (low, high) if excess(end) < 0]
-    return tuple(limit(lambda at: excess(at) >= 0, end, top) for end in ends)
+    return tuple(maths.limit(lambda at: excess(at) >= 0, end, top) for end in ends)
 
 
 FLOOR = {
@@ -363,20 +348,20 @@ COSINE_BELOW = relation(
 FALL_BELOW = relation(
     "fall of a lobe, below its source",
     "{relative-intensity} = ({height} / {distance})^{exponent}",
-    {"relative-intensity": lambda at: power(at("height") / at("distance"), at("exponent"))},
+    {"relative-intensity": lambda at: maths.power(at("height") / at("distance"), at("exponent"))},
 )
 
 
 def _exponents_of(at: At) -> Any:
     """Return the one or two exponents that give (n + 1) cos(gamma)^n the value of the inputs."""
-    part = 2 * math.pi * at("irradiance") * square(at("distance")) / at("flux") / at("cosine")
+    part = 2 * math.pi * at("irradiance") * maths.square(at("distance")) / at("flux") / at("cosine")
     fall = -cones.ln_cos(at("off-axis"))
     refuse_arrays("exponents", part, fall)
     if fall == 0:
         return _exponent_of(2 * math.pi / part)
 
     def excess(exponent: float) -> float:
-        return float(log(exponent + 1) - exponent * fall - log(part))
+        return float(maths.log(exponent + 1) - exponent * fall - maths.log(part))
 
     brightest = max(1 / fall - 1, 0.0)
     high = 2 * brightest + 1
@@ -399,7 +384,7 @@ def _exponent_at(share: Any, off_axis: Any) -> Any:
         "no lobe has that irradiance there: it is 0, or more than the peak would give",
         "another intensity or irradiance",
     )
-    return abs(log(share) / cones.ln_cos(off_axis))
+    return abs(maths.log(share) / cones.ln_cos(off_axis))
 
 
 def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
@@ -412,7 +397,7 @@ def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
     def solve(at: At) -> Any:
         from radcalc.geometry import receivers
 
-        radius = sqrt(at("receiver-area") / math.pi)
+        radius = maths.sqrt(at("receiver-area") / math.pi)
         place = {name.replace("-", "_"): at(name) for name in places}
         return getattr(receivers, shape)(*map(at, parameters), radius, at("distance"), **place)
 

@@ -4,19 +4,10 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from radcalc import errors
 from radcalc.answer import Answer, Row
 from radcalc.calculators.results import pick
-from radcalc.errors import (
-    ConditionError,
-    Hint,
-    UsageError,
-    add,
-    leave_out,
-    listed,
-    mention,
-    option,
-    quote,
-)
+from radcalc.errors import listed, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.maths import is_array
 from radcalc.plots.data import LINE, POINTS, Axis, Chart, Series
@@ -70,14 +61,14 @@ def varied(solved: Sequence[Solved]) -> list[str]:
     ]
 
 
-def ranged(given: Inputs) -> Hint:
+def ranged(given: Inputs) -> errors.Hint:
     """Propose a range of an input for a plot, up to its given value; "" if there is none."""
     for name, item in given.items():
         is_size = isinstance(item.number, (int, float)) and item.number > 0
         if item.symbol.form == QUANTITY and is_size and not isinstance(item.unit, ScaleUnit):
             ends = (f"{item.number * part:.6g}" for part in (0.5, 1, 0.05))
             unit = item.unit_text if item.unit else ""
-            return add(name, ":".join(f"{end}{unit}" for end in ends), "a range of values")
+            return errors.add(name, ":".join(f"{end}{unit}" for end in ends), "a range of values")
     return ""
 
 
@@ -102,8 +93,8 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     lines, rows = _lines(solved, wanted or [_usual(solved, along)], along, other_lists)
     if len({row.unit for row in rows}) > 1:
         several = " and ".join(dict.fromkeys(f"{row.name} in {row.unit}" for row in rows))
-        each = {row.name: add("get", f"{row.name}:{row.unit}") for row in rows}
-        raise UsageError(f"{several}: an axis has one unit", [*each.values()])
+        each = {row.name: errors.add("get", f"{row.name}:{row.unit}") for row in rows}
+        raise errors.UsageError(f"{several}: an axis has one unit", [*each.values()])
     _refuse_many(lines)
     is_log = _is_wide([line.x for line in lines.values()]) and _is_wide(
         [[*line.y, *line.low] for line in lines.values()]
@@ -138,7 +129,7 @@ def _check_arrays(given: Inputs) -> None:
     for item in given.values():
         if is_array(item.value) and (item.value.ndim != 1 or not item.value.size):
             problem = f"{option(item.name)} is an array of the shape {item.value.shape}"
-            raise UsageError(problem, "one dimension, with an element or more")
+            raise errors.UsageError(problem, "one dimension, with an element or more")
 
 
 def _lines(
@@ -178,7 +169,7 @@ def _usual(solved: Sequence[Solved], along: str) -> str:
         if len(results) == len(solved) and (is_array(results[0]) or len(set(results)) > 1):
             return name
     problem = f"no result depends on {option(along)}"
-    raise UsageError(problem, "a range of something else")
+    raise errors.UsageError(problem, "a range of something else")
 
 
 def _has(solved: Solved, name: str) -> bool:
@@ -191,13 +182,13 @@ def _places(given: Input, first: Input) -> list[float]:
         return [math.degrees(given.value[0])]
     if not _is_number(given):
         problem = f"{option(given.name, quote(given.text))} is not a number for an axis"
-        raise ConditionError(problem, mention(RANGE))
+        raise errors.ConditionError(problem, errors.mention(RANGE))
     number = given.number
     if given.unit_text != first.unit_text:
         is_on_scale = isinstance(given.unit, ScaleUnit) or isinstance(first.unit, ScaleUnit)
         if is_on_scale or given.dimension != first.dimension:
             problem = f"{option(given.name)} is in {given.unit_text} and in {first.unit_text}"
-            raise UsageError(f"{problem}: an axis has one unit", leave_out("plot"))
+            raise errors.UsageError(f"{problem}: an axis has one unit", errors.leave_out("plot"))
         number = given.value / float(first.unit.factor if first.unit else 1)
     return [float(x) for x in (number if is_array(number) else [number])]
 
@@ -223,7 +214,7 @@ def _numbers(value: Any, count: int) -> list[float]:
 def _refuse_many(lines: Lines) -> None:
     count = sum(len(line.x) for line in lines.values())
     if count > MOST:
-        raise UsageError(f"{count} points are too many for a picture", f"at most {MOST}")
+        raise errors.UsageError(f"{count} points are too many for a picture", f"at most {MOST}")
 
 
 def _is_wide(numbers: Sequence[Sequence[float]]) -> bool:

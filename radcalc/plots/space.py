@@ -19,34 +19,13 @@ from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.radiances import Radiances, Sky
 from radcalc.distributions.scene import Axis as Coordinates
 from radcalc.errors import UsageError, option
-from radcalc.geometry.directions import (
-    UP,
-    Vector,
-    cartesian,
-    cross,
-    dot,
-    facing,
-    from_components,
-    spherical,
-)
+from radcalc.geometry import directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.sky import sky_type
 from radcalc.inputs.places import AS_GRID
 from radcalc.maths import is_uncertain
+from radcalc.plots import data
 from radcalc.plots.curves import Solved, without_band
-from radcalc.plots.data import (
-    LINE,
-    REFERENCE,
-    Axis,
-    Chart,
-    Disc,
-    Field,
-    Mark,
-    Picture,
-    Plane,
-    Polar,
-    Series,
-)
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
 from radcalc.units.table import resolve
 
@@ -57,17 +36,17 @@ PIXELS = 181  # of a disc, along each side
 POLARS, AZIMUTHS = 361, 72  # samples of an integrand
 FEW = 4  # azimuths at which an integrand is drawn
 STRENGTHS = ("peak-intensity", "intensity")
-RELATIVE = Axis("relative intensity")
+RELATIVE = data.Axis("relative intensity")
 NAMES = "xyz"
 
 
 def polar(
     distribution: Distribution,
     factor: float,
-    radius: Axis,
+    radius: data.Axis,
     title: str = "",
     ends: tuple[float, float] | None = None,
-) -> Polar:
+) -> data.Polar:
     """Return the polar diagram of a distribution: the planes C0-C180 and C90-C270.
 
     `factor` converts the intensities to the unit of the radius; `ends` are those of an uncertain
@@ -81,11 +60,11 @@ def polar(
         values = numpy.broadcast_to(distribution.intensity(theta, phi), phi.shape)
         name = EVERY_PLANE if distribution.is_axial else label
         band = ((ends[0] * values).tolist(), (ends[1] * values).tolist()) if ends else None
-        planes.append(Plane(name, angles.tolist(), (factor * values).tolist(), band))
-    return Polar(title, radius, planes)
+        planes.append(data.Plane(name, angles.tolist(), (factor * values).tolist(), band))
+    return data.Polar(title, radius, planes)
 
 
-def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
+def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> data.Polar:
     """Return the polar diagram of a point source, in the unit of its intensity."""
     values, given = solved.answer.values, solved.given
     present = [value for value in values if not value.is_absent]
@@ -116,11 +95,11 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
     if row.uncertainty and not note:
         ends = (row.value - row.uncertainty) / strength, (row.value + row.uncertainty) / strength
         note = f"band: \u00b1 {STANDARD}"
-    axis = Axis(f"{row.quantity} I", row.unit)
+    axis = data.Axis(f"{row.quantity} I", row.unit)
     return polar(distribution, row.value / strength, axis, title, ends)._replace(note=note)
 
 
-def of_sky(name: str, solved: Solved) -> Disc:
+def of_sky(name: str, solved: Solved) -> data.Disc:
     """Return a sky as seen by an observer who looks up, in the unit of its zenith luminance."""
     given = solved.given
     kind = sky_type(name)
@@ -133,25 +112,30 @@ def of_sky(name: str, solved: Solved) -> Disc:
     if sun and "sun-azimuth" not in given:
         title += "; azimuths relative to the sun"
     return fisheye(
-        sky, row.value, Axis(row.quantity.removeprefix("zenith "), row.unit), UP, title, sun
+        sky,
+        row.value,
+        data.Axis(row.quantity.removeprefix("zenith "), row.unit),
+        directions.UP,
+        title,
+        sun,
     )
 
 
-def of_environment(source: Source, solved: Solved) -> Disc:
+def of_environment(source: Source, solved: Solved) -> data.Disc:
     """Return the surroundings as seen by a receiver."""
     radiances = surroundings(source, solved.given)
     unit = light_unit("radiance", radiances.kind) if radiances.kind else ""
     label = specific_name("radiance", radiances.kind) if unit else "relative radiance"
     factor = 1 / float(resolve(unit).factor) if unit else 1.0
-    normal = solved.given["normal"].value if "normal" in solved.given else UP
+    normal = solved.given["normal"].value if "normal" in solved.given else directions.UP
     title = "" if "normal" not in solved.given else f"toward {solved.given['normal'].text}"
-    value = Axis(label.replace("-", " "), unit)
+    value = data.Axis(label.replace("-", " "), unit)
     is_image = isinstance(radiances, RadianceMap)
     drawn = fisheye(radiances, factor, value, normal, title, is_image=is_image)
     return _with_peak(drawn, solved, normal)
 
 
-def _with_peak(disc: Disc, solved: Solved, normal: Vector) -> Disc:
+def _with_peak(disc: data.Disc, solved: Solved, normal: directions.Vector) -> data.Disc:
     """Mark the direction of the peak, and note its radiance; neither if there is none."""
     values = {value.name: value for value in solved.answer.values}
     if values["peak-polar"].is_absent:
@@ -178,12 +162,12 @@ def is_intensity(wanted: str) -> bool:
 def fisheye(
     radiances: Radiances,
     factor: float,
-    value: Axis,
-    normal: Vector = UP,
+    value: data.Axis,
+    normal: directions.Vector = directions.UP,
     title: str = "",
     sun: tuple[float, float] | None = None,
     is_image: bool = False,
-) -> Disc:
+) -> data.Disc:
     """Return an equidistant view of the surroundings along a normal, with 90 deg at the rim.
 
     In a vertical view the azimuth 0 is at the top; seen from below, azimuths increase clockwise.
@@ -197,7 +181,9 @@ def fisheye(
     angle = numpy.minimum(away, 1.0) * math.pi / 2
     across = numpy.sin(angle) / numpy.where(away > 0, away, 1.0)
     direction = (x * across, y * across, numpy.cos(angle))
-    theta, phi, _ = spherical(*from_components((right, up, forward), direction))
+    theta, phi, _ = directions.spherical(
+        *directions.from_components((right, up, forward), direction)
+    )
     values = numpy.broadcast_to(factor * radiances.radiance(theta, phi), x.shape)
     rim = [("up", 0), ("right", 90), ("down", 180), ("left", 270)]
     centre = "normal"
@@ -206,27 +192,29 @@ def fisheye(
         rim = [(f"{azimuth}\u00b0", sign * azimuth % 360) for azimuth in range(0, 360, 45)]
         centre = "zenith" if forward[2] > 0 else "nadir"
     marks = _mark("sun", sun, normal) if sun else []
-    return Disc(title, value, values.tolist(), rim, centre, marks, is_image)
+    return data.Disc(title, value, values.tolist(), rim, centre, marks, is_image)
 
 
-def _axes(normal: Vector) -> tuple[Vector, Vector, Vector]:
+def _axes(
+    normal: directions.Vector,
+) -> tuple[directions.Vector, directions.Vector, directions.Vector]:
     """Return the directions to the right, up and forward of a view along a normal."""
-    forward, _, up = facing(normal)
+    forward, _, up = directions.facing(normal)
     if not (forward[0] or forward[1]):
         up = (1.0, 0.0, 0.0)
-    return cross(forward, up), up, forward
+    return directions.cross(forward, up), up, forward
 
 
-def _mark(label: str, to: tuple[float, float], normal: Vector) -> list[Mark]:
+def _mark(label: str, to: tuple[float, float], normal: directions.Vector) -> list[data.Mark]:
     """Return the mark of a direction (polar angle and azimuth [rad]); none behind the view."""
     right, up, forward = _axes(normal)
-    direction = cartesian(*to)
-    ahead = math.acos(max(-1.0, min(1.0, dot(direction, forward))))
+    direction = directions.cartesian(*to)
+    ahead = math.acos(max(-1.0, min(1.0, directions.dot(direction, forward))))
     if ahead > math.pi / 2:
         return []
-    place = dot(direction, right), dot(direction, up)
+    place = directions.dot(direction, right), directions.dot(direction, up)
     share = ahead / (math.pi / 2) / (math.hypot(*place) or 1.0)
-    return [Mark(label, place[0] * share, place[1] * share)]
+    return [data.Mark(label, place[0] * share, place[1] * share)]
 
 
 def integrand(
@@ -234,7 +222,7 @@ def integrand(
     unit: str,
     polar_angles: tuple[float, float],
     azimuths: tuple[float, float] = ALL_AZIMUTHS,
-) -> Chart:
+) -> data.Chart:
     """Return an expression over the polar angle at some azimuths, and its part in the integral.
 
     `polar_angles` and `azimuths` [rad] are the limits of the integral.
@@ -246,7 +234,7 @@ def integrand(
     along, around = numpy.meshgrid(theta, turns)
 
     def values_at(along: Any, around: Any) -> Any:
-        x, y, z = cartesian(along, around)
+        x, y, z = directions.cartesian(along, around)
         with numpy.errstate(all="ignore"):  # at a pole
             values = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
         return numpy.broadcast_to(values, numpy.shape(along)).astype(float)
@@ -254,10 +242,12 @@ def integrand(
     with numpy.errstate(all="ignore"):
         weighted = values_at(along, around).mean(axis=0) * numpy.sin(theta)
 
-    def series(name: str, values: Any, style: str = LINE) -> Series:
+    def series(name: str, values: Any, style: str = data.LINE) -> data.Series:
         """Return a series without poles, which are drawn only as far as they are sampled."""
         finite = numpy.isfinite(values)
-        return Series(name, numpy.degrees(theta[finite]).tolist(), values[finite].tolist(), style)
+        return data.Series(
+            name, numpy.degrees(theta[finite]).tolist(), values[finite].tolist(), style
+        )
 
     drawn_azimuths = [
         start + (end - start) * k / FEW for k in range(1 if expression.is_axial else FEW)
@@ -269,9 +259,9 @@ def integrand(
             name = f"f(\u03b8, \u03c6 = {format_angle(azimuth)})"
         curves.append(series(name, values_at(theta, azimuth + 0 * theta)))
     mean = "f sin \u03b8" if expression.is_axial else "mean of f over \u03c6, times sin \u03b8"
-    curves.append(series(mean, weighted, REFERENCE))
+    curves.append(series(mean, weighted, data.REFERENCE))
     title = f"f = {text}"
-    return Chart(title, Axis("polar angle \u03b8", "deg"), Axis("f", unit), curves)
+    return data.Chart(title, data.Axis("polar angle \u03b8", "deg"), data.Axis("f", unit), curves)
 
 
 class Surveyed(NamedTuple):
@@ -279,11 +269,11 @@ class Surveyed(NamedTuple):
 
     axes: Sequence[Coordinates]
     blocks: Iterable[Answer]
-    sources: Sequence[tuple[str, Vector]] = ()
+    sources: Sequence[tuple[str, directions.Vector]] = ()
     wanted: str = "irradiance"
 
 
-def over_grid(survey: Surveyed) -> Picture:
+def over_grid(survey: Surveyed) -> data.Picture:
     """Return results at the points of a grid: contours over a plane, or a curve along a line.
 
     Raise a UsageError if the grid is a point, or has three dimensions.
@@ -296,7 +286,7 @@ def over_grid(survey: Surveyed) -> Picture:
     rows = [pick(block.values, survey.wanted) for block in survey.blocks]
     values = numpy.concatenate([row.value for row in rows])
     values = values.reshape([axis.size for axis in survey.axes])
-    value = Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
+    value = data.Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
     lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in survey.axes]
     for k, axis in enumerate(survey.axes):
         if axis.start > axis.end:
@@ -306,15 +296,18 @@ def over_grid(survey: Surveyed) -> Picture:
     title = f"{rows[0].quantity} at {', '.join(fixed)}"
     if len(long) == 1:
         (k,) = long
-        return Chart(
-            title, Axis(NAMES[k], "m"), value, [Series("", lines[k], values.ravel().tolist())]
+        return data.Chart(
+            title,
+            data.Axis(NAMES[k], "m"),
+            value,
+            [data.Series("", lines[k], values.ravel().tolist())],
         )
     i, j = long
     table = values.reshape(len(lines[i]), len(lines[j])).T
     marks = [
-        Mark(name, place[i], place[j])
+        data.Mark(name, place[i], place[j])
         for name, place in survey.sources
         if lines[i][0] <= place[i] <= lines[i][-1] and lines[j][0] <= place[j] <= lines[j][-1]
     ]
-    axes = Axis(NAMES[i], "m"), Axis(NAMES[j], "m")
-    return Field(title, *axes, value, lines[i], lines[j], table.tolist(), marks)
+    axes = data.Axis(NAMES[i], "m"), data.Axis(NAMES[j], "m")
+    return data.Field(title, *axes, value, lines[i], lines[j], table.tolist(), marks)

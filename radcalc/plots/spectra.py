@@ -5,17 +5,7 @@ from collections.abc import Sequence
 
 from radcalc.calculators.colours import HUE, RENDITION, SCREEN
 from radcalc.errors import ConditionError, UsageError, option
-from radcalc.plots.data import (
-    LINE,
-    LINES,
-    REFERENCE,
-    Axis,
-    Chart,
-    ColourDiagram,
-    Mark,
-    Series,
-    Tint,
-)
+from radcalc.plots import data
 from radcalc.quantities.light import RADIANT
 from radcalc.quantities.symbols import light_unit, specific_name
 from radcalc.spectra import colorimetry, planck
@@ -25,8 +15,8 @@ from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.rendition import rendition
 from radcalc.spectra.spectrum import VISIBLE, WHOLE, BlackBody, Lines, Range, Spectrum, Table
 
-WAVELENGTH = Axis("wavelength \u03bb", "nm")
-RELATIVE = Axis("relative spectral power")
+WAVELENGTH = data.Axis("wavelength \u03bb", "nm")
+RELATIVE = data.Axis("relative spectral power")
 APART = 2  # nm between two hues
 POINTS = 400  # of a black body
 SLIVER = 0.05  # of the width of a chart, in which a curve is not readable
@@ -39,7 +29,7 @@ TURNS = [2 * math.pi * k / 72 for k in range(72)]  # of a circle
 REACH = 1.5  # of the colour vectors, in radii of the reference
 
 
-def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -> Chart:
+def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -> data.Chart:
     """Return spectra in watts per nanometre, with an observer's luminous efficiency.
 
     Relative spectra, and spectra of different quantities, are relative to their own peaks.  The
@@ -52,7 +42,7 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
         quantity_name = (
             specific_name(quantity, RADIANT).replace("-", " ").replace("radiant", "").strip()
         )
-        axis = Axis(f"spectral {quantity_name}", unit)
+        axis = data.Axis(f"spectral {quantity_name}", unit)
     else:
         several = len(sources) > 1
         axis = RELATIVE._replace(label=f"{RELATIVE.label}, {EACH}" if several else RELATIVE.label)
@@ -68,8 +58,8 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
         if not unit:
             peak = max(y)
             y = [value / peak for value in y]
-        style = LINES if isinstance(source, Lines) else LINE
-        drawn.append(Series(source.label, x, y, style))
+        style = data.LINES if isinstance(source, Lines) else data.LINE
+        drawn.append(data.Series(source.label, x, y, style))
     most = max(max(series.y) for series in drawn)
     reference = efficiency(eye, most)
     if unit:
@@ -79,39 +69,41 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
     axis = axis._replace(limits=(0.0, most))
     if VISIBLE[1] - VISIBLE[0] > SLIVER * (ends[1] - ends[0]):
         drawn.append(reference)
-    return Chart("", WAVELENGTH._replace(limits=ends), axis, drawn, hues=hues())
+    return data.Chart("", WAVELENGTH._replace(limits=ends), axis, drawn, hues=hues())
 
 
-def efficiency(eye: Observer, most: float = 1.0) -> Series:
+def efficiency(eye: Observer, most: float = 1.0) -> data.Series:
     """Return an observer's relative luminous efficiency at the wavelengths of its table."""
     x = [float(nm) for nm in range(eye.start, eye.end + 1)]
     label = eye.label.replace("lambda", "\u03bb")
-    return Series(label, x, [most * value for value in eye.values], REFERENCE)
+    return data.Series(label, x, [most * value for value in eye.values], data.REFERENCE)
 
 
-def hues() -> list[Tint]:
+def hues() -> list[data.Tint]:
     """Return the colours of wavelengths, as close as a screen can show them, at full brightness.
 
     No single wavelength is within sRGB: negative components are omitted.
     """
     return [
-        Tint(float(START + k), *srgb((X[k], Y[k], Z[k])))
+        data.Tint(float(START + k), *srgb((X[k], Y[k], Z[k])))
         for k in range(0, len(X), APART)
         if VISIBLE[0] <= START + k <= VISIBLE[1]
     ]
 
 
-def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:
+def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> data.Chart:
     """Return a chart of wavelengths [nm] below the photopic and scotopic luminous efficiency."""
     night = OBSERVERS["scotopic"]
-    curves = [efficiency(observer)._replace(style=LINE) for observer in dict.fromkeys((eye, night))]
+    curves = [
+        efficiency(observer)._replace(style=data.LINE) for observer in dict.fromkeys((eye, night))
+    ]
     ends = VISIBLE
     if wavelengths:
         places = [nm for _, nm in wavelengths]
         ends = min(VISIBLE[0], *places), max(VISIBLE[1], *places)
-    axis = Axis("relative luminous efficiency", limits=(0.0, 1.0))
+    axis = data.Axis("relative luminous efficiency", limits=(0.0, 1.0))
     x = WAVELENGTH._replace(limits=ends)
-    return Chart("", x, axis, curves, wavelengths, hues())
+    return data.Chart("", x, axis, curves, wavelengths, hues())
 
 
 def _ends(places: Sequence[Sequence[float]], limits: Range) -> Range:
@@ -145,7 +137,7 @@ def _points(source: Spectrum, limits: Range) -> tuple[list[float], list[float]]:
     return x, y
 
 
-def diagram(sources: Sequence[Spectrum], wanted: Sequence[str]) -> ColourDiagram | None:
+def diagram(sources: Sequence[Spectrum], wanted: Sequence[str]) -> data.ColourDiagram | None:
     """Return the picture that explains the requested results of colour, if there is one."""
     if not set(wanted).isdisjoint(RENDITION):
         if len(sources) > 1:
@@ -159,28 +151,29 @@ def explains(name: str) -> bool:
     return name in (*IN_THE_PLANE, *RENDITION)
 
 
-def chromaticities(sources: Sequence[Spectrum]) -> ColourDiagram:
+def chromaticities(sources: Sequence[Spectrum]) -> data.ColourDiagram:
     """Return the chromaticities of lights, with the spectrum locus and the Planckian locus."""
     locus = colorimetry.spectrum_locus()
     bodies = [colorimetry.chromaticity(colorimetry.black_body(kelvin)) for kelvin in BODIES]
-    marks = [Mark(str(nm), *locus[nm - colorimetry.START]) for nm in NAMED]
+    marks = [data.Mark(str(nm), *locus[nm - colorimetry.START]) for nm in NAMED]
     for source in sources:
         light = source.moments(*colorimetry.AT)
         if not sum(light) > 0:
             raise ConditionError(f"{source.label} is invisible", "visible light")
-        marks.append(Mark(source.label, *colorimetry.chromaticity(light)))
+        marks.append(data.Mark(source.label, *colorimetry.chromaticity(light)))
     outline = [*locus, locus[0]]
     series = [
-        Series("spectrum locus [nm] and line of purples", *_columns(outline), LINE),
-        Series("black bodies, 1000 K to 1e5 K", *_columns(bodies), REFERENCE),
+        data.Series("spectrum locus [nm] and line of purples", *_columns(outline), data.LINE),
+        data.Series("black bodies, 1000 K to 1e5 K", *_columns(bodies), data.REFERENCE),
     ]
     x, y = (
-        Axis(f"CIE 1931 {name}", limits=ends) for name, ends in (("x", (0, 0.8)), ("y", (0, 0.9)))
+        data.Axis(f"CIE 1931 {name}", limits=ends)
+        for name, ends in (("x", (0, 0.8)), ("y", (0, 0.9)))
     )
-    return ColourDiagram("", x, y, series, marks)
+    return data.ColourDiagram("", x, y, series, marks)
 
 
-def vectors(source: Spectrum) -> ColourDiagram:
+def vectors(source: Spectrum) -> data.ColourDiagram:
     """Return the colour vector graphic of a light: mean colours of the hue bins of TM-30.
 
     They are relative to the reference, whose colours are on a circle of radius 1.
@@ -195,20 +188,20 @@ def vectors(source: Spectrum) -> ColourDiagram:
     radii = [math.hypot(*mean) for mean in found.reference]
     lit = [(a / size, b / size) for (a, b), size in zip(found.test, radii, strict=True)]
     series = [
-        Series("reference", *_columns([*circle, circle[0]]), REFERENCE),
-        Series(source.label, *_columns([*lit, lit[0]]), LINE),
+        data.Series("reference", *_columns([*circle, circle[0]]), data.REFERENCE),
+        data.Series(source.label, *_columns([*lit, lit[0]]), data.LINE),
     ]
     rim = (REACH + 1) / 2
     bins = [(k, math.pi * (2 * k - 1) / len(lit)) for k in range(1, len(lit) + 1)]
-    marks = [Mark(f"h{k}", rim * math.cos(turn), rim * math.sin(turn)) for k, turn in bins]
+    marks = [data.Mark(f"h{k}", rim * math.cos(turn), rim * math.sin(turn)) for k, turn in bins]
     indices = f"Rf {found.fidelity:.0f}, Rg {found.gamut:.0f}"
     title = f"TM-30 colour vectors: {indices}"
-    x, y = (Axis(name, limits=(-REACH, REACH)) for name in ("a' (relative)", "b' (relative)"))
+    x, y = (data.Axis(name, limits=(-REACH, REACH)) for name in ("a' (relative)", "b' (relative)"))
     arrows = [
         ((a / size, b / size), end)
         for (a, b), size, end in zip(found.reference, radii, lit, strict=True)
     ]
-    return ColourDiagram(title, x, y, series, marks, arrows)
+    return data.ColourDiagram(title, x, y, series, marks, arrows)
 
 
 def _columns(points: Sequence[tuple[float, float]]) -> tuple[list[float], list[float]]:

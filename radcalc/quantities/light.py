@@ -8,34 +8,7 @@ from operator import sub
 
 from radcalc.errors import quote
 from radcalc.tuples import NamedTuple
-from radcalc.units.dimensions import (
-    ANGLE,
-    AREA,
-    CHARGE,
-    COHERENT,
-    CURRENT,
-    CYCLES,
-    ENERGY,
-    ETENDUE,
-    FREQUENCY,
-    LENGTH,
-    LUMINOUS_FLUX,
-    MASS,
-    PHOTON_ENERGY,
-    PHOTON_FLUX,
-    POWER,
-    RECIPROCAL_TEMPERATURE,
-    RESPONSIVITY,
-    RETINAL_ILLUMINANCE,
-    SOLID_ANGLE,
-    SPECIFIC_HEAT,
-    SPEED,
-    TEMPERATURE,
-    TIME,
-    VOLUME,
-    WAVENUMBER,
-    times,
-)
+from radcalc.units import dimensions
 from radcalc.units.unit import FIELD_STRENGTH, NUMBER, Dimension, Unit
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
@@ -50,15 +23,19 @@ DENSITY_SYMBOLS = {NONE: "", PER_WAVELENGTH: ",λ", PER_FREQUENCY: ",ν", PER_WA
 INCIDENT_UNITS = ("lux", "footcandle", "metre_candle", "nox", "phot")
 
 
-FLUX = {RADIANT: POWER, LUMINOUS: LUMINOUS_FLUX, PHOTON: PHOTON_FLUX}
+FLUX = {
+    RADIANT: dimensions.POWER,
+    LUMINOUS: dimensions.LUMINOUS_FLUX,
+    PHOTON: dimensions.PHOTON_FLUX,
+}
 AXIS = {
     NONE: NUMBER,
-    PER_WAVELENGTH: LENGTH,
-    PER_FREQUENCY: FREQUENCY,
-    PER_WAVENUMBER: WAVENUMBER,
+    PER_WAVELENGTH: dimensions.LENGTH,
+    PER_FREQUENCY: dimensions.FREQUENCY,
+    PER_WAVENUMBER: dimensions.WAVENUMBER,
 }
 RATIOS = {
-    (over, under): times(FLUX[over], FLUX[under], -1)
+    (over, under): dimensions.times(FLUX[over], FLUX[under], -1)
     for over in FLUX
     for under in FLUX
     if over != under
@@ -95,41 +72,41 @@ KIND_NAMES = {RADIANT: "radiant", LUMINOUS: "luminous", PHOTON: "photon"}
 
 OTHERS = {
     NUMBER: ("number", ""),
-    LENGTH: ("length", "l"),
-    AREA: ("area", "A"),
-    VOLUME: ("volume", "V"),
-    MASS: ("mass", "m"),
-    TIME: ("time", "t"),
-    TEMPERATURE: ("temperature", "T"),
-    RECIPROCAL_TEMPERATURE: ("reciprocal temperature", "1/T"),
-    ANGLE: ("angle", "α"),
-    SOLID_ANGLE: ("solid angle", "Ω"),
-    CYCLES: ("number of cycles", ""),
-    FREQUENCY: ("frequency", "ν"),
-    WAVENUMBER: ("wavenumber", "σ"),
-    ETENDUE: ("etendue", "G"),
-    RETINAL_ILLUMINANCE: ("retinal illuminance", "E_T"),
-    PHOTON_ENERGY: ("photon energy", "Q"),
+    dimensions.LENGTH: ("length", "l"),
+    dimensions.AREA: ("area", "A"),
+    dimensions.VOLUME: ("volume", "V"),
+    dimensions.MASS: ("mass", "m"),
+    dimensions.TIME: ("time", "t"),
+    dimensions.TEMPERATURE: ("temperature", "T"),
+    dimensions.RECIPROCAL_TEMPERATURE: ("reciprocal temperature", "1/T"),
+    dimensions.ANGLE: ("angle", "α"),
+    dimensions.SOLID_ANGLE: ("solid angle", "Ω"),
+    dimensions.CYCLES: ("number of cycles", ""),
+    dimensions.FREQUENCY: ("frequency", "ν"),
+    dimensions.WAVENUMBER: ("wavenumber", "σ"),
+    dimensions.ETENDUE: ("etendue", "G"),
+    dimensions.RETINAL_ILLUMINANCE: ("retinal illuminance", "E_T"),
+    dimensions.PHOTON_ENERGY: ("photon energy", "Q"),
     RATIOS[LUMINOUS, RADIANT]: ("luminous efficacy", "K"),
     RATIOS[PHOTON, RADIANT]: ("photon efficacy", "K_p"),
     RATIOS[LUMINOUS, PHOTON]: ("luminous efficacy per photon", ""),
     RATIOS[RADIANT, LUMINOUS]: ("radiant flux per luminous flux", ""),
     RATIOS[PHOTON, LUMINOUS]: ("photons per luminous energy", ""),
-    CURRENT: ("electric current", "I"),
-    CHARGE: ("electric charge", "q"),
+    dimensions.CURRENT: ("electric current", "I"),
+    dimensions.CHARGE: ("electric charge", "q"),
     FIELD_STRENGTH: ("electric field strength", "E"),
-    RESPONSIVITY: ("responsivity", "s"),
-    SPEED: ("speed", "v"),
-    SPECIFIC_HEAT: ("specific heat capacity", "c"),
+    dimensions.RESPONSIVITY: ("responsivity", "s"),
+    dimensions.SPEED: ("speed", "v"),
+    dimensions.SPECIFIC_HEAT: ("specific heat capacity", "c"),
 }
 
 # The symbols that characterise a photon; each determines the others.
 PHOTON_NAMES = {
-    LENGTH: "wavelength",
-    FREQUENCY: "frequency",
-    WAVENUMBER: "wavenumber",
-    ENERGY: "photon-energy",
-    PHOTON_ENERGY: "photon-energy",
+    dimensions.LENGTH: "wavelength",
+    dimensions.FREQUENCY: "frequency",
+    dimensions.WAVENUMBER: "wavenumber",
+    dimensions.ENERGY: "photon-energy",
+    dimensions.PHOTON_ENERGY: "photon-energy",
 }
 
 
@@ -161,14 +138,14 @@ class Reading(NamedTuple):
     @property
     def name(self) -> str:
         if self.retinal:
-            return OTHERS[RETINAL_ILLUMINANCE][0]
+            return OTHERS[dimensions.RETINAL_ILLUMINANCE][0]
         name = GEOMETRIES[self.geometry][0][KINDS.index(self.kind)]
         return f"spectral {name} ({DENSITY_NAMES[self.axis]})" if self.axis else name
 
     @property
     def symbol(self) -> str:
         if self.retinal:
-            return OTHERS[RETINAL_ILLUMINANCE][1]
+            return OTHERS[dimensions.RETINAL_ILLUMINANCE][1]
         return f"{GEOMETRIES[self.geometry][1]}_{self.kind}{DENSITY_SYMBOLS[self.axis]}"
 
 
@@ -179,7 +156,7 @@ def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dim
 
 def _below_flux(geometry: tuple[int, int, int], axis: str) -> Dimension:
     time, area, solid_angle = geometry
-    parts = zip(TIME, AREA, SOLID_ANGLE, AXIS[axis], strict=True)
+    parts = zip(dimensions.TIME, dimensions.AREA, dimensions.SOLID_ANGLE, AXIS[axis], strict=True)
     return tuple([area * a + solid_angle * s + x - time * t for t, a, s, x in parts])
 
 
@@ -197,7 +174,7 @@ GRID = {
 
 def read(unit: Unit) -> Reading | None:
     """Return the facts of a light quantity from a unit; None for any other quantity."""
-    if unit.dimension == RETINAL_ILLUMINANCE:
+    if unit.dimension == dimensions.RETINAL_ILLUMINANCE:
         return Reading(LUMINOUS, 0, 1, 1, NONE, retinal=True)
     facts = GRID.get(unit.dimension)
     return Reading(*facts) if facts else None
@@ -269,7 +246,7 @@ def coherent_unit(unit: Unit) -> str:
     """Return the coherent SI unit of a light quantity."""
     reading = read(unit)
     if reading is None:
-        return COHERENT.get(unit.dimension, unit.text)
+        return dimensions.COHERENT.get(unit.dimension, unit.text)
     return coherent_text(reading)
 
 

@@ -7,19 +7,9 @@ from itertools import product
 from typing import NamedTuple, TypeVar
 
 from radcalc.errors import UsageError, command, corrections, nearest, quote
+from radcalc.quantities import light
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import (
-    GEOMETRIES,
-    KIND_NAMES,
-    NONE,
-    OTHERS,
-    PER_WAVELENGTH,
-    Reading,
-    is_per_length,
-    light_dimension,
-    name_of,
-    read,
-)
+from radcalc.quantities.light import name_of
 from radcalc.quantities.names import (
     ELSEWHERE,
     LABELS,
@@ -145,13 +135,13 @@ def index() -> Index:
 
 def _other_quantities() -> Iterator[Other]:
     """Return the quantities of `name_of` that are not in the vocabulary, and the wavelength."""
-    for dimension, (name, _) in OTHERS.items():
+    for dimension, (name, _) in light.OTHERS.items():
         if dimension != NUMBER:
             yield Other((name, *names_elsewhere(name)), Unit("", 1, 1, dimension, ()))
-    for kind, geometry in product(KIND_NAMES, GEOMETRIES):
-        for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
-            name = Reading(kind, *geometry, axis).name.partition(" (")[0]
-            yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
+    for kind, geometry in product(light.KIND_NAMES, light.GEOMETRIES):
+        for axis, below in ((light.NONE, ()), (light.PER_WAVELENGTH, (("nanometre", -1),))):
+            name = light.Reading(kind, *geometry, axis).name.partition(" (")[0]
+            yield Other((name,), Unit("", 1, 1, light.light_dimension(kind, geometry, axis), below))
     yield Other(("wavelength", *names_elsewhere("wavelength")), Unit("", 1, 1, LENGTH, ()))
 
 
@@ -179,8 +169,8 @@ def called(text: str) -> list[Found]:
 
 def _is_plain(quantity: Quantity) -> bool:
     """Return whether a quantity is light itself, not a ratio or a spectral density."""
-    reading = read(resolve(quantity.unit))
-    return reading is not None and reading.axis == NONE
+    reading = light.read(resolve(quantity.unit))
+    return reading is not None and reading.axis == light.NONE
 
 
 def label_of(text: str) -> str:
@@ -270,7 +260,7 @@ def _by_unit(unit: Unit | None) -> list[Found]:
     """Return the quantities of a unit; for an unlisted density, the quantity without its axis."""
     if unit is None:
         return []
-    if is_per_length(unit):
+    if light.is_per_length(unit):
         return _per_length(unit)
     measured = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
     if unit.is_exitance:
@@ -280,20 +270,20 @@ def _by_unit(unit: Unit | None) -> list[Found]:
         measured = [q for q in measured if not q.symbol.startswith("M")]
     if measured:
         return [Found(q) for q in measured]
-    reading = read(unit)
-    if reading is None or reading.axis == NONE:
+    reading = light.read(unit)
+    if reading is None or reading.axis == light.NONE:
         return []
     return _without_axis(reading, f"{quote(unit.text)} measures {name_of(unit)}")
 
 
-def _without_axis(reading: Reading, note: str) -> list[Found]:
-    name = reading._replace(axis=NONE).name
+def _without_axis(reading: light.Reading, note: str) -> list[Found]:
+    name = reading._replace(axis=light.NONE).name
     return [Found(q, note) for q in QUANTITIES if name in q.names("en")]
 
 
 def _per_length(unit: Unit) -> list[Found]:
     """Return both readings of W/m: of a strip, and of a spectrum."""
-    reading = read(unit)
+    reading = light.read(unit)
     if reading is None:
         return []
     of_strip = f"{quote(unit.text)} measures {name_of(unit)}, as of a strip of lamps"

@@ -7,15 +7,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from radcalc.errors import (
-    NumberError,
-    RadcalcError,
-    UsageError,
-    command,
-    corrections,
-    nearest,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import command, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import name_of
 from radcalc.quantities.names import QUANTITIES, data_rows
@@ -111,10 +104,10 @@ def search(text: str) -> list[Typical]:
     if matches:
         return matches
     words = {word for v in VALUES for word in comparable(_names(v)).split()}
-    near = nearest(comparable(text), words, cutoff=0.75)
-    raise UsageError(
+    near = errors.nearest(comparable(text), words, cutoff=0.75)
+    raise errors.UsageError(
         f"no typical value for '{quote(text)}'",
-        corrections(text, *near) or f"{command('typical')}, which lists them all",
+        errors.corrections(text, *near) or f"{command('typical')}, which lists them all",
     )
 
 
@@ -140,7 +133,7 @@ def _is_alike(word: str, typed: str) -> bool:
 def _in_unit(text: str) -> list[Typical]:
     try:
         unit = resolve_any(text)
-    except RadcalcError:
+    except errors.RadcalcError:
         return []
     if unit.is_scale:
         on_scale = [value for value in VALUES if value.unit == unit.text]
@@ -167,11 +160,11 @@ def _amount(text: str) -> Amount | None:
     """Return the amount to search near; None for a word or a number without a unit."""
     try:
         amount = read_amount(text)
-    except NumberError:
+    except errors.NumberError:
         if text[:1].isdigit():
             raise
         return None
-    except RadcalcError:
+    except errors.RadcalcError:
         return None
     return amount if amount.unit else None
 
@@ -188,7 +181,7 @@ def _near(text: str) -> list[Typical]:
     known = [value for value in VALUES if value.measured.dimension == amount.unit.dimension]
     if known and not LEAST <= _size(amount) <= MOST:
         hint = "less" if _size(amount) > MOST else "more than 0"
-        raise UsageError(f"no typical value is near '{quote(text)}'", hint)
+        raise errors.UsageError(f"no typical value is near '{quote(text)}'", hint)
     is_of_day = _is_of_day(amount.unit)
 
     def order(value: Typical) -> tuple[bool, float, bool]:

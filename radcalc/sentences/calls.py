@@ -2,32 +2,14 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from radcalc import errors
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.errors import (
-    MOST,
-    Hint,
-    SeveralReadings,
-    Try,
-    UnitError,
-    UsageError,
-    call,
-    correct,
-    corrections,
-    input_of,
-    listed,
-    manual,
-    quote,
-    quote_path,
-)
+from radcalc.errors import call, listed, quote, quote_path
+from radcalc.quantities import symbols
 from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
-from radcalc.quantities.symbols import (
-    FLAG,
-    SYMBOLS,
-    generic_name,
-)
 from radcalc.sentences.facts import (
     DAYS,
     Facts,
@@ -105,7 +87,7 @@ def call_of(sentence: Sentence) -> list[str]:
     if watts := _watts_of_lamp(sentence):
         raise _electrical(sentence, watts, _goal_of(sentence))
     for fact in sentence.facts:
-        if not fact.text and SYMBOLS[fact.symbols[0]].form != FLAG:
+        if not fact.text and symbols.SYMBOLS[fact.symbols[0]].form != symbols.FLAG:
             raise _without_value(sentence, fact, _goal_of(sentence))
     _refuse_percentage(sentence)
     _refuse_exitance(sentence)
@@ -118,16 +100,17 @@ def call_of(sentence: Sentence) -> list[str]:
     is_name = len(sentence.goals) == 1 and not (sentence.facts or sentence.files)
     if not calls and is_name and sentence.ignored:  # what is a candela
         asked = quote(sentence.goals[0].text)
-        raise UsageError(f"{asked} of what?", call("help", *asked.split()))
+        raise errors.UsageError(f"{asked} of what?", call("help", *asked.split()))
     if not calls:
         parts = [fact.typed for fact in sentence.facts]
         wanted = f" and gives {quote(sentence.goals[0].text)}" if sentence.goals else ""
         what = ", ".join(map(quote, parts)) or "these words"
-        raise UsageError(
-            f"no command takes {what}{wanted}", lambda: _with_less(sentence) or manual("convert")
+        raise errors.UsageError(
+            f"no command takes {what}{wanted}",
+            lambda: _with_less(sentence) or errors.manual("convert"),
         )
     problem = f"'{quote(sentence.text)}' has {len(calls)} readings"
-    raise SeveralReadings(problem, explained(calls))
+    raise errors.SeveralReadings(problem, explained(calls))
 
 
 def _refuse_percentage(sentence: Sentence) -> None:
@@ -139,7 +122,7 @@ def _refuse_percentage(sentence: Sentence) -> None:
     ]
     if percentages and not _is_of_shining(_goal_of(sentence)):
         problem = f"{percentages[0]} may be a reflectance, a transmittance or another part"
-        raise UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
+        raise errors.UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
 
 
 def _refuse_exitance(sentence: Sentence) -> None:
@@ -148,17 +131,17 @@ def _refuse_exitance(sentence: Sentence) -> None:
     if len(others) == len(sentence.facts):
         return
     for fact in others:
-        names = [name for name in fact.symbols if generic_name(name) == "exitance"]
+        names = [name for name in fact.symbols if symbols.generic_name(name) == "exitance"]
         if names and fact.amount and not fact.amount.unit.is_exitance:
-            goal = Goal(SYMBOLS[names[0]].label, None, (names[0],))
+            goal = Goal(symbols.SYMBOLS[names[0]].label, None, (names[0],))
             fallen = _with_fact(sentence, fact, fact._replace(symbols=()))
             fallen = fallen._replace(goals=sentence.goals or (goal,))
             tries = _proposed([(fallen, "it falls on the surface")])
             page, light = page_of("lambertian"), {names[0]: fact}
             left = on_page(["lambertian"], page, light, _goal_of(sentence))[:1]
-            tries += [Try(words=tuple(one), remark="it leaves the surface") for one in left]
+            tries += [errors.Try(words=tuple(one), remark="it leaves the surface") for one in left]
             problem = f"{quote(fact.text)} may fall on the surface or leave it"
-            raise SeveralReadings(problem, tries)
+            raise errors.SeveralReadings(problem, tries)
 
 
 def _refuse_density(sentence: Sentence) -> None:
@@ -172,7 +155,7 @@ def _refuse_density(sentence: Sentence) -> None:
                 (_with_text(sentence, fact, f"1/{number}"), "the factor"),
             ]
             problem = f"{quote(fact.typed)} is ambiguous: a density or a factor"
-            raise SeveralReadings(problem, _proposed(ways))
+            raise errors.SeveralReadings(problem, _proposed(ways))
 
 
 def _refuse_bare(sentence: Sentence) -> None:
@@ -184,7 +167,9 @@ def _refuse_bare(sentence: Sentence) -> None:
         return
     is_behind = sentence.text.rfind(goal.text) > sentence.text.find(number)
     if goal.unit.is_scale or (is_behind and sentence.ignored):
-        raise UsageError(f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}")
+        raise errors.UsageError(
+            f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}"
+        )
 
 
 def _is_of_shining(goal: Goal | None) -> bool:
@@ -192,7 +177,7 @@ def _is_of_shining(goal: Goal | None) -> bool:
     if goal is None:
         return False
     reading = read_light(goal.unit) if goal.unit else None
-    names = {generic_name(name) for name in goal.names}
+    names = {symbols.generic_name(name) for name in goal.names}
     return bool(reading and reading.is_radiance) or not names.isdisjoint(("radiance", "exitance"))
 
 
@@ -200,37 +185,39 @@ def _refuse_room(call: Sequence[str]) -> None:
     """Refuse a flux and an illuminance on an area, which may be a receiver's or a room's."""
     values = {}
     for word in call[1:]:
-        name, _ = input_of(word)
-        values[generic_name(name)] = word
+        name, _ = errors.input_of(word)
+        values[symbols.generic_name(name)] = word
     if call[0] == "point-source" and {*values} - {"get"} == UNDER_LAMP:
         _refuse_lamp_above(call, values)
     if call[0] != "point-source" or {*values} != OF_ROOM:
         return
-    size = input_of(values["receiver-area"])[1]
+    size = errors.input_of(values["receiver-area"])[1]
     inputs = [word for name, word in values.items() if name != "receiver-area"]
     room = ("room", f"area={size}", *inputs, "utilance=0.6")
     remark = "luminaires of a room, with a utilance of 0.6 as an example"
     tries = [
-        Try(words=room, remark=remark),
-        Try(words=(*call, "get=distance"), remark="distance of one lamp"),
+        errors.Try(words=room, remark=remark),
+        errors.Try(words=(*call, "get=distance"), remark="distance of one lamp"),
     ]
-    raise SeveralReadings(f"{quote(size)} is the area of a receiver or of a room", tries)
+    raise errors.SeveralReadings(f"{quote(size)} is the area of a receiver or of a room", tries)
 
 
 def _refuse_lamp_above(call: Sequence[str], values: Mapping[str, str]) -> None:
     """Refuse the flux on an area of a room, which is lit evenly or by one lamp at its height."""
-    result, _, unit = input_of(values.get("get", ""))[1].partition(":")
+    result, _, unit = errors.input_of(values.get("get", ""))[1].partition(":")
     if not result.startswith("received"):
         return
-    light, size = (input_of(values[name])[1] for name in ("irradiance", "receiver-area"))
+    light, size = (errors.input_of(values[name])[1] for name in ("irradiance", "receiver-area"))
     tries = [
-        Try(words=("convert", light, unit or "lm", f"area={size}"), remark="lit evenly"),
-        Try(words=tuple(call), remark="by one lamp above the middle, which has that irradiance"),
+        errors.Try(words=("convert", light, unit or "lm", f"area={size}"), remark="lit evenly"),
+        errors.Try(
+            words=tuple(call), remark="by one lamp above the middle, which has that irradiance"
+        ),
     ]
-    raise SeveralReadings("the light may be even, or that of one lamp at this height", tries)
+    raise errors.SeveralReadings("the light may be even, or that of one lamp at this height", tries)
 
 
-def _with_less(sentence: Sentence) -> list[Try]:
+def _with_less(sentence: Sentence) -> list[errors.Try]:
     """Propose the calls of a sentence without one of its phrases."""
     facts, goals = sentence.facts, sentence.goals
     if any(map(is_bare, facts)):
@@ -245,7 +232,7 @@ def _with_less(sentence: Sentence) -> list[Try]:
         for goal in goals
     ]
     return [
-        Try(words=calls[0], remark=f"without '{quote(text)}'")
+        errors.Try(words=calls[0], remark=f"without '{quote(text)}'")
         for text, less in shorter
         if not _is_amount_alone(less) and len(calls := _answerable(less)) == 1
     ]
@@ -266,7 +253,7 @@ def _refuse_height_of_sun(sentence: Sentence) -> None:
             height = _with_text(sentence, fact, f"90deg-{fact.text}")
             tries = _proposed([(sentence, "from the normal"), (height, "the sun's height")])
             problem = f"'{quote(fact.typed)}' is the angle from the normal, or the sun's height"
-            raise UsageError(problem, tries)
+            raise errors.UsageError(problem, tries)
 
 
 def _of_efficacy(sentence: Sentence) -> Sentence:
@@ -304,7 +291,7 @@ def _with_values(sentence: Sentence) -> Sentence:
     return sentence._replace(facts=tuple(facts))
 
 
-def _not_understood(sentence: Sentence) -> UsageError:
+def _not_understood(sentence: Sentence) -> errors.UsageError:
     """Return the error for words that were not understood; propose the call without them."""
     unknown = sentence.unknown
     for word in unknown:
@@ -320,17 +307,17 @@ def _not_understood(sentence: Sentence) -> UsageError:
 
     seen = next(filter(is_seen, (sentence.text, " ".join(unknown))), "")
     if checks := _checks(sentence):
-        hint: Hint = checks
+        hint: errors.Hint = checks
     elif seen and not tries:
         hint = call("typical", *seen.split())
     elif changing and not tries:
         hint = call("manual", "sentences", remark="which has the words of sentences")
     else:
         hint = tries or f"leave out {quote(unknown[0])}, or use another word"
-    return UsageError(f"{known}not understood: {listed(unknown)}", hint)
+    return errors.UsageError(f"{known}not understood: {listed(unknown)}", hint)
 
 
-def _checks(sentence: Sentence) -> list[Try]:
+def _checks(sentence: Sentence) -> list[errors.Try]:
     """Propose to check the answer that a sentence asks about: is 1.59 lx right for ..."""
     words = {comparable(word) for text in sentence.unknown for word in text.split()}
     if words.isdisjoint(JUDGING):
@@ -343,11 +330,11 @@ def _checks(sentence: Sentence) -> list[Try]:
             question = sentence._replace(facts=facts, goals=goals, unknown=())
             calls = [[w for w in one if w[:4] != "get="] for one in _answerable(question)[:1]]
             answer = fact.text.replace(" ", "")
-            return [Try(words=(*one, f"check={answer}")) for one in calls]
+            return [errors.Try(words=(*one, f"check={answer}")) for one in calls]
     return []
 
 
-def _corrected(word: str, is_unit: bool) -> list[Try]:
+def _corrected(word: str, is_unit: bool) -> list[errors.Try]:
     """Propose the known words that are like an unknown one, and units in another case."""
     if (len(word) < SHORTEST and not is_unit) or comparable(word) in MEANINGFUL:
         return []
@@ -356,21 +343,21 @@ def _corrected(word: str, is_unit: bool) -> list[Try]:
         return units
     near = [n for n in (*suggest(word), *near_words(word)) if comparable(n) not in {*FILLERS, word}]
     others = [n for n in near if not word.startswith(n)]  # rough for roughly
-    return corrections(word, *others[:2])
+    return errors.corrections(word, *others[:2])
 
 
-def _in_other_case(word: str) -> list[Try]:
+def _in_other_case(word: str) -> list[errors.Try]:
     """Propose a unit of several parts with the right case: W/m2 for w/m2."""
     try:
         resolve(word)
-    except UnitError as error:
+    except errors.UnitError as error:
         pairs = [one.instead for one in error.tries if len(one.instead) == 2]
         units = [word.replace(typed, other) for typed, other in pairs]
-        return [correct(word, one) for one in units if one.lower() == word.lower()]
+        return [errors.correct(word, one) for one in units if one.lower() == word.lower()]
     return []
 
 
-def _without(sentence: Sentence) -> list[Try]:
+def _without(sentence: Sentence) -> list[errors.Try]:
     """Propose the calls of a sentence without its unknown words, unless one changes an amount."""
     unknown = sentence.unknown
     has_bare_number = any(is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
@@ -387,12 +374,14 @@ def _without(sentence: Sentence) -> list[Try]:
     if is_number_or_file or not MEANINGFUL.isdisjoint(words):
         return []
     try:
-        tries = [Try(words=tuple(call_of(sentence._replace(unknown=()))))]
-    except UsageError as error:
+        tries = [errors.Try(words=tuple(call_of(sentence._replace(unknown=()))))]
+    except errors.UsageError as error:
         tries = [one for one in error.tries if one.is_call]
     remark = "without " + " and ".join([f"'{word}'" for word in unknown])
     remarks = [", ".join(filter(None, [remark, one.remark])) for one in tries]
-    return [Try(words=one.words, remark=text) for one, text in zip(tries, remarks, strict=True)]
+    return [
+        errors.Try(words=one.words, remark=text) for one, text in zip(tries, remarks, strict=True)
+    ]
 
 
 def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
@@ -404,7 +393,7 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
         sentence = sentence._replace(facts=_periods(sentence)[1])
     has_filter = any(fact.symbols == (FILTER,) for fact in sentence.facts)
     if has_filter and sentence.fillers(METER):
-        raise UsageError(
+        raise errors.UsageError(
             "the meter may be in front of the filter or behind it", "the light without it"
         )
     has_beam = any(map(is_lamp, sentence.facts)) or bool(sentence.fillers(BEAM))
@@ -418,7 +407,7 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if not found and not readings:
         texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
         tries = [] if has_beam else moved_either_way(sentence.facts, goal)
-        raise UsageError(
+        raise errors.UsageError(
             f"two of these fill one place: {texts}",
             lambda: tries or _with_less(sentence) or "a call for each of them",
         )
@@ -433,8 +422,10 @@ def _refuse_field(sentence: Sentence, goal: Goal | None) -> None:
     edge = _with_fact(sentence, fields[0], fields[0]._replace(symbols=("apex-angle",)))
     calls = [call for facts in readings_of(sentence) for call in calls_of(facts, goal)]
     tries = _proposed([(edge, "to the edge of the field")])
-    tries += [Try(words=tuple(one), remark="of the beam, at half of the peak") for one in calls[:1]]
-    raise SeveralReadings("the field and the beam have two diameters", tries)
+    tries += [
+        errors.Try(words=tuple(one), remark="of the beam, at half of the peak") for one in calls[:1]
+    ]
+    raise errors.SeveralReadings("the field and the beam have two diameters", tries)
 
 
 def _in_frames(sentence: Sentence, readings: Sequence[Facts], goal: Goal | None) -> list[list[str]]:
@@ -453,7 +444,9 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
     units += [goal.unit] if goal and goal.unit else []
     if not units or any(map(is_bare, sentence.facts)):  # cri hps; 1 sun has an unknown unit
         return sentence
-    efficacies = {u.dimension for u in units if u.dimension in SYMBOLS["efficacy"].dimensions}
+    efficacies = {
+        u.dimension for u in units if u.dimension in symbols.SYMBOLS["efficacy"].dimensions
+    }
     if len(efficacies) > 1:  # 150 lm/W in umol/J
         return sentence
     has_efficacy = bool(efficacies)
@@ -466,18 +459,18 @@ def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
 def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence[str]]) -> None:
     """Refuse the flux of a source with a beam as if it lit all directions alike."""
     directed = sentence.fillers(BEAM) or [LASER] * sentence.has(LASER)
-    names = {input_of(word)[0] for call in calls[:1] for word in call}
+    names = {errors.input_of(word)[0] for call in calls[:1] for word in call}
     asked = {*goal.names} if goal else set()
     is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})
-    has_unit = goal and goal.unit and goal.unit.dimension in SYMBOLS["flux"].dimensions
+    has_unit = goal and goal.unit and goal.unit.dimension in symbols.SYMBOLS["flux"].dimensions
     is_point = bool(calls) and calls[0][0] == "point-source" and names.isdisjoint(DIRECTIONS)
     if directed and is_point and (is_flux or has_unit):
         tries = [
-            Try(words=(*calls[0], f"{name}={value}"), remark=remark)
+            errors.Try(words=(*calls[0], f"{name}={value}"), remark=remark)
             for name, value, remark in EXAMPLES_OF_BEAMS
         ]
         problem = f"'{quote(directed[0])}' has a beam, and its angle is missing"
-        raise UsageError(problem, tries)
+        raise errors.UsageError(problem, tries)
 
 
 def _with_led(sentence: Sentence) -> Sentence:
@@ -497,7 +490,9 @@ def _with_led(sentence: Sentence) -> Sentence:
     tries = _proposed(
         (_with_text(others, leds[0], name), f"an LED of {LEDS[name]} K") for name in names
     )
-    raise UsageError(f"no LED of the CIE has about {quote(colours[0].typed)}", tries or first)
+    raise errors.UsageError(
+        f"no LED of the CIE has about {quote(colours[0].typed)}", tries or first
+    )
 
 
 def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
@@ -511,7 +506,9 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
     path, *others = sentence.files
     if others:
         listed = " and ".join(map(quote_path, sentence.files))
-        raise UsageError(f"the sentence has several files: {listed}", "a call for each of them")
+        raise errors.UsageError(
+            f"the sentence has several files: {listed}", "a call for each of them"
+        )
     kind = kinds.kind_of(path)
     if kind == SPECTRUM and any(map(is_light, sentence.facts)):
         with_file = (*sentence.facts, Fact(("spectrum",), path, path))
@@ -520,7 +517,7 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
     command, *operands = kinds.call_of_file(kind, path)
     if command not in SUMMARIES:  # a table, which has no results
         if sentence.facts or sentence.goals:
-            raise UsageError(f"{quote_path(path)} is a table", call(command, *operands))
+            raise errors.UsageError(f"{quote_path(path)} is a table", call(command, *operands))
         return [(command, *operands)]
     words = [command, *operands]
     if kind == LOG:
@@ -557,7 +554,7 @@ def _toward(fact: Fact) -> Fact:
     return fact
 
 
-def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
+def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> errors.UsageError:
     """Return the error for the watts of a lamp, which may be electrical or those of its light."""
     kind = PHOTON if goal and _is_of_photons(goal) else LUMINOUS
     efficacy = EXAMPLES_OF_LAMPS[kind]
@@ -571,29 +568,33 @@ def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError
         [(radiant, "watts of light"), (_with_fact(sentence, fact, electrical), remark)]
     )
     problem = f"'{quote(fact.typed)}': the watts of a lamp are electrical or of its light"
-    return UsageError(problem, tries or "its flux in lm, or its radiant flux")
+    return errors.UsageError(problem, tries or "its flux in lm, or its radiant flux")
 
 
 def _is_of_photons(goal: Goal) -> bool:
     """Return whether a goal is a unit, or the name, of photons."""
     light = read_light(goal.unit) if goal.unit else None
     return bool(light and light.kind == PHOTON) or any(
-        SYMBOLS[name].kind == PHOTON for name in goal.names
+        symbols.SYMBOLS[name].kind == PHOTON for name in goal.names
     )
 
 
-def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> UsageError:
+def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> errors.UsageError:
     """Return the error for a place without its value, as the reflectance of white paper."""
     if fact.symbols == ("spectrum",):
         tries = _proposed(
             (_with_text(sentence, fact, name), remark) for name, remark in FLUORESCENT.items()
         )
-        return UsageError(f"'{quote(fact.typed)}': lamps of this kind differ", tries or "FL2")
-    symbol = SYMBOLS[fact.symbols[0]]
+        return errors.UsageError(
+            f"'{quote(fact.typed)}': lamps of this kind differ", tries or "FL2"
+        )
+    symbol = symbols.SYMBOLS[fact.symbols[0]]
     is_grey = not {"grey", "gray"}.isdisjoint(fact.typed.lower().split())
     example = GREY if is_grey else symbol.example
     tries = _with(sentence, fact, fact._replace(text=example), goal, "an example")
-    return UsageError(f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number")
+    return errors.UsageError(
+        f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number"
+    )
 
 
 def _with_fact(sentence: Sentence, fact: Fact, other: Fact) -> Sentence:
@@ -607,11 +608,13 @@ def _with_text(sentence: Sentence, fact: Fact, text: str) -> Sentence:
     return _with_fact(sentence, fact, fact._replace(text=text))
 
 
-def _with(sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark: str) -> list[Try]:
+def _with(
+    sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark: str
+) -> list[errors.Try]:
     """Return the first call of a sentence with another fact in place of one."""
     readings = readings_of(_with_fact(sentence, fact, other))
     calls = [call for reading in readings[:1] for call in calls_of(reading, goal)[:1]]
-    return [Try(words=tuple(call), remark=remark) for call in calls]
+    return [errors.Try(words=tuple(call), remark=remark) for call in calls]
 
 
 def _goal_of(sentence: Sentence) -> Goal | None:
@@ -623,10 +626,10 @@ def _goal_of(sentence: Sentence) -> Goal | None:
         texts = " and ".join([quote(goal.text) for goal in goals])
         listed = Goal(",".join([goal.text for goal in units]), units[0].unit) if units else goals[0]
         alone = [_alone(sentence, goal) for goal in dict.fromkeys((listed, *goals))]
-        calls = [call for one in alone[:MOST] for call in _calls_of(one)[:1]]
-        tries = [Try(words=tuple(call)) for call in calls]
+        calls = [call for one in alone[: errors.MOST] for call in _calls_of(one)[:1]]
+        tries = [errors.Try(words=tuple(call)) for call in calls]
         problem = f"the sentence asks for several results: {texts}"
-        raise UsageError(problem, tries or "one of them")
+        raise errors.UsageError(problem, tries or "one of them")
     if units and named:
         _check_named(sentence, named[0], units[0])
         return units[0]._replace(names=named[0].names)
@@ -645,26 +648,30 @@ def _alone(sentence: Sentence, goal: Goal) -> Sentence:
 def _check_named(sentence: Sentence, named: Goal, goal: Goal) -> None:
     """Refuse the name of one quantity with the unit of another; propose each of them alone."""
     assert goal.unit is not None
-    dimensions = {one for name in named.names for one in SYMBOLS[name].dimensions}
+    dimensions = {one for name in named.names for one in symbols.SYMBOLS[name].dimensions}
     if goal.unit.dimension not in dimensions:
         problem = f"{quote(goal.text)} is not a unit of {quote(named.text)}"
         tries = [
-            Try(words=tuple(call), remark=f"without '{quote(other.text)}'")
+            errors.Try(words=tuple(call), remark=f"without '{quote(other.text)}'")
             for one, other in ((goal, named), (named, goal))
-            for call in _answerable(sentence._replace(goals=(one,)))[:MOST]
+            for call in _answerable(sentence._replace(goals=(one,)))[: errors.MOST]
         ]
         hint = f"one of them: {quote(named.text)} or {quote(goal.text)}"
-        raise UsageError(problem, tries or hint)
+        raise errors.UsageError(problem, tries or hint)
 
 
 def _answerable(sentence: Sentence) -> list[tuple[str, ...]]:
     """Return the calls of all readings of a sentence, none if it is refused."""
     try:
         return _calls_of(sentence)
-    except UsageError:
+    except errors.UsageError:
         return []
 
 
-def _proposed(ways: Iterable[tuple[Sentence, str]]) -> list[Try]:
+def _proposed(ways: Iterable[tuple[Sentence, str]]) -> list[errors.Try]:
     """Propose the first call of each of several sentences, with its remark."""
-    return [Try(words=call, remark=remark) for way, remark in ways for call in _answerable(way)[:1]]
+    return [
+        errors.Try(words=call, remark=remark)
+        for way, remark in ways
+        for call in _answerable(way)[:1]
+    ]

@@ -7,12 +7,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.sentences.reader import Fact
 from radcalc.sentences.words import Amount
-from radcalc.units.dimensions import (
-    ANGLE,
-    AREA,
-    LENGTH,
-    TIME,
-)
+from radcalc.units import dimensions
 from radcalc.units.unit import NUMBER
 
 VALUE = "value"  # the amount that is converted
@@ -20,10 +15,10 @@ LIGHT = ("flux", "intensity", "exitance", "irradiance", "radiance", "exposure", 
 Facts = dict[str, Fact]
 # Facts that an amount of that dimension may fill, if no phrase says which.
 OF_DIMENSION = {
-    LENGTH: ("distance",),
-    AREA: ("area",),
-    TIME: ("time",),
-    ANGLE: ("apex-angle", "incidence", "half-angle"),
+    dimensions.LENGTH: ("distance",),
+    dimensions.AREA: ("area",),
+    dimensions.TIME: ("time",),
+    dimensions.ANGLE: ("apex-angle", "incidence", "half-angle"),
 }
 # Words for light that is not that of a lamp.
 DAYS = ("sun", "sunlight", "full sun", "solar", "daylight", "skylight", "moonlight")

@@ -4,17 +4,10 @@ from collections.abc import Iterable, Iterator
 
 from radcalc.calculators.page import Page
 from radcalc.calculators.pages import page_of
+from radcalc.quantities import symbols
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.light import result_name
-from radcalc.quantities.symbols import (
-    FLAG,
-    SPECIFIC,
-    SYMBOLS,
-    generic_name,
-    in_kind,
-    names_of_kinds,
-    specific_name,
-)
+from radcalc.quantities.symbols import in_kind
 from radcalc.quantities.targets import is_name
 from radcalc.sentences.facts import LIGHT, VALUE, Facts, generic, is_light, light_of, meant
 from radcalc.sentences.phrases import COMMAND, FILTER, SHAPE
@@ -160,7 +153,9 @@ def _is_panel(given: set[str], goal: Goal | None) -> bool:
     if "area" not in given or given.isdisjoint(("distance", "height")):
         return False
     if given.isdisjoint(("radiance", "exitance")):
-        is_of_surface = goal and goal.unit and goal.unit.dimension in SYMBOLS["radiance"].dimensions
+        is_of_surface = (
+            goal and goal.unit and goal.unit.dimension in symbols.SYMBOLS["radiance"].dimensions
+        )
         return "irradiance" in given and bool(is_of_surface)
     return goal is None or is_irradiance(goal)
 
@@ -181,8 +176,8 @@ def _on_sensor(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]
 def is_irradiance(goal: Goal) -> bool:
     """Return whether a goal is a unit, or the name, of light on a surface."""
     if goal.unit:
-        return goal.unit.dimension in SYMBOLS["irradiance"].dimensions
-    return any(generic_name(name) == "irradiance" for name in goal.names)
+        return goal.unit.dimension in symbols.SYMBOLS["irradiance"].dimensions
+    return any(symbols.generic_name(name) == "irradiance" for name in goal.names)
 
 
 def is_solid_angle(goal: Goal) -> bool:
@@ -232,8 +227,8 @@ def _filtered(facts: Facts) -> Facts:
 def _generic_names(facts: Facts) -> Iterator[str]:
     for name in facts:
         yield name
-        if name in SPECIFIC:
-            yield SPECIFIC[name][0]
+        if name in symbols.SPECIFIC:
+            yield symbols.SPECIFIC[name][0]
 
 
 def inputs_of(command: str, unit: Unit, given: Iterable[str] = ()) -> list[str]:
@@ -246,11 +241,15 @@ def inputs_of(command: str, unit: Unit, given: Iterable[str] = ()) -> list[str]:
     taken = taken_by(page)
     names, light = [*meant(amount)], light_of(amount)
     if light and names != [VALUE]:
-        alike = [n for n in page.listed if SYMBOLS[n].geometry == SYMBOLS[names[0]].geometry]
+        alike = [
+            n
+            for n in page.listed
+            if symbols.SYMBOLS[n].geometry == symbols.SYMBOLS[names[0]].geometry
+        ]
         names += [name for name in alike if not name.startswith("peak-")]
     elif amount.is_wavelength:
-        alike = [n for n in page.listed if SYMBOLS[n].unit in ("nm", "um")]
-        names = [name for name in alike if amount.dimension in SYMBOLS[name].dimensions]
+        alike = [n for n in page.listed if symbols.SYMBOLS[n].unit in ("nm", "um")]
+        names = [name for name in alike if amount.dimension in symbols.SYMBOLS[name].dimensions]
     found = [in_kind(name, light.kind) if light else name for name in names]
     for frame in FRAMES:
         if frame.command == command:
@@ -302,12 +301,18 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     conditions = taken_by(page_of("convert"))
     facts = {"wavelength" if n in WAVES else n: fact for n, fact in facts.items()}
     values = [name for name in facts if name not in conditions] or [*facts]
-    if len(values) != 1 or values[0] not in (VALUE, *LIGHT, *SPECIFIC, "wavelength", "fwhm"):
+    if len(values) != 1 or values[0] not in (
+        VALUE,
+        *LIGHT,
+        *symbols.SPECIFIC,
+        "wavelength",
+        "fwhm",
+    ):
         return []
     value, given = values[0], {**facts}
     fact = given.pop(value)
     amount = fact.amount
-    usual = USUAL_GOALS.get((generic_name(value), *given), "")  # for one condition
+    usual = USUAL_GOALS.get((symbols.generic_name(value), *given), "")  # for one condition
     target = _target(goal, fact, given) if goal else usual
     if amount is None or ((given or goal) and not target):
         return []
@@ -332,22 +337,22 @@ def _target(goal: Goal, value: Fact, given: Facts) -> str:
     """Return the target of a conversion; a name for several kinds of light is that of the value."""
     light = read_light(value.amount.unit) if value.amount else None
     if light and "irradiance" in goal.names[1:] and not goal.unit and {*given} & {*SIZES}:
-        return specific_name("irradiance", light.kind).replace("-", " ")
+        return symbols.specific_name("irradiance", light.kind).replace("-", " ")
     if value.amount and value.amount.dimension == TEMPERATURE and "peak-wavelength" in goal.names:
         return "wavelength"  # of a black body
     for name in goal.names if light and not goal.unit else ():
-        symbol = SYMBOLS[name]
+        symbol = symbols.SYMBOLS[name]
         if light and symbol.geometry and symbol.kind in ("", light.kind):
-            return specific_name(symbol.generic, light.kind).replace("-", " ")
+            return symbols.specific_name(symbol.generic, light.kind).replace("-", " ")
     if not goal.unit and goal.names and not is_name(goal.text):  # lambda
-        label = SYMBOLS[goal.names[0]].label
+        label = symbols.SYMBOLS[goal.names[0]].label
         return label if is_name(label) else ""
     return goal.text
 
 
 def _input(name: str, fact: Fact) -> str:
     """Return an input of a call; a flag has no value."""
-    if SYMBOLS[name].form == FLAG:
+    if symbols.SYMBOLS[name].form == symbols.FLAG:
         return f"{name}="
     light = read_light(fact.amount.unit) if fact.amount else None
     return f"{in_kind(name, light.kind) if light else name}={one_word(fact)}"
@@ -366,7 +371,7 @@ def one_word(fact: Fact) -> str:
 def taken_by(page: Page) -> set[str]:
     """Return the symbols that a page takes, with the names of one kind of light."""
     names = {*page.listed}
-    return names | {other for name in names for other in names_of_kinds(name)}
+    return names | {other for name in names for other in symbols.names_of_kinds(name)}
 
 
 def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
@@ -394,7 +399,7 @@ def _with_units(goal: Goal, listed: list[str], own: set[str]) -> list[str]:
     assert goal.unit is not None
     result = result_name(goal.unit)
     found = _called(goal, listed, own) if goal.names else _in_unit(goal.unit, listed, own)
-    names = [result if SPECIFIC.get(result, ("",))[0] == name else name for name in found]
+    names = [result if symbols.SPECIFIC.get(result, ("",))[0] == name else name for name in found]
     units = goal.text.split(",")
     return [",".join([f"{name}:{unit}" for unit in units]) for name in names]
 
@@ -408,8 +413,10 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
     """Return the result of a page whose results depend on its inputs: by its name or its unit."""
     if goal.unit:
         own = result_name(goal.unit)
-        is_result = is_solid_angle(goal) or own in SPECIFIC or own in LIGHT
-        name = own if is_irradiance(goal) else generic_name(own)  # a spectrum has all three kinds
+        is_result = is_solid_angle(goal) or own in symbols.SPECIFIC or own in LIGHT
+        name = (
+            own if is_irradiance(goal) else symbols.generic_name(own)
+        )  # a spectrum has all three kinds
         return [f"{name}:{goal.text}"] if is_result else []
     angles = [ANGLE_OF_CONE] if {*goal.names} & {*ANGLES} else []
     return [n for n in goal.names if n in page.listed] or angles or list(goal.names[:1])
@@ -417,15 +424,15 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
 
 def _called(goal: Goal, listed: list[str], own: set[str]) -> list[str]:
     """Return the results with the names of a goal, or of its quantity if an input is for it."""
-    wanted = {*goal.names, *map(generic_name, goal.names)}
-    dimensions = {one for name in wanted for one in SYMBOLS[name].dimensions}
-    wanted |= {name for name in own if dimensions & {*SYMBOLS[name].dimensions}}
+    wanted = {*goal.names, *map(symbols.generic_name, goal.names)}
+    dimensions = {one for name in wanted for one in symbols.SYMBOLS[name].dimensions}
+    wanted |= {name for name in own if dimensions & {*symbols.SYMBOLS[name].dimensions}}
     return [name for name in listed if name in wanted]
 
 
 def _in_unit(unit: Unit, listed: list[str], own: set[str]) -> list[str]:
     """Return the results in a unit: those that an input is for, of its quantity, or all."""
-    fitting = [name for name in listed if unit.dimension in SYMBOLS[name].dimensions]
+    fitting = [name for name in listed if unit.dimension in symbols.SYMBOLS[name].dimensions]
     result = result_name(unit)
-    wanted = own & {*fitting} or {result, generic_name(result)}
+    wanted = own & {*fitting} or {result, symbols.generic_name(result)}
     return [name for name in fitting if name in wanted] or fitting

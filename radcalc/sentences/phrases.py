@@ -6,36 +6,30 @@ dimension of an amount decides whether a phrase fits.  The manual's table is mad
 
 from radcalc.quantities.search import comparable
 from radcalc.tuples import NamedTuple
-from radcalc.units.dimensions import (
-    ANGLE,
-    AREA,
-    ENERGY,
-    FREQUENCY,
-    LENGTH,
-    PHOTON_ENERGY,
-    POWER,
-    SOLID_ANGLE,
-    TEMPERATURE,
-    TIME,
-    WAVENUMBER,
-)
+from radcalc.units import dimensions
 from radcalc.units.unit import NUMBER
 
 # Amounts of a pattern, and their dimensions; a wavelength may also be a length.  A size may be in
 # a unit of wavelengths.
 AMOUNTS = {
-    "length": (LENGTH,),
-    "size": (LENGTH,),
-    "angle": (ANGLE,),
-    "area": (AREA,),
-    "time": (TIME,),
+    "length": (dimensions.LENGTH,),
+    "size": (dimensions.LENGTH,),
+    "angle": (dimensions.ANGLE,),
+    "area": (dimensions.AREA,),
+    "time": (dimensions.TIME,),
     "number": (NUMBER,),  # of iso 100 lx, whose unit is asked for
     "ratio": (NUMBER,),  # with no unit after it
     "percent": (NUMBER,),
-    "power": (POWER,),
-    "temperature": (TEMPERATURE,),
-    "solid-angle": (SOLID_ANGLE,),
-    "wavelength": (LENGTH, FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY),
+    "power": (dimensions.POWER,),
+    "temperature": (dimensions.TEMPERATURE,),
+    "solid-angle": (dimensions.SOLID_ANGLE,),
+    "wavelength": (
+        dimensions.LENGTH,
+        dimensions.FREQUENCY,
+        dimensions.WAVENUMBER,
+        dimensions.ENERGY,
+        dimensions.PHOTON_ENERGY,
+    ),
 }
 # Places that are not symbols; an unknown phrase is refused.
 SHAPE, FILTER, TARGET, UNKNOWN = "shape", "filter", "target", "unknown"

@@ -4,18 +4,8 @@ import math
 import os
 from functools import cache
 
-from radcalc.errors import (
-    ConditionError,
-    RadcalcError,
-    TooMany,
-    call,
-    command,
-    corrections,
-    leave_out,
-    nearest,
-    option,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import command, option, quote
 from radcalc.files.text import ENDINGS
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import FORMS, LIGHT, PLANCK, example
@@ -112,7 +102,7 @@ def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     ):
         unused = "column" if column else "unit"
         problem = f"{option(unused)} does not apply to {quote(text)}"
-        raise ConditionError(problem, "a file", [leave_out(unused)])
+        raise errors.ConditionError(problem, "a file", [errors.leave_out(unused)])
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in FORMS:
         return _of_kind(kind.lower(), parameters, " ".join(text.split()))
@@ -163,43 +153,45 @@ def uncertain_parameter(text: str) -> Parameter | None:
     return None
 
 
-def _unknown(text: str) -> RadcalcError:
+def _unknown(text: str) -> errors.RadcalcError:
     if "," in text and (error := _of_list(text)):
         return error
     if "/" in text or text.lower().endswith(ENDINGS):
-        return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
+        return errors.ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
     problem = f"unknown spectrum '{quote(text)}' (and no such file)"
     if meant := MEANT.get(text.strip().lower()):
-        return ConditionError(problem, corrections(text, *meant.split(", ")))
+        return errors.ConditionError(problem, errors.corrections(text, *meant.split(", ")))
     if fitting := [form for kind in FORMS if _is_spectrum(form := f"{kind}:{text}")]:
-        return ConditionError(problem, corrections(text, *fitting))
+        return errors.ConditionError(problem, errors.corrections(text, *fitting))
     known = {_bare(name): name for name in names()}
-    near = [known[f] for f in nearest(_bare(text), known, 3)]
+    near = [known[f] for f in errors.nearest(_bare(text), known, 3)]
     if near:
-        return ConditionError(problem, corrections(text, *near))
-    return ConditionError(problem, HINT, [call("spectrum", list="")])
+        return errors.ConditionError(problem, errors.corrections(text, *near))
+    return errors.ConditionError(problem, HINT, [errors.call("spectrum", list="")])
 
 
-def _of_list(text: str) -> RadcalcError | None:
+def _of_list(text: str) -> errors.RadcalcError | None:
     """Return the error for a list of spectra, or for its first part that is not a spectrum."""
     parts = [part.strip() for part in text.split(",", LOOKED_AT)]
     wrong = [part for part in parts if part in ("", "-") or not _is_spectrum(part)]
     if len(wrong) == len(parts):
         return None
     if not wrong:
-        return ConditionError(f"'{quote(text)}' is a list of spectra", "only one of them here")
+        return errors.ConditionError(
+            f"'{quote(text)}' is a list of spectra", "only one of them here"
+        )
     if wrong[0] in ("", "-"):
         what = "standard input is not allowed" if wrong[0] else "a spectrum is missing"
         right = ",".join(part for part in parts if part not in wrong)
-        return ConditionError(f"{what} in the list '{quote(text)}'", quote(right))
+        return errors.ConditionError(f"{what} in the list '{quote(text)}'", quote(right))
     error = _unknown(wrong[0])
-    return ConditionError(f"in the list '{quote(text)}': {error.message}", error.hint)
+    return errors.ConditionError(f"in the list '{quote(text)}': {error.message}", error.hint)
 
 
 def _is_spectrum(text: str) -> bool:
     try:
         spectrum(text)
-    except RadcalcError:
+    except errors.RadcalcError:
         return False
     return True
 
@@ -212,7 +204,7 @@ def read_spectra(text: str) -> list[str]:
     parts = text.split(",")
     if len(parts) > 1 and "-" not in parts and not os.path.exists(text):
         if len(parts) > MOST:
-            raise TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
+            raise errors.TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
         if all(map(_is_spectrum, parts)):
             return parts
     kind, colon, parameters = text.partition(":")
@@ -328,8 +320,8 @@ def _form(kind: str) -> str:
     return f"{kind}:{FORMS[kind][0]} as in {example(kind)}"
 
 
-def _malformed(text: str, form: str) -> ConditionError:
-    return ConditionError(f"'{quote(text)}' is not a spectrum", form)
+def _malformed(text: str, form: str) -> errors.ConditionError:
+    return errors.ConditionError(f"'{quote(text)}' is not a spectrum", form)
 
 
 def _temperature(parameter: str, text: str) -> float:

@@ -5,17 +5,8 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from itertools import chain
 
-from radcalc.errors import (
-    MINUS,
-    NumberError,
-    Try,
-    UsageError,
-    add,
-    leave_out,
-    nearest,
-    option,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import option, quote
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -35,7 +26,9 @@ class Fields:
     """A list of fields as in `cut` and `numfmt`: `2`, `1,3`, `2-4`, `3-`, `-2`."""
 
     def __init__(self, text: str = "1") -> None:
-        self.ranges = sorted(_range(text, part) for part in text.replace(MINUS, "-").split(","))
+        self.ranges = sorted(
+            _range(text, part) for part in text.replace(errors.MINUS, "-").split(",")
+        )
         self.last = max(last or first for first, last in self.ranges)
 
     @property
@@ -44,7 +37,9 @@ class Fields:
 
     def of(self, count: int) -> Iterator[int]:
         if count < self.last:
-            raise NumberError(f"field {self.last} is missing", f"a line of {self.last} fields")
+            raise errors.NumberError(
+                f"field {self.last} is missing", f"a line of {self.last} fields"
+            )
         chosen, done = [], 0
         for first, last in self.ranges:
             end = last or count
@@ -61,15 +56,19 @@ def _range(text: str, part: str) -> tuple[int, int]:
     if not all(number.isascii() and number.isdigit() for number in numbers):
         numbers = [number for number in text.split(",") if number.strip()]
         is_list = all(number.strip("0123456789-") == "" for number in numbers)
-        as_title = Try((("column", text),), ("field",))
-        fix = add("field", ",".join(numbers)) if is_list and numbers else as_title
-        raise UsageError(f"{option_text} is not a list of fields", FIELDS, [fix])
+        as_title = errors.Try((("column", text),), ("field",))
+        fix = errors.add("field", ",".join(numbers)) if is_list and numbers else as_title
+        raise errors.UsageError(f"{option_text} is not a list of fields", FIELDS, [fix])
     low, high = (int(number[:9]) for number in numbers)
     if low == 0 or last == "0" or max(low, high) > MOST:
-        raise UsageError(f"{option_text} is out of range", f"fields are numbered from 1 to {MOST}")
+        raise errors.UsageError(
+            f"{option_text} is out of range", f"fields are numbered from 1 to {MOST}"
+        )
     if high and high < low:
         rising = text.replace(part.strip(), f"{high}-{low}")
-        raise UsageError(f"{option_text} has a decreasing range", add("field", rising))
+        raise errors.UsageError(
+            f"{option_text} has a decreasing range", errors.add("field", rising)
+        )
     return low, high
 
 
@@ -77,7 +76,7 @@ def read_delimiter(text: str) -> str:
     """Read one character, or the name of one that is hard to type at a shell."""
     character = NAMED.get(text.lower(), text)
     if len(character) != 1 or character in '"\n\r\0':
-        raise UsageError(
+        raise errors.UsageError(
             f"{option('delimiter', quote(text))} is not one character",
             "a character, such as , or ; or tab",
             _delimiters(text),
@@ -85,12 +84,12 @@ def read_delimiter(text: str) -> str:
     return character
 
 
-def _delimiters(text: str) -> "list[Try]":
+def _delimiters(text: str) -> "list[errors.Try]":
     """Propose the separator that a text of several characters has or names."""
-    named = nearest(text.lower(), [name for name in NAMED if name.isalpha()], 1)
+    named = errors.nearest(text.lower(), [name for name in NAMED if name.isalpha()], 1)
     marks = [character for character in text if not character.isalnum() and character.isprintable()]
     meant = named or [mark for mark in dict.fromkeys(marks) if mark not in ('"', " ")]
-    return [add("delimiter", one) for one in meant[:1]] or [leave_out("delimiter")]
+    return [errors.add("delimiter", one) for one in meant[:1]] or [errors.leave_out("delimiter")]
 
 
 def typed_delimiter(character: str) -> str:
@@ -145,7 +144,9 @@ class Cut:
         """Refuse an opening quote that is not closed at the end of the field, on the line."""
         field = field.strip(self.blanks)
         if field[:1] == b'"' and (len(field) < 2 or field[-1:] != b'"'):
-            raise NumberError("a quoted field does not end on its line", "one line for each record")
+            raise errors.NumberError(
+                "a quoted field does not end on its line", "one line for each record"
+            )
 
     def inner(self, line: bytes, span: Span) -> Span:
         if not self.delimiter:

@@ -5,17 +5,8 @@ The unit in the header is compared with the unit of the numbers, and replaced in
 
 from collections.abc import Callable, Sequence
 
-from radcalc.errors import (
-    Hint,
-    NumberError,
-    UnitError,
-    UsageError,
-    add,
-    command,
-    leave_out,
-    option,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import option, quote
 from radcalc.files.columns import DELIMITERS, unit_column
 from radcalc.quantities.column_titles import (
     Title,
@@ -67,7 +58,9 @@ class Header:
         self.adds = adds
         self.own = self._own() if target else None
         self.is_bare = is_bare
-        self.call = call or (lambda unit: command("convert", "-", unit, quote(self.target.text)))
+        self.call = call or (
+            lambda unit: errors.command("convert", "-", unit, quote(self.target.text))
+        )
         self.texts: Texts | None = None
         self.fields: Fields | None = None
         self.units: int | None = None  # the field with the unit of each line
@@ -76,7 +69,7 @@ class Header:
     def read(self, line: bytes, fields: Fields, above: bytes = b"") -> tuple[bytes, int]:
         """Return the line as written, and the number of fields (0: any number)."""
         if b"\0" in line:
-            raise UsageError(f"{WHERE} is not text in UTF-8", UTF_8)
+            raise errors.UsageError(f"{WHERE} is not text in UTF-8", UTF_8)
         try:
             spans = self._spans(line)
             titles = [self._text(line, span) for span in spans]
@@ -89,8 +82,8 @@ class Header:
                 self.units = unit_column(titles, places[0])
             if self.cut:  # not a line of text
                 self._refuse(read, [read_title(names[place]) for place in places if names])
-        except (NumberError, UnitError) as error:
-            raise UsageError(f"{WHERE}: {error.message}", error.hint) from None
+        except (errors.NumberError, errors.UnitError) as error:
+            raise errors.UsageError(f"{WHERE}: {error.message}", error.hint) from None
         self._check_units(read)
         out, done = bytearray(), 0
         for place, title in zip(places, read, strict=True):
@@ -103,7 +96,9 @@ class Header:
         out += line[done:]
         if self.adds:
             if (new_title := self.title_of(read[0])) in titles:
-                raise UsageError(f"{WHERE} has the column '{quote(new_title)}'", "another name")
+                raise errors.UsageError(
+                    f"{WHERE} has the column '{quote(new_title)}'", "another name"
+                )
             out += (self.cut.joint(line) if self.cut else b"\t") + self._cell(new_title)
         return bytes(out), len(titles) if self.cut else 0
 
@@ -153,7 +148,7 @@ class Header:
         unit = unit_of_meter(typed)
         if self.source and not (unit and is_same(unit, self.source)):
             problem = f"the unit is '{quote(typed)}', not {quote(self.source.text)}"
-            raise NumberError(problem, "a call for the lines of each unit")
+            raise errors.NumberError(problem, "a call for the lines of each unit")
 
     def _spans(self, line: bytes) -> list[Span]:
         if self.cut:
@@ -164,7 +159,7 @@ class Header:
     def _find(self, titles: list[str], above: bytes) -> int:
         try:
             return find(titles, self.column, WHERE, self.source)
-        except UsageError as error:
+        except errors.UsageError as error:
             if names := self._names_above(above, len(titles)):
                 return find(names, self.column, WHERE, self.source)
             if len(titles) == 1:
@@ -180,25 +175,25 @@ class Header:
         first = next((title for title in titles if title.unit), None)
         if first is None or first.unit is None:
             if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):
-                raise UsageError(
+                raise errors.UsageError(
                     f"the unit of '{quote(titles[0].text)}' is missing in {WHERE}",
                     self.call("UNIT"),
                 )
             if not self.is_known:
                 problem = f"the unit of the results is missing in {WHERE}"
-                raise UsageError(problem, option("get", "NAME:UNIT"))
+                raise errors.UsageError(problem, option("get", "NAME:UNIT"))
             return
         for title in titles:
             if self.source is None:
                 if title.unit is None or not is_same(title.unit, first.unit):
-                    raise UsageError(
+                    raise errors.UsageError(
                         f"'{quote(first.text)}' and '{quote(title.text)}' have different units",
                         "a call for each unit",
                     )
             elif title.unit and not is_same(title.unit, self.source):
                 unit_text, typed = quote(title.unit.text), quote(self.source.text)
                 is_there = is_same(title.unit, self.target)
-                raise UsageError(
+                raise errors.UsageError(
                     f"the column '{quote(title.text)}' is in {unit_text}, not in {typed}",
                     f"a column in {typed}" if is_there else self.call(unit_text),
                 )
@@ -218,16 +213,16 @@ class Header:
             return None
         typed = option(self.option, quote(name))
         if not name.strip() or not name.isprintable():
-            raise UsageError(f"{typed} is not a title", leave_out(self.option))
+            raise errors.UsageError(f"{typed} is not a title", errors.leave_out(self.option))
         if self.cut and not self.cut.delimiter and len(name.split()) > 1:
             hint = "_".join(name.split())
             problem = f"{typed} has blanks, at which the lines are cut"
-            raise UsageError(problem, add(self.option, hint))
+            raise errors.UsageError(problem, errors.add(self.option, hint))
         title = read_title(name, self.target)
         if title.unit and not is_same(title.unit, self.target):
             unit_text, target = quote(title.unit.text), quote(self.target.text)
             problem = f"{typed} is in {unit_text}, not in {target}"
-            raise UsageError(problem, add(self.option, title.with_unit(target)))
+            raise errors.UsageError(problem, errors.add(self.option, title.with_unit(target)))
         _refuse_other(title.name, self.target, self.option)
         return title
 
@@ -255,7 +250,9 @@ def refuse_change(source: Unit, target: Unit) -> None:
     if source.dimension != target.dimension or source.is_exitance != target.is_exitance:
         change = f"{describe(source)} to {describe(target)}"
         problem = f"the numbers under the header would change from {change}"
-        raise UsageError(problem, [add(name, _title_of(target)) for name in ("add", "rename")])
+        raise errors.UsageError(
+            problem, [errors.add(name, _title_of(target)) for name in ("add", "rename")]
+        )
 
 
 def _title_of(target: Unit) -> str:
@@ -263,21 +260,21 @@ def _title_of(target: Unit) -> str:
     return (name_of(target) or target.text).replace(" ", "_")
 
 
-def _of_one_title(title: str) -> Hint:
+def _of_one_title(title: str) -> errors.Hint:
     """Propose the separator in a title, or the only column."""
     mark = next((mark for mark in DELIMITERS if mark in title), "")
     if mark:
-        return add("delimiter", typed_delimiter(mark))
+        return errors.add("delimiter", typed_delimiter(mark))
     try:
         parse_number(title)
-    except NumberError:
-        return add("column", title)
-    return leave_out("column")  # there is no header
+    except errors.NumberError:
+        return errors.add("column", title)
+    return errors.leave_out("column")  # there is no header
 
 
 def _refuse_other(name: str, target: Unit, option: str = "") -> None:
     """Refuse a title that names another quantity than its unit."""
     if other_quantity(name, target):
         problem = f"the column would be named '{quote(name)}', but contain {describe(target)}"
-        better = [add(way, _title_of(target)) for way in (option, "add", "rename") if way]
-        raise UsageError(problem, better[: 1 if option else 2])
+        better = [errors.add(way, _title_of(target)) for way in (option, "add", "rename") if way]
+        raise errors.UsageError(problem, better[: 1 if option else 2])

@@ -5,18 +5,8 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from radcalc.errors import (
-    LineError,
-    MissingInput,
-    NumberError,
-    UnitError,
-    UsageError,
-    leave_out,
-    listed,
-    mention,
-    option,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import listed, option, quote
 from radcalc.files import columns
 from radcalc.files.table import Table
 from radcalc.files.text import where
@@ -84,9 +74,9 @@ class LogLayout(NamedTuple):
     is_par: bool = False  # of watts from 400 nm to 700 nm, by the title
 
 
-def error(name: str, number: int, problem: str, hint: str, row: str) -> LineError:
+def error(name: str, number: int, problem: str, hint: str, row: str) -> errors.LineError:
     """Return the error of a log in a row (0: in none)."""
-    return LineError(f"{where(name, number, row)}: {problem}", hint)
+    return errors.LineError(f"{where(name, number, row)}: {problem}", hint)
 
 
 def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
@@ -157,7 +147,7 @@ class FirstRows:
         count = next((k for k, part in enumerate(PARTS) if plain.count(part) != 1), len(PARTS))
         return tuple([plain.index(part) for part in PARTS[:count]]) if count > LEAST_PARTS else ()
 
-    def error(self, number: int, problem: str, hint: str) -> LineError:
+    def error(self, number: int, problem: str, hint: str) -> errors.LineError:
         return error(self.name, number, problem, hint, self.settings.row)
 
     def delimiter(self, line: str) -> str | None:
@@ -190,14 +180,14 @@ class FirstRows:
         names = [name for name in wanted if name and not name.isdecimal()]
         if not names:
             return None
-        refusal: UsageError | None = None
+        refusal: errors.UsageError | None = None
         widest = 0
         for k, (_, line) in enumerate(rows):
             cells = columns.cells(line, self.delimiter(line))
             try:
                 for name in names:
                     find(cells, name, self.name)
-            except UsageError as error:
+            except errors.UsageError as error:
                 titles = [cell for cell in cells if cell and not _is_number(cell)]
                 if len(titles) > widest:
                     refusal, widest = error, len(titles)
@@ -252,7 +242,7 @@ class FirstRows:
             self._unit_in([cell]) is not None for cell in cells
         )
 
-    def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> LineError:
+    def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> errors.LineError:
         number, line = row
         count = len(columns.cells(line, delimiter))
         return self.error(
@@ -271,7 +261,7 @@ class FirstRows:
                 refuse_altered(parsed)
                 if units:
                     refuse_misnamed(parsed, units[0])
-        except UnitError as error:
+        except errors.UnitError as error:
             raise self.error(0, error.message, error.hint) from None
         for unit in units[1:]:
             if not is_same(unit, units[0]):
@@ -314,7 +304,7 @@ class Head(FirstRows):
             if parts:
                 settings = settings._replace(format=" ".join(FORMATS[: len(parts)]))
             clock = clock_for(text, settings)
-        except (NumberError, UnitError) as error:
+        except (errors.NumberError, errors.UnitError) as error:
             raise self.error(number, error.message, error.hint) from None
         light = read_light(unit)
         is_of_watts = light is not None and light.kind == RADIANT
@@ -374,7 +364,7 @@ class Head(FirstRows):
                 chosen = f"{place + 1} {quote(titles[0][place])}".strip()
                 self.assumptions.append(f"the values are in column {chosen}")
         if place in times:
-            raise UsageError("one column has the times and the values", "two columns")
+            raise errors.UsageError("one column has the times and the values", "two columns")
         return place
 
     def _unit(self, titles: list[str], cell: str | None) -> Unit:
@@ -388,9 +378,11 @@ class Head(FirstRows):
                 )
         unit = resolve_any(self.settings.unit) if self.settings.unit else declared
         if unit is None:
-            raise MissingInput(
+            raise errors.MissingInput(
                 f"{self.name}: the unit of the values is missing",
-                mention("{unit=lx}, {unit=umol/m2/s}, {unit=W/m2}, or a title such as E [lx]"),
+                errors.mention(
+                    "{unit=lx}, {unit=umol/m2/s}, {unit=W/m2}, or a title such as E [lx]"
+                ),
             )
         if cell is not None:
             if declared and declared.dimension != (unit_of_meter(cell) or declared).dimension:
@@ -420,11 +412,11 @@ class Head(FirstRows):
         is_short = stated and stated.is_count and is_ppfd
         may_be_par = is_par and reading and reading.kind == RADIANT
         if declared.dimension != unit.dimension and not (may_be_par or is_short):
-            raise UsageError(
+            raise errors.UsageError(
                 f"{option('unit', quote(unit.text))} contradicts the unit "
                 f"{quote(declared.text)} of {where}",
                 "leave it out, or use another column",
-                [leave_out("unit")],
+                [errors.leave_out("unit")],
             )
         self.assumptions.append(
             f"the values are in {quote(unit.text)}, as given; {where} is in {quote(declared.text)}"
@@ -437,7 +429,7 @@ class Head(FirstRows):
             refuse_unknown(parsed, unit)
             if unit:
                 refuse_misnamed(parsed, unit)
-        except UnitError as error:
+        except errors.UnitError as error:
             hint = error.hint
             if hint in SPELLINGS.values():
                 hint = option("unit", hint)
@@ -463,7 +455,7 @@ def _is_of_time(title: str) -> bool:
         stated = read_title(title)
         if stated.unit and stated.in_brackets and stated.unit.dimension != TIME:
             return False  # d [m] is a distance
-    except UnitError:
+    except errors.UnitError:
         pass
     unit = unit_in(title, SECONDS)
     if unit is None or unit.dimension != TIME:
@@ -486,7 +478,7 @@ def _may_be_light(title: str) -> bool:
         return read_light(unit) is not None
     try:
         read_title(title)
-    except UnitError:
+    except errors.UnitError:
         return True
     return bool(unit_of_name(title))
 

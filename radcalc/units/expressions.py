@@ -17,18 +17,8 @@ quantity that is asked for.
 
 import math
 
-from radcalc.errors import (
-    ExpressionError,
-    Hint,
-    NumberError,
-    RadcalcError,
-    UnitError,
-    call,
-    correct,
-    corrections,
-    measured,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import call, quote
 from radcalc.floats import SMALLEST, divide
 from radcalc.units import constants
 from radcalc.units.compiled import CONSTANTS, NAMES
@@ -97,16 +87,16 @@ class Calculator(Scanner):
         self.depth = 0
         self.is_arithmetic = False  # False also for a number with an unreadable unit
 
-    def error(self, problem: str, hint: Hint = "") -> ExpressionError:
+    def error(self, problem: str, hint: errors.Hint = "") -> errors.ExpressionError:
         return self.wrong(problem, hint or HINT)
 
-    def wrong(self, problem: str, hint: Hint = HINT) -> ExpressionError:
-        return ExpressionError(f"'{quote(self.text)}' {problem}", hint)
+    def wrong(self, problem: str, hint: errors.Hint = HINT) -> errors.ExpressionError:
+        return errors.ExpressionError(f"'{quote(self.text)}' {problem}", hint)
 
-    def two_ways(self, start: int, first: str, second: str) -> ExpressionError:
+    def two_ways(self, start: int, first: str, second: str) -> errors.ExpressionError:
         """Return the error for a part, from `start` to here, that has two readings."""
         ways = [self.with_part(start, reading) for reading in (first, second)]
-        return self.wrong("is ambiguous", corrections(self.text, *ways))
+        return self.wrong("is ambiguous", errors.corrections(self.text, *ways))
 
     def with_part(self, start: int, part: str) -> str:
         """Return the whole text with another part in place of that from `start` to here."""
@@ -124,7 +114,7 @@ class Calculator(Scanner):
             raise self.unreadable()
         return value
 
-    def unreadable(self) -> ExpressionError:
+    def unreadable(self) -> errors.ExpressionError:
         rest = self.text[self.at :]
         if rest[:1] in tuple(DIGITS) or rest[:1] in ("(", ".") or self.is_function():
             return self.wrong(
@@ -162,7 +152,9 @@ class Calculator(Scanner):
                 place = start if has_number else before
                 bare = self.slice(start, self.at) if has_number else self.slice(before, start - 1)
                 better = f"{self.text[:place]}1 {self.text[place:]}"
-                raise self.wrong(f"has no number at '{quote(bare)}'", correct(self.text, better))
+                raise self.wrong(
+                    f"has no number at '{quote(bare)}'", errors.correct(self.text, better)
+                )
             self.refuse_unlike(value, term, sign, begin, start)
             value = value.plus(term, sign)
         return value
@@ -180,22 +172,22 @@ class Calculator(Scanner):
         if a == b:
             return
         terms_before, term = self.slice(begin, start)[:-1].rstrip(), self.slice(start, self.at)
-        hint: Hint = "terms of one quantity"
+        hint: errors.Hint = "terms of one quantity"
         plus = "+" if sign > 0 else "-"
         if other.dimension == NUMBER and other.units:  # 100 lx + 10%
             better = f"{_as_factor(terms_before)} * (1 {plus} {term})"
-            hint = correct(self.text, self.with_part(begin, better))
+            hint = errors.correct(self.text, self.with_part(begin, better))
         elif units[0] and not units[1]:  # 100 lx + 3
-            hint = correct(self.text, self.with_part(start, f"{term} {units[0].text}"))
+            hint = errors.correct(self.text, self.with_part(start, f"{term} {units[0].text}"))
         elif units[1] and not units[0] and term.endswith(units[1].text):  # 500 + 200 lx
             number = term.removesuffix(units[1].text).strip()
             better = f"({terms_before} {plus} {number}) {units[1].text}"
-            hint = correct(self.text, self.with_part(begin, better))
-        named = [measured(unit.text) if unit else "a bare number" for unit in units]
+            hint = errors.correct(self.text, self.with_part(begin, better))
+        named = [errors.measured(unit.text) if unit else "a bare number" for unit in units]
         link = " and " if sign > 0 else " from "
         if sign < 0:
             named.reverse()
-        raise ExpressionError(
+        raise errors.ExpressionError(
             f"cannot {'add' if sign > 0 else 'subtract'} {link.join(named)}", hint
         )
 
@@ -342,7 +334,7 @@ class Calculator(Scanner):
             self.skip_blanks()
         if value is None:
             if not self.peek() or self.peek() == ")":
-                raise ExpressionError(f"a number is missing in '{quote(self.text)}'", HINT)
+                raise errors.ExpressionError(f"a number is missing in '{quote(self.text)}'", HINT)
             raise self.unreadable()
         return Term(value, start, middle, self.at, has_number, count)
 
@@ -420,9 +412,9 @@ class Calculator(Scanner):
                 start = self.at - len(name)
                 meant = LOGARITHMS.get(name, ())
                 better = [f"{self.text[:start]}{other}{self.text[self.at :]}" for other in meant]
-                hint: Hint = corrections(self.text, *better) or ", ".join(FUNCTIONS)
+                hint: errors.Hint = errors.corrections(self.text, *better) or ", ".join(FUNCTIONS)
                 problem = f"unknown function '{name}' in '{quote(self.text)}'"
-                raise ExpressionError(problem, hint)
+                raise errors.ExpressionError(problem, hint)
 
     def exponent(self) -> int:
         """Read the exponent of a unit; the sign in 1m+2m and 5m-2m begins another term."""
@@ -436,13 +428,13 @@ class Calculator(Scanner):
                 return 1
         return super().exponent()
 
-    def reading_of(self, scale: "ScaleUnit", start: int, number_text: str) -> "Hint":
+    def reading_of(self, scale: "ScaleUnit", start: int, number_text: str) -> "errors.Hint":
         """Propose what to do with a reading of a scale in arithmetic: 10 dBm + 3 dB is 13 dBm."""
         before, after = self.text[:start].strip(), self.text[self.at :].strip()
         name = scale.text
         if not (before + after).strip(f"{SIGNS} "):
             sign = "-" * before.count("-")
-            return [correct(self.text, f"{sign}{number_text} {name}")]
+            return [errors.correct(self.text, f"{sign}{number_text} {name}")]
         is_level = name.startswith("dB") and name != "dB"
         if before and before[-1] in SIGNS and not is_level:  # 500 lx - 1 EV, 5600 K + 134 mired
             return f"a value in units: after a sign, {quote(name)} may be a factor or a shift"
@@ -455,7 +447,9 @@ class Calculator(Scanner):
                 level = float(number_text) + float(gain.replace(" ", ""))
             except ValueError:
                 return tries
-            tries.insert(0, correct(self.text, f"{level:.12g} {name}", remark="a level and a gain"))
+            tries.insert(
+                0, errors.correct(self.text, f"{level:.12g} {name}", remark="a level and a gain")
+            )
         return tries
 
     def unit(self, text: str, start: int = 0, number: Value | None = None) -> Value:
@@ -465,7 +459,7 @@ class Calculator(Scanner):
         is_name = " " in text and joined in NAMES  # foot lambert
         try:
             unit = resolve(joined if is_name else text)
-        except UnitError:
+        except errors.UnitError:
             from radcalc.units import scales
 
             scale = scales.find(text)
@@ -534,7 +528,7 @@ class Calculator(Scanner):
         """Return a number to a power that is not whole."""
         if base.quantity != NUMBER:
             unit = base.unit()
-            what = measured(unit.text) if unit else "a unit"
+            what = errors.measured(unit.text) if unit else "a unit"
             hint = "sqrt(4 m2), or a whole number as exponent"
             raise self.wrong(f"has {what} with an exponent that is not whole, {quote(text)}", hint)
         if base.top <= 0:
@@ -576,7 +570,7 @@ class Calculator(Scanner):
                 raise self.unreadable()
             lacking = ")" * (self.text.count("(") - self.text.count(")"))
             raise self.wrong(
-                "has a bracket that is not closed", correct(self.text, self.text + lacking)
+                "has a bracket that is not closed", errors.correct(self.text, self.text + lacking)
             )
         self.at += 1
         self.depth -= 1
@@ -700,14 +694,16 @@ class Calculator(Scanner):
         if not digits.lstrip("+-").isdigit() or digits.count("-") > 1:
             exponent = quote(self.text[start:])
             again = f"{self.text[:start].rstrip('^* ')}^{self.text[start:].lstrip('^')}"
-            hint: Hint = correct(self.text, again) if exponent[:1] == "^" else "a number"
+            hint: errors.Hint = (
+                errors.correct(self.text, again) if exponent[:1] == "^" else "a number"
+            )
             raise self.wrong(f"has an exponent at '{exponent}' that is not a number", hint)
         if len(digits) > 5:
             exponent = quote(self.text[start:])
             raise self.wrong(f"has an exponent too large at '{exponent}'", f"at most {MAX_POWER}")
         return Value(int(digits.replace("+", "")))
 
-    def bracketed(self, before: int, start: int, end: int) -> "Hint":
+    def bracketed(self, before: int, start: int, end: int) -> "errors.Hint":
         """Propose both readings of 2^3^2, whose first exponent is from `start` to `end`."""
         import re  # only for an error
 
@@ -718,10 +714,10 @@ class Calculator(Scanner):
             return "brackets around one of them"
         head, rest = self.text[: base.start()], self.text[end:]
         left = f"{head}({self.text[base.start() : end].strip()}){rest}"
-        tries = [correct(self.text, left, remark="the first power first")]
+        tries = [errors.correct(self.text, left, remark="the first power first")]
         if (power := int(first) ** int(second[2])) <= MAX_POWER:
             right = f"{self.text[:start]}{power}{rest[second.end() :]}"
-            tries.insert(0, correct(self.text, right, remark=f"{first}^{second[2]} first"))
+            tries.insert(0, errors.correct(self.text, right, remark=f"{first}^{second[2]} first"))
         return tries
 
     def function(self, name: str, value: Value, start: int) -> Value:
@@ -733,11 +729,13 @@ class Calculator(Scanner):
         if value.quantity != dimension and dimension == ANGLE:
             inside = self.slice(start, self.at)[:-1]
             better = [self.with_part(start, f"{inside}{unit})") for unit in ("deg", "rad")]
-            hint = corrections(self.text, *better) if value.quantity == NUMBER else "an angle"
+            hint = (
+                errors.corrections(self.text, *better) if value.quantity == NUMBER else "an angle"
+            )
             raise self.wrong(NO_ANGLE.format(call), hint)
         if value.quantity != dimension:
             unit = value.unit()
-            what = measured(unit.text) if unit else "a unit"
+            what = errors.measured(unit.text) if unit else "a unit"
             raise self.wrong(NOT_A_NUMBER.format(what, call), "a bare number")
         from radcalc.units import functions
 
@@ -780,11 +778,11 @@ class _Reading:
     def __init__(self, text: str, leaves: Leaves | None, units: tuple[str, ...]) -> None:
         calculator = Calculator(text, leaves, units)
         self.value: Value | None = None
-        self.problem: RadcalcError | None = None
+        self.problem: errors.RadcalcError | None = None
         try:
             self.value = calculator.answer()
             self.unit = self.value.unit()
-        except (NumberError, UnitError) as error:
+        except (errors.NumberError, errors.UnitError) as error:
             self.problem = error
         self.is_arithmetic = calculator.is_arithmetic
         self.units, self.lone, self.notes = units, calculator.lone, calculator.notes
@@ -818,7 +816,7 @@ class _Reading:
         return any(constants.fit(self.unit, one).dimension == one for one in dimensions)
 
 
-class TwoReadings(ExpressionError):
+class TwoReadings(errors.ExpressionError):
     """An expression that means two quantities; the one that is asked for may decide."""
 
 
@@ -847,7 +845,7 @@ def _chosen(text: str, leaves: Leaves | None, dimensions: "tuple[Dimension, ...]
     if not fitting:
         return readings[-1]
     words = ", ".join(dict.fromkeys(w for reading in readings for w in reading.lone.values()))
-    raise TwoReadings(f"'{quote(text)}' is ambiguous: {words}", corrections(text, *valid))
+    raise TwoReadings(f"'{quote(text)}' is ambiguous: {words}", errors.corrections(text, *valid))
 
 
 def _begins_with_constant(text: str) -> bool:
@@ -855,7 +853,7 @@ def _begins_with_constant(text: str) -> bool:
     word = word_at(text, 0)
     if are_run_together(word) and not lookup(word):
         problem = f"'{quote(word)}' is not the name of a constant"
-        raise ExpressionError(problem, correct(text, f"{word[0]}*{text[1:]}"))
+        raise errors.ExpressionError(problem, errors.correct(text, f"{word[0]}*{text[1:]}"))
     return bool(find(word))
 
 
@@ -906,7 +904,11 @@ def read_expression(
         top, bottom = top * unit.bottom, bottom * unit.top
     number = divide(top, bottom)
     if math.isinf(number):
-        raise ExpressionError(f"'{quote(text)}' is too large for a number", "less than 1.8e308")
+        raise errors.ExpressionError(
+            f"'{quote(text)}' is too large for a number", "less than 1.8e308"
+        )
     if abs(number) < SMALLEST and top:
-        raise ExpressionError(f"'{quote(text)}' is too small for a number", "more than 2.3e-308")
+        raise errors.ExpressionError(
+            f"'{quote(text)}' is too small for a number", "more than 2.3e-308"
+        )
     return number, unit, max(value.rounding, EXACT), (top, bottom)

@@ -5,18 +5,8 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise, product
 from typing import Any, TypeVar
 
-from radcalc.errors import (
-    ConditionError,
-    Hint,
-    NumberError,
-    OutOfRange,
-    RadcalcError,
-    TooMany,
-    Try,
-    ambiguous,
-    correct,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import quote
 from radcalc.floats import divide
 from radcalc.units.amounts import nominal, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
@@ -43,7 +33,7 @@ def read_series(text: str) -> list[str]:
     if len(parts) == 1:
         return parts
     if len(parts) > MOST:
-        raise TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
+        raise errors.TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
     if all(_has_unit(part) for part in parts) or _is_list_of_numbers(parts):
         return parts
     return [text]  # 1,5 and 1,000: the grammar of numbers refuses them
@@ -69,7 +59,7 @@ def _is_one_number(whole: str, decimals: str) -> bool:
     return bool(without_commas(f"{whole},{decimals}"))
 
 
-def with_list(tries: "Sequence[Try]", text: str, unit: str = "") -> "Sequence[Try]":
+def with_list(tries: "Sequence[errors.Try]", text: str, unit: str = "") -> "Sequence[errors.Try]":
     """Return the proposals for a number with a comma, with the list that may be meant.
 
     A unit after the last value, or in another word, applies to each value.
@@ -84,13 +74,13 @@ def with_list(tries: "Sequence[Try]", text: str, unit: str = "") -> "Sequence[Tr
     ending = "" if unit else ".0"
     listed = ",".join(f"{part}{unit or ending * ('.' not in part)}" for part in parts)
     whole = f"{text} {unit}" if unit and not text.endswith(unit) else text
-    return [*tries, correct(whole, listed, remark="a list")]
+    return [*tries, errors.correct(whole, listed, remark="a list")]
 
 
 def _is_number(text: str) -> bool:
     try:
         return read_number(text)[1] == len(text)
-    except NumberError:
+    except errors.NumberError:
         return False
 
 
@@ -123,19 +113,21 @@ def read_values(text: str) -> list[str]:
     if unit:
         return [value.strip() + unit for value in series]
     if len({bool(_unit_in(value)) for value in series}) > 1:
-        raise ConditionError(
+        raise errors.ConditionError(
             f"'{quote(text)}' has values with a unit and without", _with_units(text, series)
         )
     return series
 
 
-def _with_units(text: str, series: Sequence[str]) -> Hint:
+def _with_units(text: str, series: Sequence[str]) -> errors.Hint:
     """Propose one unit for all values, if only one is typed."""
     units = {_unit_in(value) for value in series} - {""}
     if len(units) > 1 or ":" in text:
         return "a unit after each value, or one at the end"
     (unit,) = units
-    return correct(text, ",".join([value if _unit_in(value) else value + unit for value in series]))
+    return errors.correct(
+        text, ",".join([value if _unit_in(value) else value + unit for value in series])
+    )
 
 
 def _cut_unit(text: str) -> tuple[str, str]:
@@ -146,8 +138,8 @@ def _cut_unit(text: str) -> tuple[str, str]:
         return text, ""
     if _is_part(last) and not all(map(_is_part, values)):
         bracketed = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*values, last)]
-        problem = ambiguous(text, "only the last value or all are in %")
-        raise ConditionError(problem, correct(text, mark.join(bracketed)))
+        problem = errors.ambiguous(text, "only the last value or all are in %")
+        raise errors.ConditionError(problem, errors.correct(text, mark.join(bracketed)))
     unit = "" if any(map(_unit_in, values)) else _unit_in(last)
     if not unit or not last.endswith(unit):
         return mark.join([*values, last]), ""
@@ -168,9 +160,9 @@ def _unit_in(text: str) -> str:
             unit = read_amount(text).typed[1]
             return unit.text if unit else ""
         return split_value(text)[1]
-    except OutOfRange:  # the error of the list
+    except errors.OutOfRange:  # the error of the list
         raise
-    except RadcalcError:
+    except errors.RadcalcError:
         return ""
 
 
@@ -186,8 +178,8 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
         for word, next_word in pairwise(words):
             if word.endswith(","):
                 problem = f"'{quote(word)} {quote(next_word)}' has a blank in its list"
-                better = correct(f"{word} {next_word}", _without_blank(word, next_word))
-                raise ConditionError(problem, better)
+                better = errors.correct(f"{word} {next_word}", _without_blank(word, next_word))
+                raise errors.ConditionError(problem, better)
         values, between = read_values(words[0]), words[1:-1]
         _refuse_commas(words[0], values, *words[1:2])
         targets = _targets(words[-1]) if len(words) > 1 else []
@@ -216,8 +208,8 @@ def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
     whole = f"{text.strip()} {unit}".strip()
     try:
         split_value(whole)
-    except NumberError as error:
-        raise NumberError(error.message, with_list(error.tries, text, unit)) from None
+    except errors.NumberError as error:
+        raise errors.NumberError(error.message, with_list(error.tries, text, unit)) from None
 
 
 def _targets(text: str) -> list[str]:
@@ -225,7 +217,7 @@ def _targets(text: str) -> list[str]:
     if len(targets) > 1 and not all(targets):
         there = ",".join(filter(None, targets)) or "lx,fc"
         problem = f"a unit is missing in the list '{quote(text)}'"
-        raise ConditionError(problem, correct(text, there))
+        raise errors.ConditionError(problem, errors.correct(text, there))
     return targets
 
 
@@ -243,7 +235,9 @@ def refuse_many(sizes: Sequence[int], most: int = MOST) -> None:
     """Raise for lists with too many combinations."""
     if math.prod(sizes) > most:
         counted = " x ".join(str(size) for size in sizes if size > 1)
-        raise TooMany(f"the lists make {counted} = {math.prod(sizes)} answers", f"at most {most}")
+        raise errors.TooMany(
+            f"the lists make {counted} = {math.prod(sizes)} answers", f"at most {most}"
+        )
 
 
 def _has_unit(part: str) -> bool:
@@ -292,19 +286,19 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     (start, stop, step), unit = _numbers(text, parts)
     count = (stop - start) / step if step else 0.0
     if not all(map(math.isfinite, (start, stop, step, count))):
-        raise TooMany(f"'{quote(text)}' has too many values", f"at most {most}")
+        raise errors.TooMany(f"'{quote(text)}' has too many values", f"at most {most}")
     if step == 0 or count < 0:
         problem = "has a step of 0" if step == 0 else "has a step that leads away from its end"
         ends = [part.strip() for part in parts]
         better = ",".join(ends[:2]) if step == 0 else ":".join([*ends[:2], _negative(ends[2])])
-        raise ConditionError(f"'{quote(text)}' {problem}", correct(text, better))
+        raise errors.ConditionError(f"'{quote(text)}' {problem}", errors.correct(text, better))
     values = math.floor(count * (1 + 1e-12) + 1e-9) + 1
     if values > most:
         many = f"{values}" if count < 1e15 else f"{count:.2g}"
         problem = f"'{quote(text)}' has {many} values"
         better = with_larger_step(text, values, most)
-        tries = [correct(text, better, remark="a larger step")] if better else []
-        raise TooMany(problem, f"at most {most}", tries)
+        tries = [errors.correct(text, better, remark="a larger step")] if better else []
+        raise errors.TooMany(problem, f"at most {most}", tries)
     return start, step, values, unit
 
 
@@ -315,10 +309,10 @@ def _parts(text: str) -> list[str]:
         hint = "START:STOP:STEP, as in 1m:5m:1m"
         if len(parts) == 2 and all(part.strip().isdigit() for part in parts):
             hint = f"{quote('/'.join(parts))}, or {hint}"  # 16:9
-        raise ConditionError(f"'{quote(text)}' is not a range", hint)
+        raise errors.ConditionError(f"'{quote(text)}' is not a range", hint)
     if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
         problem = f"'{quote(text)}' has an uncertainty, which a range cannot have"
-        raise ConditionError(problem, correct(text, ":".join(map(nominal, parts))))
+        raise errors.ConditionError(problem, errors.correct(text, ":".join(map(nominal, parts))))
     return parts
 
 
@@ -340,8 +334,8 @@ def _numbers(text: str, parts: Sequence[str]) -> tuple[list[float], str]:
             for unit, quantity in typed.items()
             if unit
         ]
-        tries = [correct(text, one) for one in better]
-        raise ConditionError(
+        tries = [errors.correct(text, one) for one in better]
+        raise errors.ConditionError(
             f"'{quote(text)}' mixes quantities", "one unit in START, STOP and STEP", tries
         )
     sizes = [
@@ -355,8 +349,8 @@ def size_of(text: str) -> int:
     """Return the number of values in a list or a range; 1 for another text."""
     try:
         return _steps(text, MOST_IN_ARRAY)[2] if text.count(":") == 2 else text.count(",") + 1
-    except RadcalcError as error:
-        return MOST_IN_ARRAY if isinstance(error, TooMany) else 1
+    except errors.RadcalcError as error:
+        return MOST_IN_ARRAY if isinstance(error, errors.TooMany) else 1
 
 
 def _negative(text: str) -> str:
@@ -394,9 +388,9 @@ def real(value: Any, what: str, hint: str) -> Any:
         refuse_masked(value, what)
     except OverflowError:
         problem = f"a number in {what} is out of range"
-        raise NumberError(problem, hint) from None
+        raise errors.NumberError(problem, hint) from None
     except (TypeError, ValueError, Warning):
-        raise NumberError(problem, hint) from None
+        raise errors.NumberError(problem, hint) from None
     return array if array.ndim else float(array)
 
 
@@ -415,4 +409,6 @@ def refuse_masked(value: Any, what: str) -> None:
     import numpy
 
     if numpy.ma.is_masked(value):
-        raise NumberError(f"{what} has masked elements", "numbers in their place, by .filled(0)")
+        raise errors.NumberError(
+            f"{what} has masked elements", "numbers in their place, by .filled(0)"
+        )

@@ -1,17 +1,7 @@
 """Readers of values with their units, and of the words of a conversion."""
 
-from radcalc.errors import (
-    ExpressionError,
-    Hint,
-    NumberError,
-    RadcalcError,
-    TooManyWords,
-    UnitError,
-    UsageError,
-    call,
-    correct,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import quote
 from radcalc.units.amount import Amount
 from radcalc.units.amounts import (
     ALSO_UNITS,
@@ -40,12 +30,12 @@ if TYPE_CHECKING:
 def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     """Read a value, with a unit or bare; a spelling of several scales is read as one of them."""
     text = text.strip()
-    problem: RadcalcError | None = None
+    problem: errors.RadcalcError | None = None
     try:
         number, unit = split_quantity(text)
         if unit.isalpha() or not has_number(unit):
             return read_plain(text, number, unit, dimensions)
-    except RadcalcError as error:
+    except errors.RadcalcError as error:
         problem = error
     is_signed = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
     is_signed |= any(text[k - 1] in DIGITS for k, c in enumerate(text) if k and c == "(")  # 100(3)
@@ -60,7 +50,7 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     if is_signed and (amount := read_sum(text, dimensions)):
         return amount
     if meant := sum_meant(text):
-        raise UnitError(f"'{quote(text)}' has several numbers", correct(text, meant))
+        raise errors.UnitError(f"'{quote(text)}' has several numbers", errors.correct(text, meant))
     if problem:
         raise problem
     return read_plain(text, number, unit, dimensions)
@@ -70,7 +60,7 @@ def read_for(text: str, target: str) -> Amount:
     """Read a value that is converted to a target, which decides between two readings."""
     try:
         return read_amount(text)
-    except ExpressionError:
+    except errors.ExpressionError:
         if not (dimensions := _dimensions_of(target)):
             raise
         return read_amount(text, dimensions)
@@ -137,46 +127,48 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     """
     try:
         return _read_operands(words)
-    except RadcalcError:
+    except errors.RadcalcError:
         if several := temperatures(words[:-1]):  # 3200 K 5600 K mired
             typed = quote(" ".join(words[:-1]))
-            hint = call("convert", several, words[-1])
-            raise UsageError(f"'{typed}' has several temperatures", hint) from None
+            hint = errors.call("convert", several, words[-1])
+            raise errors.UsageError(f"'{typed}' has several temperatures", hint) from None
         for end in range(len(words), 1, -1):  # 5 ft 3 in m, 5ft 3in m
             if not (end > 3 or all(word[:1].isdigit() for word in words[:end])):
                 continue
             if meant := sum_meant(" ".join(words[:end])):
                 typed = quote(" ".join(words[:end]))
-                hint = call("convert", meant, *words[end:])
-                raise UsageError(f"'{typed}' has several numbers", hint) from None
+                hint = errors.call("convert", meant, *words[end:])
+                raise errors.UsageError(f"'{typed}' has several numbers", hint) from None
         raise
 
 
 def _read_operands(words: list[str]) -> tuple[Amount, str]:
     if not words:
-        raise UsageError("a value is missing", EXAMPLE)
+        raise errors.UsageError("a value is missing", EXAMPLE)
     if words[1:] and words[-1] in ("-", "="):
         shell = "'to' instead, or '->' in quotes: without them > is the shell's"
-        alone = correct(" ".join(words), *words[:-1], remark="'->' needs quotes")
-        raise UsageError(f"a unit is missing after '{words[-1]}'", shell, [alone])
+        alone = errors.correct(" ".join(words), *words[:-1], remark="'->' needs quotes")
+        raise errors.UsageError(f"a unit is missing after '{words[-1]}'", shell, [alone])
     try:
         amount, separator, rest = read_value(words)
-    except ExpressionError:
+    except errors.ExpressionError:
         target = sides(words)[2] or "".join(words[1:][-1:])
         if not (dimensions := _dimensions_of(target)):
             raise
         amount, separator, rest = read_value(words, dimensions)
     if separator and not rest:
-        alone = correct(" ".join(words), *words[:-1])
-        raise UsageError(f"a unit is missing after '{separator}'", alone)
+        alone = errors.correct(" ".join(words), *words[:-1])
+        raise errors.UsageError(f"a unit is missing after '{separator}'", alone)
     if amount.unit is None:
         amount, rest = _with_next_unit(words, amount, separator, rest)
     if amount.unit is None:
         is_plain = words[0].replace(".", "").isalnum()
-        hint: Hint = call("convert", words[0], *(("lx", "fc") if is_plain else ("to", "1")))
-        raise UsageError(f"the unit of '{quote(words[0])}' is missing", hint)
+        hint: errors.Hint = errors.call(
+            "convert", words[0], *(("lx", "fc") if is_plain else ("to", "1"))
+        )
+        raise errors.UsageError(f"the unit of '{quote(words[0])}' is missing", hint)
     if rest and not rest[0].strip():
-        raise UsageError("the unit to convert to is missing", EXAMPLE)
+        raise errors.UsageError("the unit to convert to is missing", EXAMPLE)
     if len(rest) > 1:
         _, typed = amount.typed
         raise _too_many(words, [typed.text if typed else "", *rest])
@@ -217,11 +209,13 @@ def read_value(
 def read_stream_operands(words: list[str]) -> tuple[str, str]:
     """Return the units of `- UNIT [to] TARGET`; the first is '' if lines have their own unit."""
     if words.count("-") > 1:
-        raise UsageError("'-' is given more than once: there is one standard input", STREAM_EXAMPLE)
+        raise errors.UsageError(
+            "'-' is given more than once: there is one standard input", STREAM_EXAMPLE
+        )
     source, separator, target = sides(words[1:], is_stream=True)
     units = [source, target] if separator else words[1:]
     if not units or not all(unit.strip() for unit in units[bool(separator) :]):
-        raise UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
+        raise errors.UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
     if len(units) > 2:
         raise _too_many(units, units, is_stream=True)
     return (units[0] if len(units) > 1 else ""), units[-1]
@@ -243,7 +237,7 @@ def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
     at, *others = places
     if others:
         again = parts[others[0]]
-        raise UsageError(
+        raise errors.UsageError(
             f"the word {again} is given more than once"
             if again == parts[at]
             else f"{parts[at]} and {again} both separate units",
@@ -266,31 +260,38 @@ def _has_unit(text: str) -> bool:
     """Return whether a value has a unit, which may be unknown."""
     try:
         return read_amount(text).unit is not None
-    except RadcalcError as error:
-        return isinstance(error, ExpressionError) or not isinstance(error, NumberError)
+    except errors.RadcalcError as error:
+        return isinstance(error, errors.ExpressionError) or not isinstance(
+            error, errors.NumberError
+        )
 
 
-def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> TooManyWords:
+def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> errors.TooManyWords:
     """Return the error for words after the units; propose the divisions that fit."""
     _, second, *others = units
     if second.lower() in SEPARATORS + ALSO_UNITS and others:
-        return TooManyWords(
+        return errors.TooManyWords(
             f"'{quote(second)}' does not separate units",
-            correct(f"{second} {others[0]}", f"to {others[0]}"),
+            errors.correct(f"{second} {others[0]}", f"to {others[0]}"),
         )
     problem = f"too many words: '{quote(' '.join(units))}'"
     if any(word in OPERATORS for word in units):
         whole, last = " ".join(words), words[-1]
-        calculated = [correct(whole, whole), correct(whole, whole.removesuffix(f" {last}"), last)]
-        return TooManyWords(problem, "quotes around a value that is calculated", calculated)
-    return TooManyWords(problem, lambda: _divided(units) or _of_targets(units, is_stream))
+        calculated = [
+            errors.correct(whole, whole),
+            errors.correct(whole, whole.removesuffix(f" {last}"), last),
+        ]
+        return errors.TooManyWords(problem, "quotes around a value that is calculated", calculated)
+    return errors.TooManyWords(problem, lambda: _divided(units) or _of_targets(units, is_stream))
 
 
 def _divided(units: list[str]) -> "list[Try]":
     """Propose `W m-2 to mW cm-2`, with a unit of several words on both sides or one."""
     typed = " ".join(units)
     ends = [(" ".join(units[:k]), " ".join(units[k:])) for k in range(1, len(units))]
-    return [correct(typed, start, "to", end) for start, end in ends if _are_alike(start, end)]
+    return [
+        errors.correct(typed, start, "to", end) for start, end in ends if _are_alike(start, end)
+    ]
 
 
 def _of_targets(units: list[str], is_stream: bool) -> "list[Try]":
@@ -298,7 +299,7 @@ def _of_targets(units: list[str], is_stream: bool) -> "list[Try]":
     source, *targets = units
     ends = targets if is_stream else [",".join(targets), *targets]
     ends = [end for end in ends if not is_stream or _are_alike(source, end)]
-    return [correct(" ".join(units), source, end) for end in ends]
+    return [errors.correct(" ".join(units), source, end) for end in ends]
 
 
 def _are_alike(start: str, end: str) -> bool:

@@ -3,18 +3,8 @@
 Factors are exact ratios of whole numbers, so the factor between any two units is rounded once.
 """
 
-from radcalc.errors import (
-    Hint,
-    RadcalcError,
-    UnitError,
-    alternatives,
-    ambiguous,
-    command,
-    correct,
-    corrections,
-    nearest,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import command, quote
 from radcalc.units.compiled import (
     NAMES,
     NOTES,
@@ -66,7 +56,7 @@ def unit_of(text: str) -> Unit | None:
     """Return the unit of a text, or None; cheaper than `resolve`, which computes suggestions."""
     try:
         unit = _read(text) if text else None
-    except RadcalcError:
+    except errors.RadcalcError:
         return None
     return None if isinstance(unit, str) else unit
 
@@ -80,7 +70,7 @@ def _read(text: str) -> Unit | str:
         return named
     try:
         parsed = parse_unit(text)
-    except UnitError:
+    except errors.UnitError:
         if unit := _in_other_words(text):
             return unit
         raise
@@ -124,10 +114,10 @@ def _degree(spelling: str, unit: Unit, is_alone: bool) -> tuple[str, str] | None
     return "", "kelvin"
 
 
-def _power_of_part(text: str, spelling: str) -> UnitError:
+def _power_of_part(text: str, spelling: str) -> errors.UnitError:
     """Return the error for %2 and the like: the exponent may belong to the number as well."""
     hint = "brackets around the number with it, as in (50%)^2"
-    return UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
+    return errors.UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
 
 
 def _refuse_minus(unit: Unit, last: str) -> None:
@@ -135,7 +125,7 @@ def _refuse_minus(unit: Unit, last: str) -> None:
     exponents = [exponent for _, exponent in unit.atoms]
     if exponents[1:] == [1] and unit.text.startswith(f"{last}-"):
         hint = f"blanks around a minus, or {quote(last)}^{exponents[0]} for a power"
-        raise UnitError(ambiguous(unit.text, "a subtraction or a power"), hint)
+        raise errors.UnitError(errors.ambiguous(unit.text, "a subtraction or a power"), hint)
 
 
 def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
@@ -162,15 +152,15 @@ def _check_light(unit: Unit, length: str) -> None:
     if length and "(" not in text:  # W m, where the blank may mean a division
         per_wavenumber = _with(text, length, f"({length}-1)-1")
         ways = [
-            correct(text, per_wavenumber, remark="a density per wavenumber"),
-            correct(text, _with(text, length, f"{length}-1"), remark="per length"),
+            errors.correct(text, per_wavenumber, remark="a density per wavenumber"),
+            errors.correct(text, _with(text, length, f"{length}-1"), remark="per length"),
         ]
-        raise UnitError(f"the unit '{quote(text)}' has a length that multiplies light", ways)
+        raise errors.UnitError(f"the unit '{quote(text)}' has a length that multiplies light", ways)
     length_power, mass_power, *_ = unit.dimension
     is_on_area = length_power - 2 * mass_power == -2  # W has m2 kg
     if is_on_area and any((name, 1) in unit.atoms for name in WHOLES):
         problem = f"the unit '{quote(text)}' has a radiance times a whole solid angle"
-        raise UnitError(problem, f"{command('lambertian')}, for the light of a surface")
+        raise errors.UnitError(problem, f"{command('lambertian')}, for the light of a surface")
     if unit.dimension[COUNT_AT] and ("day", -1) in unit.atoms:
         unit.notes += (f"{quote(text)} is a rate over 24 h (a daily light integral is in dli)",)
 
@@ -186,7 +176,7 @@ def _joined(text: str) -> Unit | str:
 
     texts = joined.readings(text)
     if len(texts) > 1:
-        raise UnitError(ambiguous(text), corrections(text, *texts))
+        raise errors.UnitError(errors.ambiguous(text), errors.corrections(text, *texts))
     unit = _read(texts[0]) if texts and texts[0] != text else ""
     if isinstance(unit, str):
         return ""
@@ -235,13 +225,13 @@ def spellings() -> list[str]:
     return [*SYMBOLS, *NAMES]
 
 
-def _unknown(spelling: str) -> UnitError:
+def _unknown(spelling: str) -> errors.UnitError:
     typed = quote(spelling)
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:
         listed = REFUSED[name]
-        tries = [] if name in CELSIUS + FAHRENHEIT else alternatives(spelling, listed)
-        return UnitError(f"'{typed}' is not accepted as a unit", listed, tries)
+        tries = [] if name in CELSIUS + FAHRENHEIT else errors.alternatives(spelling, listed)
+        return errors.UnitError(f"'{typed}' is not accepted as a unit", listed, tries)
 
     from radcalc.units import scale_table
 
@@ -251,36 +241,36 @@ def _unknown(spelling: str) -> UnitError:
     same = [s for s in (*_prefixed(), *scale_table.spellings()) if s.lower() == folded]
     if same:  # those with the fewest other letters first: mW for mw
         same.sort(key=lambda s: sum(a != b for a, b in zip(s, spelling, strict=True)))
-        return UnitError(f"unknown unit '{typed}'", corrections(spelling, *same[:3]))
+        return errors.UnitError(f"unknown unit '{typed}'", errors.corrections(spelling, *same[:3]))
     for prefixes, text in ((PREFIX_SYMBOLS, spelling), (PREFIX_NAMES, name)):
         for prefix in prefixes:
             stem = text[len(prefix) :]
             if text.startswith(prefix) and (stem in SYMBOLS or stem.lower() in NAMES):
-                return UnitError(
+                return errors.UnitError(
                     f"unknown unit '{typed}': the prefix {prefix} does not go before {quote(stem)}",
                     _respelt(spelling, PREFIX_SYMBOLS.get(prefix, prefix), stem),
                 )
-    return UnitError(f"unknown unit '{typed}'", lambda: _similar(spelling))
+    return errors.UnitError(f"unknown unit '{typed}'", lambda: _similar(spelling))
 
 
-def _similar(spelling: str) -> "Hint":
+def _similar(spelling: str) -> "errors.Hint":
     """Propose the known spellings that are like an unknown one."""
     near = suggest(spelling)
     if not near and not spelling.isascii():
         from radcalc.units import languages
 
         near = languages.near(spelling)
-    return corrections(spelling, *near) or f"{command('units')}, which lists them all"
+    return errors.corrections(spelling, *near) or f"{command('units')}, which lists them all"
 
 
-def _respelt(typed: str, prefix: str, rest: str) -> "Hint":
+def _respelt(typed: str, prefix: str, rest: str) -> "errors.Hint":
     """Propose the prefix in the form of its unit: kilolumen for klumen, klm for kilolm."""
     name = NAMES.get(rest.lower(), "")
     if name and prefix in UNITS[name][3]:
-        return correct(typed, prefix + rest.lower())
+        return errors.correct(typed, prefix + rest.lower())
     letters = [letter for letter, full in PREFIX_SYMBOLS.items() if full == prefix]
     if rest in SYMBOLS and letters and prefix in UNITS[SYMBOLS[rest]][3]:
-        return correct(typed, letters[0] + rest)
+        return errors.correct(typed, letters[0] + rest)
     return f"{quote(rest)}, with the power of ten in the number"
 
 
@@ -288,9 +278,9 @@ def suggest(spelling: str) -> list[str]:
     """Return the known spellings nearest to an unknown one."""
     spelling = spelling[:60]
     folded = spelling.lower()
-    near = nearest(folded, NAMES, SUGGESTED, 0.7)
+    near = errors.nearest(folded, NAMES, SUGGESTED, 0.7)
     if len(spelling) <= 4:
-        near = nearest(spelling, _prefixed(), SUGGESTED, 0.75) + near
+        near = errors.nearest(spelling, _prefixed(), SUGGESTED, 0.75) + near
     return list(dict.fromkeys(near))[:SUGGESTED]
 
 

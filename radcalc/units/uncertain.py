@@ -13,16 +13,8 @@ from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
 
-from radcalc.errors import (
-    MINUS,
-    NumberError,
-    RadcalcError,
-    UnitError,
-    ambiguous,
-    correct,
-    corrections,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import quote
 from radcalc.floats import divide
 from radcalc.units.numbers import (
     DIGITS,
@@ -66,7 +58,7 @@ class Reading(NamedTuple):
     parts: tuple[Part, ...] = ()
 
 
-class _Beside(NumberError):
+class _Beside(errors.NumberError):
     """Error for a ± in arithmetic without brackets around its number."""
 
     def __init__(self, text: str) -> None:
@@ -89,20 +81,20 @@ def read_uncertain(text: str, dimensions: Sequence[Dimension] = ()) -> Reading |
     try:
         return _read(signed(text.strip()), tuple(dimensions))
     except _Beside as error:
-        raise error.reworded(hint=corrections(error.text, *_ways(error.text))) from None
+        raise error.reworded(hint=errors.corrections(error.text, *_ways(error.text))) from None
 
 
 def _read(text: str, dimensions: tuple[Dimension, ...] = ()) -> Reading | None:
     try:
         reading = _with_one(text)
-    except RadcalcError:
+    except errors.RadcalcError:
         if (reading := _with_expression(text, dimensions)) is None:
             raise
         return reading
     if reading is None:
         return _with_expression(text, dimensions)
     if reading.uncertainty < 0:
-        raise NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
+        raise errors.NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
     check_uncertainty(reading.uncertainty, text)
     head = text.lstrip("( ")
     unit = reading.unit.text if reading.unit else ""
@@ -144,7 +136,9 @@ def _with_sign(text: str) -> Reading | None:
     if after == PERCENT:
         as_percents = f"({value_text}±{uncertainty_text[:-1].strip()})%"
         as_part = f"{value_text}±{abs(value) * uncertainty / 100:.6g}"
-        raise NumberError(ambiguous(text), corrections(text, as_percents, as_part))
+        raise errors.NumberError(
+            errors.ambiguous(text), errors.corrections(text, as_percents, as_part)
+        )
     if after.startswith(PERCENT):
         unit = resolve_any(after[1:].strip())
         return Reading(value, unit, _part_of(text, value, uncertainty, unit))
@@ -155,17 +149,19 @@ def _of_quantity(
     text: str, value: float, unit: Unit, number: float, unit_of_uncertainty: str
 ) -> Reading:
     if not unit_of_uncertainty:
-        better = correct(text, f"{value:.15g}±{number:.15g} {unit.text}")
-        raise UnitError(f"the unit of the uncertainty of '{quote(text)}' is missing", better)
+        better = errors.correct(text, f"{value:.15g}±{number:.15g} {unit.text}")
+        raise errors.UnitError(f"the unit of the uncertainty of '{quote(text)}' is missing", better)
     if unit_of_uncertainty == PERCENT and unit.text == PERCENT:
         as_percents = f"({value:.15g}±{number:.15g})%"
         as_part = f"({value:.15g}±{abs(value) * number / 100:.6g})%"
-        raise NumberError(ambiguous(text), corrections(text, as_percents, as_part))
+        raise errors.NumberError(
+            errors.ambiguous(text), errors.corrections(text, as_percents, as_part)
+        )
     if unit_of_uncertainty == PERCENT:
         return Reading(value, unit, _part_of(text, value, number, unit))
     other_unit = resolve_any(unit_of_uncertainty)
     if other_unit.dimension != unit.dimension or scale_of(other_unit) != scale_of(unit):
-        raise UnitError(
+        raise errors.UnitError(
             f"the value and the uncertainty of '{quote(text)}' are in units of different "
             "quantities",
             f"an uncertainty in {quote(unit.text)}",
@@ -178,7 +174,9 @@ def _part_of(text: str, value: float, percent: float, unit: Unit) -> float:
     """Return a percentage of a value as its uncertainty; raise for readings on a scale."""
     if unit.is_scale:
         better = f"an uncertainty in {quote(unit.text)}"
-        raise UnitError(f"'{quote(text)}' has a percentage of a reading as uncertainty", better)
+        raise errors.UnitError(
+            f"'{quote(text)}' has a percentage of a reading as uncertainty", better
+        )
     part = abs(value) * percent / 100
     if value and percent and not part:
         check_uncertainty(math.nan, text)
@@ -231,7 +229,7 @@ def _with_expression(text: str, dimensions: tuple[Dimension, ...]) -> Reading | 
             places[leaf.start()] = leaf.end(), size.times(unit) if unit else size
         read = read_expression(text, places, dimensions)
         if read is None:
-            raise NumberError(f"'{quote(text)}' is not a value with a unit", HINT)
+            raise errors.NumberError(f"'{quote(text)}' is not a value with a unit", HINT)
         return read[0], read[1]
 
     number, unit = evaluate()
@@ -260,7 +258,7 @@ def _part(
         nonlocal why
         try:
             return {"": evaluate(shift)[0]}
-        except RadcalcError as error:
+        except errors.RadcalcError as error:
             why = f": {error.message}"
             return {}
 
@@ -270,7 +268,7 @@ def _part(
         problem = (
             f"the uncertainty of '{quote(leaf_text)}' cannot be propagated through '{quote(text)}'"
         )
-        raise NumberError(f"{problem}{why}", "leave it out")
+        raise errors.NumberError(f"{problem}{why}", "leave it out")
     return Part(leaf_text, float(f"{slope * off:.7g}"), lambda times: at(times * off).get(""))
 
 
@@ -278,9 +276,9 @@ def _leaf(text: str) -> Reading:
     """Read a number of an expression and its uncertainty: (100±3), (100±3 lx) or 100(3)."""
     reading = _with_one(text)
     if reading is None:
-        raise NumberError(f"'{quote(text)}' is not a number and its uncertainty", HINT)
+        raise errors.NumberError(f"'{quote(text)}' is not a number and its uncertainty", HINT)
     if reading.uncertainty < 0:
-        raise NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
+        raise errors.NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
     return reading
 
 
@@ -300,7 +298,7 @@ def _ways(text: str) -> list[str]:
     at = masked.index(SIGN)
     left, right = text[:at], text[at + 1 :]
     sizes = ""
-    with suppress(RadcalcError):
+    with suppress(errors.RadcalcError):
         (value, unit), (off, after) = split_value(left.strip()), split_value(right.strip())
         sizes = f"{value:.12g}±{off:.12g} {unit or after}".strip()
         if unit and after:
@@ -327,7 +325,7 @@ def _meant(text: str) -> tuple[str, Dimension] | None:
     """Return the text, or the first of its two readings, and its dimension; None if unreadable."""
     try:
         reading = _read(text)
-    except RadcalcError as error:
+    except errors.RadcalcError as error:
         first = error.hint.partition(" or ")[0]
         return (
             _meant(first)
@@ -354,7 +352,7 @@ def _power_of_ten(text: str) -> tuple[int, str]:
         end += 1
     if text[:1] not in ("e", "E") or not first < end <= MOST_DIGITS:
         return 0, text.strip()
-    return int(text[1:end].replace(MINUS, "-")), text[end:].strip()
+    return int(text[1:end].replace(errors.MINUS, "-")), text[end:].strip()
 
 
 def join_words(words: list[str]) -> list[str]:
@@ -388,7 +386,7 @@ def join_words(words: list[str]) -> list[str]:
 def _has_unit(text: str) -> bool:
     try:
         return not text.startswith("(") and split_quantity(text)[1] != ""
-    except NumberError:  # sqrt(4.0
+    except errors.NumberError:  # sqrt(4.0
         return False
 
 
@@ -396,7 +394,7 @@ def _is_ratio(text: str) -> bool:
     """Return whether a text is a unit of ratios, which may be the target of (50 ± 5)%."""
     try:
         return resolve_any(text).dimension == NUMBER
-    except UnitError:
+    except errors.UnitError:
         return False
 
 

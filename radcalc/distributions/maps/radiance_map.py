@@ -9,18 +9,7 @@ import numpy
 from radcalc.distributions.distribution import Peak
 from radcalc.distributions.maps.light_sums import LightSums, Progress, Raster
 from radcalc.errors import ConditionError
-from radcalc.geometry.directions import (
-    FORWARD,
-    Vector,
-    cartesian,
-    components,
-    facing,
-    from_components,
-    spherical,
-    unit,
-    upright,
-    vector,
-)
+from radcalc.geometry import directions
 from radcalc.geometry.light_vectors import is_shown, shown_directions, solid_angles
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.projections import (
@@ -108,13 +97,13 @@ class RadianceMap:
         self,
         pixels: Any,
         projection: str,
-        aim: Vector = FORWARD,
+        aim: directions.Vector = directions.FORWARD,
         weights: Sequence[float] | None = None,
         factor: float = 1.0,
         kind: str = "",
         frame: tuple[int, int, int, int] | None = None,
         view: View | None = None,
-        up: Vector | None = None,
+        up: directions.Vector | None = None,
         grain: float = 0.0,
     ) -> None:
         if not (hasattr(pixels, "shape") and hasattr(pixels, "dtype")):
@@ -141,7 +130,7 @@ class RadianceMap:
             )
         self.projection, self.kind, self.is_axial = projection, kind, False
         self.size, self.part = (width, height), (left, top, columns, rows)
-        self.axes = upright(aim, up) if up else facing(aim)
+        self.axes = directions.upright(aim, up) if up else directions.facing(aim)
         self._weights = factor * numpy.array(weights or (1.0,), float)
         self.factor, self.grain = factor, grain
         self.raster = Raster(projection, self.size, self.part, view)
@@ -238,10 +227,10 @@ class RadianceMap:
 
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         polar, azimuth = numpy.broadcast_arrays(polar, azimuth)
-        direction = self.in_map_axes(cartesian(polar.ravel(), azimuth.ravel()))
+        direction = self.in_map_axes(directions.cartesian(polar.ravel(), azimuth.ravel()))
         return (self.toward(direction) @ self._weights).reshape(polar.shape)[()]
 
-    def toward(self, direction: Vector) -> Any:
+    def toward(self, direction: directions.Vector) -> Any:
         """Return the values of each channel, without the factor, in directions in map axes."""
         column, row = self._pixel_of(direction)
         values = numpy.zeros((len(column), self.pixels.shape[2]))
@@ -251,7 +240,7 @@ class RadianceMap:
             values[here] = self._rows(strip)[row[here] % self._strip, column[here]]
         return values
 
-    def irradiance(self, normal: Vector) -> Integral:
+    def irradiance(self, normal: directions.Vector) -> Integral:
         in_map = numpy.array([self.in_map_axes(_unit(normal))])
         values, errors = self._sums.irradiances(in_map, has_errors=True)
         value, error = float(values[0, 0]), float(errors[0, 0])
@@ -278,7 +267,7 @@ class RadianceMap:
         >>> above.irradiances([(0, 0, 1), (1, 0, 0), (0, 0, -1)]).round(6).tolist()
         [3.141593, 1.570796, 0.0]
         """
-        x, y, z = self.in_map_axes(_unit(vector(numpy.asarray(normals, float))))
+        x, y, z = self.in_map_axes(_unit(directions.vector(numpy.asarray(normals, float))))
         in_map = numpy.stack([numpy.ravel(component) for component in (x, y, z)], -1)
         if not is_each:
             values, _ = self._sums.irradiances(in_map, progress)
@@ -287,7 +276,7 @@ class RadianceMap:
         values, _ = sums.irradiances(in_map, progress)
         return values.reshape(*numpy.shape(x), -1)
 
-    def seen(self, normal: Vector) -> float:
+    def seen(self, normal: directions.Vector) -> float:
         """Return the share of a receiver's hemisphere, weighted by the cosine, that the map shows.
 
         It is the share of `SEEN` squared directions that all have the same weight.
@@ -296,7 +285,9 @@ class RadianceMap:
         across, azimuth = numpy.sqrt(share)[:, None], 2 * math.pi * share
         cosine = numpy.broadcast_to(numpy.sqrt(1 - share)[:, None], (SEEN, SEEN))
         about = numpy.stack([cosine, across * numpy.cos(azimuth), across * numpy.sin(azimuth)])
-        world = from_components(facing(normal), vector(about.reshape(3, -1).T))
+        world = directions.from_components(
+            directions.facing(normal), directions.vector(about.reshape(3, -1).T)
+        )
         return float((self._pixel_of(self.in_map_axes(world))[0] >= 0).mean())
 
     def mean(self) -> float:
@@ -306,16 +297,18 @@ class RadianceMap:
         """Return the first pixel with the greatest radiance, and the direction of its centre."""
         value, column, row = self._peak
         u, v = self.raster.view.places(*middle_of_pixel(*self.size, column, row))
-        polar, azimuth, _ = spherical(*self.world(shown_directions(self.projection, u, v)))
+        polar, azimuth, _ = directions.spherical(
+            *self.world(shown_directions(self.projection, u, v))
+        )
         return Peak(value, float(polar), float(azimuth))
 
-    def in_map_axes(self, direction: Vector) -> Vector:
-        return components(self.axes, direction)
+    def in_map_axes(self, direction: directions.Vector) -> directions.Vector:
+        return directions.components(self.axes, direction)
 
-    def world(self, direction: Vector) -> Vector:
-        return from_components(self.axes, direction)
+    def world(self, direction: directions.Vector) -> directions.Vector:
+        return directions.from_components(self.axes, direction)
 
-    def _pixel_of(self, direction: Vector) -> tuple[Any, Any]:
+    def _pixel_of(self, direction: directions.Vector) -> tuple[Any, Any]:
         """Return column and row of the pixels that show directions; -1 if none does."""
         (left, top, columns, rows), (width, height) = self.part, self.size
         u, v = place_of(self.projection, *direction)
@@ -342,9 +335,9 @@ def check_shape(projection: str, width: int, height: int) -> None:
         raise ConditionError(f"{size} are too few for a map", f"{LEAST} rows or more")
 
 
-def _unit(normal: Vector) -> Vector:
-    spherical(*normal)  # raises an error if there is no direction
-    return unit(normal)
+def _unit(normal: directions.Vector) -> directions.Vector:
+    directions.spherical(*normal)  # raises an error if there is no direction
+    return directions.unit(normal)
 
 
 def _rows_of_a_strip(pixels: Any, side: int) -> int:

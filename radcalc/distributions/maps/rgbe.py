@@ -38,14 +38,7 @@ from radcalc.files import columns
 from radcalc.geometry.directions import UP
 from radcalc.geometry.directions import upright as upright_axes
 from radcalc.geometry.projections import view_of_angles
-from radcalc.quantities.symbols import (
-    ANGULAR,
-    CYLINDRICAL,
-    FISHEYE,
-    ORTHOGRAPHIC,
-    PERSPECTIVE,
-    STEREOGRAPHIC,
-)
+from radcalc.quantities import symbols
 
 FORMAT = "Radiance RGBE"
 RGBE, XYZE = "32-bit_rle_rgbe", "32-bit_rle_xyze"
@@ -59,7 +52,14 @@ HEADER = 1 << 20  # largest header [bytes]
 RESOLUTION = re.compile(r"([-+])([XY])\s+(-?\d{1,15})\s+([-+])([XY])\s+(-?\d{1,15})\s*")
 # Types of Radiance's views, and the count of numbers of other options: horizontal and vertical
 # angle, shift and lift, direction and up.
-SHOWN = (FISHEYE, ORTHOGRAPHIC, STEREOGRAPHIC, PERSPECTIVE, CYLINDRICAL, PARALLEL)
+SHOWN = (
+    symbols.FISHEYE,
+    symbols.ORTHOGRAPHIC,
+    symbols.STEREOGRAPHIC,
+    symbols.PERSPECTIVE,
+    symbols.CYLINDRICAL,
+    PARALLEL,
+)
 VIEWS = dict(zip("ahsvcl", SHOWN, strict=True))
 NUMBERS_OF_VIEW = {"h": 1, "v": 1, "s": 1, "l": 1, "d": 3, "u": 3}
 EXTREME = 1e20  # limit of factors of pixels, and of their inverses
@@ -307,7 +307,7 @@ def _viewed(lines: list[str], name: str) -> dict[str, Any]:
     if VIEWS[kind] == PARALLEL:
         return fields
     if (kind, across, upright, shift, lift) == ("a", 360, 360, 0, 0):
-        return {**fields, "projection": ANGULAR}
+        return {**fields, "projection": symbols.ANGULAR}
     try:
         angles = math.radians(across), math.radians(upright)
         return {**fields, "view": view_of_angles(VIEWS[kind], *angles, shift, lift)}

@@ -15,17 +15,8 @@ from typing import Any
 
 import numpy
 
-from radcalc.errors import (
-    MINUS,
-    ConditionError,
-    RadcalcError,
-    Try,
-    correct,
-    corrections,
-    manual,
-    nearest,
-    quote,
-)
+from radcalc import errors
+from radcalc.errors import manual, quote
 from radcalc.maths import limit
 from radcalc.units.expressions import LOGARITHMS, NO_ANGLE, NOT_A_NUMBER, OF_ANGLES
 
@@ -128,7 +119,7 @@ class Angles:
             wrong = NOT_A_NUMBER.format("angle (rad)", "{}")
             raise self._wrong(wrong, node, self._ways(part, -power))
 
-    def _ways(self, part: ast.expr, missing: float, form: str = "{}") -> list[Try]:
+    def _ways(self, part: ast.expr, missing: float, form: str = "{}") -> list[errors.Try]:
         """Propose a part with the missing power of an angle."""
         typed = text = self._part(part)
         if isinstance(part, ast.BinOp | ast.UnaryOp | ast.Compare):
@@ -136,14 +127,14 @@ class Angles:
         power = "" if abs(missing) == 1 else f"**{abs(missing):g}"
         sign = "*" if missing > 0 else "/"
         ways = [form.format(f"{text}{sign}{unit}{power}") for unit in ("deg", "rad")]
-        return corrections(form.format(typed), *ways)
+        return errors.corrections(form.format(typed), *ways)
 
     def _part(self, node: ast.expr) -> str:
         return self.source[node.col_offset : node.end_col_offset]
 
-    def _wrong(self, problem: str, node: ast.expr, hint: list[Try]) -> ConditionError:
+    def _wrong(self, problem: str, node: ast.expr, hint: list[errors.Try]) -> errors.ConditionError:
         problem = problem.format(quote(self._part(node)))
-        return ConditionError(f"'{quote(self.text)}' {problem}", hint)
+        return errors.ConditionError(f"'{quote(self.text)}' {problem}", hint)
 
 
 NAMES = ("theta", "phi", "x", "y", "z")  # polar angle, azimuth [rad], unit vector [1]
@@ -188,7 +179,7 @@ CHEAP = ("abs", "min", "max", "sqrt")  # cost as much as an addition
 COSTS = {"function": 10, "power": 30, "comparison": 5}  # [1] largest cost, in additions
 EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
 GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
-SIGNS = {"^": "**", MINUS: "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
+SIGNS = {"^": "**", errors.MINUS: "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
 STEP = "a comparison by < <= > >=, as in (theta<30*deg)*100"
 EQUALS = re.compile(r"(?<![<>])=|==")
 # before a missing sign of multiplication: a number, a bracket, a name
@@ -268,9 +259,9 @@ class Expression:
         except SyntaxError as error:
             column = f" (see column {error.offset})" if (error.offset or 0) > 1 else ""
             problem = f"'{quote(text)}' is not an expression{column}"
-            raise ConditionError(problem, EXAMPLE, _mended(text)) from None
+            raise errors.ConditionError(problem, EXAMPLE, _mended(text)) from None
         except (RecursionError, MemoryError, ValueError):
-            raise ConditionError(f"'{quote(text)}' is not an expression", EXAMPLE) from None
+            raise errors.ConditionError(f"'{quote(text)}' is not an expression", EXAMPLE) from None
         self._function = self._read(tree.body, DEEPEST)
         Angles(text, self._source, tree.body)
 
@@ -296,7 +287,9 @@ class Expression:
 
     def _read(self, node: ast.expr, depth: int) -> Function:
         if not depth:
-            raise ConditionError("the expression is nested too deeply", f"at most {DEEPEST} levels")
+            raise errors.ConditionError(
+                "the expression is nested too deeply", f"at most {DEEPEST} levels"
+            )
         match node:
             case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
                 number = _finite(value)
@@ -324,14 +317,18 @@ class Expression:
             case ast.BoolOp(op=op, values=values):
                 hint = "a product of comparisons for both, (x<1)*(y<0); max(a, b) for either"
                 parts = [f"({self._part(value)})" for value in values]
-                both = [correct(self._part(node), "*".join(parts))] * isinstance(op, ast.And)
-                raise ConditionError("'and' and 'or' is not allowed in an expression", hint, both)
+                both = [errors.correct(self._part(node), "*".join(parts))] * isinstance(op, ast.And)
+                raise errors.ConditionError(
+                    "'and' and 'or' is not allowed in an expression", hint, both
+                )
         part = self._part(node)
-        raise ConditionError(
+        raise errors.ConditionError(
             f"'{quote(part)}' is not allowed in an expression",
             "numbers, + - * / **, comparisons, brackets, "
             + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
-            [correct(part, part.partition(".")[0])] if isinstance(node, ast.Attribute) else (),
+            [errors.correct(part, part.partition(".")[0])]
+            if isinstance(node, ast.Attribute)
+            else (),
         )
 
     def _part(self, node: ast.expr) -> str:
@@ -390,14 +387,14 @@ class Expression:
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
         if name in LOGARITHMS:
             meant = [f"{other}({', '.join(map(self._part, args))})" for other in LOGARITHMS[name]]
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"unknown function '{name}' in '{quote(self.text)}'", quote(" or ".join(meant))
             )
         if name not in FUNCTIONS:
             raise _unknown(name)
         count, function = FUNCTIONS[name]
         if len(args) != count:
-            raise ConditionError(
+            raise errors.ConditionError(
                 f"{name}() takes {count} argument{'s' if count > 1 else ''}, not {len(args)}",
                 f"{name}({', '.join(('theta', 'phi')[:count])})",
                 self._shorter(name, args, count),
@@ -406,14 +403,14 @@ class Expression:
         inner = [self._read(arg, depth - 1) for arg in args]
         return lambda at: function(*(argument(at) for argument in inner))
 
-    def _shorter(self, name: str, args: list[ast.expr], count: int) -> list[Try]:
+    def _shorter(self, name: str, args: list[ast.expr], count: int) -> list[errors.Try]:
         """Propose a call of a function without the arguments that are too many."""
         if len(args) <= count:
             return []
         parts = [self._part(arg) for arg in args]
         whole = self._source[: args[-1].end_col_offset]
         typed = whole[whole.rindex(f"{name}", 0, args[0].col_offset) :]
-        return [correct(f"{typed})", f"{name}({', '.join(parts[:count])})")]
+        return [errors.correct(f"{typed})", f"{name}({', '.join(parts[:count])})")]
 
 
 def _along_theta(function: Function) -> Callable[[Any], Any]:
@@ -442,22 +439,24 @@ def _last(function: Callable[[Any], Any], value: float, low: float, high: float)
 def _prepared(text: str) -> str:
     """Return the text in Python's syntax, with usual letters and signs replaced."""
     if len(text) > LONGEST:
-        raise ConditionError(f"the expression has {len(text)} characters", f"at most {LONGEST}")
+        raise errors.ConditionError(
+            f"the expression has {len(text)} characters", f"at most {LONGEST}"
+        )
     source = text.strip()
     for letter, name in (GREEK | SIGNS).items():
         source = source.replace(letter, name)
     source = UNITS.sub("*", source)
     if not source:
-        raise ConditionError("the expression is empty", EXAMPLE)
+        raise errors.ConditionError("the expression is empty", EXAMPLE)
     if match := REFUSED.search(source):
-        raise ConditionError(f"'{quote(match[0])}' is not allowed in an expression", EXAMPLE)
+        raise errors.ConditionError(f"'{quote(match[0])}' is not allowed in an expression", EXAMPLE)
     if "+-" in source:  # the sign of an uncertainty in other inputs
-        raise ConditionError(
+        raise errors.ConditionError(
             "'+-' is not allowed in an expression, which takes no uncertainties",
-            correct("+-", "-"),
+            errors.correct("+-", "-"),
         )
     if match := EQUALS.search(source):
-        raise ConditionError(
+        raise errors.ConditionError(
             f"'{match[0]}' is not allowed in an expression: numbers are equal on no part of the "
             "sphere",
             STEP,
@@ -465,11 +464,11 @@ def _prepared(text: str) -> str:
     return source
 
 
-def _mended(text: str) -> list[Try]:
+def _mended(text: str) -> list[errors.Try]:
     """Propose a text with the signs of multiplication and the brackets that it lacks."""
     mended = FACTOR.sub(r"\1*", text)
     mended += ")" * (mended.count("(") - mended.count(")"))
-    return [correct(text, mended)] if mended != text else []
+    return [errors.correct(text, mended)] if mended != text else []
 
 
 def _finite(value: float) -> float:
@@ -479,14 +478,14 @@ def _finite(value: float) -> float:
     except OverflowError:
         number = math.inf
     if number == math.inf:
-        raise ConditionError("a number in the expression is too large", "less than 1e308")
+        raise errors.ConditionError("a number in the expression is too large", "less than 1e308")
     if 0 < number < float_info.min:
-        raise ConditionError("a number in the expression is too small", "more than 2.3e-308")
+        raise errors.ConditionError("a number in the expression is too small", "more than 2.3e-308")
     return number
 
 
-def _unknown(name: str) -> RadcalcError:
-    near = nearest(name, (*NAMES, *CONSTANTS, *FUNCTIONS), cutoff=0.7)
+def _unknown(name: str) -> errors.RadcalcError:
+    near = errors.nearest(name, (*NAMES, *CONSTANTS, *FUNCTIONS), cutoff=0.7)
     message = f"unknown name '{quote(name)}' in the expression"
     names = f"{', '.join(NAMES)} (see {manual('integrate')})"
-    return ConditionError(message, corrections(name, *near) or names)
+    return errors.ConditionError(message, errors.corrections(name, *near) or names)
