@@ -325,7 +325,7 @@ class _Surroundings:
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
         """Return the map, with notes on the errors of its order."""
-        from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map
+        from radcalc.distributions.maps.rendered import DIRECTIONS, irradiance_map
 
         size = self._size()
         result = irradiance_map(self._map(), *size, order, progress)

@@ -298,7 +298,7 @@ class _Sky:
         return solve(self.sheet, self.laws, placed)
 
     def picture(self, solved: Solved, width: int, height: int) -> "Picture":
-        from radcalc.distributions.maps.sky_map import Sun, sky_map
+        from radcalc.distributions.maps.rendered import Sun, sky_map
         from radcalc.distributions.radiances import Sky
 
         if not solved.has("zenith-radiance"):

@@ -111,7 +111,7 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
             terminal.say(commands.get_help(context).splitlines())
         return terminal.FAILED
     if EXPLAIN in words:
-        from radcalc.cli.explained import explain
+        from radcalc.cli.sentence import explain
 
         return explain(words, listener)
     if files.begins_with_file(words):

@@ -19,7 +19,7 @@ from radcalc.cli.output import Output
 from radcalc.cli.request import Request
 from radcalc.errors import UsageError, call, leave_out, quote_path
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
-from radcalc.render.progress import progress
+from radcalc.render.table import progress
 
 if TYPE_CHECKING:
     from radcalc.calculators.solved import RenderedMap

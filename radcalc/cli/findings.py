@@ -23,8 +23,7 @@ from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import comparable, matching, names_elsewhere
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.spectra import listing
-from radcalc.spectra.planck import FORMS
+from radcalc.spectra import FORMS, listing
 from radcalc.spectra.sources import MEANT as INSTEAD
 from radcalc.spectra.sources import WORDS as TAKEN
 from radcalc.spectra.sources import aliases

@@ -19,8 +19,9 @@ if TYPE_CHECKING:
     from radcalc.cli.command import SectionedCommand
     from radcalc.cli.output import Listener
 
-# The module `help` has what all commands share, and `manual` makes generated parts of the pages.
-OTHERWISE = {"help": "lookup", "manual": "man"}
+# The module `help` has what all commands share, and `lists` has several commands.
+LISTS = ("units", "typical", "quantities", "examples", "help")
+OTHERWISE = {"manual": "man", **dict.fromkeys(LISTS, "lists")}
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 
@@ -42,7 +43,8 @@ class Commands(Helped, click.Group):
         if cmd_name not in COMMANDS:
             return None
         module = own_module(OTHERWISE.get(cmd_name, cmd_name))
-        command: click.Command | None = getattr(module, "command", None)
+        of_list = f"{cmd_name}_command" if cmd_name in LISTS else "command"
+        command: click.Command | None = getattr(module, of_list, None)
         if command is None:
             from radcalc.cli.command import of_page
 

@@ -21,7 +21,7 @@ from radcalc.errors import command as call_of
 from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.render import columns
+from radcalc.render import plain
 from radcalc.terminal import CSV, JSON
 from radcalc.units.ranges import MOST
 
@@ -181,7 +181,7 @@ def _stream(
             units = {coordinate.name: coordinate.unit for coordinate in at}
             text = csv.block(Result(tuple(rows), inputs=at), units, output.style, is_first)
         else:
-            text = columns.lines([row.value for row in rows], output.style.precision)
+            text = plain.lines([row.value for row in rows], output.style.precision)
         terminal.pour(text.encode())
         is_first = False
     output.remark([result(Answered("", inputs, survey.remarks(points.is_grid)))])

@@ -1,27 +1,33 @@
-"""Calls in words: read, run as the command that they mean, and shown as that command."""
+"""Calls that are sentences: what they mean, and how they are read."""
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
 from radcalc import errors, terminal
+from radcalc.answer import texts_of
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.page import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, Option
 from radcalc.calculators.pages import COMMANDS, page_of
+from radcalc.cli import files, habits
 from radcalc.cli.cases import is_stream
 from radcalc.cli.command import option_of
 from radcalc.cli.files import route, say
 from radcalc.cli.group import parameters
 from radcalc.cli.heard import hear
-from radcalc.cli.lane import is_other
-from radcalc.cli.output import decide
-from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, typed
+from radcalc.cli.lane import is_other, plain
+from radcalc.cli.output import Output, decide, refuse_number_options
+from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, typed
+from radcalc.errors import RadcalcError, UsageError, call, drop, input_of, leave_out
 from radcalc.quantities.symbols import FLAG
+from radcalc.render.formats import Records
 from radcalc.sentences.calls import call_of
+from radcalc.sentences.frames import one_word
 from radcalc.sentences.products import assumptions_of
-from radcalc.sentences.reader import Sentence, read
+from radcalc.sentences.reader import Fact, Sentence, read
+from radcalc.terminal import JSON
 from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
@@ -219,3 +225,102 @@ def _has_unit(values: Mapping[str, Any]) -> bool:
     """Return whether a result keeps its unit with these values of options."""
     default = {**DEFAULTS, STEPS.parameter: False, **dict.fromkeys(row.parameter for row in CHECKS)}
     return {name for name, value in values.items() if value != default[name]} <= PLAIN_OPTIONS
+
+
+EXAMPLE = "20000 cd at 8 m to lx"
+Rows = list[dict[str, str]]
+
+
+def explain(words: Words, listener: "Listener | None" = None) -> int:
+    """Write how a call without a command is read; do not answer it."""
+    output, records = explained(words, listener)
+    output.records(records, (JSON,))
+    return terminal.ANSWERED
+
+
+def explained(words: Words, listener: "Listener | None" = None) -> tuple[Output, Records]:
+    """Return how a call without a command is read, with the options of the output."""
+    asked, options = options_of([word for word in words if word != EXPLAIN])
+    if not asked:
+        raise UsageError("a sentence is missing", call(*EXAMPLE.split()))
+    if asked[0] in COMMANDS:
+        raise UsageError(f"{EXPLAIN} does not apply to {asked[0]}", drop(EXPLAIN))
+    values = values_of(options, listener)
+    others = {name: values.pop(name) for name in ("steps", *[row.parameter for row in CHECKS])}
+    output = decide(**values, command="explain", listener=listener)
+    refuse_number_options(output, EXPLAIN)
+    for name, value in others.items():
+        if value:
+            tries = [leave_out(name), drop(EXPLAIN)]
+            raise UsageError(f"--{name} does not apply to {EXPLAIN}", tries)
+    rows, notes, meant = _sentence(asked, _complete(asked))
+    text = " ".join(asked)
+    rows.append({"phrase": text, "meaning": pasted(meant)})
+    return output, Records(rows, notes, rows, inputs=texts_of({"sentence": text}))
+
+
+def _complete(asked: Words) -> Words | None:
+    """Return the call that words are without being read as a sentence, or None."""
+    if files.begins_with_file(asked):
+        return files.meant(asked) if all(word[:1] == "-" for word in asked[1:2]) else None
+    if (other := habits.canonical(asked)) != asked:
+        return other
+    whole = ["convert", *asked]
+    try:
+        _ = any(map(is_stream, asked)) or hear(whole)
+    except (RadcalcError, click.UsageError):
+        return None
+    return whole
+
+
+def _sentence(asked: Words, whole: Words | None) -> tuple[Rows, list[str], Words]:
+    """Return what the phrases of a sentence become, notes, and the call that it means.
+
+    The call is `whole` if the words are complete; their phrases are those of the same call.
+    """
+    try:
+        sentence = read(asked)
+        found = call_of(sentence)
+    except RadcalcError:
+        if whole:
+            return [], [], whole
+        raise
+    meant = list(typed(found))
+    if whole and plain(whole) != plain(meant):
+        return [], [], whole
+    rows = [
+        {"phrase": phrase, "meaning": _spelled(part) if part in found else part}
+        for phrase, part in parts_of(sentence, found)
+    ]
+    notes = [f"ignored: {', '.join(sentence.ignored)}"] if sentence.ignored else []
+    return rows, notes, whole or meant
+
+
+def _spelled(part: str) -> str:
+    return " ".join(map(quoted, typed([part])))
+
+
+def parts_of(sentence: Sentence, call: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Yield each phrase with the part of the call that it becomes: operands or NAME=VALUE."""
+    words = list(call[1:])
+    for fact in sentence.facts:
+        part = _part(fact, words)
+        if input_of(part)[0]:
+            words.remove(part)
+        yield fact.typed, part
+    for path in sentence.files:
+        yield path, next(word for word in words if path in word)
+    results = [word for word in words if input_of(word)[0] == "get"]
+    operands = [word for word in words if not input_of(word)[0]]
+    for goal in sentence.goals:
+        yield goal.text, (*results, *operands[::-1])[0]
+
+
+def _part(fact: Fact, words: Sequence[str]) -> str:
+    """Return what a fact becomes: its option, the operand with its text, or several operands."""
+    texts = (fact.text, one_word(fact))
+    for word in words:
+        name, value = input_of(word)
+        if name and value in texts and (value or name in fact.symbols):
+            return word
+    return next((word for word in words if fact.text in word), fact.text)

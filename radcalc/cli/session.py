@@ -300,7 +300,7 @@ class Session:
 
 
 def _help() -> str:
-    from radcalc.cli.help_format import HelpFormatter
+    from radcalc.cli.help import HelpFormatter
 
     formatter = HelpFormatter(max_width=group.context().max_content_width)
     for title, rows in (("At the prompt", EXAMPLES), ("Commands", COMMANDS)):

@@ -19,7 +19,7 @@ from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
-from radcalc.spectra.planck import FORMS
+from radcalc.spectra import FORMS
 from radcalc.spectra.sources import read_spectra, spectrum
 from radcalc.terminal import CSV, JSON, TABLE
 

@@ -310,7 +310,7 @@ def _is_short(words: Words) -> bool:
     if {*words} & {*HELP_NAMES, "help", "--version"}:
         return False
     if EXPLAIN in words:
-        from radcalc.cli.explained import explained
+        from radcalc.cli.sentence import explained
 
         return not explained(words)
     is_quick = command in SUMMARIES and command not in LONG and not {*options} & {*UNTRIED}

@@ -3,7 +3,7 @@
 import os
 
 from radcalc.completion.table import COMMANDS, ENDINGS, NAMES, SPECTRA, UNITS
-from radcalc.spectra.planck import FORMS
+from radcalc.spectra import FORMS
 from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing is slow to import

@@ -116,10 +116,10 @@ def _merge(row: Row, file: str, folder: str) -> None:
 
 
 def _merge_spectrum(row: Row, note: str, place: str, folder: str) -> None:
-    from radcalc.spectra import planck, sources
+    from radcalc.spectra import FORMS, sources
 
     name, target = row["name"], row["value"]
-    taken = sources.find_named(name) is not None or name.lower() in planck.FORMS
+    taken = sources.find_named(name) is not None or name.lower() in FORMS
     if taken or lookup(name) or horticulture.WORDS.get(name.lower()):
         raise ConditionError(f"{place}: '{quote(name)}' is a name of radcalc", "another name")
     path = os.path.join(folder, os.path.expanduser(target))

@@ -8,6 +8,7 @@ from typing import Any
 from radcalc.derivation import in_ascii
 from radcalc.errors import printable
 from radcalc.plots import data
+from radcalc.plots.data import levels, limits, log_ticks, rings, span, texts, ticks
 from radcalc.plots.sheet import (
     APART,
     BEHIND,
@@ -28,7 +29,6 @@ from radcalc.plots.sheet import (
     line,
     sample,
 )
-from radcalc.plots.ticks import levels, limits, log_ticks, rings, span, texts, ticks
 from radcalc.terminal import can_show, columns_of, cut, fold
 
 Scale = Callable[[float], float]  # from a value to its position on an axis

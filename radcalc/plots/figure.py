@@ -28,10 +28,15 @@ from radcalc.plots.data import (
     Mark,
     Picture,
     Polar,
+    levels,
+    limits,
     nameless,
+    rings,
+    shades,
+    span,
+    texts,
 )
 from radcalc.plots.figure_style import GREY, NO_LIGHT, axis_title
-from radcalc.plots.ticks import levels, limits, rings, shades, span, texts
 from radcalc.terminal import cut, fold
 
 FORMATS = (".svg", ".png")

@@ -8,9 +8,8 @@ from typing import Any
 from radcalc.answer import Result, Row, ShownInput, shows, varying
 from radcalc.conversion.plan import plan
 from radcalc.errors import printable
-from radcalc.render.columns import formatted
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import fields, number, refuse_verdict, rounded
+from radcalc.render.plain import fields, formatted, number, refuse_verdict, rounded
 from radcalc.units.scales import resolve_given
 
 REMARKS_ARE_APART = True

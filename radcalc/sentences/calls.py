@@ -36,8 +36,7 @@ from radcalc.sentences.phrases import (
 from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.readings import explained, readings_of
-from radcalc.sentences.vocabulary import near_words
-from radcalc.sentences.words import amount_of, size_of
+from radcalc.sentences.words import amount_of, near_words, size_of
 from radcalc.units.dimensions import (
     POWER,
     TEMPERATURE,

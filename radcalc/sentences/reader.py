@@ -25,14 +25,18 @@ from radcalc.sentences.phrases import (
     THINGS,
     UNKNOWN,
 )
-from radcalc.sentences.vocabulary import ENGLISH_ALONE, literals, names, patterns, symbols_of
 from radcalc.sentences.words import (
     ASPECT,
+    ENGLISH_ALONE,
     Amount,
     Word,
     amount_at,
     joined,
+    literals,
+    names,
+    patterns,
     size_of,
+    symbols_of,
     unit_in,
     words_of,
 )

@@ -7,8 +7,9 @@ from functools import cache
 from radcalc import errors
 from radcalc.errors import command, option, quote
 from radcalc.files.text import ENDINGS
+from radcalc.spectra import FORMS, example
 from radcalc.spectra.observers import standard_air_wavelength
-from radcalc.spectra.planck import FORMS, LIGHT, PLANCK, example
+from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import (
     LONGEST,
     SHORTEST,

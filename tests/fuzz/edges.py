@@ -27,16 +27,25 @@ EDGES = (
 MODULES = (
     "cones",
     "directions",
-    "etendue",
     "far_field",
-    "lobes",
     "projected",
     "receivers",
     "solid",
 )
 # Functions with other arguments than numbers, swept below or by their own tests.
 OTHERS = {"refuse", "bounded", "percent", "size", "reach", "is_near", "polygon"}
-OTHERS |= {"facing", "reflected", "mirror_normal", "upright"}
+OTHERS |= {
+    "facing",
+    "reflected",
+    "mirror_normal",
+    "upright",
+    "vector",
+    "dot",
+    "cross",
+    "plus",
+    "minus",
+}
+OTHERS |= {"times", "components", "from_components", "length", "scaled", "unit"}
 CPU_SECONDS = 20  # long enough for a busy machine
 
 

@@ -6,8 +6,8 @@ import numpy
 import pytest
 from distributions.maps.images import SIZES, TILTS, image, unit
 
-from radcalc.distributions.maps.irradiance_map import irradiance_map, irradiances_of_order_2
 from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions.maps.rendered import irradiance_map, irradiances_of_order_2
 from radcalc.errors import ConditionError
 
 

@@ -10,7 +10,7 @@ from conftest import run
 
 from radcalc.distributions.maps.pictures import read_picture
 from radcalc.distributions.maps.radiance_map import RadianceMap
-from radcalc.distributions.maps.sky_map import Sun, sky_map
+from radcalc.distributions.maps.rendered import Sun, sky_map
 from radcalc.distributions.radiances import Sky
 from radcalc.errors import ConditionError
 
