@@ -1,4 +1,4 @@
-"""The public names; written by `python -m radcalc.api.stub`, do not edit."""
+"""The public names; written by `python docs/stub.py`, do not edit."""
 
 from collections.abc import (
     Iterable,
@@ -164,7 +164,7 @@ def convert(
     time: Amount = None,
     photoperiod: Amount = None,
     bandwidth: Amount = None,
-) -> Quantity: ...
+) -> arguments.Quantity: ...
 def direction(
     vector: Points | None = None,
     *,
@@ -403,7 +403,7 @@ def irradiance_map(
     range: Text = None,
     photon_range: Text = None,
     order: Literal[2] | None = None,
-) -> Quantity: ...
+) -> arguments.Quantity: ...
 def lambertian(
     shape: Diffuse | None = None,
     *amounts: Unnamed,

@@ -27,7 +27,7 @@ MODULES = {
 # Only these may import the package on the left.
 KEEPERS = {
     "click": ("radcalc.cli",),
-    "rich": ("radcalc.render.table",),
+    "rich": ("radcalc.render.table", "radcalc.render.progress"),
     "pint": ("radcalc.units.registry", "radcalc.units.compile"),
     "colour": ("radcalc.spectra.rendition",),
     "prompt_toolkit": ("radcalc.cli.prompt",),

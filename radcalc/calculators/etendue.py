@@ -9,7 +9,7 @@ from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, facing, place, worksheet
 from radcalc.derivation import format_number
-from radcalc.geometry import cones, far_field
+from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
 from radcalc.laws import solid_angles as laws_of
 from radcalc.laws.common import APEX, CIRCLE, CONFIGURATION_FACTOR, RECTANGLE, round_sizes
@@ -185,9 +185,9 @@ def _refuse_near(solved: Solved) -> None:
         return
     area, other, away = (solved.value(n) for n in ("area", "receiver-area", "distance"))
     sides = [solved.value(name) for name in ("width", "length") if solved.has(name)]
-    source, receiver = far_field.size(area, *sides), far_field.size(other)
+    source, receiver = cones.size(area, *sides), cones.size(other)
     longest = larger(source, receiver)
-    if far_field.is_near(away, longest):
+    if cones.is_near(away, longest):
         hint = "more distance, or {radius} and {receiver-radius} for two discs exactly"
         if {"tilt", "incidence"} & set(solved.given):
             hint = "two discs without {tilt} and {incidence}, which are exact"
@@ -196,11 +196,11 @@ def _refuse_near(solved: Solved) -> None:
             solved.describe("distance"), "patches", size, errors.mention(hint), FAR_FIELD
         )
     tilt, incidence = angle_of(solved.given, "tilt"), angle_of(solved.given, "incidence")
-    _refuse_cut(solved, "incidence", far_field.REACH * source)
-    _refuse_cut(solved, "tilt", far_field.REACH * receiver)
-    off = far_field.error(source, away, tilt, incidence, bool(sides))
-    off += far_field.error(receiver, away, incidence, tilt)
-    good = far_field.percent(off)
+    _refuse_cut(solved, "incidence", cones.REACH * source)
+    _refuse_cut(solved, "tilt", cones.REACH * receiver)
+    off = cones.error(source, away, tilt, incidence, bool(sides))
+    off += cones.error(receiver, away, incidence, tilt)
+    good = cones.percent(off)
     small = f"patches small compared to their distance: A1 A2 cos cos / d^2 {good}"
     solved.assume(small, of=ON_BOTH)
 
@@ -208,8 +208,8 @@ def _refuse_near(solved: Solved) -> None:
 def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:
     """Refuse an angle at which the plane of one patch may cut the other."""
     away, angle = solved.value("distance"), angle_of(solved.given, name)
-    if any_true(far_field.is_cut(reach, away, angle)):
-        least = far_field.steepest(reach, away)
+    if any_true(cones.is_cut(reach, away, angle)):
+        least = cones.steepest(reach, away)
         raise errors.HorizonCuts(name, solved.given[name].text, least, law=FAR_FIELD)
 
 

@@ -24,7 +24,7 @@ from radcalc.calculators.solved import Solved, Task, Wants, solve_all
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import command, option, quote
-from radcalc.geometry import far_field
+from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, angle_of, offset_of, split_by_light
 from radcalc.inputs.reading import read
 from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
@@ -257,7 +257,7 @@ def _compare(solved: Solved, far: Number, exact: Number) -> None:
     compared = ("irradiance", "far-field-irradiance")
     if any_true(differs & (far == 0)):
         solved.note(f"{law} would give no light", of=compared)
-    nearest, away = far_field.FAR * solved.value("extent"), solved.value("distance")
+    nearest, away = cones.FAR * solved.value("extent"), solved.value("distance")
     if any_true(is_near := differs & (far != 0) & (away < nearest)):
         times, least = (format_number(chosen(x, is_near)) for x in (ratio, nearest))
         validity = f"it holds from {least} m (five times the size)"
@@ -314,20 +314,20 @@ def _check_far(solved: Solved) -> tuple[str, ...]:
         return ("a source small compared to its distance",)
     away = solved.value("distance")
     sides = [solved.value(name) for name in ("width", "length") if solved.has(name)]
-    longest = far_field.size(solved.value("area"), *sides)
-    if far_field.is_near(away, longest):
+    longest = cones.size(solved.value("area"), *sides)
+    if cones.is_near(away, longest):
         size = format_number(longest)
-        raise errors.TooNear(solved.describe("distance"), "source", size, far_field.MORE_ROOM)
+        raise errors.TooNear(solved.describe("distance"), "source", size, cones.MORE_ROOM)
     if CUT_DISC in (law for law, _ in solved.solution.used):
         return ()
     given = solved.given
     tilt, incidence = angle_of(given, "tilt"), angle_of(given, "incidence")
-    reach = solved.value("radius") if solved.has("radius") else far_field.REACH * longest
-    if any_true(far_field.is_cut(reach, away, incidence)):
+    reach = solved.value("radius") if solved.has("radius") else cones.REACH * longest
+    if any_true(cones.is_cut(reach, away, incidence)):
         raise cut_by_horizon(given, reach, away)
     if "height" in given:
         tilt = acos(solved.value("cosine-of-source"))
         if "incidence" not in given:  # parallel planes do not cut each other
             incidence = tilt
-    good = far_field.percent(far_field.error(longest, away, tilt, incidence, bool(sides)))
+    good = cones.percent(cones.error(longest, away, tilt, incidence, bool(sides)))
     return (f"a source small compared to its distance: the inverse square law {good}",)

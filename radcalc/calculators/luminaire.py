@@ -37,7 +37,7 @@ from radcalc.calculators.solved import Solved, contradiction, remarks_on
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import option, quote
-from radcalc.geometry import far_field
+from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
 from radcalc.laws.common import OFFSET
@@ -391,7 +391,7 @@ class _Luminaire:
         if solved.has("received-flux"):
             self._judge_receiver(solved)
         size = self.photometry.size
-        if size and solved.has("distance") and far_field.is_near(solved.value("distance"), size):
+        if size and solved.has("distance") and cones.is_near(solved.value("distance"), size):
             solved.note(
                 f"the luminous part is {format_value(size, 'm')} long: at less than five times "
                 "that distance the inverse square law does not hold"

@@ -24,7 +24,7 @@ from radcalc.distributions.sources import PATH, photometry
 from radcalc.errors import listed, quote
 from radcalc.files import columns, text
 from radcalc.files.table import Table
-from radcalc.geometry import far_field
+from radcalc.geometry import cones
 from radcalc.geometry.directions import Vector, minus
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.places import IN_METRES
@@ -572,7 +572,7 @@ class Reader:
             return Panel(label, place, pose, float(sides[0]), float(sides[1]), radiance)
         self.assumptions["a patch given by its area is small compared to its distance"] = None
         return Emitter(
-            label, place, pose, Lobe(1.0), radiance * area, far_field.size(area), is_patch=True
+            label, place, pose, Lobe(1.0), radiance * area, cones.size(area), is_patch=True
         )
 
 

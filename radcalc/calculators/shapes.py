@@ -14,7 +14,7 @@ from radcalc.calculators.worksheet import (
 )
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import Exclusive, HorizonCuts, MissingInput, add, leave_out, mention, option
-from radcalc.geometry import cones, far_field, projected, solid
+from radcalc.geometry import cones, projected, solid
 from radcalc.inputs.given import (
     Inputs,
     angle_of,
@@ -208,7 +208,7 @@ def _is_cut(given: Inputs, distance: Any) -> Any:
     """Return whether the receiver's horizon may cut a patch of the known size."""
     reach = _reach(given)
     angle = angle_of(given, "incidence")
-    return reach is not None and far_field.is_cut(reach, distance, angle)
+    return reach is not None and cones.is_cut(reach, distance, angle)
 
 
 def _reach(given: Inputs) -> Any:
@@ -217,13 +217,13 @@ def _reach(given: Inputs) -> Any:
         return radius_of(size)
     sides = [given[name].value for name in ("width", "length") if name in given]
     if "area" in given:
-        return far_field.reach(given["area"].value, *sides)
-    return far_field.reach(math.prod(sides), *sides) if len(sides) == 2 else None
+        return cones.reach(given["area"].value, *sides)
+    return cones.reach(math.prod(sides), *sides) if len(sides) == 2 else None
 
 
 def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> HorizonCuts:
     """Return the error for a patch that the receiver's horizon may cut."""
-    least = far_field.steepest(reach, distance)
+    least = cones.steepest(reach, distance)
     return HorizonCuts("incidence", given["incidence"].text, least)
 
 

@@ -368,7 +368,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
 
 
 def _patch(sheet: Worksheet) -> Placed:
-    from radcalc.geometry import far_field
+    from radcalc.geometry import cones
     from radcalc.laws.solid_angles import PATCH
 
     given = sheet.given
@@ -391,7 +391,7 @@ def _patch(sheet: Worksheet) -> Placed:
         placed.add("projected-solid-angle", solved.value("solid-angle"))
         if any_true(solved.value("solid-angle") == 0):
             placed.note("the patch is seen from its edge or from behind")
-        good = far_field.percent(far_field.error(far_field.size(area), away, tilt))
+        good = cones.percent(cones.error(cones.size(area), away, tilt))
         placed.assume(f"a patch small compared to its distance: A cos(theta) / d^2 {good}")
     return placed
 
@@ -425,12 +425,12 @@ def _on_sphere(sheet: Worksheet) -> Placed:
 
 def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
     """Refuse a patch that is too near for A cos(theta) / d^2."""
-    from radcalc.geometry import far_field
+    from radcalc.geometry import cones
 
-    size = far_field.size(area)
-    if far_field.is_near(away, size):
+    size = cones.size(area)
+    if cones.is_near(away, size):
         tilt = angle_of(solved.given, "tilt")
-        hint = far_field.MORE_ROOM
+        hint = cones.MORE_ROOM
         if not any_true(tilt >= math.pi / 2):  # a disc is seen from its front, above its plane
             is_tilted = any_true(tilt != 0)
             place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if is_tilted else {}

@@ -1,7 +1,6 @@
 """Steps common to all calculators: inputs, --get, --check and answers."""
 
-from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from typing import Any
 
@@ -15,7 +14,6 @@ from radcalc.cli.answers import every_answer, show, with_notes
 from radcalc.cli.cases import Case, at_points, cases
 from radcalc.cli.output import Output
 from radcalc.cli.request import Request, first_of, judge, refuse_lines, refuse_stream, several
-from radcalc.cli.spelling import own_module
 from radcalc.errors import Hint, RadcalcError, Try, UsageError, add, command, leave_out, option
 from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.maths import is_array
@@ -24,18 +22,6 @@ from radcalc.terminal import CSV
 from radcalc.units.ranges import MOST
 
 BLOCK = 100_000  # values of a long range in one calculation
-
-
-def answerer(name: str) -> Callable[..., int] | None:
-    """Return the function that answers a calculator; None if only its Click command does.
-
-    The function has the parameters of `calculate` after the name, and may have further ones, for
-    the options that its module describes in `FURTHER`: a metavar and a help text for each name, by
-    section.
-    """
-    if module := own_module(name):
-        return getattr(module, "answer", None)
-    return partial(calculate, name)
 
 
 def calculate(

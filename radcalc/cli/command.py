@@ -77,7 +77,7 @@ def of_page(name: str) -> "SectionedCommand":
     """Make a command of a calculator's page, answered by its function."""
 
     def answer(**values: Any) -> int:
-        from radcalc.cli.calculator import answerer  # help does without it
+        from radcalc.cli.operands import answerer
 
         function = answerer(name)
         assert function is not None

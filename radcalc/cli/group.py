@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from radcalc.cli.output import Listener
 
 # The module `help` has what all commands share, and `lists` has several commands.
-LISTS = ("units", "typical", "quantities", "examples", "help")
-OTHERWISE = {"manual": "man", **dict.fromkeys(LISTS, "lists")}
+LISTS = ("columns", "units", "typical", "quantities", "examples", "manual", "help")
+OTHERWISE = dict.fromkeys(LISTS, "lists")
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 

@@ -1,29 +1,141 @@
-"""Commands that list and search: `units`, `typical`, `quantities`, `examples` and `help`."""
+"""Commands that list, search and show pages."""
 
+import re
+import subprocess
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import groupby
+from pathlib import Path
 from typing import Any
+
+import click
 
 from radcalc import terminal
 from radcalc.answer import Result, texts_of
+from radcalc.calculators import lists, page
+from radcalc.calculators.lists import MAIN
 from radcalc.calculators.pages import COMMANDS, page_of
-from radcalc.cli.command import define
+from radcalc.cli.command import SectionedCommand, define, option_of
+from radcalc.cli.files import only_file, proposed
 from radcalc.cli.findings import EXACT, Finding, find, near
-from radcalc.cli.help import narrowed
+from radcalc.cli.group import commands, context
+from radcalc.cli.help import is_colored, narrowed, show
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
-from radcalc.cli.spelling import pasted
-from radcalc.errors import UsageError, call, quote
+from radcalc.cli.spelling import Shell, pasted, quoted
+from radcalc.errors import (
+    ConditionError,
+    RadcalcError,
+    UsageError,
+    call,
+    nearest,
+    quote,
+    quote_path,
+)
+from radcalc.errors import command as call_of
 from radcalc.quantities.entries import search as search_units
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language, translate
+from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import search as search_quantities
 from radcalc.quantities.typical import BOUNDS, FIELDS, how_far
 from radcalc.quantities.typical import search as search_typical
+from radcalc.quantities.units import offered
 from radcalc.render.formats import Records
+from radcalc.render.plain import number
+from radcalc.routes.kinds import NAMES, ColumnSummary, contents_of, listing
 from radcalc.sentences import tasks
 from radcalc.sentences.tasks import Task
 from radcalc.sentences.tasks import search as search_tasks
+from radcalc.streams.log_layout import FirstRows
 from radcalc.terminal import BOLD, CSV, JSON, PLAIN, RESET, TABLE
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit
+
+DIGITS = 6
+
+
+@define("columns", page_of("columns"))
+def columns_command(words: tuple[str, ...], output: Output) -> None:
+    """List the columns of a table: units, extremes, mean, and a command for each.
+
+    \b
+    Examples:
+      radcalc columns log.csv          a log with several columns of light
+      radcalc columns sensors.csv      any table of numbers
+      radcalc sensors.csv              the same
+
+    The mean of a column is that of its numbers, each of which counts the same; radcalc dose has
+    the mean over time.  A command for a column of light with times adds up its dose, any other
+    command converts the column.
+    """
+    refuse_number_options(output, "columns")
+    path = only_file(words, "table", call_of("columns", "FILE"))
+    found = contents_of(path)
+    if found.rows is None:
+        problem = f"{quote_path(path)} is {NAMES[found.kind]}, not a table"
+        raise ConditionError(problem, proposed(found.kind, path))
+    listed = listing(path, found.rows)
+    rows = [_row(path, found.rows, column, output.format) for column in listed.columns]
+    table = [{key: str(cell) for key, cell in row.items()} for row in rows]
+    notes = (f"{listed.rows} rows", *listed.notes)
+    right = ("numbers", "from", "to", "mean")
+    output.records(Records(rows, notes, table, right, texts_of({"file": path})), (JSON, TABLE))
+
+
+def _row(path: str, rows: FirstRows, column: ColumnSummary, form: str) -> dict[str, Any]:
+    """Return the record of a column, with all digits of its numbers or a few."""
+    is_exact = form in (JSON, CSV)
+    low: Any = column.first
+    high: Any = column.last
+    mean: Any = column.mean
+    if column.count:
+        low, high = column.least, column.greatest
+    if column.count and not is_exact:
+        low, high, mean = [number(value, DIGITS) for value in (low, high, mean)]
+    return {
+        "column": column.name,
+        "unit": column.unit.text if column.unit else "",
+        "numbers": column.count,
+        "from": low,
+        "to": high,
+        "mean": "" if mean is None and form != JSON else mean,
+        "command": _command(path, rows, column),
+    }
+
+
+def _command(path: str, rows: FirstRows, column: ColumnSummary) -> str:
+    """Return the command that converts a column, or adds up its dose; "" without a unit."""
+    if column.unit is None or not column.count:
+        return ""
+    if (rows.times or rows.parts) and read_light(column.unit):
+        return f"radcalc dose {quoted(path)} --column {quoted(column.name)}"
+    target = _another(column.unit)
+    if not target or not rows.names:
+        return ""
+    name = column.name if len(rows.table.titles) == 1 else str(column.place + 1)
+    words = [
+        "radcalc convert -",
+        quoted(column.unit.text),
+        quoted(target),
+        "--column",
+        quoted(name),
+    ]
+    if rows.table.delimiter:
+        words.append(
+            "-d tab" if rows.table.delimiter == "\t" else f"-d {quoted(rows.table.delimiter)}"
+        )
+    if rows.table.decimals.comma:
+        words.append("--decimal ,")
+    if rows.begin > 2:
+        words.append(f"--header={rows.begin - 1}")
+    return " ".join([*words, "<", quoted(path)])
+
+
+def _another(unit: Unit) -> str:
+    """Return the first unit of the same quantity with another size, or ""."""
+    if unit.is_scale:
+        return ""
+    units = (text for text in offered(unit) if resolve(text).factor != unit.factor)
+    return next(units, "")
 
 
 @define("units", page_of("units"))
@@ -253,10 +365,10 @@ def _best(found: Sequence[Finding], text: str) -> list[Finding]:
 
 def _more(text: str, found: Sequence[Finding], shown: Sequence[Finding]) -> Iterator[str]:
     """Yield the numbers of the findings that are not shown, with the calls that list them."""
-    for kind, (plural, listing) in KINDS.items():
+    for kind, (plural, lists_them) in KINDS.items():
         more = sum(one.kind == kind for one in found) - sum(one.kind == kind for one in shown)
         if more:
-            way = f": {pasted((*listing, *text.split()))}" if listing else ""
+            way = f": {pasted((*lists_them, *text.split()))}" if lists_them else ""
             yield f"{more} more {kind if more == 1 else plural}{way}"
 
 
@@ -265,3 +377,116 @@ def _tasks(text: str) -> Iterator[str]:
         count = len(tasks.search(text))
         mention = "1 example mentions" if count == 1 else f"{count} examples mention"
         yield f"{mention} it: {pasted(('examples', *text.split()))}"
+
+
+PREFIX = f"{MAIN}-"
+OF_COMMANDS = "1"
+SECTIONS = (OF_COMMANDS, "7")
+# Programs that show a page; the first that is installed does.  Every `man` takes an argument with a
+# slash as the path of a page.  With -a, mandoc shows a page screen by screen, as `man` does.
+PROGRAMS = (["man"], ["mandoc", "-a"])
+OVERSTRUCK = re.compile(".\b")  # a letter below the next one, which is then bold or underlined
+
+
+def find_pages(words: Sequence[str]) -> list[Path]:
+    """Return the pages of a name, which may have a section before it, and `radcalc-`.
+
+    That of a command, in section 1, is the first.
+
+    Examples
+    --------
+    >>> [page.name for page in find_pages(["units"])]
+    ['radcalc-units.1', 'radcalc-units.7']
+    >>> [page.name for page in find_pages(["7", "units"])]
+    ['radcalc-units.7']
+    """
+    section = words[0] if words and words[0] in SECTIONS else ""
+    typed = " ".join(words[1:] if section else words)
+    name = "-".join(typed.split()).lower().removeprefix(PREFIX) or MAIN
+    known = lists.manual_pages()
+    if not known:
+        problem = f"cannot read '{quote(str(lists.manual_folder()))}': it has no pages"
+        raise RadcalcError(problem, "a new installation of radcalc")
+    named = [page for page in known if _name(page) == name]
+    found = [page for page in named if _section(page) in (section or SECTIONS)]
+    if not found:
+        place = f"section {section} of the manual" if section else "the manual"
+        near = [name] if named else nearest(name, map(_name, known))
+        hint = [call("manual", other) for other in near] or [call("manual")]
+        raise UsageError(f"{place} has no page '{quote(typed or MAIN)}'", hint)
+    return found
+
+
+def _name(page: Path) -> str:
+    return page.stem.removeprefix(PREFIX)
+
+
+def _section(page: Path) -> str:
+    return page.suffix[1:]
+
+
+def manual(words: Sequence[str], color: str) -> None:
+    """Show a page of the manual with man.
+
+    \b
+    Examples:
+      radcalc manual                 the main page, which lists the others
+      radcalc manual convert         the page of a command
+      radcalc manual solid angle     a name of several words
+      radcalc manual sentences       a page on a subject
+      radcalc manual 7 units         a page that has the name of a command
+
+    On a terminal, man shows the page screen by screen; in a pipe, the page is plain text.  Without
+    man and mandoc, the path of the page is printed, and the --help of its command.
+    """
+    page, *others = find_pages(words)
+    if not _has_shown(page):
+        show("\n\n".join([str(page), *_helps(page)]))
+        problem = "neither man nor mandoc is available: this is the path of the page"
+        terminal.say(terminal.remarks((), [problem]))
+    terminal.say(terminal.remarks((), [_mention(other) for other in others]))
+
+
+def _has_shown(page: Path) -> bool:
+    """Show a page with one of `PROGRAMS`; return whether one could show it."""
+    output = None if terminal.is_terminal() else subprocess.PIPE
+    for program in PROGRAMS:
+        words = [*program, str(page)]
+        try:
+            done = subprocess.run(words, stdout=output, text=True, errors="replace", check=False)
+        except OSError:  # it is not installed
+            continue
+        if done.returncode == 0:
+            terminal.write(OVERSTRUCK.sub("", done.stdout or ""))
+            return True
+    return False
+
+
+def _helps(page: Path) -> list[str]:
+    """Return the help of the command that a page describes; none for a page on a subject."""
+    if _section(page) != OF_COMMANDS:
+        return []
+    top = context()
+    name = _name(page)
+    command = commands.get_command(top, name)
+    of_page = click.Context(command, top, name, color=is_colored()) if command else top
+    return [of_page.get_help()]
+
+
+def _mention(page: Path) -> str:
+    """Return the call that shows a page, with what the page is about."""
+    about = re.search(r"^\.Nd (.*)$", page.read_text(encoding="utf-8"), re.M)
+    typed = Shell.command("manual", _section(page), _name(page))
+    return f"{typed} has {about[1]}" if about else typed
+
+
+PAGE = page_of("manual")
+COLOR = option_of(page.COLOR)
+manual_command = SectionedCommand(
+    "manual",
+    callback=manual,
+    params=[click.Argument(["words"], nargs=-1, metavar="[SECTION] [PAGE]"), COLOR],
+    help=manual.__doc__,
+    sections={"Output": (COLOR,)},
+    page=PAGE,
+)

@@ -131,7 +131,7 @@ def work_out(
         show(conversions([*operands], cases(given, False, bare=PAGE.bare)), given, False, output)
         return True
     from radcalc.calculators.results import listed_in
-    from radcalc.cli.calculator import answerer
+    from radcalc.cli.operands import answerer
 
     answer = answerer(name)
     if answer:

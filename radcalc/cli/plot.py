@@ -1,20 +1,22 @@
-"""`--plot`: a picture below the answer, or as a figure in a file."""
+"""Pictures below the answer or in a file, and maps in files."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput
 from radcalc.calculators.results import pick
 from radcalc.calculators.solved import Task
-from radcalc.cli.answers import Answered, result, show, with_steps
+from radcalc.cli.answers import Answered, refuse_bare, result, show, with_steps
+from radcalc.cli.cases import cases
 from radcalc.cli.output import Output, height_of_terminal, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request
-from radcalc.errors import UsageError, add, leave_out, one_of
-from radcalc.inputs.given import Inputs
+from radcalc.errors import UsageError, add, leave_out, one_of, quote_path
+from radcalc.inputs.given import Inputs, refuse_uncertain
 from radcalc.terminal import CSV, JSON, TABLE
 
 if TYPE_CHECKING:
+    from radcalc.calculators.solved import RenderedMap
     from radcalc.plots.data import Picture
 
 FEW = 20  # most answers with both a table and a picture on a terminal
@@ -96,3 +98,42 @@ def draw(drawing: "Picture", output: Output) -> None:
     size = width_of_terminal(), height_of_terminal()
     style = characters.style_of(*size, output.style.color)
     terminal.write(characters.draw(drawing, style))
+
+
+def one_case(typed: dict[str, str], request: Request) -> Inputs:
+    """Return the inputs of the only map of a call."""
+    if request.check is not None:
+        raise UsageError("--check does not apply when a map is written", leave_out("check"))
+    if request.plot:
+        raise UsageError("--plot does not apply when a map is written", leave_out("plot"))
+    all_cases = cases(typed, arrays=False)
+    if len(all_cases) > 1 or all_cases[0].stream:
+        raise UsageError("one map is written at a time", "one value of everything")
+    refuse_uncertain(all_cases[0].given.values(), "a map")
+    return all_cases[0].given
+
+
+def write_map(
+    path: str,
+    task: str,
+    make: Callable[..., "RenderedMap"],
+    request: Request,
+    output: Output,
+    inputs: tuple[ShownInput, ...],
+) -> int:
+    """Make and write a map, and show its answer; check everything before writing."""
+    from radcalc.distributions.maps.pictures import check_target, write_picture
+    from radcalc.render.progress import progress
+
+    if not request.wanted:
+        refuse_bare(output)
+    check_target(path)
+    with progress(task, output.style.remarks) as tick:
+        rendered = make(progress=tick)
+    for name in request.wanted:
+        pick(rendered.answer.values, name)
+    lost = write_picture(path, rendered.picture)
+    description = f"{quote_path(path)}: {rendered.what}"
+    answer = rendered.answer._replace(notes=(*rendered.answer.notes, description, *lost))
+    show([Answered("", inputs, answer)], request, output)
+    return terminal.ANSWERED

@@ -16,7 +16,7 @@ from radcalc.answer import Step
 from radcalc.conversion.conditions import AREA, CONE, DISTANCE, REFLECTANCE, Conditions, Factor
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, Hint, HorizonCuts, TooNear, Try, add, option, quote
-from radcalc.geometry import cones, far_field
+from radcalc.geometry import cones
 from radcalc.inputs.given import Input, half_angle_of, radius_of, require
 from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
@@ -159,7 +159,7 @@ def _slanting(given: Input, turn: Input) -> Factor:
                 Try((("half-angle", size),), ("solid-angle",), remark="a cone"),
             )
         omega = given.value * cosine
-        good = far_field.percent(maths.square(maths.tan(half / 2)))
+        good = cones.percent(maths.square(maths.tan(half / 2)))
         assumption = f"a small solid angle of {given.text}, {where} (Omega cos(theta) {good})"
         formula = Formula("small solid angle", "{projected-solid-angle} = {solid-angle} cos(theta)")
         step = formula.step({"solid-angle": given.value}, f"{format_number(omega)} sr")
@@ -192,9 +192,9 @@ def turned(turn: Input) -> Factor:
 def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
     """Return an area lit by a distant small source [m2]; raise if it is too near."""
     factor = area(given)
-    size = far_field.size(factor.value)
-    if far_field.is_near(distance.value, size):
-        hint: Hint = far_field.MORE_ROOM
+    size = cones.size(factor.value)
+    if cones.is_near(distance.value, size):
+        hint: Hint = cones.MORE_ROOM
         if incidence is None and not maths.is_array(size) and not maths.is_array(distance.value):
             half = math.degrees(math.atan(size / 2 / distance.value))
             hint = Try(
@@ -205,7 +205,7 @@ def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "receiver", format_number(size), hint, "A / d^2")
     angle = abs(incidence.value) if incidence else 0.0
-    good = far_field.percent(far_field.error(size, distance.value, angle))
+    good = cones.percent(cones.error(size, distance.value, angle))
     return factor._replace(assumption=f"{factor.assumption} of a receiver (A / d^2 {good})")
 
 
@@ -263,18 +263,18 @@ def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
 def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Input | None) -> Factor:
     """Return an area seen from a distance [m2]; raise if it is too near or below the horizon."""
     factor = area(source)
-    size, reach = far_field.size(factor.value), far_field.reach(factor.value)
+    size, reach = cones.size(factor.value), cones.reach(factor.value)
     angle, slope = (abs(turn.value) if turn else 0.0 for turn in (incidence, tilt))
-    hint: Hint = far_field.MORE_ROOM
+    hint: Hint = cones.MORE_ROOM
     if tilt is None:
         radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
         hint = Try((("radius", radius),), (source.name,), remark="exact for a disc")
-    if far_field.is_near(distance.value, size):
+    if cones.is_near(distance.value, size):
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "source", format_number(size), hint)
-    if incidence and maths.any_true(far_field.is_cut(reach, distance.value, angle)):
+    if incidence and maths.any_true(cones.is_cut(reach, distance.value, angle)):
         raise HorizonCuts("incidence", incidence.text, "", hint)
-    good = far_field.percent(far_field.error(size, distance.value, slope, angle))
+    good = cones.percent(cones.error(size, distance.value, slope, angle))
     facing = "" if tilt else ", which faces the receiver"
     return factor._replace(assumption=f"{factor.assumption}{facing} (A / d^2 {good})")
 

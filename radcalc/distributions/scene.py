@@ -11,7 +11,7 @@ import numpy
 
 from radcalc.distributions.distribution import Distribution, Pose
 from radcalc.errors import ConditionError, option, quote
-from radcalc.geometry import directions, far_field, projected
+from radcalc.geometry import cones, directions, projected
 from radcalc.geometry.directions import Vector, cross, dot, length, minus
 
 NEAREST = 1e-6  # [m] a point must be farther than this from a source
@@ -81,7 +81,7 @@ class Emitter:
         _refuse(distance <= NEAREST, points, f"is at the position of {self.name}", "another point")
         if self.is_patch:
             _refuse(
-                far_field.nearer(distance, self.size),
+                cones.nearer(distance, self.size),
                 points,
                 f"is nearer than five times its size ({self.size:.3g} m) to {self.name}",
                 "its width and length in place of its area, which holds at any distance",
@@ -99,7 +99,7 @@ class Emitter:
 
     def near(self, points: Vector) -> Any:
         """Return which points are nearer than five times the size."""
-        return far_field.nearer(length(minus(points, self.place)), self.size)
+        return cones.nearer(length(minus(points, self.place)), self.size)
 
 
 class Panel:

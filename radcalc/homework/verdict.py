@@ -18,7 +18,7 @@ from radcalc.calculators.results import (
 )
 from radcalc.derivation import format_number, with_unit
 from radcalc.errors import ConditionError, RadcalcError, option, quote
-from radcalc.homework import uncertainty
+from radcalc.homework import diagnosis
 from radcalc.homework.answer import (
     Claim,
     Diagnosis,
@@ -176,12 +176,12 @@ def _judged(
 ) -> Verdict:
     """Return the verdict on an answer to one result, without the likely mistakes."""
     target, right, unit = reading.target, reading.right, reading.unit
-    number = uncertainty.of_result(question, target, unit)
+    number = diagnosis.of_result(question, target, unit)
     off = getattr(number, "std_dev", 0.0)
     allowed = read_tolerance(asked_tolerance or TOLERANCE, unit)
     slope = abs(reading.scale.slope(0.0)) if reading.scale and reading.is_logarithm else 1.0
     if not asked_tolerance and off * slope > ONE_PERCENT * abs(reading.size):
-        allowed = uncertainty.tolerance(off, unit.text)
+        allowed = diagnosis.tolerance(off, unit.text)
     is_number = reading.scale is None or reading.is_logarithm
     ratio = claim.value / right if right and is_number else math.inf
     is_part = reading.scale is not None and "%" in allowed.text
@@ -208,7 +208,7 @@ def _judged(
     if reading.is_near(claim.value, allowed):
         width = allowed.width(reading.size)
         claim = claim._replace(uncertainty=claim.uncertainty * reading.slope(claim.value))
-        diagnoses = uncertainty.judge(number, claim, unit.text, width)
+        diagnoses = diagnosis.judge(number, claim, unit.text, width)
         return verdict._replace(right=not diagnoses, diagnoses=diagnoses)
     rounded = _rounded(question, claim, reading)
     if not rounded or asked_tolerance:

@@ -18,7 +18,7 @@ from radcalc.sentences.facts import (
     is_lamp,
     is_light,
 )
-from radcalc.sentences.frames import calls_of, on_page
+from radcalc.sentences.frames import calls_of, explained, on_page, readings_of
 from radcalc.sentences.phrases import (
     BEAM,
     COMMAND,
@@ -35,7 +35,6 @@ from radcalc.sentences.phrases import (
 )
 from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
-from radcalc.sentences.readings import explained, readings_of
 from radcalc.sentences.words import amount_of, near_words, size_of
 from radcalc.units.dimensions import (
     POWER,

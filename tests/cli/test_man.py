@@ -10,7 +10,7 @@ from helpers import require, screen_of
 
 from radcalc.calculators import lists
 from radcalc.calculators.pages import COMMANDS
-from radcalc.cli import man
+from radcalc.cli.lists import find_pages
 
 PAGES = {page.name for page in lists.manual_pages()}
 OTHER = "radcalc manual 7 units has units, numbers, expressions and scales in radcalc"
@@ -31,13 +31,13 @@ OTHER = "radcalc manual 7 units has units, numbers, expressions and scales in ra
     ],
 )
 def test_a_page_is_found(words, page):
-    assert [found.name for found in man.find(words)] == [page]
+    assert [found.name for found in find_pages(words)] == [page]
 
 
 def test_every_page_has_a_name_and_every_command_its_page_first():
-    assert {page.name for name in lists.manual_names() for page in man.find([name])} == PAGES
+    assert {page.name for name in lists.manual_names() for page in find_pages([name])} == PAGES
     for name in COMMANDS:
-        assert man.find([name])[0].name == f"radcalc-{name}.1"
+        assert find_pages([name])[0].name == f"radcalc-{name}.1"
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from radcalc.calculators.lists import manual_pages
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import habits
 from radcalc.cli.group import commands
-from radcalc.cli.man import find
+from radcalc.cli.lists import find
 from radcalc.quantities.names import QUANTITIES
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
 

@@ -1,4 +1,4 @@
-"""The public names as texts, which `python -m radcalc.api.stub` writes.
+"""The public names as texts, which `python docs/stub.py` writes.
 
 Their types are in `radcalc/__init__.pyi`, and the list of functions in the docstring of `radcalc`.
 """
@@ -20,7 +20,7 @@ PATH = PACKAGE.with_suffix(".pyi")
 LISTS = re.compile(r"(?<=^Functions\n---------\n)(?:.*\n)*?(?=\"\"\"\n)", re.MULTILINE)
 CONVERT = "convert"
 WIDTH = 76  # of the docstring, which help() indents
-HEAD = '"""The public names; written by `python -m radcalc.api.stub`, do not edit."""\n'
+HEAD = '"""The public names; written by `python docs/stub.py`, do not edit."""\n'
 STANDARD = {
     "collections.abc": ("Iterable", "Mapping", "Sequence"),
     "typing": ("Any", "Literal", "overload"),
