@@ -164,7 +164,7 @@ def convert(
     time: Amount = None,
     photoperiod: Amount = None,
     bandwidth: Amount = None,
-) -> arguments.Quantity: ...
+) -> Quantity: ...
 def direction(
     vector: Points | None = None,
     *,
@@ -403,7 +403,7 @@ def irradiance_map(
     range: Text = None,
     photon_range: Text = None,
     order: Literal[2] | None = None,
-) -> arguments.Quantity: ...
+) -> Quantity: ...
 def lambertian(
     shape: Diffuse | None = None,
     *amounts: Unnamed,

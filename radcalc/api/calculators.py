@@ -11,6 +11,7 @@ import numpy
 
 from radcalc.answer import Value, texts_of
 from radcalc.api import arguments
+from radcalc.api.arguments import Quantity
 from radcalc.api.functions import calculate, function_of_page, of_page
 from radcalc.api.keywords import (
     Amount,
@@ -455,7 +456,7 @@ def environment(source: Surroundings, **given: Any) -> Result:
 @of_page("environment", without=("normal", "toward", "size"))
 def irradiance_map(
     source: Surroundings, size: Pair = None, *, order: Literal[2] | None = None, **given: Any
-) -> arguments.Quantity:
+) -> Quantity:
     """Compute the irradiances of receivers facing every direction, as a latlong map.
 
     Parameters

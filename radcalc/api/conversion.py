@@ -7,6 +7,7 @@ from typing import Any
 
 from radcalc.answer import ShownInput
 from radcalc.api import arguments
+from radcalc.api.arguments import Quantity
 from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
 from radcalc.api.functions import of_page
 from radcalc.api.keywords import Number
@@ -32,9 +33,7 @@ WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'
 
 
 @of_page("convert")
-def convert(
-    value: Number, target: str, to: str | None = None, **conditions: Any
-) -> arguments.Quantity:
+def convert(value: Number, target: str, to: str | None = None, **conditions: Any) -> Quantity:
     """Convert a quantity to another unit, or to another quantity under conditions.
 
     Parameters
@@ -79,14 +78,12 @@ def convert(
     if columns:
         unit = target_of(target)
         name = keyword(result_name(unit) or "value")
-        column: arguments.Quantity = of_conversion(
-            columns, convert(target=target, **arrays), unit, name
-        )
+        column: Quantity = of_conversion(columns, convert(target=target, **arrays), unit, name)
         return column
     if any(map(arguments.is_lazy, arrays.values())):
         from radcalc.api.lazy import blockwise
 
-        waiting: arguments.Quantity = blockwise("convert", _again, {**arrays, "target": target})
+        waiting: Quantity = blockwise("convert", _again, {**arrays, "target": target})
         return waiting
     conversion, magnitude, given = _plan(value, target, conditions)
     if _has_uncertainty(magnitude) or any_uncertain(given):
@@ -239,7 +236,7 @@ def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
         value = real(value, "the value", "real numbers")
     if arguments.library_of(value):
         return with_unit(value, start), to
-    return arguments.Quantity(value, light_registry().container(start)), to
+    return Quantity(value, light_registry().container(start)), to
 
 
 def _value_of(value: Any, number: float, conversion: Plan) -> ShownInput:

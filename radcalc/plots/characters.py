@@ -116,6 +116,20 @@ def _polar(polar: data.Polar, style: Style) -> list[str]:
         column, row = column - len(name) // 2, row - 1 if is_half else row
         if sheet.is_free(column - 1, row, len(name) + 2):
             sheet.write(column, row, name, "2")
+    entries = _planes(polar, sheet, style)
+    indent = " " * ((style.width - columns) // 2)
+    caption_text = f"{polar.radius.title}, circles every {names[0]}"
+    return [
+        *heading(polar.title, style),
+        *(indent + line for line in sheet.lines(style)),
+        *caption(caption_text, 0, style.width),
+        *legend(entries, style),
+        *heading(polar.note, style),
+    ]
+
+
+def _planes(polar: data.Polar, sheet: Sheet, style: Style) -> list[tuple[str, str, str]]:
+    """Draw the planes of a polar diagram; return their entries in the legend."""
     entries = []
     for k, plane in enumerate(polar.planes):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
@@ -130,15 +144,7 @@ def _polar(polar: data.Polar, style: Style) -> list[str]:
             dotted(canvas, pairwise(points))
         look = sample(data.LINE if k == 0 else data.REFERENCE, mark, style)
         entries.append((look, color, plane.label))
-    indent = " " * ((style.width - columns) // 2)
-    caption_text = f"{polar.radius.title}, circles every {names[0]}"
-    return [
-        *heading(polar.title, style),
-        *(indent + line for line in sheet.lines(style)),
-        *caption(caption_text, 0, style.width),
-        *legend(entries, style),
-        *heading(polar.note, style),
-    ]
+    return entries
 
 
 def _turned(size: float, angle: float) -> Point:
