@@ -26,11 +26,10 @@ from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.distributions.distribution import Peak
-    from radcalc.distributions.environments import Environment
+    from radcalc.distributions.environments import Environment, Radiances
     from radcalc.distributions.maps.light_sums import Progress
     from radcalc.distributions.maps.pictures import Picture
     from radcalc.distributions.maps.radiance_map import RadianceMap
-    from radcalc.distributions.radiances import Radiances
     from radcalc.geometry.numerics.cubature import Integral
 
 SKY = "sky:"  # before the type of a sky
@@ -190,8 +189,7 @@ def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
 def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
     """Return a sky by the name of its type, bright by `SCALES` or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
-    from radcalc.distributions.environments import Environment
-    from radcalc.distributions.radiances import Sky
+    from radcalc.distributions.environments import Environment, Sky
     from radcalc.geometry.sky import IS_EVEN, MISSING_AZIMUTH, sky_type
 
     sun: Any = None

@@ -298,8 +298,8 @@ class _Sky:
         return solve(self.sheet, self.laws, placed)
 
     def picture(self, solved: Solved, width: int, height: int) -> "Picture":
+        from radcalc.distributions.environments import Sky
         from radcalc.distributions.maps.rendered import Sun, sky_map
-        from radcalc.distributions.radiances import Sky
 
         if not solved.has("zenith-radiance"):
             raise errors.MissingInput("the brightness of the sky is missing", BRIGHT)

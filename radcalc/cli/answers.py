@@ -137,7 +137,7 @@ def _show_columns(
             texts.append(csv.block(heard[-1], units, output.style, not texts))
         else:
             count = len(answered.long.value) if answered.long else 1
-            from radcalc.render.plain import lines
+            from radcalc.render.csv import lines
 
             texts.append(lines(columns, output.style.precision, count))
         steps = () if answered.long and texts[1:] else answered.answer.steps

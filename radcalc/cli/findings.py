@@ -1,4 +1,4 @@
-"""Whatever has some words in its name or text: the search of `radcalc help`.
+"""`radcalc help [WORD ...]`: the help of a command, or all that has some words in its texts.
 
 The commands, their options and results come from the table of completion; quantities, units,
 spectra and typical values from the searches of their own commands.
@@ -12,21 +12,35 @@ from tempfile import TemporaryDirectory
 
 import click
 
+from radcalc.answer import texts_of
 from radcalc.calculators.page import RESULT
 from radcalc.calculators.pages import COMMANDS, SUBJECTS, SUMMARIES, page_of
+from radcalc.cli.command import define
 from radcalc.cli.group import examples_of
 from radcalc.cli.heard import hear
+from radcalc.cli.output import Output, refuse_number_options
+from radcalc.cli.spelling import pasted
 from radcalc.completion import table
-from radcalc.errors import RadcalcError, UnknownResult, nearest
+from radcalc.errors import (
+    RadcalcError,
+    UnknownResult,
+    UsageError,
+    call,
+    nearest,
+    quote,
+)
 from radcalc.quantities import entries, search, typical
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import comparable, matching, names_elsewhere
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.render.formats import Records
+from radcalc.sentences import tasks
 from radcalc.spectra import FORMS, listing
 from radcalc.spectra.sources import MEANT as INSTEAD
 from radcalc.spectra.sources import WORDS as TAKEN
 from radcalc.spectra.sources import aliases
+from radcalc.terminal import JSON
 from radcalc.tuples import NamedTuple
 from radcalc.units.compiled import UNITS
 
@@ -270,3 +284,81 @@ SEARCHES: Sequence[Callable[[str], Iterable[Finding]]] = (
     _of_typical_values,
     _of_options,
 )
+
+
+MOST, OF_A_KIND = 20, 5  # findings shown, and of one kind unless they have the exact name
+
+
+KINDS = {
+    "command": ("commands", ()),
+    "result": ("results", ()),
+    "quantity": ("quantities", ("quantities",)),
+    "unit": ("units", ("units",)),
+    "spectrum": ("spectra", ("spectrum", "--list")),
+    "typical value": ("typical values", ("typical",)),
+    "option": ("options", ()),
+}
+
+
+@define("help", page_of("help"))
+def command(words: tuple[str, ...], output: Output) -> None:
+    """Show the help of a command, or search for words.
+
+    \b
+    Examples:
+      radcalc help convert             the same as radcalc convert --help
+      radcalc help beam angle          options, quantities ... with these words
+      radcalc help lux                 a unit, its quantity, typical values
+      radcalc help sunlight            spectra and typical values
+
+    The search covers commands, options, results, quantities, units, spectra and typical values.
+    Exact names come first, then names that begin so, then words of names and of texts.
+    """
+    refuse_number_options(output, "help")
+    text = " ".join(words)
+    if not text.strip():
+        raise UsageError("a word is missing", [call("help", "lux"), call("--help")])
+    if len(words) > 1 and all(word in COMMANDS for word in words):
+        raise UsageError("help takes one command", [call(word, "--help") for word in words])
+    found = find(text)
+    if not found:
+        similar = [call("help", *name.split()) for name in near(text, 3)]
+        raise UsageError(
+            f"nothing has the words '{quote(text)}'", similar or [call("--help"), call("examples")]
+        )
+    shown = _best(found, text)
+    rows = [
+        {"kind": one.kind, "name": one.name, "what": one.what, "command": pasted(one.call)}
+        for one in shown
+    ]
+    titles = ("kind", "name", "what it is", "command to type")
+    table = [dict(zip(titles, row.values(), strict=True)) for row in rows]
+    notes = [*_more(text, found, shown), *_tasks(text)]
+    inputs, unfolded = texts_of({"search": text}), ("command to type",)
+    output.records(Records(rows, notes, table, inputs=inputs, unfolded=unfolded), (JSON,))
+
+
+def _best(found: Sequence[Finding], text: str) -> list[Finding]:
+    """Return the findings to show."""
+    shown: list[Finding] = []
+    for finding in found:
+        alike = sum(other.kind == finding.kind for other in shown)
+        if len(shown) < MOST and (alike < OF_A_KIND or finding.place(text) == EXACT):
+            shown.append(finding)
+    return shown
+
+
+def _more(text: str, found: Sequence[Finding], shown: Sequence[Finding]) -> Iterator[str]:
+    """Yield the numbers of the findings that are not shown, with the calls that list them."""
+    for kind, (plural, lists_them) in KINDS.items():
+        more = sum(one.kind == kind for one in found) - sum(one.kind == kind for one in shown)
+        if more:
+            way = f": {pasted((*lists_them, *text.split()))}" if lists_them else ""
+            yield f"{more} more {kind if more == 1 else plural}{way}"
+
+
+def _tasks(text: str) -> Iterator[str]:
+    with suppress(UsageError):  # no task has the words
+        count = len(tasks.search(text))
+        mention = "1 example mentions" if count == 1 else f"{count} examples mention"
+        yield f"{mention} it: {pasted(('examples', *text.split()))}"

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from radcalc.cli.output import Listener
 
 # The module `help` has what all commands share, and `lists` has several commands.
-LISTS = ("columns", "units", "typical", "quantities", "examples", "manual", "help")
-OTHERWISE = dict.fromkeys(LISTS, "lists")
+LISTS = ("units", "typical", "quantities", "examples", "manual")
+OTHERWISE = {"help": "findings", **dict.fromkeys(LISTS, "lists")}
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 

@@ -3,7 +3,6 @@
 import re
 import subprocess
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -14,128 +13,28 @@ from radcalc import terminal
 from radcalc.answer import Result, texts_of
 from radcalc.calculators import lists, page
 from radcalc.calculators.lists import MAIN
-from radcalc.calculators.pages import COMMANDS, page_of
+from radcalc.calculators.pages import page_of
 from radcalc.cli.command import SectionedCommand, define, option_of
-from radcalc.cli.files import only_file, proposed
-from radcalc.cli.findings import EXACT, Finding, find, near
 from radcalc.cli.group import commands, context
 from radcalc.cli.help import is_colored, narrowed, show
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
-from radcalc.cli.spelling import Shell, pasted, quoted
+from radcalc.cli.spelling import Shell
 from radcalc.errors import (
-    ConditionError,
     RadcalcError,
     UsageError,
     call,
     nearest,
     quote,
-    quote_path,
 )
-from radcalc.errors import command as call_of
 from radcalc.quantities.entries import search as search_units
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language, translate
-from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import search as search_quantities
 from radcalc.quantities.typical import BOUNDS, FIELDS, how_far
 from radcalc.quantities.typical import search as search_typical
-from radcalc.quantities.units import offered
 from radcalc.render.formats import Records
-from radcalc.render.plain import number
-from radcalc.routes.kinds import NAMES, ColumnSummary, contents_of, listing
-from radcalc.sentences import tasks
 from radcalc.sentences.tasks import Task
 from radcalc.sentences.tasks import search as search_tasks
-from radcalc.streams.log_layout import FirstRows
 from radcalc.terminal import BOLD, CSV, JSON, PLAIN, RESET, TABLE
-from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
-
-DIGITS = 6
-
-
-@define("columns", page_of("columns"))
-def columns_command(words: tuple[str, ...], output: Output) -> None:
-    """List the columns of a table: units, extremes, mean, and a command for each.
-
-    \b
-    Examples:
-      radcalc columns log.csv          a log with several columns of light
-      radcalc columns sensors.csv      any table of numbers
-      radcalc sensors.csv              the same
-
-    The mean of a column is that of its numbers, each of which counts the same; radcalc dose has
-    the mean over time.  A command for a column of light with times adds up its dose, any other
-    command converts the column.
-    """
-    refuse_number_options(output, "columns")
-    path = only_file(words, "table", call_of("columns", "FILE"))
-    found = contents_of(path)
-    if found.rows is None:
-        problem = f"{quote_path(path)} is {NAMES[found.kind]}, not a table"
-        raise ConditionError(problem, proposed(found.kind, path))
-    listed = listing(path, found.rows)
-    rows = [_row(path, found.rows, column, output.format) for column in listed.columns]
-    table = [{key: str(cell) for key, cell in row.items()} for row in rows]
-    notes = (f"{listed.rows} rows", *listed.notes)
-    right = ("numbers", "from", "to", "mean")
-    output.records(Records(rows, notes, table, right, texts_of({"file": path})), (JSON, TABLE))
-
-
-def _row(path: str, rows: FirstRows, column: ColumnSummary, form: str) -> dict[str, Any]:
-    """Return the record of a column, with all digits of its numbers or a few."""
-    is_exact = form in (JSON, CSV)
-    low: Any = column.first
-    high: Any = column.last
-    mean: Any = column.mean
-    if column.count:
-        low, high = column.least, column.greatest
-    if column.count and not is_exact:
-        low, high, mean = [number(value, DIGITS) for value in (low, high, mean)]
-    return {
-        "column": column.name,
-        "unit": column.unit.text if column.unit else "",
-        "numbers": column.count,
-        "from": low,
-        "to": high,
-        "mean": "" if mean is None and form != JSON else mean,
-        "command": _command(path, rows, column),
-    }
-
-
-def _command(path: str, rows: FirstRows, column: ColumnSummary) -> str:
-    """Return the command that converts a column, or adds up its dose; "" without a unit."""
-    if column.unit is None or not column.count:
-        return ""
-    if (rows.times or rows.parts) and read_light(column.unit):
-        return f"radcalc dose {quoted(path)} --column {quoted(column.name)}"
-    target = _another(column.unit)
-    if not target or not rows.names:
-        return ""
-    name = column.name if len(rows.table.titles) == 1 else str(column.place + 1)
-    words = [
-        "radcalc convert -",
-        quoted(column.unit.text),
-        quoted(target),
-        "--column",
-        quoted(name),
-    ]
-    if rows.table.delimiter:
-        words.append(
-            "-d tab" if rows.table.delimiter == "\t" else f"-d {quoted(rows.table.delimiter)}"
-        )
-    if rows.table.decimals.comma:
-        words.append("--decimal ,")
-    if rows.begin > 2:
-        words.append(f"--header={rows.begin - 1}")
-    return " ".join([*words, "<", quoted(path)])
-
-
-def _another(unit: Unit) -> str:
-    """Return the first unit of the same quantity with another size, or ""."""
-    if unit.is_scale:
-        return ""
-    units = (text for text in offered(unit) if resolve(text).factor != unit.factor)
-    return next(units, "")
 
 
 @define("units", page_of("units"))
@@ -302,81 +201,7 @@ def _record(task: Task, is_complete: bool) -> dict[str, Any]:
     }
 
 
-MOST, OF_A_KIND = 20, 5  # findings shown, and of one kind unless they have the exact name
 # The kinds with their plurals, and the commands that list all of one kind.
-KINDS = {
-    "command": ("commands", ()),
-    "result": ("results", ()),
-    "quantity": ("quantities", ("quantities",)),
-    "unit": ("units", ("units",)),
-    "spectrum": ("spectra", ("spectrum", "--list")),
-    "typical value": ("typical values", ("typical",)),
-    "option": ("options", ()),
-}
-
-
-@define("help", page_of("help"))
-def help_command(words: tuple[str, ...], output: Output) -> None:
-    """Show the help of a command, or search for words.
-
-    \b
-    Examples:
-      radcalc help convert             the same as radcalc convert --help
-      radcalc help beam angle          options, quantities ... with these words
-      radcalc help lux                 a unit, its quantity, typical values
-      radcalc help sunlight            spectra and typical values
-
-    The search covers commands, options, results, quantities, units, spectra and typical values.
-    Exact names come first, then names that begin so, then words of names and of texts.
-    """
-    refuse_number_options(output, "help")
-    text = " ".join(words)
-    if not text.strip():
-        raise UsageError("a word is missing", [call("help", "lux"), call("--help")])
-    if len(words) > 1 and all(word in COMMANDS for word in words):
-        raise UsageError("help takes one command", [call(word, "--help") for word in words])
-    found = find(text)
-    if not found:
-        similar = [call("help", *name.split()) for name in near(text, 3)]
-        raise UsageError(
-            f"nothing has the words '{quote(text)}'", similar or [call("--help"), call("examples")]
-        )
-    shown = _best(found, text)
-    rows = [
-        {"kind": one.kind, "name": one.name, "what": one.what, "command": pasted(one.call)}
-        for one in shown
-    ]
-    titles = ("kind", "name", "what it is", "command to type")
-    table = [dict(zip(titles, row.values(), strict=True)) for row in rows]
-    notes = [*_more(text, found, shown), *_tasks(text)]
-    inputs, unfolded = texts_of({"search": text}), ("command to type",)
-    output.records(Records(rows, notes, table, inputs=inputs, unfolded=unfolded), (JSON,))
-
-
-def _best(found: Sequence[Finding], text: str) -> list[Finding]:
-    """Return the findings to show."""
-    shown: list[Finding] = []
-    for finding in found:
-        alike = sum(other.kind == finding.kind for other in shown)
-        if len(shown) < MOST and (alike < OF_A_KIND or finding.place(text) == EXACT):
-            shown.append(finding)
-    return shown
-
-
-def _more(text: str, found: Sequence[Finding], shown: Sequence[Finding]) -> Iterator[str]:
-    """Yield the numbers of the findings that are not shown, with the calls that list them."""
-    for kind, (plural, lists_them) in KINDS.items():
-        more = sum(one.kind == kind for one in found) - sum(one.kind == kind for one in shown)
-        if more:
-            way = f": {pasted((*lists_them, *text.split()))}" if lists_them else ""
-            yield f"{more} more {kind if more == 1 else plural}{way}"
-
-
-def _tasks(text: str) -> Iterator[str]:
-    with suppress(UsageError):  # no task has the words
-        count = len(tasks.search(text))
-        mention = "1 example mentions" if count == 1 else f"{count} examples mention"
-        yield f"{mention} it: {pasted(('examples', *text.split()))}"
 
 
 PREFIX = f"{MAIN}-"

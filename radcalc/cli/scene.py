@@ -21,7 +21,7 @@ from radcalc.errors import command as call_of
 from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.render import plain
+from radcalc.render import csv
 from radcalc.terminal import CSV, JSON
 from radcalc.units.ranges import MOST
 
@@ -166,7 +166,6 @@ def _stream(
 ) -> int:
     """Write a line for each point, in blocks of points."""
     output.refuse_auto("a column of points has one", leave_out("auto"))
-    from radcalc.render import csv
 
     is_first = True
     for answer in survey.at_points(points.blocks()):
@@ -181,7 +180,7 @@ def _stream(
             units = {coordinate.name: coordinate.unit for coordinate in at}
             text = csv.block(Result(tuple(rows), inputs=at), units, output.style, is_first)
         else:
-            text = plain.lines([row.value for row in rows], output.style.precision)
+            text = csv.lines([row.value for row in rows], output.style.precision)
         terminal.pour(text.encode())
         is_first = False
     output.remark([result(Answered("", inputs, survey.remarks(points.is_grid)))])

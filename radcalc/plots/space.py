@@ -14,9 +14,9 @@ from radcalc.calculators.sky import place_of_sun
 from radcalc.calculators.uncertainty import STANDARD
 from radcalc.derivation import format_angle
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
+from radcalc.distributions.environments import Radiances, Sky
 from radcalc.distributions.formula import of_shape
 from radcalc.distributions.maps.radiance_map import RadianceMap
-from radcalc.distributions.radiances import Radiances, Sky
 from radcalc.distributions.scene import Axis as Coordinates
 from radcalc.errors import UsageError, option
 from radcalc.geometry import directions

@@ -13,6 +13,7 @@ from radcalc.spectra.contents import Counts
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.sources import aliases, find_named, names
+from radcalc.spectra.sources import spectrum as read_spectrum
 
 # Kinds by patterns of names (CIE 15:2018, and codes of lamps), in English, Czech and Russian; the
 # first match applies.  Other names have no kind.
@@ -109,8 +110,7 @@ def temperature_and_ratio(name: str) -> tuple[float | None, float]:
     >>> round(cct), round(lux_per_ppfd, 2)
     (6503, 55.5)
     """
-    source = find_named(name)
-    assert source is not None
+    source = find_named(name) or read_spectrum(name)  # one of the user's own
     counts = Counts(source, OBSERVERS["photopic"], None, None)
     lux_per_ppfd = counts.amount(LUMINOUS) / (counts.amount(PHOTON) / AVOGADRO * 1e6)
     return temperature_of(source), lux_per_ppfd

@@ -82,6 +82,14 @@ def test_definitions_are_listed_by_units(home):
     assert "own definition, definitions.txt line 5" in call("units constants").stdout
 
 
+def test_own_spectra_are_in_the_list_of_spectra(home):
+    """The list of the CIE has 4103 K for LED-B3 (CIE 015:2018, table 12.2)."""
+    line = call("spectrum --list office").stdout.splitlines()[-1]
+    name, _, temperature, _ = line.split("\t")
+    assert name == "office"
+    assert float(temperature) == pytest.approx(4103, abs=2)
+
+
 def test_the_option_and_the_variable_name_another_file(home, monkeypatch):
     other = home / "other.txt"
     other.write_text("smoot = 1.7018 m\n", encoding="utf-8")

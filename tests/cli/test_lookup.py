@@ -9,8 +9,7 @@ from conftest import run
 from helpers import for_each, terminal_of
 
 from radcalc.calculators.pages import COMMANDS
-from radcalc.cli.findings import EXACT, SEARCHES, find, near
-from radcalc.cli.lists import KINDS, MOST, OF_A_KIND
+from radcalc.cli.findings import EXACT, KINDS, MOST, OF_A_KIND, SEARCHES, find, near
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.typical import THINGS
 from radcalc.spectra.sources import names as spectra

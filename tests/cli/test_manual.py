@@ -16,7 +16,7 @@ from radcalc.calculators.lists import manual_pages
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import habits
 from radcalc.cli.group import commands
-from radcalc.cli.lists import find
+from radcalc.cli.lists import find_pages
 from radcalc.quantities.names import QUANTITIES
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
 
@@ -129,7 +129,7 @@ def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
 def test_a_help_names_its_page(page):
     context = CONTEXTS[page]
     last = context.command.get_help(context).rpartition("\n\nManual: radcalc manual")[2]
-    assert find(last.split())[0] == PAGES[page]
+    assert find_pages(last.split())[0] == PAGES[page]
 
 
 def test_every_command_has_a_page():

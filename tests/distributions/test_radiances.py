@@ -5,8 +5,8 @@ import math
 import numpy
 import pytest
 
+from radcalc.distributions.environments import FormulaRadiances
 from radcalc.distributions.formula import Formula
-from radcalc.distributions.radiances import FormulaRadiances
 from radcalc.errors import ConditionError
 
 OVERCAST = "(1 + 2*cos(theta))/3*(theta < 90*deg)"  # Moon and Spencer (1942), over the zenith's

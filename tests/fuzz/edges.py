@@ -27,7 +27,6 @@ EDGES = (
 MODULES = (
     "cones",
     "directions",
-    "far_field",
     "projected",
     "receivers",
     "solid",
@@ -108,7 +107,7 @@ def sweep(count: int, seed: int) -> str:
         answers += held(polygons.polygon, points, clean=True)
         answers += held(polygons.triangle, *points, clean=True)
         answers += held(projected.polygon, points, toward, clean=True)
-        answers += held(polygons.read, points, toward, clean=False)
+        answers += held(polygons.read_vertices, points, toward, clean=False)
         answers += held(directions.facing, toward, clean=True)
         answers += held(directions.reflected, points[0], toward, clean=True)
         answers += held(directions.mirror_normal, points[0], toward, clean=True)

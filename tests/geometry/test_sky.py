@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from conftest import python
 
-from radcalc.distributions.radiances import Sky
+from radcalc.distributions.environments import Sky
 from radcalc.errors import ConditionError, MissingInput, Unused
 from radcalc.geometry.sky import NAMES, TYPES, _integrals, projected_sky
 

@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 import numpy
 import numpy as np
 
+from radcalc.distributions.environments import Sky
 from radcalc.distributions.maps.light_sums import Progress
 from radcalc.distributions.maps.pictures import Picture, Y, as_floats, check_size
 from radcalc.distributions.maps.radiance_map import RadianceMap, check_shape
-from radcalc.distributions.radiances import Sky
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian
 from radcalc.geometry.light_vectors import half_edges, light_vectors

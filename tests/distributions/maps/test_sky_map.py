@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from conftest import run
 
+from radcalc.distributions.environments import Sky
 from radcalc.distributions.maps.pictures import read_picture
 from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.maps.rendered import Sun, sky_map
-from radcalc.distributions.radiances import Sky
 from radcalc.errors import ConditionError
 
 PLACE = (math.radians(50), math.radians(30))
