@@ -180,9 +180,9 @@ def _result(name: str, commands: Sequence[str]) -> Finding:
 def _with_call(finding: Finding) -> Finding | None:
     """Return a result with an example that answers it; None if no example does."""
     for command in _results()[finding.name]:
-        for call, names in _examples(command):
+        for words, names in _examples(command):
             if finding.name in names:
-                return finding._replace(call=(*call, "-g", finding.name))
+                return finding._replace(call=(*words, "-g", finding.name))
     return None
 
 

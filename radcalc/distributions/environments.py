@@ -346,7 +346,7 @@ def channel_of(picture: "Picture", channel: str) -> "Picture":
 def sampled(radiances: Radiances, width: int, height: int) -> "RadianceMap":
     """Sample radiances at the pixel centres of a latlong map.
 
-    >>> from radcalc.distributions.radiances import Sky
+    >>> from radcalc.distributions.environments import Sky
     >>> round(sampled(Sky("uniform"), 64, 32).irradiance((0, 0, 1)).value, 6)
     3.141593
     """

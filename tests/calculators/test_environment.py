@@ -615,7 +615,7 @@ def test_the_input_map_is_not_overwritten(tmp_path, name):
 
 INTERRUPTED = """
 import sys
-from radcalc.distributions.maps import irradiance_map as module
+from radcalc.distributions.maps import rendered as module
 def interrupted(*args, **kwargs):
     raise KeyboardInterrupt
 setattr(module, "irradiance_map", interrupted)
