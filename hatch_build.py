@@ -24,6 +24,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from contextlib import suppress
 from typing import Any
 
 import polib
@@ -41,11 +42,13 @@ class Additions(BuildHookInterface):
         self.folder = tempfile.TemporaryDirectory()
         is_editable = version == "editable"
         for name in glob.glob("radcalc/locale/*/*/*.po", root_dir=self.root):
+            catalogue = polib.pofile(os.path.join(self.root, name))
             compiled = name.replace(".po", ".mo")
-            path = os.path.join(self.root if is_editable else self.folder.name, compiled)
-            os.makedirs(os.path.dirname(path), exist_ok=True)
-            polib.pofile(os.path.join(self.root, name)).save_as_mofile(path)
+            with suppress(OSError):  # next to the sources, for an editable install and the tests
+                catalogue.save_as_mofile(os.path.join(self.root, compiled))
             if not is_editable:
+                path = os.path.join(self.folder.name, compiled.replace("/", "-"))
+                catalogue.save_as_mofile(path)
                 build_data["force_include"][path] = compiled
         if not is_editable:
             build_data["force_include"][os.path.join(self.root, "man")] = "radcalc/man"

@@ -46,7 +46,8 @@ LIGHT = {
     "radiance-toward": "{0}/m2/sr", "zenith-radiance": "{0}/m2/sr",
     "horizontal-irradiance": "{0}/m2", "sun-irradiance": "{0}/m2", "diffuse-irradiance": "{0}/m2",
     "direct-irradiance": "{0}/m2", "peak-irradiance": "{0}/m2", "limit": "{0}/m2",
-    "installed-irradiance": "{0}/m2", "mean-flux": "{0}",
+    "installed-irradiance": "{0}/m2", "mean-flux": "{0}", "global-irradiance": "{0}/m2",
+    "sun-radiance": "{0}/m2/sr",
 }  # fmt: skip
 OTHER = {
     "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",

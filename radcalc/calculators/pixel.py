@@ -1,13 +1,21 @@
-"""The solid angle of a pixel of a map of all directions, and the direction of its middle."""
+"""Solid angles of the pixels of a map and of small patches, and what all shapes have in common."""
 
 import math
+from typing import Any
 
+from radcalc import errors
 from radcalc.answer import Answer, Remark, Step, Value
 from radcalc.calculators.direction import CONVENTION
 from radcalc.calculators.results import absent, of_directions, value
-from radcalc.calculators.worksheet import refuse_foreign
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.worksheet import (
+    Placed,
+    Worksheet,
+    place,
+    refuse_foreign,
+)
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, add, mention, option, quote
+from radcalc.errors import ConditionError, add, mention, option, options, quote
 from radcalc.geometry import cones
 from radcalc.geometry.directions import spherical
 from radcalc.geometry.projections import (
@@ -18,7 +26,11 @@ from radcalc.geometry.projections import (
     name_of_map,
     pixel_solid_angle,
 )
-from radcalc.inputs.given import Input, Inputs, one_of
+from radcalc.inputs.given import Input, Inputs, angle_of, any_of, one_of
+from radcalc.laws.common import CIRCLE, round_sizes
+from radcalc.laws.law import AnyLaw
+from radcalc.laws.solid_angles import CONTOUR
+from radcalc.maths import SLACK, any_true, cos, sin
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, WHOLE_SPHERE
 
 TAKES = ("size", "pixel", "projection")
@@ -121,3 +133,109 @@ def _step(
         u, v = map(format_number, middle)
         numbers = f"{2 / width:g} by {2 / height:g} about u = {u}, v = {v}; {result}"
     return FORMULAS[projection].with_numbers(numbers)
+
+
+ROUND = ("radius", "diameter")
+
+
+def onto(plane: str, *laws: AnyLaw) -> Placed:
+    """Return a new `Placed` with the laws of a shape and its plane of projection."""
+    placed = Placed(*laws)
+    placed.assume(f"projected onto {plane}", of=["projected-solid-angle"])
+    return placed
+
+
+def enter(sheet: Worksheet, placed: Placed, omega: Any, flat: Any, *steps: Step) -> Placed:
+    """Add solid angles that use all inputs, with their steps."""
+    placed.add("solid-angle", omega)
+    placed.add("projected-solid-angle", flat)
+    placed.steps += steps
+    placed.use(*sheet.given)
+    return placed
+
+
+def sr(size: Any) -> str:
+    """Return a solid angle with its unit."""
+    return f"{format_number(size)} sr"
+
+
+def contour(flat: Any) -> Step:
+    """Return the step of Lambert's contour formula."""
+    return CONTOUR.with_numbers(f"Omega_p = {sr(flat)}")
+
+
+def patch(sheet: Worksheet) -> Placed:
+    """Return the values and laws of a small patch at a distance."""
+    from radcalc.geometry import cones
+    from radcalc.laws.solid_angles import PATCH
+
+    given = sheet.given
+    if "area" in given and set(ROUND) & set(given):
+        return _on_sphere(sheet)
+    placed = onto("a plane whose normal points to the patch", PATCH)
+    if set(ROUND) & set(given):
+        placed.laws = [*round_sizes(given), CIRCLE, PATCH]
+    if "solid-angle" not in given:
+        any_of(given, "the size of the patch", "area", *ROUND)
+        one_of(given, "the distance", "distance")
+    placed.use("tilt")
+    if "tilt" not in given:
+        placed.assume("the patch faces the viewpoint")
+    placed.merge(place(sheet, _tilted))
+    solved = solve(sheet, placed.laws, placed)
+    if solved.has("area") and solved.has("distance"):
+        area, away, tilt = solved.value("area"), solved.value("distance"), angle_of(given, "tilt")
+        _refuse_near(solved, area, away)
+        placed.add("projected-solid-angle", solved.value("solid-angle"))
+        if any_true(solved.value("solid-angle") == 0):
+            placed.note("the patch is seen from its edge or from behind")
+        good = cones.percent(cones.error(cones.size(area), away, tilt))
+        placed.assume(f"a patch small compared to its distance: A cos(theta) / d^2 {good}")
+    return placed
+
+
+def _tilted(sheet: Worksheet) -> Placed:
+    """Return a solid angle with its unit."""
+    placed = Placed()
+    placed.add("cosine-of-source", cones.facing(angle_of(sheet.given, "tilt")))
+    return placed
+
+
+def _on_sphere(sheet: Worksheet) -> Placed:
+    """Place a patch of a sphere, seen from the sphere's centre."""
+    from radcalc.laws.solid_angles import ON_SPHERE
+
+    given = sheet.given
+    any_of(given, "the size of the sphere", *ROUND)
+    if foreign := [name for name in given if name not in ("area", *ROUND, "solid-angle")]:
+        raise errors.Unused(foreign, "to a patch of a sphere")
+    plane = "a plane whose normal points to the patch, taken as a circle"
+    placed = onto(plane, *round_sizes(given), ON_SPHERE)
+    solved = solve(sheet, placed.laws)
+    omega = solved.value("solid-angle")
+    if any_true(omega > cones.FULL * (1 + SLACK)):
+        size = format_number(omega / cones.FULL)
+        problem = f"{solved.describe('area')} is {size} times the whole sphere"
+        raise errors.ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
+    placed.add("projected-solid-angle", cones.projected_cone(cones.cone_of(omega)))
+    placed.assume("a patch of the sphere, of any shape, seen from its centre")
+    return placed
+
+
+def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
+    """Refuse a patch that is too near for A cos(theta) / d^2."""
+    from radcalc.geometry import cones
+
+    size = cones.size(area)
+    if cones.is_near(away, size):
+        tilt = angle_of(solved.given, "tilt")
+        hint = cones.MORE_ROOM
+        if not any_true(tilt >= math.pi / 2):  # a disc is seen from its front, above its plane
+            is_tilted = any_true(tilt != 0)
+            place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if is_tilted else {}
+            sizes = {"radius": size / 2, **(place or {"distance": away})}
+            disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
+            exact = errors.command("solid-angle", "disc", **disc)
+            hint = f"{exact}, exact if the patch is a circle"
+        law = "A cos(theta) / d^2"
+        raise errors.TooNear(solved.describe("distance"), "source", format_number(size), hint, law)

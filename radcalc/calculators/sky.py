@@ -14,13 +14,11 @@ from radcalc.calculators.page import Operand, Page, text
 from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
-from radcalc.derivation import Formula, format_angle, format_number, format_value
+from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import option
-from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import UP, Vector, cartesian, dot, unit
 from radcalc.geometry.projections import USUAL_SIZE
 from radcalc.geometry.sky import (
-    CIE,
     IS_EVEN,
     MISSING_AZIMUTH,
     MISSING_SUN,
@@ -32,8 +30,25 @@ from radcalc.geometry.sky import (
 )
 from radcalc.inputs.given import Inputs
 from radcalc.inputs.places import require_azimuth
-from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import Number, any_true, cos, each, sin, square
+from radcalc.laws.law import AnyLaw
+from radcalc.laws.surface import (
+    BOTH,
+    DIFFUSE,
+    DIRECT,
+    DISC,
+    GLOBAL,
+    GROUND,
+    HORIZONTAL_SKY,
+    LINEAR,
+    LUMINANCE,
+    PLANE,
+    PLANE_SKY,
+    RELATIVE,
+    SHARE,
+    SUN_COSINE,
+    TOWARD,
+)
+from radcalc.maths import Number, any_true, cos, each, sin
 from radcalc.quantities import symbols
 from radcalc.units.table import resolve
 
@@ -42,65 +57,14 @@ if TYPE_CHECKING:
     from radcalc.distributions.maps.pictures import Picture
 
 SUN_RADIUS = math.radians(0.2666)  # at its mean distance
-MOON = f"{CIE}, traditional overcast sky (Moon and Spencer)"
-ISO = "ISO 80000-7, illuminance"
 OF_SUN = ("sun-irradiance", "sun-radiance", "global-irradiance")
 OF_PLACE = ("sun-elevation", "sun-azimuth", "sun-radius")
 ANGLES = ("sun-elevation", "sun-azimuth", "toward", "normal", "tilt", "azimuth")
 # What a remark on the sky is on: the ground, a plane, and a direction.
 ON_SKY = ("horizontal-sky", "plane-sky", "relative-radiance")
 LEAST = 1e-15  # a smaller cosine is a rounded 0
-GROUND = law(
-    "irradiance of the ground", "{horizontal-irradiance} = {zenith-radiance} {horizontal-sky}", ISO
-)
-TOWARD = law("radiance in a direction", "{radiance-toward} = {zenith-radiance} {relative-radiance}")
-SHARE = law("daylight share", "{plane-sky} = {daylight-share} {horizontal-sky}")
-PLANE = law("irradiance of a plane", "{irradiance} = {zenith-radiance} {plane-sky}", ISO)
-DIFFUSE = law(
-    "irradiance of a plane by the sky", "{diffuse-irradiance} = {zenith-radiance} {plane-sky}", ISO
-)
-DIRECT = law(
-    "irradiance of a plane by the sun", "{direct-irradiance} = {sun-irradiance} {cosine}", ISO
-)
 
 
-def _rest(total: Number, part: Number) -> Number:
-    refuse(total < part, "sky and sun together give less than one of them", "less of that one")
-    return total - part
-
-
-BOTH = relation(
-    "irradiance of a plane by sky and sun",
-    "{irradiance} = {diffuse-irradiance} + {direct-irradiance}",
-    {
-        "irradiance": lambda at: at("diffuse-irradiance") + at("direct-irradiance"),
-        "diffuse-irradiance": lambda at: _rest(at("irradiance"), at("direct-irradiance")),
-        "direct-irradiance": lambda at: _rest(at("irradiance"), at("diffuse-irradiance")),
-    },
-)
-GLOBAL = relation(
-    "irradiance of the ground by sky and sun",
-    "{global-irradiance} = {horizontal-irradiance} + {sun-irradiance} {sun-height}",
-    {
-        "global-irradiance": lambda at: (
-            at("horizontal-irradiance") + at("sun-irradiance") * at("sun-height")
-        ),
-        "horizontal-irradiance": lambda at: _rest(
-            at("global-irradiance"), at("sun-irradiance") * at("sun-height")
-        ),
-        "sun-irradiance": lambda at: (
-            _rest(at("global-irradiance"), at("horizontal-irradiance")) / at("sun-height")
-        ),
-    },
-)
-DISC = relation(
-    "irradiance of the sun's disc",
-    "{sun-irradiance} = pi Omega0 {sun-radiance} sin({sun-radius})^2",
-    {
-        "sun-irradiance": lambda at: math.pi * at("sun-radiance") * square(sin(at("sun-radius"))),
-        "sun-radiance": lambda at: at("sun-irradiance") / (math.pi * square(sin(at("sun-radius")))),
-    },
-)
 LAWS: list[AnyLaw] = [GROUND, TOWARD, SHARE, PLANE, DIFFUSE, DIRECT, BOTH, GLOBAL, DISC]
 LIGHT = (
     "radiance-toward",
@@ -194,27 +158,6 @@ PAGE = Page(
     irradiance on the plane from the sky alone, divided by that on the ground.
     """,
     mistakes=("sky",),
-)
-LUMINANCE = Formula(
-    "luminance of the sky",
-    "L / L_z = f(chi) phi(Z) / (f(Z_s) phi(0)), phi(Z) = 1 + a exp(b / cos(Z)), "
-    "f(chi) = 1 + c (exp(d chi) - exp(d pi/2)) + e cos(chi)^2",
-    CIE,
-)
-LINEAR = "luminance of the sky", "", "L / L_z = (1 + 2 cos(Z)) / 3", MOON
-RELATIVE = Formula(
-    "luminance in a direction, relative to the zenith", "{relative-radiance} = L / L_z"
-)
-HORIZONTAL_SKY = Formula(
-    "sky seen by the ground", "{horizontal-sky} = integral of L / L_z cos(Z) domega, over the sky"
-)
-PLANE_SKY = Formula(
-    "sky seen by the plane",
-    "{plane-sky} = integral of L / L_z cos(theta) domega, over the sky in front of the plane",
-)
-SUN_COSINE = Formula(
-    "incidence of the sun",
-    "{cosine} = max(n . s, 0), where n is the normal of the plane and s the direction of the sun",
 )
 BRIGHT = errors.mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
 NO_PLANE = "no plane is given", errors.mention("{tilt=90deg} or {normal}")

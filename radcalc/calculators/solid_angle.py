@@ -6,13 +6,13 @@ The function of each shape imports its own geometry, so that a cone does not loa
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
 
 from radcalc import errors
-from radcalc.answer import Answer, Step, texts_of
+from radcalc.answer import Answer, texts_of
 from radcalc.calculators.page import Operand, Page, words_of
+from radcalc.calculators.pixel import ROUND, contour, enter, onto, patch, sr
 from radcalc.calculators.results import of_directions
-from radcalc.calculators.solved import Solved, Task, Wants, solve
+from radcalc.calculators.solved import Task, Wants, solve
 from radcalc.calculators.worksheet import (
     OFFSETS,
     Placed,
@@ -24,48 +24,24 @@ from radcalc.calculators.worksheet import (
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import options, quote
 from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, angle_of, any_of, offset_of, one_of, radius_of
+from radcalc.inputs.given import Input, Inputs, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
-from radcalc.laws.common import APEX, CIRCLE, CONE, PROJECTED_CONE, round_sizes
-from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.maths import FAINTEST, SLACK, any_true, cos, hypot, sin, smaller
+from radcalc.laws.common import APEX, CONE, PROJECTED_CONE, round_sizes
+from radcalc.laws.solid_angles import (
+    DISC_ASIDE,
+    PROJECTED_DISC,
+    PROJECTED_ZONE,
+    TRIANGLES,
+    ZONE,
+)
+from radcalc.maths import FAINTEST, SLACK, any_true, hypot, smaller
 from radcalc.quantities.symbols import CHOICE
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import LENGTH
 
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
-ROUND = ("radius", "diameter")
 RESULTS = ("solid-angle", "projected-solid-angle", "sphere-fraction", "half-angle", "apex-angle")
 FACING = "a plane parallel to the source (the receiver faces it)"
-ZONE = Formula(
-    "zone of a sphere", "{solid-angle} = 2 Omega0 dphi sin((t0 + t1)/2) sin((t1 - t0)/2)"
-)
-PROJECTED_ZONE = Formula(
-    "projected zone", "{projected-solid-angle} = Omega0 dphi (sin^2(t1) - sin^2(t0)) / 2"
-)
-DISC_ASIDE = Formula(
-    "disc off its axis",
-    "{solid-angle} follows from an integral around the rim, given by complete elliptic integrals",
-    "F. Paxton, Rev. Sci. Instrum. 30 (1959) 254",
-)
-PROJECTED_DISC = Formula(
-    "projected disc",
-    "{projected-solid-angle} = Omega0 pi/2 (1 - ({height}^2 + {offset}^2 - {radius}^2) / "
-    "sqrt(({height}^2 + {offset}^2 + {radius}^2)^2 - 4 {radius}^2 {offset}^2))",
-    HOWELL,
-)
-TRIANGLES = Formula(
-    "rectangle, as two triangles",
-    "tan({solid-angle}/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a) for each triangle; "
-    "a, b and c are the vectors to its vertices, [a b c] is their triple product, a.b a scalar "
-    "product, and a, b or c alone a length",
-    "A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125",
-)
-CONTOUR = Formula(
-    "Lambert's contour formula",
-    "{projected-solid-angle} = 1/2 sum of beta cos(delta), over the sides",
-    "J. H. Lambert, Photometria (1760)",
-)
 
 
 class Shape(NamedTuple):
@@ -178,43 +154,23 @@ def _missing_input(sheet: Worksheet) -> errors.UsageError:
     return errors.MissingInput(message, options(choices))
 
 
-def _onto(plane: str, *laws: AnyLaw) -> Placed:
-    """Return a new `Placed` with the laws of a shape and its plane of projection."""
-    placed = Placed(*laws)
-    placed.assume(f"projected onto {plane}", of=["projected-solid-angle"])
-    return placed
-
-
-def _enter(sheet: Worksheet, placed: Placed, omega: Any, flat: Any, *steps: Step) -> Placed:
-    """Add solid angles that use all inputs, with their steps."""
-    placed.add("solid-angle", omega)
-    placed.add("projected-solid-angle", flat)
-    placed.steps += steps
-    placed.use(*sheet.given)
-    return placed
-
-
-def _sr(size: Any) -> str:
-    return f"{format_number(size)} sr"
-
-
 def _full(sheet: Worksheet) -> Placed:
-    placed = _onto("a plane of any normal, from its front")
+    placed = onto("a plane of any normal, from its front")
     placed.add("half-angle", math.pi)
     placed.note("a surface faces only half of the sphere: the projected solid angle is pi")
-    step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, _sr(cones.FULL))
-    return _enter(sheet, placed, cones.FULL, math.pi, step)
+    step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, sr(cones.FULL))
+    return enter(sheet, placed, cones.FULL, math.pi, step)
 
 
 def _hemisphere(sheet: Worksheet) -> Placed:
-    placed = _onto("the hemisphere's own plane")
+    placed = onto("the hemisphere's own plane")
     placed.add("half-angle", math.pi / 2)
-    return _enter(
+    return enter(
         sheet,
         placed,
         cones.HEMISPHERE,
         math.pi,
-        Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, _sr(cones.HEMISPHERE)),
+        Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, sr(cones.HEMISPHERE)),
         Formula("projected", "{projected-solid-angle} = pi Omega0").with_numbers("Omega_p = pi sr"),
     )
 
@@ -222,7 +178,7 @@ def _hemisphere(sheet: Worksheet) -> Placed:
 def _cone(sheet: Worksheet) -> Placed:
     any_of(sheet.given, "the size of the cone", *CONES)
     apex = [APEX] if "apex-angle" in sheet.given else []
-    placed = _onto("a plane whose normal is the cone's axis", *apex, CONE, PROJECTED_CONE)
+    placed = onto("a plane whose normal is the cone's axis", *apex, CONE, PROJECTED_CONE)
     if any_true(solve(sheet, placed.laws).value("half-angle") > math.pi / 2):
         placed.note("the part behind that plane does not count: only a hemisphere does")
     return placed
@@ -235,7 +191,7 @@ def _zone(sheet: Worksheet) -> Placed:
         raise errors.MissingInput(
             "the polar angles of the zone are missing", errors.mention("{polar=30deg:60deg}")
         )
-    placed = _onto("a plane whose normal is +z")
+    placed = onto("a plane whose normal is +z")
     polar, azimuth = sheet.given["polar"], sheet.given.get("azimuth")
     low, high = polar.value
     width = azimuth.value[1] - azimuth.value[0] if azimuth else 2 * math.pi
@@ -246,13 +202,13 @@ def _zone(sheet: Worksheet) -> Placed:
     numbers = f"2 ({format_number(width)}) sin(({t0} + {t1})/2) sin(({t1} - {t0})/2) sr"
     around = f"azimuths from {_span(azimuth)} deg" if azimuth else "all azimuths"
     placed.assume(f"polar angles from {_span(polar)} deg, {around}")
-    return _enter(
+    return enter(
         sheet,
         placed,
         omega,
         flat,
-        ZONE.with_numbers(f"Omega = {numbers} = {_sr(omega)}"),
-        PROJECTED_ZONE.with_numbers(f"Omega_p = {_sr(flat)}"),
+        ZONE.with_numbers(f"Omega = {numbers} = {sr(omega)}"),
+        PROJECTED_ZONE.with_numbers(f"Omega_p = {sr(flat)}"),
     )
 
 
@@ -269,7 +225,7 @@ def _sphere(sheet: Worksheet) -> Placed:
         missing = options(name for name in takes if name not in sizes)
         raise errors.MissingInput("an input is missing: a sphere takes two", missing)
     laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
-    return _onto("a plane whose normal points to the sphere's centre", *laws)
+    return onto("a plane whose normal points to the sphere's centre", *laws)
 
 
 def _height_above(given: Inputs) -> Input:
@@ -294,7 +250,7 @@ def _disc(sheet: Worksheet) -> Placed:
             raise errors.Exclusive(("solid-angle", "offset"), "it is a solid angle on the axis")
         if not (is_sized or is_placed):
             raise _missing_input(sheet)
-        placed = _onto(FACING, *round_sizes(given), disc(away), CONE, PROJECTED_CONE)
+        placed = onto(FACING, *round_sizes(given), disc(away), CONE, PROJECTED_CONE)
         _compare_distance(placed, given)
         placed.use("offset")
         return placed
@@ -303,17 +259,17 @@ def _disc(sheet: Worksheet) -> Placed:
     omega = solid.disc(size, height.value, offset)
     flat = projected.disc(size, height.value, offset)
     at = {"radius": size, height.name: height.value}
-    step = disc(height.name).formula.step(at, _sr(omega))
+    step = disc(height.name).formula.step(at, sr(omega))
     if is_aside:
         where = ", ".join(
             f"{letter} = {format_number(length)} m"
             for letter, length in zip("Rhx", (size, height.value, offset), strict=True)
         )
-        step = DISC_ASIDE.with_numbers(f"{where}; Omega = {_sr(omega)}")
-    projection = PROJECTED_DISC.with_numbers(f"Omega_p = {_sr(flat)}")
-    placed = _onto(FACING, *round_sizes(given))
+        step = DISC_ASIDE.with_numbers(f"{where}; Omega = {sr(omega)}")
+    projection = PROJECTED_DISC.with_numbers(f"Omega_p = {sr(flat)}")
+    placed = onto(FACING, *round_sizes(given))
     _compare_distance(placed, given)
-    return _enter(sheet, placed, omega, flat, step, projection)
+    return enter(sheet, placed, omega, flat, step, projection)
 
 
 def _compare_distance(placed: Placed, given: Inputs) -> None:
@@ -331,7 +287,7 @@ def _rectangle(sheet: Worksheet) -> Placed:
     width, length = given["width"].value, given["length"].value
     height = _height_above(given).value
     x, y = offset_of(given), offset_of(given, "offset-y")
-    placed = _onto(FACING)
+    placed = onto(FACING)
     if "corner" in given:
         x, y = placed.corner(given, width, length)
         placed.assume("seen from above a corner")
@@ -341,12 +297,8 @@ def _rectangle(sheet: Worksheet) -> Placed:
     flat = projected.rectangle(width, length, height, x, y)
     sizes = [f"{format_number(size)} m" for size in (width, length, height, x, y)]
     numbers = "w = {}, l = {}, h = {}, offsets {} and {}".format(*sizes)
-    step = TRIANGLES.with_numbers(f"{numbers}; Omega = {_sr(omega)}")
-    return _enter(sheet, placed, omega, flat, step, _contour(flat))
-
-
-def _contour(flat: Any) -> Step:
-    return CONTOUR.with_numbers(f"Omega_p = {_sr(flat)}")
+    step = TRIANGLES.with_numbers(f"{numbers}; Omega = {sr(omega)}")
+    return enter(sheet, placed, omega, flat, step, contour(flat))
 
 
 def _pyramid(sheet: Worksheet) -> Placed:
@@ -354,7 +306,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
     from radcalc.laws.solid_angles import PYRAMID
 
     given = sheet.given
-    placed = _onto("a plane whose normal is the pyramid's axis", PYRAMID)
+    placed = onto("a plane whose normal is the pyramid's axis", PYRAMID)
     placed.assume("the angles are full angles, from face to face through the axis")
     if "solid-angle" not in given:
         for name in ("horizontal", "vertical"):
@@ -363,83 +315,8 @@ def _pyramid(sheet: Worksheet) -> Placed:
     if solved.has("horizontal") and solved.has("vertical"):
         flat = projected.pyramid(solved.value("horizontal"), solved.value("vertical"))
         placed.add("projected-solid-angle", flat)
-        placed.steps.append(_contour(flat))
+        placed.steps.append(contour(flat))
     return placed
-
-
-def _patch(sheet: Worksheet) -> Placed:
-    from radcalc.geometry import cones
-    from radcalc.laws.solid_angles import PATCH
-
-    given = sheet.given
-    if "area" in given and set(ROUND) & set(given):
-        return _on_sphere(sheet)
-    placed = _onto("a plane whose normal points to the patch", PATCH)
-    if set(ROUND) & set(given):
-        placed.laws = [*round_sizes(given), CIRCLE, PATCH]
-    if "solid-angle" not in given:
-        any_of(given, "the size of the patch", "area", *ROUND)
-        one_of(given, "the distance", "distance")
-    placed.use("tilt")
-    if "tilt" not in given:
-        placed.assume("the patch faces the viewpoint")
-    placed.merge(place(sheet, _tilted))
-    solved = solve(sheet, placed.laws, placed)
-    if solved.has("area") and solved.has("distance"):
-        area, away, tilt = solved.value("area"), solved.value("distance"), angle_of(given, "tilt")
-        _refuse_near(solved, area, away)
-        placed.add("projected-solid-angle", solved.value("solid-angle"))
-        if any_true(solved.value("solid-angle") == 0):
-            placed.note("the patch is seen from its edge or from behind")
-        good = cones.percent(cones.error(cones.size(area), away, tilt))
-        placed.assume(f"a patch small compared to its distance: A cos(theta) / d^2 {good}")
-    return placed
-
-
-def _tilted(sheet: Worksheet) -> Placed:
-    placed = Placed()
-    placed.add("cosine-of-source", cones.facing(angle_of(sheet.given, "tilt")))
-    return placed
-
-
-def _on_sphere(sheet: Worksheet) -> Placed:
-    """Place a patch of a sphere, seen from the sphere's centre."""
-    from radcalc.laws.solid_angles import ON_SPHERE
-
-    given = sheet.given
-    any_of(given, "the size of the sphere", *ROUND)
-    if foreign := [name for name in given if name not in ("area", *ROUND, "solid-angle")]:
-        raise errors.Unused(foreign, "to a patch of a sphere")
-    plane = "a plane whose normal points to the patch, taken as a circle"
-    placed = _onto(plane, *round_sizes(given), ON_SPHERE)
-    solved = solve(sheet, placed.laws)
-    omega = solved.value("solid-angle")
-    if any_true(omega > cones.FULL * (1 + SLACK)):
-        size = format_number(omega / cones.FULL)
-        problem = f"{solved.describe('area')} is {size} times the whole sphere"
-        raise errors.ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
-    placed.add("projected-solid-angle", cones.projected_cone(cones.cone_of(omega)))
-    placed.assume("a patch of the sphere, of any shape, seen from its centre")
-    return placed
-
-
-def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
-    """Refuse a patch that is too near for A cos(theta) / d^2."""
-    from radcalc.geometry import cones
-
-    size = cones.size(area)
-    if cones.is_near(away, size):
-        tilt = angle_of(solved.given, "tilt")
-        hint = cones.MORE_ROOM
-        if not any_true(tilt >= math.pi / 2):  # a disc is seen from its front, above its plane
-            is_tilted = any_true(tilt != 0)
-            place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if is_tilted else {}
-            sizes = {"radius": size / 2, **(place or {"distance": away})}
-            disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
-            exact = errors.command("solid-angle", "disc", **disc)
-            hint = f"{exact}, exact if the patch is a circle"
-        law = "A cos(theta) / d^2"
-        raise errors.TooNear(solved.describe("distance"), "source", format_number(size), hint, law)
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
@@ -460,16 +337,16 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     plane = "a plane parallel to the polygon"
     if normal:
         plane = f"a plane whose normal is {','.join(map(format_number, normal))}"
-    placed = _onto(plane)
+    placed = onto(plane)
     placed.note(*shape.notes)
     if normal and shape.dips_below(normal):
         placed.note(errors.mention("the part below the horizon of {normal} does not count"))
     step = TRIANGLES._replace(name="polygon, as triangles").with_numbers(
-        f"{len(points)} vertices; Omega = {_sr(omega)}"
+        f"{len(points)} vertices; Omega = {sr(omega)}"
     )
     seen_from = ",".join(map(format_number, viewpoint))
     placed.assume(f"a polygon of {len(points)} vertices, seen from {seen_from}")
-    return _enter(sheet, placed, omega, flat, step, _contour(flat))
+    return enter(sheet, placed, omega, flat, step, contour(flat))
 
 
 SHAPES = {
@@ -481,7 +358,7 @@ SHAPES = {
     "disc": Shape((*ROUND, "distance", "height", "offset", "solid-angle"), _disc),
     "rectangle": Shape(("width", "length", "distance", "height", *OFFSETS, "corner"), _rectangle),
     "pyramid": Shape(("horizontal", "vertical", "solid-angle"), _pyramid),
-    "patch": Shape(("area", *ROUND, "distance", "tilt", "solid-angle"), _patch),
+    "patch": Shape(("area", *ROUND, "distance", "tilt", "solid-angle"), patch),
     "polygon": Shape(("viewpoint", "normal"), lambda sheet: _polygon(sheet, ())),
 }
 ALIASES = {"band": "zone", "cap": "cone", "triangle": "polygon"}

@@ -10,6 +10,7 @@ at infinity, with an f-number of at least 0.5.  The law of two discs (parallel, 
 exact at any distance; patches are small against their distance.
 """
 
+from radcalc.derivation import Formula
 from radcalc.geometry import cones, projected, solid
 from radcalc.laws.law import HOWELL, Relation, law, relation
 from radcalc.maths import asin, sin, tan
@@ -144,3 +145,44 @@ FAR_FIELD = law(
 )
 RECEIVER_CIRCLE = law("area of the receiver", "{receiver-area} = pi {receiver-radius}^2")
 RECEIVER_DIAMETER = law("diameter of the receiver", "{receiver-diameter} = 2 {receiver-radius}")
+
+
+ZONE = Formula(
+    "zone of a sphere", "{solid-angle} = 2 Omega0 dphi sin((t0 + t1)/2) sin((t1 - t0)/2)"
+)
+
+
+PROJECTED_ZONE = Formula(
+    "projected zone", "{projected-solid-angle} = Omega0 dphi (sin^2(t1) - sin^2(t0)) / 2"
+)
+
+
+DISC_ASIDE = Formula(
+    "disc off its axis",
+    "{solid-angle} follows from an integral around the rim, given by complete elliptic integrals",
+    "F. Paxton, Rev. Sci. Instrum. 30 (1959) 254",
+)
+
+
+PROJECTED_DISC = Formula(
+    "projected disc",
+    "{projected-solid-angle} = Omega0 pi/2 (1 - ({height}^2 + {offset}^2 - {radius}^2) / "
+    "sqrt(({height}^2 + {offset}^2 + {radius}^2)^2 - 4 {radius}^2 {offset}^2))",
+    HOWELL,
+)
+
+
+TRIANGLES = Formula(
+    "rectangle, as two triangles",
+    "tan({solid-angle}/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a) for each triangle; "
+    "a, b and c are the vectors to its vertices, [a b c] is their triple product, a.b a scalar "
+    "product, and a, b or c alone a length",
+    "A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125",
+)
+
+
+CONTOUR = Formula(
+    "Lambert's contour formula",
+    "{projected-solid-angle} = 1/2 sum of beta cos(delta), over the sides",
+    "J. H. Lambert, Photometria (1760)",
+)

@@ -8,10 +8,15 @@ at least five times its size, and the inverse square law, which is an estimate. 
 import math
 from typing import Any
 
+from radcalc.derivation import Formula
 from radcalc.geometry import cones, projected
+from radcalc.geometry.cones import refuse
+from radcalc.geometry.sky import (
+    CIE,
+)
 from radcalc.laws.common import CONFIGURATION_FACTOR, ENERGY, EXPOSURE
 from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, refuse_arrays, relation
-from radcalc.maths import SLACK, each, limit, piecewise, sqrt, square
+from radcalc.maths import SLACK, Number, each, limit, piecewise, sin, sqrt, square
 from radcalc.units.numbers import EXACT
 
 LAMBERTIAN = law(
@@ -386,3 +391,109 @@ SPHERE_AT_DISTANCE = relation(
 SPHERE_FLUX = law("flux of a sphere at a distance", "{flux} = 4 pi {distance}^2 {irradiance}")
 SPHERE_ENERGY = law("energy of a sphere at a distance", "{energy} = 4 pi {distance}^2 {exposure}")
 SPHERE_INTENSITY = law("flux of a sphere", "{flux} = 4 pi Omega0 {intensity}")
+
+
+MOON = f"{CIE}, traditional overcast sky (Moon and Spencer)"
+
+
+ISO = "ISO 80000-7, illuminance"
+
+
+GROUND = law(
+    "irradiance of the ground", "{horizontal-irradiance} = {zenith-radiance} {horizontal-sky}", ISO
+)
+
+
+TOWARD = law("radiance in a direction", "{radiance-toward} = {zenith-radiance} {relative-radiance}")
+
+
+SHARE = law("daylight share", "{plane-sky} = {daylight-share} {horizontal-sky}")
+
+
+PLANE = law("irradiance of a plane", "{irradiance} = {zenith-radiance} {plane-sky}", ISO)
+
+
+DIFFUSE = law(
+    "irradiance of a plane by the sky", "{diffuse-irradiance} = {zenith-radiance} {plane-sky}", ISO
+)
+
+
+DIRECT = law(
+    "irradiance of a plane by the sun", "{direct-irradiance} = {sun-irradiance} {cosine}", ISO
+)
+
+
+def _rest(total: Number, part: Number) -> Number:
+    refuse(total < part, "sky and sun together give less than one of them", "less of that one")
+    return total - part
+
+
+BOTH = relation(
+    "irradiance of a plane by sky and sun",
+    "{irradiance} = {diffuse-irradiance} + {direct-irradiance}",
+    {
+        "irradiance": lambda at: at("diffuse-irradiance") + at("direct-irradiance"),
+        "diffuse-irradiance": lambda at: _rest(at("irradiance"), at("direct-irradiance")),
+        "direct-irradiance": lambda at: _rest(at("irradiance"), at("diffuse-irradiance")),
+    },
+)
+
+
+GLOBAL = relation(
+    "irradiance of the ground by sky and sun",
+    "{global-irradiance} = {horizontal-irradiance} + {sun-irradiance} {sun-height}",
+    {
+        "global-irradiance": lambda at: (
+            at("horizontal-irradiance") + at("sun-irradiance") * at("sun-height")
+        ),
+        "horizontal-irradiance": lambda at: _rest(
+            at("global-irradiance"), at("sun-irradiance") * at("sun-height")
+        ),
+        "sun-irradiance": lambda at: (
+            _rest(at("global-irradiance"), at("horizontal-irradiance")) / at("sun-height")
+        ),
+    },
+)
+
+
+DISC = relation(
+    "irradiance of the sun's disc",
+    "{sun-irradiance} = pi Omega0 {sun-radiance} sin({sun-radius})^2",
+    {
+        "sun-irradiance": lambda at: math.pi * at("sun-radiance") * square(sin(at("sun-radius"))),
+        "sun-radiance": lambda at: at("sun-irradiance") / (math.pi * square(sin(at("sun-radius")))),
+    },
+)
+
+
+LUMINANCE = Formula(
+    "luminance of the sky",
+    "L / L_z = f(chi) phi(Z) / (f(Z_s) phi(0)), phi(Z) = 1 + a exp(b / cos(Z)), "
+    "f(chi) = 1 + c (exp(d chi) - exp(d pi/2)) + e cos(chi)^2",
+    CIE,
+)
+
+
+LINEAR = "luminance of the sky", "", "L / L_z = (1 + 2 cos(Z)) / 3", MOON
+
+
+RELATIVE = Formula(
+    "luminance in a direction, relative to the zenith", "{relative-radiance} = L / L_z"
+)
+
+
+HORIZONTAL_SKY = Formula(
+    "sky seen by the ground", "{horizontal-sky} = integral of L / L_z cos(Z) domega, over the sky"
+)
+
+
+PLANE_SKY = Formula(
+    "sky seen by the plane",
+    "{plane-sky} = integral of L / L_z cos(theta) domega, over the sky in front of the plane",
+)
+
+
+SUN_COSINE = Formula(
+    "incidence of the sun",
+    "{cosine} = max(n . s, 0), where n is the normal of the plane and s the direction of the sun",
+)

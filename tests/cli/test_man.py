@@ -107,7 +107,9 @@ def test_man_shows_a_page_and_comes_before_mandoc(monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
     page = ROOT / "man" / "man1" / "radcalc-ev.1"
     assert run("manual", "ev").stdout == f"Shown: {page}\n"
-    assert screen_of("manual", "ev") == f"S\bShown: {page}\n"  # man looks after the terminal
+    screen = screen_of("manual", "ev")  # of the installed command; man looks after the terminal
+    assert screen.startswith("S\bShown: ")
+    assert screen.endswith("man1/radcalc-ev.1\n")
     shown.write_text("#!/bin/sh\nexit 1\n")
     require("mandoc")
     assert "NAME\n     radcalc-ev " in run("manual", "ev").stdout

@@ -110,6 +110,15 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         {"beam-angle": st.floats(0.1, 3.1), "exponent": st.floats(0.01, 1000)}, "beam-part",
         lambda angle, n: 1 - math.cos(angle / 2) ** (n + 1)),
     ("cosine of the incidence", "cosine"): ({"incidence": ANGLE}, "cosine", math.cos),
+    ("irradiance of a plane by sky and sun", "irradiance"): (
+        {"diffuse-irradiance": NEAR_1, "direct-irradiance": NEAR_1}, "irradiance",
+        lambda sky, sun: sky + sun),
+    ("irradiance of the ground by sky and sun", "global-irradiance"): (
+        {"horizontal-irradiance": NEAR_1, "sun-irradiance": NEAR_1, "sun-height": PART},
+        "global-irradiance", lambda sky, sun, height: sky + sun * height),
+    ("irradiance of the sun's disc", "sun-irradiance"): (
+        {"sun-radiance": NEAR_1, "sun-radius": st.floats(0.01, 1.5)}, "sun-irradiance",
+        lambda radiance, angle: PI * radiance * math.sin(angle) ** 2),
     ("straight line to the source", "distance"): (
         {"height": st.floats(0.1, 10), "lateral": st.floats(0.1, 10)}, "distance", math.hypot),
     ("inside the cone", "relative-intensity"): (
