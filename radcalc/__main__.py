@@ -37,7 +37,7 @@ def run(words: list[str]) -> int:
     if asked := os.environ.get("_RADCALC_COMPLETE"):
         from radcalc.completion import shells
 
-        return shells.answer(asked)
+        return shells.answer_shell(asked)
     answered = quick_lane(words)
     if answered is None:
         from radcalc import cli

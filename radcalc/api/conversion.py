@@ -14,8 +14,8 @@ from radcalc.api.keywords import Number
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
 from radcalc.conversion.linear import Plan
-from radcalc.conversion.plan import answer as answer_of
 from radcalc.conversion.plan import plan, source_of, target_of
+from radcalc.conversion.plan import result_of_plan as answer_of
 from radcalc.errors import ConditionError, ConversionError, NumberError, option, quote
 from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain

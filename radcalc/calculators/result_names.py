@@ -15,7 +15,7 @@ from radcalc.units.table import resolve
 from radcalc.units.unit import Dimension
 
 
-def meant(
+def results_meant(
     name: str, values: Sequence[Value], dimension: Dimension | None = None
 ) -> tuple[str, str]:
     """Return the result, and its unit or '', that a symbol or a foreign name means.

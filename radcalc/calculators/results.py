@@ -15,7 +15,7 @@ from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities import symbols
-from radcalc.quantities.language import meant
+from radcalc.quantities.language import names_meant
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SYMBOLS
@@ -278,7 +278,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     from radcalc.calculators import result_names
 
     dimension = measured_in(text).dimension if text else None
-    other, unit_text = result_names.meant(name, values, dimension)
+    other, unit_text = result_names.results_meant(name, values, dimension)
     if other:
         try:
             return pick(values, f"{other}:{text or unit_text}", case)
@@ -374,7 +374,7 @@ def right_names(name: str, values: Sequence[Value]) -> Sequence[str]:
     lettered = [name for name in names if name in SYMBOLS and letter_of(name).lower() == word]
     return (
         [*dict.fromkeys(lettered)]
-        or meant(word, names)
+        or names_meant(word, names)
         or errors.nearest(word, names)
         or _related(word, present)
     )

@@ -38,11 +38,11 @@ def run(words: list[str]) -> int:
     if may_be_sentence(words):
         from radcalc.cli import lane
 
-        status = lane.answer(words)
+        status = lane.answer_sentence(words)
     elif words and words[0] in SUMMARIES:
         from radcalc.cli import plain_call
 
-        status = plain_call.answer(words)
+        status = plain_call.answer_in_full(words)
     return status if isinstance(status, int) else _with_click(words, status)
 
 

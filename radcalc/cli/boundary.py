@@ -39,7 +39,7 @@ def run(words: list[str], error: BaseException | None = None) -> int:
     def answer() -> int:
         if error:
             raise error
-        return answered(words)
+        return run_or_refuse(words)
 
     return guarded(words, lambda: or_sentence(words, answer))
 
@@ -55,7 +55,7 @@ def or_sentence(
     except (RadcalcError, click.UsageError) as error:
         from radcalc.cli import sentence, trials
 
-        run = partial(answered, listener=listener)
+        run = partial(run_or_refuse, listener=listener)
         gate = sentence.Gate(run, trials.has_answers, listener)
         return sentence.instead(words, _problem(error, words), gate)
 
@@ -86,7 +86,7 @@ def _with_files(words: list[str], error: RadcalcError) -> tuple[list[str], Radca
     """Return the call that a file as the first word means, and the error of a file."""
     if files.begins_with_file(words):
         try:
-            words = files.meant(words)
+            words = files.call_of_file(words)
         except RadcalcError:
             return words, error
     return words, files.redirected(error, words)
@@ -101,7 +101,7 @@ def _problem(error: RadcalcError | click.UsageError, words: list[str]) -> Radcal
     return about_unit(error, words) if isinstance(error, RadcalcError) else of_click(error, words)
 
 
-def answered(words: list[str], listener: "Listener | None" = None) -> int:
+def run_or_refuse(words: list[str], listener: "Listener | None" = None) -> int:
     """Run a command like Click's `main`, without its own ways to exit; return the exit status.
 
     A listener hears every answer and has options for all commands.
@@ -115,7 +115,7 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
 
         return explain(words, listener)
     if files.begins_with_file(words):
-        words = files.meant(words)
+        words = files.call_of_file(words)
         files.say(words, listener)
     words = protect_negatives(of_help(words))
     terminal.choose_color(_color_in(words, listener))

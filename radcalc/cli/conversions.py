@@ -8,7 +8,7 @@ from radcalc import errors
 from radcalc.answer import Result, Row, ShownInput
 from radcalc.cli.cases import Case
 from radcalc.cli.output import Output
-from radcalc.conversion.plan import Planned, answer, plan, plans, source_of, target_of
+from radcalc.conversion.plan import Planned, plan, plans, result_of_plan, source_of, target_of
 from radcalc.errors import call, quote
 from radcalc.inputs.given import Input, any_uncertain, shown_inputs
 from radcalc.quantities.light import read as read_light
@@ -44,7 +44,7 @@ class Conversion(NamedTuple):
     def answer(self, planned: Sequence[Planned], steps: bool) -> Result:
         results = []
         for conversion, used in planned:
-            result = answer(conversion, self.value, self.case.label, steps)
+            result = result_of_plan(conversion, self.value, self.case.label, steps)
             if self.amount.is_uncertain or any_uncertain(used):
                 from radcalc.calculators.uncertainty import converted, of_conversion
 
@@ -119,7 +119,7 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
     try:
         operands = [read_operands(words) for words in calls]
     except errors.UnitError as error:
-        raise _meant(calls[0]) or error from None
+        raise _other_unit_meant(calls[0]) or error from None
     except errors.UsageError as error:
         raise error.reworded(hint=_with_source(calls[0])) from None
     (amount, first), *others = operands
@@ -149,7 +149,7 @@ def _with_source(words: list[str]) -> errors.Hint:
     return errors.correct(words[0], words[0], likely)
 
 
-def _meant(words: list[str]) -> errors.UnitError | None:
+def _other_unit_meant(words: list[str]) -> errors.UnitError | None:
     """Return the error for a quantity as the unit of VALUE, or a blank after its prefix."""
     from radcalc.quantities.targets import is_name, named
 

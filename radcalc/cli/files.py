@@ -66,7 +66,7 @@ def route(path: str) -> tuple[str, ...]:
     return (command, f"--{symbol}", path) if symbol else (command, path)
 
 
-def meant(words: list[str]) -> list[str]:
+def call_of_file(words: list[str]) -> list[str]:
     """Return the call that a file as the first word means.
 
     A map without a unit is relative.

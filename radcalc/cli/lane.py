@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 Words = list[str]
 
 
-def answer(words: Words) -> int | None:
+def answer_sentence(words: Words) -> int | None:
     """Answer words that are a sentence, as the command that they mean; return the exit status.
 
     Return None for a conversion, and for whatever is refused.

@@ -156,7 +156,7 @@ def _asked(words: list[str]) -> Asked:
         problem = f"{quote(options[0])} does not apply to a question"
         raise UsageError(problem, drop(options[0]))
     if files.begins_with_file(words):
-        words = files.meant(words)
+        words = files.call_of_file(words)
     try:
         return asked(words)
     except (RadcalcError, click.UsageError) as error:

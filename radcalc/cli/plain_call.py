@@ -43,7 +43,7 @@ class Call(NamedTuple):
     of_lines: dict[str, str]
 
 
-def answer(words: "Sequence[str]") -> int | BaseException | None:
+def answer_in_full(words: "Sequence[str]") -> int | BaseException | None:
     """Answer a calculator, or lines of standard input by `convert`; return the exit status.
 
     Return None for a command with options of its own, for other words, and for whatever is refused:
@@ -133,9 +133,9 @@ def work_out(
     from radcalc.calculators.results import listed_in
     from radcalc.cli.operands import answerer
 
-    answer = answerer(name)
-    if answer:
-        answer(
+    answer_in_full = answerer(name)
+    if answer_in_full:
+        answer_in_full(
             typed=given, request=Request(listed_in(wanted)), output=output, words=tuple(operands)
         )
-    return answer is not None
+    return answer_in_full is not None

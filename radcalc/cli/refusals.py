@@ -9,7 +9,7 @@ from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.group import called_in, parameters
 from radcalc.errors import quote
-from radcalc.quantities.language import meant
+from radcalc.quantities.language import names_meant
 from radcalc.terminal import FORMATS
 from radcalc.units.numbers import is_sentence
 
@@ -129,7 +129,7 @@ def _no_such_option(typed: str, called: str, words: list[str]) -> errors.Radcalc
     known = [name for p in parameters(called) for name in p.opts if name.startswith("--")]
     if doubled := _doubled(typed, known, words):
         return errors.RadcalcError(problem, doubled)
-    near = [f"--{name}" for name in meant(typed[2:], [name[2:] for name in known])]
+    near = [f"--{name}" for name in names_meant(typed[2:], [name[2:] for name in known])]
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
         others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
         hint = errors.call(takers[0], "--help", remark=f"which has {quote(typed)}{others}")

@@ -60,7 +60,7 @@ def instead(words: Words, error: errors.RadcalcError, gate: Gate) -> int:
     """
     if not may_be(words, error):
         raise error
-    call, options = meant(words, error, gate.has_answers)
+    call, options = call_meant(words, error, gate.has_answers)
     try:
         return _answer(call, options, gate)
     except errors.RadcalcError as refused:
@@ -99,7 +99,7 @@ def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
     return not known.issuperset(options)
 
 
-def meant(
+def call_meant(
     words: Words,
     error: errors.RadcalcError,
     has_answers: Callable[[errors.RadcalcError, Words], bool],
@@ -155,7 +155,7 @@ def as_call(
     problem = of_click(error, words) if isinstance(error, click.UsageError) else error
     if not may_be(words, problem):
         raise problem from None
-    call, options = meant(words, problem, has_answers)
+    call, options = call_meant(words, problem, has_answers)
     return [*call, *options]
 
 
@@ -253,16 +253,16 @@ def explained(words: Words, listener: "Listener | None" = None) -> tuple[Output,
         if value:
             tries = [leave_out(name), drop(EXPLAIN)]
             raise UsageError(f"--{name} does not apply to {EXPLAIN}", tries)
-    rows, notes, meant = _sentence(asked, _complete(asked))
+    rows, notes, call_meant = _sentence(asked, _complete(asked))
     text = " ".join(asked)
-    rows.append({"phrase": text, "meaning": pasted(meant)})
+    rows.append({"phrase": text, "meaning": pasted(call_meant)})
     return output, Records(rows, notes, rows, inputs=texts_of({"sentence": text}))
 
 
 def _complete(asked: Words) -> Words | None:
     """Return the call that words are without being read as a sentence, or None."""
     if files.begins_with_file(asked):
-        return files.meant(asked) if all(word[:1] == "-" for word in asked[1:2]) else None
+        return files.call_of_file(asked) if all(word[:1] == "-" for word in asked[1:2]) else None
     if (other := habits.canonical(asked)) != asked:
         return other
     whole = ["convert", *asked]
@@ -285,15 +285,15 @@ def _sentence(asked: Words, whole: Words | None) -> tuple[Rows, list[str], Words
         if whole:
             return [], [], whole
         raise
-    meant = list(typed(found))
-    if whole and plain(whole) != plain(meant):
+    call_meant = list(typed(found))
+    if whole and plain(whole) != plain(call_meant):
         return [], [], whole
     rows = [
         {"phrase": phrase, "meaning": _spelled(part) if part in found else part}
         for phrase, part in parts_of(sentence, found)
     ]
     notes = [f"ignored: {', '.join(sentence.ignored)}"] if sentence.ignored else []
-    return rows, notes, whole or meant
+    return rows, notes, whole or call_meant
 
 
 def _spelled(part: str) -> str:

@@ -276,7 +276,7 @@ class Session:
         if not self.has_stdin and any(map(is_stream, words)):
             problem = "- cannot be used at the prompt, which reads standard input"
             raise UsageError(problem, "the same at a shell")
-        return boundary.answered(words, self) if words else terminal.ANSWERED
+        return boundary.run_or_refuse(words, self) if words else terminal.ANSWERED
 
     def _list(self) -> None:
         """Write the variables and the last answer as lines that can be typed."""
@@ -292,7 +292,7 @@ class Session:
 
     def _show(self, amount: Amount, words: list[str]) -> int:
         if unit := amount.typed[1]:
-            return boundary.answered([*words, "to", unit.text], self)
+            return boundary.run_or_refuse([*words, "to", unit.text], self)
         output = decide(**(DEFAULTS | self.settings), listener=self)
         row = Row("", "", amount.number, "1", name="number", uncertainty=amount.uncertainty)
         output.show([Result((row,), named=False)])

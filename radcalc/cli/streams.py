@@ -12,7 +12,7 @@ from radcalc.cli.output import Output
 from radcalc.cli.request import LineOptions, first_of
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
-from radcalc.conversion.plan import answer, plan, source_of, target_of
+from radcalc.conversion.plan import plan, result_of_plan, source_of, target_of
 from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
@@ -148,7 +148,7 @@ class _Conversion(_Work):
         inputs = (ShownInput("value", value, planned.source.text), *conditions)
         titles = self.titles
         title = (titles.new_titles.get(field) or titles.title_of()) if titles else ""
-        return self.line_of(answer(planned, value, inputs=inputs), line, field, title)
+        return self.line_of(result_of_plan(planned, value, inputs=inputs), line, field, title)
 
     def _titled(self, unit: Unit) -> "tuple[Texts, Unit]":
         from radcalc.streams.readers import Numbers
@@ -255,9 +255,9 @@ class _Calculation(_Work):
         from radcalc.calculators.results import rows, said_of
 
         inputs = (*self.task.operands, *shown_inputs(self.case.of_line(given)))
-        answer = line_answer.answer
-        chosen = line_answer.rows if self.wanted else rows(answer.values)
-        said = said_of(answer, chosen) if self.wanted else answer.said()
+        result_of_plan = line_answer.answer
+        chosen = line_answer.rows if self.wanted else rows(result_of_plan.values)
+        said = said_of(result_of_plan, chosen) if self.wanted else result_of_plan.said()
         result = Result(tuple(chosen), *said, inputs=inputs)
         return self.line_of(result, line, field)
 

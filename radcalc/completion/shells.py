@@ -64,7 +64,7 @@ complete --command radcalc --no-files --keep-order --arguments '(__radcalc_compl
 SCRIPTS = {"bash": BASH, "zsh": ZSH, "fish": FISH}
 
 
-def answer(request: str) -> int:
+def answer_shell(request: str) -> int:
     """Write the answer to a shell, and return the exit status."""
     shell, _, wanted = request.partition("_")
     if shell in SCRIPTS and wanted == "source":

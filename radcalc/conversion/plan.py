@@ -83,7 +83,7 @@ def target_of(text: str, source: Unit | None = None) -> Unit:
     return targets.named(text, source)
 
 
-def answer(
+def result_of_plan(
     made: Plan,
     value: float,
     case: str = "",

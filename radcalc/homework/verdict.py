@@ -6,7 +6,7 @@ from itertools import repeat
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 from radcalc.answer import Step, Value
-from radcalc.calculators.result_names import meant
+from radcalc.calculators.result_names import results_meant
 from radcalc.calculators.results import (
     in_unit,
     is_alone,
@@ -238,21 +238,21 @@ def _explained(
         return verdict
     from radcalc.homework.diagnosis import diagnose  # not needed for right answers
 
-    target, meant = reading.target, _turned(claim, reading)
+    target, results_meant = reading.target, _turned(claim, reading)
     right, scale = reading.right, reading.unit.factor
     if reading.scale is not None and not reading.is_logarithm:
         slope, right = reading.slope(claim.value), reading.size
-        meant = claim._replace(
+        results_meant = claim._replace(
             value=right * reading.times(claim.value, reading.right),
             half_unit=claim.half_unit * slope,
             widest=claim.widest * slope,
         )
-    if not math.isfinite(meant.value):
+    if not math.isfinite(results_meant.value):
         return verdict
     scale = float(target.amount) / right if right else scale
     is_on_scale = reading.scale is not None and not reading.is_logarithm
     readings = _misread(reading, float(target.amount)) if is_on_scale else []
-    diagnoses = diagnose(question, target, meant, scale, readings)
+    diagnoses = diagnose(question, target, results_meant, scale, readings)
     if not diagnoses and not asked_tolerance and (zeros := _zeros(claim, reading)):
         return verdict._replace(diagnoses=(zeros,))
     if question.steps and diagnoses and verdict.ratio is not None:
@@ -334,12 +334,12 @@ def _is_marked(question: Question, claim: Claim, reading: Reading) -> bool:
     from radcalc.laws.exposure import exact
 
     factor = reading.unit.factor
-    meant = exact(reading.target.name, claim.value * factor) / factor
+    results_meant = exact(reading.target.name, claim.value * factor) / factor
     given = {
         name: item._replace(value=exact(name, item.value), is_exact=True)
         for name, item in question.given.items()
     }
-    if meant == claim.value and all(
+    if results_meant == claim.value and all(
         item.value == question.given[name].value for name, item in given.items()
     ):
         return False
@@ -350,7 +350,7 @@ def _is_marked(question: Question, claim: Claim, reading: Reading) -> bool:
     except RadcalcError:
         return False
     allowed = read_tolerance(TOLERANCE, right.unit)
-    return right.is_near(meant, allowed) or is_rounded(claim, right.right)
+    return right.is_near(results_meant, allowed) or is_rounded(claim, right.right)
 
 
 def _relative(claim: Claim, other: Reading) -> Diagnosis:
@@ -458,7 +458,7 @@ def _named(question: Question, claim: Claim) -> list[Value]:
         pick(named, claim.name)  # its error names the missing input
     present = [v for v in question.answer.values if not v.is_absent]
     dimension = measured_in(claim.unit).dimension if claim.unit else None
-    other, _ = meant(claim.name, present, dimension)
+    other, _ = results_meant(claim.name, present, dimension)
     if other:
         return _named(question, claim._replace(name=other))
     right = [name.partition(":")[0] for name in right_names(claim.name, present)]

@@ -92,7 +92,7 @@ SYNONYMS = {
 }
 
 
-def meant(typed: str, known: Sequence[str]) -> list[str]:
+def names_meant(typed: str, known: Sequence[str]) -> list[str]:
     """Return the known names that begin with a word, or else those that it is a synonym of."""
     if begun := [name for name in known if typed and name.startswith(typed)]:
         return begun

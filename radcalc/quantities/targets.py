@@ -91,7 +91,7 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
     if matches := [f for f in matches if "λ" not in f.quantity.symbol]:
         return [_target(f.quantity, f.note) for f in matches]
     other = index().others.get(folded)
-    target = _other(other) if other else None
+    target = _other_target(other) if other else None
     return [target] if target else []
 
 
@@ -121,7 +121,7 @@ def _target(quantity: Quantity, note: str = "") -> Target:
     return Target(name, "lm/m2" if name in EXITANCES and unit == "lx" else unit, note)
 
 
-def _other(other: Other) -> Target | None:
+def _other_target(other: Other) -> Target | None:
     """Return a quantity outside the vocabulary of light and its unit of display, or None."""
     name, dimension = other.names[0], other.unit.dimension
     symbol = SYMBOLS.get(name.replace(" ", "-"))

@@ -53,7 +53,7 @@ def light_of(amount: Amount) -> Reading | None:
     return light if light and not light.axis and not amount.unit.is_scale else None
 
 
-def meant(amount: Amount) -> tuple[str, ...]:
+def quantities_meant(amount: Amount) -> tuple[str, ...]:
     """Return the symbols that a unit means."""
     if light_of(amount):
         return (generic(amount) or VALUE,)

@@ -18,7 +18,7 @@ from radcalc.sentences.facts import (
     generic,
     is_light,
     light_of,
-    meant,
+    quantities_meant,
 )
 from radcalc.sentences.phrases import BESIDE, COMMAND, FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
@@ -251,7 +251,7 @@ def inputs_of(command: str, unit: Unit, given: Iterable[str] = ()) -> list[str]:
     """
     page, amount = page_of(command), Amount("", unit, 0)
     taken = taken_by(page)
-    names, light = [*meant(amount)], light_of(amount)
+    names, light = [*quantities_meant(amount)], light_of(amount)
     if light and names != [VALUE]:
         alike = [
             n
@@ -487,7 +487,7 @@ def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
     """Return the symbols that an amount alone may fill."""
     assert amount is not None
     if light_of(amount):
-        return meant(amount)
+        return quantities_meant(amount)
     wanted = {name for goal in sentence.goals for name in goal.names}
     if amount.dimension == ANGLE and wanted & {"hazard-distance", "spot-diameter"}:
         return ("divergence",)
@@ -504,7 +504,7 @@ def _places(amount: Amount | None, sentence: Sentence) -> tuple[str, ...]:
         return ("time",)  # of a shutter
     if "aspect" in others and amount.dimension == LENGTH and not amount.is_wavelength:
         return ("diagonal",)  # of a screen
-    return meant(amount)
+    return quantities_meant(amount)
 
 
 def explained(calls: Sequence[tuple[str, ...]]) -> list[Try]:

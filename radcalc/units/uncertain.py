@@ -303,7 +303,7 @@ def _ways(text: str) -> list[str]:
         sizes = f"{value:.12g}±{off:.12g} {unit or after}".strip()
         if unit and after:
             sizes = f"{value:.12g} {unit} ± {off:.12g} {after}"
-    as_sizes = _meant(sizes)
+    as_sizes = _quantity_meant(sizes)
     begins = [match.start() for match in re.finditer(BEGIN + DECIMAL, left)]
     number = re.match(rf"\s*{DECIMAL}(?:[eE][-+]?\d+)?", right)
     ends = [match.start() for match in re.finditer(OPERATOR, right)]
@@ -313,7 +313,7 @@ def _ways(text: str) -> list[str]:
             inside = text[begin : at + 1 + end]
             after = inside[len(inside.rstrip()) :] + right[end:]
             candidate = f"{text[:begin]}({inside.rstrip()}){after}"
-            meant = _meant(candidate)
+            meant = _quantity_meant(candidate)
             if meant and as_sizes and meant[1] != as_sizes[1]:
                 continue  # 100 lx * 2 ± 3 lx is not a product of two illuminances
             if meant:
@@ -321,14 +321,14 @@ def _ways(text: str) -> list[str]:
     return [as_sizes[0]] if as_sizes else []
 
 
-def _meant(text: str) -> tuple[str, Dimension] | None:
+def _quantity_meant(text: str) -> tuple[str, Dimension] | None:
     """Return the text, or the first of its two readings, and its dimension; None if unreadable."""
     try:
         reading = _read(text)
     except errors.RadcalcError as error:
         first = error.hint.partition(" or ")[0]
         return (
-            _meant(first)
+            _quantity_meant(first)
             if "is ambiguous" in error.message and first.count("(") > text.count("(")
             else None
         )

@@ -340,7 +340,7 @@ def ask(monkeypatch, capfd):
     def answered(shell: str, line: str) -> str:
         monkeypatch.setenv("COMP_LINE", line)
         monkeypatch.setenv("COMP_WORDBREAKS", BREAKS)
-        assert shells.answer(f"{shell}_complete") == 0
+        assert shells.answer_shell(f"{shell}_complete") == 0
         out, err = capfd.readouterr()
         assert err == ""
         return out

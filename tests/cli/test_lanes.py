@@ -124,7 +124,7 @@ def test_an_example_of_a_page_has_the_same_answer_without_click(command, piped, 
     for words in examples(command):
         for more in OUTPUT:
             call = [*words, *more]
-            status = plain_call.answer(call)
+            status = plain_call.answer_in_full(call)
             plain = piped()
             if status is None:
                 assert plain == ("", ""), call
@@ -146,7 +146,7 @@ def test_an_example_of_a_page_has_the_same_answer_without_click(command, piped, 
     ],
 )
 def test_a_plain_call_is_answered_without_click(call, piped):
-    assert plain_call.answer(call.split()) == 0
+    assert plain_call.answer_in_full(call.split()) == 0
     assert piped().out
 
 
@@ -177,7 +177,7 @@ def test_a_plain_call_is_answered_without_click(call, piped):
     ],
 )
 def test_a_plain_call_leaves_the_rest_to_click(call, piped):
-    assert plain_call.answer(shlex.split(call)) is None
+    assert plain_call.answer_in_full(shlex.split(call)) is None
     assert piped() == ("", "")
 
 

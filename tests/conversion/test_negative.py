@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import radcalc
-from radcalc.conversion.plan import answer, plan
+from radcalc.conversion.plan import plan, result_of_plan
 from radcalc.errors import ConditionError
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
@@ -26,14 +26,14 @@ LEADING = [
 
 @pytest.mark.parametrize("unit", LIGHT)
 def test_a_difference_of_light_keeps_its_quantity_and_is_noted(unit):
-    result = answer(plan(resolve(unit), resolve(unit)), -2.0)
+    result = result_of_plan(plan(resolve(unit), resolve(unit)), -2.0)
     assert result.rows[0].value == -2
     assert "is a difference" in result.notes[-1]
 
 
 @pytest.mark.parametrize("unit", OTHERS)
 def test_quantities_other_than_light_may_be_below_0(unit):
-    assert not answer(plan(resolve(unit), resolve(unit)), -2.0).notes
+    assert not result_of_plan(plan(resolve(unit), resolve(unit)), -2.0).notes
 
 
 @pytest.mark.parametrize(("source", "target", "conditions"), LEADING)

@@ -5,7 +5,7 @@ import math
 import pytest
 from helpers import for_each
 
-from radcalc.conversion.plan import answer, plan
+from radcalc.conversion.plan import plan, result_of_plan
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 
@@ -104,7 +104,7 @@ def test_every_answer_states_its_assumptions_or_the_table_of_the_eye_in_its_step
 
 
 def test_steps_end_in_the_result():
-    result = answer(
+    result = result_of_plan(
         plan(resolve("lm"), resolve("cd"), [read("half-angle", "60deg")]), 800.0, "", True
     )
     assert [step.law for step in result.steps] == ["solid angle of a cone", "conversion"]
