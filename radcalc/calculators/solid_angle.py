@@ -229,6 +229,7 @@ def _cone(sheet: Worksheet) -> Placed:
 
 
 def _zone(sheet: Worksheet) -> Placed:
+    """Place a zone between two polar angles, of all azimuths or between two of them."""
     from radcalc.geometry import projected, solid
 
     if "polar" not in sheet.given:
@@ -281,6 +282,7 @@ def _height_above(given: Inputs) -> Input:
 
 
 def _disc(sheet: Worksheet) -> Placed:
+    """Place a disc, seen from its axis or aside; on the axis its solid angle may be given."""
     from radcalc.geometry import projected, solid
     from radcalc.laws.solid_angles import disc
 
@@ -323,6 +325,7 @@ def _compare_distance(placed: Placed, given: Inputs) -> None:
 
 
 def _rectangle(sheet: Worksheet) -> Placed:
+    """Place a rectangle, seen from a height over its centre, an offset or a corner."""
     from radcalc.geometry import projected, solid
 
     given = sheet.given
@@ -350,6 +353,7 @@ def _contour(flat: Any) -> Step:
 
 
 def _pyramid(sheet: Worksheet) -> Placed:
+    """Place a pyramid by two of its horizontal angle, vertical angle and solid angle."""
     from radcalc.geometry import projected
     from radcalc.laws.solid_angles import PYRAMID
 
@@ -368,6 +372,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
 
 
 def _patch(sheet: Worksheet) -> Placed:
+    """Place a patch that is small compared to its distance, or a patch of a sphere."""
     from radcalc.geometry import cones
     from radcalc.laws.solid_angles import PATCH
 
@@ -443,6 +448,7 @@ def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
+    """Place a polygon, seen from the viewpoint and projected onto its plane or a normal's."""
     from radcalc.geometry import polygons, projected
     from radcalc.geometry.polygons import polygon
 
