@@ -145,6 +145,7 @@ def _of_gaps(what: str, names: Sequence[str], source: Spectrum, ends: Range) -> 
 
 
 def _add_hue(found: Colours, light: colorimetry.Light, names: Sequence[str]) -> None:
+    """Add the wavelengths and the purity of the hue, or the reason why they are undefined."""
     try:
         hue = colorimetry.hue(light)
     except Undefined as error:

@@ -274,6 +274,7 @@ def _format_vector(vector: directions.Vector) -> str:
 
 
 def _of_ball(place: Input) -> Answer:
+    """Return the direction that a place on the mirror ball shows; refuse a place outside it."""
     u, v = place.value
     if is_outside(MIRROR_BALL, u, v):
         ratio = format_number(hypot(u, v))
@@ -296,6 +297,7 @@ def _of_ball(place: Input) -> Answer:
 
 
 def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer:
+    """Return the answer with the place on the mirror ball that shows its direction."""
     coordinates = {item.name: item.si for item in answer.values}
     x, y, z = (coordinates[name] for name in "xyz")
     u, v = given or place_of(MIRROR_BALL, z, x, y)

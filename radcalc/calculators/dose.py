@@ -286,6 +286,7 @@ class Dose:
         self.is_broken = not self.bridges
 
     def add(self, times: list[Any], values: list[float]) -> None:
+        """Add samples in order of time: sum up each run, and count the gaps between runs."""
         self._watch(times, values)
         counted = 0  # of the run, before
         if self.first is None:
@@ -447,6 +448,7 @@ class SummedLog(NamedTuple):
             raise ConditionError(f"a DLI is the sum of one day, not of {of}", by_day)
 
     def remarks(self) -> list[str]:
+        """Return notes on the greatest sample, gaps, bridged steps and negative samples."""
         dose, unit = self.dose, self.unit.text
         notes = [
             f"the greatest sample, {format_number(dose.peak)} {unit}, is at "
@@ -508,6 +510,7 @@ class SummedLog(NamedTuple):
         return {name: number * factor for name, number in numbers.items()}
 
     def of_all(self, given: Inputs) -> Answer:
+        """Return the answer for the whole log, with its gaps and the remarks on it."""
         dose = self.dose
         period = dose.periods[0]
         period.end = dose.time
@@ -546,6 +549,7 @@ class SummedLog(NamedTuple):
                 notes = []
 
     def _answer(self, period: Period, given: Inputs) -> Answer:
+        """Return the answer for a period: its sum, mean, maximum, times and coverage."""
         reading = read_light(self.unit)
         assert reading is not None
         geometry = reading.geometry

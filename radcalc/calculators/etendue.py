@@ -123,6 +123,7 @@ def _source(given: Inputs) -> list[AnyLaw]:
 
 
 def _with_cone(sheet: Worksheet) -> Placed:
+    """Place a source whose points send light into a cone, given by an angle or an aperture."""
     given = sheet.given
     placed = Placed(*_source(given))
     if sheet.has("area", "radius", "diameter", "width", *CONES):
@@ -179,6 +180,7 @@ def _with_receiver(sheet: Worksheet) -> Placed:
 
 
 def _refuse_near(solved: Solved) -> None:
+    """Refuse patches that are too near or cut by a horizon; assume small ones otherwise."""
     if not solved.has("cosine") or not solved.has("area"):
         return
     if not solved.has("receiver-area") or not solved.has("distance"):

@@ -146,6 +146,7 @@ def _marked(item: Input) -> str:
 
 
 def _solve_exposure(given: Inputs) -> Answer:
+    """Return the answer by the laws of a flash, a filter or an exposure; refuse light in EV."""
     for item in given.values():
         if isinstance(item.unit, ScaleUnit) and item.unit.scale.constant:
             problem = f"{option(item.name, quote(item.text))} is an exposure value"

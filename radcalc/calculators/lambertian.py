@@ -192,6 +192,7 @@ def _inputs_of(shape: str) -> tuple[str, ...]:
 
 
 def _answer(named: str, find: Callable[[Worksheet], Placed], given: Inputs) -> Answer:
+    """Return the solutions for a shape that `find` places; without a name, for the default one."""
     shape = named or OPERAND.default
     sheet = worksheet(PAGE._replace(title=f"a {shape}"), given, accepts=_inputs_of(shape))
     _refuse_dark(given, sheet.lit)
@@ -308,6 +309,7 @@ def _length(name: str, size: float) -> Input:
 
 
 def _check_far(solved: Solved) -> tuple[str, ...]:
+    """Refuse a patch too near or cut by the horizon; return the assumption that it is small."""
     if not solved.has("distance"):
         return ()
     if not solved.has("area"):

@@ -165,6 +165,7 @@ class _Luminaire:
         self.bearing = atan2(offset_of(given, "offset-y"), offset_of(given))
 
     def _make_shape(self, shape: str) -> "Photometry":
+        """Return the photometry of a shape; refuse a width that is missing or an array."""
         from radcalc.distributions import formula
         from radcalc.distributions.distribution import Photometry
 
@@ -212,6 +213,7 @@ class _Luminaire:
     # -- figures and scale --------------------------------------------------------------------
 
     def _place_figures(self) -> None:
+        """Add the relative intensities, the weighted solid angle and the upward part."""
         light, placed, flux = self.sheet.lit.values, self.placed, self.figures.flux
         placed.add("relative-axial-intensity", self.figures.axial)
         placed.add("relative-peak-intensity", self.figures.peak.value)
@@ -295,6 +297,7 @@ class _Luminaire:
     # -- the receiver ---------------------------------------------------------------------------
 
     def _place_receiver(self) -> None:
+        """Place the receiver below the source or in a direction, with the laws of its light."""
         given, placed = self.given, self.placed
         place_incidence(given, placed)
         placed.laws.append(laws_of.relative_intensity(self.source))
@@ -313,6 +316,7 @@ class _Luminaire:
             placed.laws.append(laws_of.beam_diameter(edges, self._axis_input))
 
     def _place_below(self) -> None:
+        """Add the laws and assumptions of a receiver at a height below the source."""
         given, placed = self.given, self.placed
         has_offsets = place_offsets(given, placed)
         if not (has_offsets or self.is_aside):
@@ -373,6 +377,7 @@ class _Luminaire:
     # -- remarks --------------------------------------------------------------------------------
 
     def _with_remarks(self, solved: Solved) -> Answer:
+        """Return the answer with the facts about the source, and with all remarks."""
         receiver, solved.assumptions = solved.assumptions, []
         solved.assume(*self._of_source(), of=DISTRIBUTION)
         if self.is_scaled and self.source.kind:
@@ -471,6 +476,7 @@ class _Luminaire:
         yield from self._declared(solved)
 
     def _error(self, solved: Solved, flux: "Integral") -> Value:
+        """Return the estimated error of the flux; compare a table's flux with the zonal method."""
         kind, label = solved.lit.kind, "estimate of the flux's error"
         if zonal := getattr(self.source, "zonal_flux", None):
             label += " by the table's steps"
@@ -491,6 +497,7 @@ class _Luminaire:
     def _width(
         self, solved: Solved, name: str, azimuth: float, share: float, percentage: str
     ) -> Value:
+        """Return a beam or field angle, or the reason why it is absent; note an ambiguous one."""
         beam = _beam(self.source, 0.0 if self.source.is_axial else azimuth, share)
         if beam.outermost is None:
             return absent(
@@ -515,6 +522,7 @@ class _Luminaire:
         return row
 
     def _declared(self, solved: Solved) -> Iterator[Value]:
+        """Yield the output ratio, the input power and the efficacy, by the declared values."""
         declared = {} if self.is_scaled else self.photometry.declared
         flux = solved.value("flux") if solved.has("flux") else None
         lamps, watts = declared.get("lamp-flux"), declared.get("input-power")

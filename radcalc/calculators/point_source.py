@@ -208,6 +208,7 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
 
 
 def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
+    """Return the answer for a source of one shape, with the receiver on its axis or aside."""
     shape = spread(given)
     results = (*POSITION, "off-axis", *SHAPED[shape], "beam-diameter", *RECEIVER)
     hints = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
@@ -302,6 +303,7 @@ def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
 
 
 def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
+    """Place a receiver below the source, off its axis; its height or offset may be unknown."""
     given, laws = sheet.given, placed.laws
     place_incidence(given, placed)
     laws.append(AXIS)

@@ -116,6 +116,7 @@ class Survey:
         return self.remarks(is_grid, with_values=True)
 
     def _values(self, irradiances: Field) -> Answer:
+        """Return the irradiances at points, with their coordinates and any shares of sources."""
         light = kinds.show_light(self.scene.lit, {"irradiance": irradiances.total})
         values = [
             Value(axis, axis, axis, coordinate, (LENGTH,), ("m",), given=coordinate)
@@ -153,6 +154,7 @@ class Survey:
         return Answer(values, (*self.assumptions, *light.assumptions), notes)
 
     def _notes(self, is_grid: bool) -> Iterator[str]:
+        """Yield notes on darkness, uncounted light, near sources, and the extremes of a grid."""
         statistics = self.statistics
         is_alone = statistics.count == 1
         of_points = "" if is_alone else f" of {statistics.count} points"
@@ -185,6 +187,7 @@ class Survey:
         return steps
 
     def _term(self, placed: NamedSource, point: Vector) -> tuple[Step, float]:
+        """Return the step of a source's irradiance at a point, and that irradiance, at least 0."""
         source, normal = placed.source, self.normal
         part = max(float(source.irradiance(point, normal)[0]), 0.0)
         if isinstance(source, Emitter):

@@ -226,6 +226,7 @@ def _in_unit(value: Any, unit: Unit | None) -> Any:
 
 
 def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str, Unit]]:
+    """Return the titles and the units of columns by name; refuse blank or repeated titles."""
     names: dict[str, str] = {}
     units: dict[str, Unit] = {}
     for number, title in enumerate(titles, 1):
@@ -332,6 +333,7 @@ class Reader:
         self.fluxes: dict[Distribution, float] = {}
 
     def sources(self, rows: Sequence[Row]) -> list[NamedSource]:
+        """Return the sources of rows, by default named by number; refuse a repeated name."""
         placed: list[NamedSource] = []
         names: dict[str, Row] = {}
         for number, row in enumerate(rows, 1):
@@ -350,6 +352,7 @@ class Reader:
         return placed
 
     def source(self, name: str, row: Row) -> NamedSource:
+        """Return the source of a row: an emitter with a distribution, or a Lambertian patch."""
         given = {c: self.read(row, c) for c in row.cells if c not in TEXTS}
         place = self.point(row, given, PLACE)
         shape, photometry = self.shape(row, given)
@@ -369,6 +372,7 @@ class Reader:
         return NamedSource(name, source)
 
     def read(self, row: Row, column: str) -> Input:
+        """Read a cell as an input; take a position without a unit in metres."""
         symbol, value = COLUMNS[column], row.cells[column]
         number = value[0] if isinstance(value, tuple) else value
         if isinstance(number, bool) or not isinstance(number, (str, Real)):
@@ -401,6 +405,7 @@ class Reader:
         return x, y, z
 
     def pose(self, row: Row, given: Inputs, place: Vector, is_aimed: bool) -> Pose:
+        """Return the direction of a source: to its aim, as given, or straight down."""
         aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
         if len(aims) > 1:
             raise errors.ConditionError(

@@ -239,6 +239,7 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
 
 
 def _place_lens(sheet: Worksheet, placed: Placed, laws: list[AnyLaw]) -> None:
+    """Add the angle off the axis, the defaults and the assumptions of the lens."""
     given = sheet.given
     if "off-axis-angle" in given:
         fourth = "off the axis: the fourth power of the cosine, without vignetting"

@@ -238,6 +238,7 @@ def _height(given: Inputs) -> Any:
 
 
 def _disc(sheet: Worksheet) -> Placed:
+    """Place a disc: seen from a known position, or by laws if its size or position is unknown."""
     given = sheet.given
     placed = Seen(given, *round_sizes(given), CIRCLE, FLAT, *_without_size(given, FLAT_FLUX))
     height = _height(given)
@@ -284,6 +285,7 @@ def _disc_off_axis(sheet: Worksheet) -> Placed:
 
 
 def _sphere(sheet: Worksheet) -> Placed:
+    """Place a sphere: seen from a known distance, or by laws if its size or distance is unknown."""
     given = sheet.given
     without_size = _without_size(given, SPHERE_INTENSITY)
     placed = Seen(given, *round_sizes(given), SPHERE_AREA, SPHERE_FRONT, *without_size)
@@ -311,6 +313,7 @@ def _sphere(sheet: Worksheet) -> Placed:
 
 
 def _rectangle(sheet: Worksheet) -> Placed:
+    """Place a rectangle: seen from a known position, or on its axis if a length is unknown."""
     given = sheet.given
     placed = Seen(given, FLAT, *_without_size(given, FLAT_FLUX), RECTANGLE)
     height = _height(given)
@@ -338,6 +341,7 @@ def _lacks_side(sheet: Worksheet) -> bool:
 
 
 def _rectangle_seen(placed: Seen, height: Any) -> None:
+    """Add the exact solid angles of a rectangle of known size, seen from a known position."""
     given = placed.given
     width, length = _sides(given)
     placed.use("width", "length", *POSITION)

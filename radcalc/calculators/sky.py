@@ -241,6 +241,7 @@ class _Sky:
         return solve(self.sheet, self.laws, placed)
 
     def picture(self, solved: Solved, width: int, height: int) -> "Picture":
+        """Return a map of the sky, with the sun if it shines; refuse an unknown brightness."""
         from radcalc.distributions.environments import Sky
         from radcalc.distributions.maps.rendered import Sun, sky_map
 
@@ -390,6 +391,7 @@ class _Sky:
     # -- remarks --------------------------------------------------------------------------------
 
     def _assume(self, solved: Solved) -> None:
+        """Add the assumptions on the sky, the sun's disc, the horizon and the azimuths."""
         given, sky = self.given, self.type
         number = f"CIE type {sky.number}: " if sky.number else ""
         solved.assume(f"{number}{sky.name}", of=ON_SKY)

@@ -185,6 +185,7 @@ def _cone(sheet: Worksheet) -> Placed:
 
 
 def _zone(sheet: Worksheet) -> Placed:
+    """Place a zone between two polar angles, of all azimuths or between two of them."""
     from radcalc.geometry import projected, solid
 
     if "polar" not in sheet.given:
@@ -237,6 +238,7 @@ def _height_above(given: Inputs) -> Input:
 
 
 def _disc(sheet: Worksheet) -> Placed:
+    """Place a disc, seen from its axis or aside; on the axis its solid angle may be given."""
     from radcalc.geometry import projected, solid
     from radcalc.laws.solid_angles import disc
 
@@ -279,6 +281,7 @@ def _compare_distance(placed: Placed, given: Inputs) -> None:
 
 
 def _rectangle(sheet: Worksheet) -> Placed:
+    """Place a rectangle, seen from a height over its centre, an offset or a corner."""
     from radcalc.geometry import projected, solid
 
     given = sheet.given
@@ -302,6 +305,7 @@ def _rectangle(sheet: Worksheet) -> Placed:
 
 
 def _pyramid(sheet: Worksheet) -> Placed:
+    """Place a pyramid by two of its horizontal angle, vertical angle and solid angle."""
     from radcalc.geometry import projected
     from radcalc.laws.solid_angles import PYRAMID
 
@@ -320,6 +324,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
+    """Place a polygon, seen from the viewpoint and projected onto its plane or a normal's."""
     from radcalc.geometry import polygons, projected
     from radcalc.geometry.polygons import polygon
 

@@ -231,6 +231,7 @@ class Solved(Remarks):
         return found | given
 
     def _others(self) -> list[Value]:
+        """Return the other results of the page that are given or solved, with its labels."""
         values, page = self.solution.values, self.sheet.page
         results = []
         for name in page.others:

@@ -199,6 +199,7 @@ def _notes(source: Spectrum, counts: Counts, whole: Counts, has_range: bool) -> 
 
 
 def _shape(counts: Counts, total: float) -> list[Value]:
+    """Return the peak, centroid, width and limits of the light, and its share of the total."""
     source, watts, limits = counts.source, counts.amount(RADIANT), counts.ranges[RADIANT]
     peak, width = source.peak()
     centroid = source.photons(limits) * PLANCK * LIGHT / watts * 1e9
@@ -221,6 +222,7 @@ def _shape(counts: Counts, total: float) -> list[Value]:
 
 
 def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
+    """Return the luminous efficiency, the efficacies and the S/P ratio, or why they are absent."""
     eye, lumens, dark = counts.eye, counts.amount(LUMINOUS), by_night.amount(LUMINOUS)
     results = [
         *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficiency", eye.maximum),

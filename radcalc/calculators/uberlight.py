@@ -164,6 +164,7 @@ def uberlight(given: Inputs) -> Answer:
 
 
 def _refuse_useless(given: Inputs, is_omni: bool) -> None:
+    """Refuse inputs that do not apply, and a superellipse without area or inside out."""
     useless = [name for name in OF_SPOTS if name in given]
     if is_omni and useless:
         raise Unused(useless, "to a light that shines everywhere", mention("leave out {omni}"))
@@ -194,6 +195,7 @@ def _sorted(first: float, second: float) -> tuple[float, float]:
 
 
 def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
+    """Add the position of the light, and the usual values of settings that are not given."""
     given = sheet.given
     aim = "shines everywhere" if is_omni else "shines along +z"
     placed.assume(f"the light is at 0,0,0 and {aim}")
@@ -214,6 +216,7 @@ def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
 
 
 def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
+    """Add the incidence: as given, by the normal, or 0 for a receiver that faces the light."""
     given = sheet.given
     if "normal" in given and "incidence" in given:
         raise Exclusive(("normal", "incidence"), "both give the incidence")
@@ -248,6 +251,7 @@ def _attenuate(settings: Settings, sheet: Worksheet) -> Placed:
 
 
 def _by_depth(at: Settings, placed: Placed) -> None:
+    """Add the attenuation by depth, between near and far limits if given, with its step."""
     near, far = at.get("near"), at.get("far")
     letter, depth = ("d", at["distance"]) if "omni" in at else ("z", at["point"][2])
     clip = attenuations.depth_clip(depth, near, far)
@@ -273,6 +277,7 @@ def _by_depth(at: Settings, placed: Placed) -> None:
 
 
 def _by_superellipse(at: Settings, placed: Placed) -> None:
+    """Add the attenuation by the superellipse with its step, or 1 without a superellipse."""
     if "superellipse" not in at:
         placed.add("superellipse-attenuation", 1.0)
         return
@@ -326,6 +331,7 @@ def _by_beam(at: Settings, placed: Placed) -> None:
 
 
 def _by_falloff(at: Settings, placed: Placed) -> None:
+    """Add the attenuation by distance, held to a given maximum, with its step."""
     numbers = {name: at[name] for name in ("distance", "falloff", "falloff-distance")}
     maximum = at.get("maximum")
     distance, exponent, reference = numbers.values()

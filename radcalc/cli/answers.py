@@ -122,6 +122,7 @@ def _show_columns(
     output: Output,
     inputs: Sequence[Sequence[ShownInput]],
 ) -> None:
+    """Write the picked results as CSV or as bare numbers, then each of their remarks once."""
     units: dict[str, str] = {}
     if output.format == CSV:
         from radcalc.render import csv

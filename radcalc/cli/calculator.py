@@ -134,6 +134,7 @@ def _lines_for(given: Inputs) -> str:
 
 
 def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
+    """Answer the lines of standard input; refuse lists and options that a stream cannot have."""
     case = cases[0]
     assert case.stream is not None
     stream_option = option(case.stream.name, "-")

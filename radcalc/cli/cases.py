@@ -112,6 +112,7 @@ def _given(
 def _values(
     typed: dict[str, Any], arrays: bool, intervals: Sequence[str]
 ) -> dict[str, Sequence[Any]]:
+    """Return the values of each name, the last name first; refuse lists that are too long."""
     values: dict[str, Sequence[Any]] = {}
     is_last = True
     for name, text in reversed(typed.items()):
@@ -144,6 +145,7 @@ def at_points(given_cases: Sequence[Case], name: str, words: Sequence[str]) -> l
 def _stream(
     typed: dict[str, Any], intervals: Sequence[str], bare: Mapping[str, str]
 ) -> "Source | None":
+    """Return the option whose values are lines of standard input, or None; refuse several."""
     streams = [name for name, text in typed.items() if str(text)[:1] in "- " and is_stream(text)]
     sources = [name for name in streams if SYMBOLS[name].form in READERS_OF_STDIN]
     line_streams = [name for name in streams if name not in sources]

@@ -42,6 +42,7 @@ class Conversion(NamedTuple):
         return (value, *shown_inputs(self.case.given))
 
     def answer(self, planned: Sequence[Planned], steps: bool) -> Result:
+        """Return the answers of the conversions as one result, with their uncertainties."""
         results = []
         for conversion, used in planned:
             result = result_of_plan(conversion, self.value, self.case.label, steps)

@@ -65,6 +65,7 @@ class HelpFormatter(click.HelpFormatter):
     def write_dl(
         self, rows: Iterable[tuple[str, str]], col_max: int = 30, col_spacing: int = 2
     ) -> None:
+        """Write terms and their folded meanings in two columns; a long term has its own line."""
         rows = list(rows)
         indent = " " * self.current_indent
         room = self.width - self.current_indent

@@ -113,6 +113,7 @@ def _one_word(unit: str, words: list[str]) -> list[errors.Try]:
 
 
 def _no_such_option(typed: str, called: str, words: list[str]) -> errors.RadcalcError:
+    """Return the error for an unknown option, with the likeliest correction as its hint."""
     from radcalc.calculators.page import GET
 
     if after_command := options_behind(words):

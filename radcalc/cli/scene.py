@@ -214,6 +214,7 @@ def _show(survey: Any, inputs: tuple[ShownInput, ...], points: "Points", output:
 def _at_each(
     survey: Any, inputs: tuple[ShownInput, ...], points: "Points"
 ) -> tuple[list[Answered], Answered]:
+    """Return the answer at each point, and the answer over all points."""
     blocks = list(survey.at_points(points.blocks()))
     over_all = survey.remarks(points.is_grid, with_values=True)
     conditions = tuple(entry for entry in inputs if entry.name not in ("at", "grid"))
@@ -253,6 +254,7 @@ class Points(NamedTuple):
 
 
 def _points(at: tuple[str, ...], grid: Input | None) -> Points:
+    """Return the points of --at or --grid; refuse both, none, and a range of --at."""
     from radcalc.distributions import scene
 
     if at and grid:

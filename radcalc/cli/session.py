@@ -111,6 +111,7 @@ class Session:
         return boundary.guarded(words, lambda: self._answer(line, words), place)
 
     def _answer(self, line: str, words: list[str]) -> int:
+        """Answer a line and return its status; keep its results for `ans` and for its variable."""
         if not line.strip() or line.lstrip().startswith("#"):
             return terminal.ANSWERED
         refuse_long(line)
@@ -172,6 +173,7 @@ class Session:
         return name.partition(".")[0] == ANS or name in self.variables
 
     def _filled(self, called: str, words: list[str]) -> list[str]:
+        """Replace names by amounts in the operands and the option values of a command."""
         takers = _takers(called)
         operands: list[str] = []
         filled: list[str] = []
@@ -225,6 +227,7 @@ class Session:
         return text
 
     def _only_row(self, result: str, rows: Sequence[Row], name: str) -> Row:
+        """Return the only row that a name can mean; refuse a name with none or several."""
         if not rows:
             raise UsageError(f"{name} has no value yet", "an answer before it, such as 100 lx fc")
         known = (result, symbols.in_kind(result, LUMINOUS))
@@ -245,6 +248,7 @@ class Session:
         )
 
     def _operands(self, words: list[str]) -> list[str]:
+        """Replace names in the operands of a conversion, and join the words of its value."""
         if words[:1] == ["-"]:
             return words
         words = _closed(words)

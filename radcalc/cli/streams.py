@@ -125,6 +125,7 @@ class _Conversion(_Work):
         return planned
 
     def header(self, column: str) -> "Header":
+        """Return the titles of the header, and keep them for the records."""
         from radcalc.streams.header import Header
 
         def note(text: str) -> None:
@@ -231,6 +232,7 @@ class _Calculation(_Work):
         return _in_units(source, self._of_value, self.wanted, self.as_json)
 
     def header(self, column: str, target: Unit | None) -> "Header":
+        """Return the titles of the header, and keep the unit of the results."""
         from radcalc.streams.header import Header, refuse_change
 
         self.target = target
@@ -411,6 +413,7 @@ class Layout(NamedTuple):
 
 
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
+    """Refuse options for lines that contradict each other or lack one that they need."""
     if options.field is not None and options.column is not None:
         raise errors.UsageError(
             "--field cannot be used with --column", errors.one_of("field", "column")

@@ -60,6 +60,7 @@ def _commands(incomplete: str) -> list[Completion]:
 
 
 def _in_command(line: Line, incomplete: str) -> list[Completion]:
+    """Return completions of a word after a command: values, options or operands."""
     if line.waiting:
         return _values(line.waiting, incomplete)
     if not line.is_closed:

@@ -63,6 +63,7 @@ class Line:
             self._read(word)
 
     def _read(self, word: str) -> None:
+        """Read a word as an option, the value of an option, or an operand."""
         offered, self.offering = self.offering, None
         if self.waiting:
             self.given[self.waiting.names[-1]] = word
@@ -168,6 +169,7 @@ def _claims(results: Results, incomplete: str) -> list[Completion]:
 
 
 def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
+    """Return completions of a spectrum: names, forms with parameters, and files."""
     kind, colon, parameters = incomplete.partition(":")
     if colon and kind in FORMS:
         head, number, typed = split_number(parameters)

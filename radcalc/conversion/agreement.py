@@ -37,6 +37,7 @@ class Said(NamedTuple):
 
     @property
     def known(self) -> Known:
+        """Return the value, and the sum of the changes that the rounding of each input makes."""
         value, off = self.value_of(self.given), 0.0
         for k, item in enumerate(self.given):
             if item.symbol.form != QUANTITY or not item.rounding:

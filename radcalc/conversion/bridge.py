@@ -165,6 +165,7 @@ class Bridge:
         self.lacking[what] = WANTED[what]
 
     def want_space(self, rows: Iterable[Way], given: set[str]) -> None:
+        """Add the conditions that at most two ways between area and solid angle lack."""
         rows = tuple(rows)
         extending = [way for way in rows if way.extends and given and given < set(way.powers)]
         sensible = [way for way in rows if way.is_suggested] or list(rows)
@@ -227,6 +228,7 @@ class Bridge:
         return ""
 
     def _missing(self, unused: Sequence[str]) -> errors.MissingCondition:
+        """Return the error that names the missing conditions, with hints and calls."""
         phrases, hints, choices = zip(*self.lacking.values(), strict=True)
         several = len(phrases) > 1
         listed = several and any(" or " in phrase for phrase in phrases)

@@ -63,6 +63,7 @@ OF_LAMPS = {RATIOS[LUMINOUS, RADIANT]: "lm", RATIOS[PHOTON, RADIANT]: "umol/s"}
 
 
 def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
+    """Return the factors between area and solid angle, or none and add missing conditions."""
     conditions = bridge.conditions
     given = {slot for slot in PLAIN if slot in conditions.given}
     here, there = start.geometry[1:], end.geometry[1:]
@@ -264,6 +265,7 @@ def _width(bridge: Bridge) -> Links:
 
 
 def _unlike(bridge: Bridge) -> errors.RadcalcError:
+    """Return the error for two quantities that no condition links, with a hint for their kind."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
     if dimensions.PER_TIME in (source.dimension, target.dimension):
         hint: errors.Hint = "Hz, or cycle/s, for a frequency"
@@ -365,6 +367,7 @@ def _behind_detector(unit: Unit) -> Reading | None:
 
 
 def _detector(bridge: Bridge) -> Links:
+    """Return the link by a responsivity if only one of the quantities is electric."""
     from_current = bridge.source.dimension in ELECTRIC
     if from_current == (bridge.target.dimension in ELECTRIC):
         return []

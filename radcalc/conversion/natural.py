@@ -135,6 +135,7 @@ def _refuse(source: Unit, target: Unit, unused: Sequence[str]) -> None:
 
 
 def _of_photon(source: Unit, target: Unit) -> LawPlan:
+    """Return the plan between two quantities of a photon."""
     from radcalc.laws.optics import PHOTON_LAWS
     from radcalc.spectra.planck import AVOGADRO
 
@@ -161,6 +162,7 @@ def _is_per_mole(unit: Unit) -> bool:
 
 
 def _of_hot_body(source: Unit, target: Unit, given: Sequence[Input]) -> LawPlan:
+    """Return the plan between the temperature of a hot body and what it determines."""
     from radcalc.laws.optics import EXITANCE, PEAK
     from radcalc.laws.surface import LAMBERTIAN
 

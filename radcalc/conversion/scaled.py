@@ -81,6 +81,7 @@ class ScaledPlan(Plan):
         return target.reading(quantity)
 
     def derive(self, value: Any) -> list[Step]:
+        """Return the steps from a scale, between the two units, and to a scale."""
         source, target = self.ends
         steps = []
         if isinstance(source, ScaleUnit):

@@ -401,6 +401,7 @@ def _wavelength(bridge: "Bridge") -> Light | None:
 
 
 def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
+    """Return the factor between two kinds of light, or none and add a missing condition."""
     if start.kind == end.kind:
         return []
     of = _wavelength(bridge)
