@@ -102,6 +102,14 @@ def test_no_function_is_long_or_has_many_branches():
         assert branches <= MOST_BRANCHES, name
 
 
+def test_each_function_of_many_lines_has_a_docstring():
+    def lacks(node):
+        lines = node.end_lineno - node.lineno + 1
+        return lines > DOCUMENTED and node.name != "__init__" and not ast.get_docstring(node)
+
+    assert [name for name, node, _ in functions() if lacks(node)] == []
+
+
 def test_the_root_has_no_stray_files():
     listed = ["git", "ls-files", "-z"]
     done = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=False)

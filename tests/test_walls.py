@@ -12,7 +12,7 @@ import pytest
 from conftest import ROOT, python
 from helpers import for_each
 
-from radcalc.calculators.pages import COMMANDS, SUMMARIES
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.group import OTHERWISE
 from radcalc.completion.rows import module_text
 from radcalc.laws import point
@@ -234,12 +234,6 @@ def loaded_by(*words: str) -> set[str]:
     return set(json.loads(done.stderr.splitlines()[-1]))
 
 
-def test_an_uncertain_value_loads_numpy_only_for_its_package():
-    """The package `uncertainties` imports it."""
-    loaded = loaded_by("100+-3", "lx", "fc")
-    assert loaded & HEAVY == {"click", "numpy", "uncertainties"}
-
-
 @pytest.mark.parametrize("words", ["convert 100 lx fc", "100 lx fc", "100 lx in fc"])
 def test_a_plain_conversion_into_a_pipe_loads_few_modules(words):
     loaded = loaded_by(*words.split())
@@ -247,26 +241,8 @@ def test_a_plain_conversion_into_a_pipe_loads_few_modules(words):
     assert loaded - MODULES.keys() <= {"gc", "math"}
 
 
-def test_a_decimal_in_simple_units_loads_neither_errors_nor_the_grammar():
-    loaded = loaded_by("100", "lx", "fc")
-    assert "radcalc.units.unit" in loaded
-    assert not loaded & {"radcalc.errors", "radcalc.units.numbers", "radcalc.units.grammar", "math"}
-
-
 def test_lines_are_converted_without_click():
     assert not loaded_by("convert", "-", "lx", "fc", "--field", "2", "-d", ",") & HEAVY
-
-
-def test_a_plain_conversion_by_a_czech_or_russian_name_loads_no_slow_module():
-    loaded = loaded_by("convert", "100", "люкс", "lumen na metr čtvereční")
-    assert "radcalc.units.languages" in loaded
-    assert not loaded & (HEAVY | SLOW)
-
-
-@pytest.mark.parametrize("words", ["800 lm cd --isotropic", "10 dBm mW", "10 lx EV", "10% OD"])
-def test_a_unit_or_a_scale_is_found_without_the_names_of_quantities(words):
-    loaded = loaded_by("convert", *words.split())
-    assert not loaded & {"radcalc.quantities.names", "radcalc.units.languages"}
 
 
 SCALARS = """
@@ -349,70 +325,11 @@ def test_a_sentence_into_a_pipe_does_not_load_click(sentence):
     assert not HEAVY & loaded_by(*sentence.split())
 
 
-@pytest.mark.parametrize(
-    "words", [("spectrum", "D65"), ("photon", "400nm:700nm:50nm")], ids=" ".join
-)
-def test_a_picture_below_the_answer_loads_plotille_but_not_numpy(words):
-    loaded = loaded_by(*words, "--plot")
-    assert loaded & HEAVY == {"click", "plotille"}
-
-
-def test_a_figure_in_a_file_does_not_load_plotille(tmp_path):
-    loaded = loaded_by("spectrum", "D65", "--plot", str(tmp_path / "d65.svg"))
-    assert loaded & HEAVY == {"click", "numpy", "matplotlib"}
-
-
-def test_a_file_of_a_luminaire_loads_only_its_reader():
-    path = str(ROOT / "examples" / "downlight.ies")
-    loaded = loaded_by("point-source", "--distribution", path, "-g", "flux")
-    others = {f"radcalc.distributions.{name}" for name in ("tables", "eulumdat", "formula")}
-    assert "radcalc.distributions.ies" in loaded
-    assert not loaded & (others | HEAVY - {"click", "numpy"})
-
-
-@pytest.mark.parametrize(
-    ("words", "readers"),
-    [
-        (["environment", "max(cos(theta), 0) cd/m2"], set()),
-        (["environment", "sky:overcast", "--zenith-luminance", "9000cd/m2"], set()),
-        (["environment", "{map}", "--unit", "cd/m2"], {"pfm"}),
-    ],
-)
-def test_a_light_of_the_surroundings_loads_numpy_and_the_reader_of_its_format(
-    tmp_path, words, readers
-):
-    path = tmp_path / "around.pfm"
-    path.write_bytes(b"Pf\n8 4\n-1\n" + bytes(8 * 4 * 4))
-    loaded = loaded_by(*[word.format(map=path) for word in words])
-    formats = {"rgbe", "exr", "pfm"}
-    assert {one for one in formats if f"radcalc.distributions.maps.{one}" in loaded} == readers
-    assert not loaded & (HEAVY - {"click", "numpy"})
-
-
-@pytest.mark.parametrize(
-    "words",
-    ["point-source -h", "point-source --flux 800lm --distance 2m -g illuminance:fc --color never"],
-)
-def test_starting_neither_translates_texts_of_click_nor_looks_for_misspelt_options(words):
-    assert not {"locale", "difflib"} & loaded_by(*words.split())
-
-
 OF_COMMANDS = {
     f"radcalc.{room}.{OTHERWISE.get(name, name).replace('-', '_')}"
     for room in ("cli", "calculators")
     for name in COMMANDS
 }
-
-
-@pytest.mark.parametrize("words", ["photon 555nm", "lambertian --luminance 1cd/m2", "ev --ev 3"])
-def test_a_calculator_imports_only_its_own_page(words):
-    pages = {f"radcalc.calculators.{name.replace('-', '_')}" for name in SUMMARIES}
-    assert loaded_by(*words.split()) & pages == {f"radcalc.calculators.{words.split()[0]}"}
-
-
-@pytest.mark.parametrize("words", [("--help",), ("-h",), ("--version",), (), ("--hlep",)])
-def test_the_help_and_a_wrong_option_import_no_commands(words):
-    assert not loaded_by(*words) & (OF_COMMANDS | HEAVY - {"click"})
 
 
 @pytest.fixture(scope="module")
@@ -447,14 +364,6 @@ def test_completing_a_word_imports_neither_commands_nor_click(
     done = python(PROBE)
     assert found in done.stdout
     assert not set(json.loads(done.stderr.splitlines()[-1])) & (OF_COMMANDS | HEAVY | left_out)
-
-
-@pytest.mark.parametrize("words", ["beam angle", "sunlight", "nonsense"])
-def test_a_search_for_words_loads_neither_numpy_nor_the_calculators(words, installed, monkeypatch):
-    monkeypatch.chdir(installed)
-    loaded = loaded_by("help", *words.split())
-    pages = {f"radcalc.calculators.{name.replace('-', '_')}" for name in SUMMARIES}
-    assert not loaded & (pages | HEAVY - {"click"})
 
 
 def test_import_radcalc_costs_nothing():

@@ -334,6 +334,7 @@ def _restored(
     names: Sequence[str],
     on_request: Sequence[str] = (),
 ) -> Result:
+    """Return a result read from a pickle: its values, and refusals of what needs its call."""
     problem = "a pickled result cannot be calculated again"
 
     def ask() -> "Question":

@@ -140,6 +140,7 @@ class _Reader:
         return int(value)
 
     def photometry(self) -> Photometry:
+        """Read the lines of the file in their order; refuse one that the format does not allow."""
         self.text("company")
         self.whole("type Ityp", 0, 3)
         symmetry = self.whole("symmetry Isym", 0, 4)

@@ -84,6 +84,7 @@ class _Reader:
         raise refusal(self.name, number, problem, hint)
 
     def photometry(self) -> Photometry:
+        """Return the intensities [cd, W/sr or photons] of the planes in the titles."""
         titles, head = self.titles()
         try:
             angle_unit = column_titles.angles(titles[0])
@@ -182,6 +183,7 @@ class _Reader:
         return [""] * width
 
     def numbers(self, width: int) -> tuple[Any, Any]:
+        """Return the rising angles, and the values (angles, planes), in the units of the table."""
         if width < 2:
             self.refuse(
                 self.rows[0][0], "there is only one column", "an angle and an intensity in each row"
@@ -260,6 +262,7 @@ class _Reader:
     def planes(
         self, titles: Sequence[str], titled_columns: Sequence[column_titles.Column], head: int
     ) -> Any:
+        """Return the C planes of the titles [deg], rising; one untitled column is plane 0."""
         if len(titled_columns) == 1 and titled_columns[0].plane is None:
             return numpy.zeros(1)
         unknown = [

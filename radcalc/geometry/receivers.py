@@ -185,6 +185,7 @@ def lobe(
     cones.lobe(exponent)  # checks the exponent
 
     def of_floats(n: float, size: float, away: float, off: float, turn: float) -> Number:
+        """Return the flux per axial intensity [sr] on a disc."""
         if not _lies_across(off, turn):
             if turn >= math.pi / 2:
                 return 0.0

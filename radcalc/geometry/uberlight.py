@@ -237,6 +237,7 @@ def superellipse_clip(
     (a, b), (outer_a, outer_b) = inner, outer
 
     def rounded(x: Number, y: Number, roundness: Number) -> Number:
+        """Return 1 inside, 0 outside, and a smooth step between two superellipses."""
         return piecewise(
             (x == 0) & (y == 0),
             lambda x, y, R: 1.0 + 0 * x,

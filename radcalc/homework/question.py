@@ -92,6 +92,7 @@ def of_conversion(
     """Return the question of a conversion; `amount` is its value with any uncertainty."""
 
     def work_out(inputs: Inputs) -> Answer:
+        """Return the answer for other inputs: a wrong answer is one of a changed input."""
         value = inputs[""].value if "" in inputs else number
         conversion = plan(source, target, [condition for name, condition in inputs.items() if name])
         unit = conversion.target  # a scale is resolved to one of its readings

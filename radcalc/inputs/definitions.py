@@ -92,6 +92,7 @@ def _keep(path: str, text: str) -> None:
 
 
 def _merge(row: Row, file: str, folder: str) -> None:
+    """Add a row of the user's file to the tables of units, constants or spectra."""
     name, place = row["name"], f"{file} line {row['line']}"
     note = f"{OWN}: {name} = {quote(row['value'])}, {quote_path(place)}"
     if row["kind"] == "spectrum":

@@ -73,6 +73,7 @@ AS_DIRECTION = "angles with units (60deg or 60deg,90deg), or X,Y,Z without units
 
 
 def _read_angle(text: str, direction: str, what: str) -> float:
+    """Return one angle of a direction [rad]; refuse a range, or another quantity."""
     if ":" in text:
         raise errors.ConditionError(
             f"{what} '{quote(direction)}' has a range, not a single angle",

@@ -156,6 +156,7 @@ def _check_unit(symbol: Symbol, amount: Amount) -> None:
 
 
 def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> errors.ConditionError:
+    """Return the error for an amount of another quantity, with the condition that takes it."""
     name, unit = symbol.name, amount.unit
     if unit is None and maths.is_array(amount.number):
         problem = f"{option(name)} has numbers without a unit"

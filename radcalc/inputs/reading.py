@@ -143,6 +143,7 @@ def _read_interval(symbol: symbols.Symbol, value: Any) -> Input:
 
 
 def _ends(symbol: symbols.Symbol, text: str) -> tuple[Input, Input]:
+    """Return the two ends of an interval LOW:HIGH."""
     parts = text.split(":")
     if len(parts) != 2:
         option_text = option(symbol.name, quote(text))

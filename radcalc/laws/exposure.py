@@ -187,6 +187,8 @@ UNFILTERED = relation(
 
 
 def _guide_number(name: str, template: str, filtered: bool) -> AnyLaw:
+    """Return the law of guide number, distance, f-number and speed, with or without a filter."""
+
     def lost(at: At) -> Any:
         return power(2.0, at("stops") / 2) if filtered else 1.0
 

@@ -288,6 +288,7 @@ def _anew(given: Values) -> dict[str, Any]:
 
 
 def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
+    """Follow laws until none gives a new value; one with several roots splits the solution."""
     values, last = sheet.values, sheet.last
     is_followed = True
     while is_followed or last:

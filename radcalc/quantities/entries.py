@@ -151,6 +151,7 @@ def _of_name(text: str) -> list[Entry]:
 
 
 def _of_unit(text: str) -> list[Entry]:
+    """Return the quantities that have this unit; UnitError if there are none."""
     try:
         unit = resolve(text)
     except UnitError as error:

@@ -159,6 +159,7 @@ def _text(
     help_: str,
     choices: tuple[str, ...] = (),
 ) -> Symbol:
+    """Return the symbol of a condition that takes words, not a quantity."""
     return Symbol(
         name,
         "",

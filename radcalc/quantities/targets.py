@@ -78,6 +78,7 @@ def names_with_units() -> list[tuple[str, str]]:
 
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
+    """Return the quantities that the text can name, none if it names no quantity."""
     folded = comparable(text)
     if len(folded) < SHORTEST or folded in horticulture.AMBIGUOUS:
         return []
@@ -147,6 +148,7 @@ def _without_unit(text: str) -> UnitError | None:
 
 
 def _unknown(text: str) -> UnitError:
+    """Return the error for a text that names no quantity, with similar names."""
     unknown = UnitError(f"'{quote(text)}' is a unit, not the name of a quantity", "a name")
     try:
         resolve(text)

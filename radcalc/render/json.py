@@ -68,6 +68,7 @@ def _object(
     steps: Iterable[Step] = (),
     check: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
+    """Return the object of one call, with the same keys for all calls."""
     return {
         "command": style.command,
         "inputs": {item.name: _input(item) for item in inputs},

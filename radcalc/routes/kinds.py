@@ -341,6 +341,7 @@ class _Reader:
         self.count += len(lines)
 
     def _add_line(self, number: int, line: str) -> None:
+        """Add the cells of a row to their columns; count a row that cannot be read."""
         try:
             cells = self.table.cells(number, line)
         except LineError:

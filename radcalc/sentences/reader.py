@@ -149,6 +149,7 @@ def _is_whole(word: Word) -> bool:
 
 
 def _found(text: str, reading: "_Reading") -> Sentence:
+    """Return the facts, goals, files and unknown words of a reading, put in order."""
     words = reading.words
     facts: list[Fact] = []
     goals: list[Goal] = []
@@ -381,6 +382,7 @@ class _Reading:
     def _match(
         self, parts: "tuple[str, ...]", at: int, fills: "tuple[str, ...]"
     ) -> "tuple[int, Amount | None] | None":
+        """Return the end of a pattern that begins at `at`, and its amount; None without a match."""
         amount: Amount | None = None
         for part in parts:
             if part[0] == "{":

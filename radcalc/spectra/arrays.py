@@ -103,6 +103,7 @@ class ArrayTable(Table):
 
 
 def _arrays(wavelengths: Any, spectra: Any) -> tuple[Any, Any]:
+    """Return wavelengths (n,) and spectra (..., n) as arrays; refuse other shapes."""
     spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
     grid = np.asarray(wavelengths, dtype=float)
     if (

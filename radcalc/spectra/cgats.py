@@ -78,6 +78,7 @@ def _hold(name: str, facts: dict[str, str], key: str, count: int, what: str) -> 
 def _chosen(
     rows: list[tuple[int, list[str]]], titles: list[str], name: str, column: str
 ) -> tuple[int, list[str]]:
+    """Return the row of the sample that the caller names, or the only one."""
     named = next((k for k, title in enumerate(titles) if title.upper() == "SAMPLE_NAME"), 0)
     samples = [cells[named] for _, cells in rows]
     if not column:

@@ -185,6 +185,7 @@ class _Reader:
                 yield number, line
 
     def plain_table(self, blocks: Iterable[tuple[int, Lines]]) -> Table:
+        """Read rows of numbers; the first rows determine the delimiter and the columns."""
         layout = None
         first: list[tuple[int, str]] = []  # the rows that determine the layout
         for number, lines in blocks:
@@ -666,6 +667,7 @@ def _table(
     nanometres: float,
     meant: column_titles.Meaning,
 ) -> Table:
+    """Return a spectrum in metres and watts: of photons, divided by their wavelengths."""
     xs: Any
     ys: Any
     if len(grid) > MANY:

@@ -283,6 +283,7 @@ def find_named(text: str) -> Table | None:
 
 
 def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
+    """Return the spectrum of KIND:PARAMETERS, such as blackbody:2856K; refuse a malformed one."""
     if kind == "blackbody":
         return BlackBody(_temperature(parameters, text))
     if kind == "daylight":

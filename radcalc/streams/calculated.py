@@ -130,6 +130,7 @@ class Calculated:
         return columns[0] if len(columns) == 1 else [*chain(*zip(*columns, strict=True))]
 
     def _columns(self, texts: list[bytes]) -> "list[list[float]] | None":
+        """Return the results of a block of values, None if one of them needs its own row."""
         if len(texts) < self.fewest:
             return None
         if self.source.unit:

@@ -211,6 +211,7 @@ class Calendar:
 
     @property
     def assumptions(self) -> tuple[str, ...]:
+        """The assumptions about format, zone and doubtful hours of the times that were read."""
         assumptions = (self.pattern.assumption,) if self.pattern.assumption else ()
         if not self.has_offset:
             zone = f"the times are in a zone without changes of daylight saving time ({ZONE})"

@@ -116,6 +116,7 @@ class Header:
                 refuse_misnamed(title, parsed.unit)
 
     def title_of(self, title: Title | None = None) -> str:
+        """Return the title of a result: the own one, or that of the source in the new unit."""
         unit = self.target.text
         if self.cut and not self.cut.delimiter:
             unit = unit.replace(" ", ".")  # one word if fields are separated by blanks
@@ -172,6 +173,7 @@ class Header:
         return names if len(names) == count > 1 else []
 
     def _check_units(self, titles: list[Title]) -> None:
+        """Compare the units in the titles with those of the call; take them if it has none."""
         first = next((title for title in titles if title.unit), None)
         if first is None or first.unit is None:
             if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):

@@ -176,6 +176,7 @@ class FirstRows:
         return 0
 
     def _named_row(self, rows: Sequence[NumberedLine]) -> int | None:
+        """Return the place of the row with all names of the call, None if it names no column."""
         wanted = (*self.settings.times, self.settings.column)
         names = [name for name in wanted if name and not name.isdecimal()]
         if not names:
@@ -287,6 +288,7 @@ class Head(FirstRows):
         self.layout = self._columns(self.number, self.cells, self.table)
 
     def _columns(self, number: int, cells: list[str], table: Table) -> LogLayout:
+        """Return the columns of times, values and units, from the titles and the first row."""
         titles = [list(row) for row in table.titles]
         names = self.names
         parts = self.parts
@@ -345,6 +347,7 @@ class Head(FirstRows):
     def _value_column(
         self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]
     ) -> int:
+        """Return the place of the values: the named column, or else the only one of light."""
         candidates = [k for k in range(len(cells)) if k not in times]
         if self.settings.column:
             place = self._place(self.settings.column, titles[0] if titles else [], len(cells))

@@ -102,6 +102,7 @@ class Log:
             yield from self._of(lines[middle:], number + middle)
 
     def _at_once(self, lines: list[str], number: int) -> Samples | None:
+        """Return times and values of a block, None if one of its rows needs its own reading."""
         layout, table = self.layout, self.layout.table
         try:
             cells = table.at_once(lines)
@@ -181,6 +182,7 @@ class Log:
             self.say(error)
 
     def _sample(self, line: str, number: int) -> Sample:
+        """Return the sample of one row; refuse a missing or malformed value with its line."""
         layout = self.layout
         cells = layout.table.cells(number, line)
         stamp = " ".join([cells[k] for k in layout.times])

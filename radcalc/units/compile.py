@@ -89,6 +89,7 @@ def _definition(
     marks: dict[str, list[str]],
     prefix_symbols: dict[str, str],
 ) -> Definition:
+    """Return the definition of a unit from the fields of its row, with its plurals."""
     symbol, rest = (aliases[0], aliases[1:]) if aliases else ("_", [])
     symbols = [a for a in [symbol, *rest] if a != "_" and not (a in rest and is_name(a))]
     names = [name, *(a for a in rest if is_name(a))]

@@ -126,6 +126,7 @@ class Calculator(Scanner):
         return self.wrong(f"cannot be read from '{quote(rest)}' on")
 
     def sum(self) -> Value:
+        """Read terms with + and - between them, each with a number and of the same quantity."""
         self.skip_blanks()
         begin = self.at
         is_negative = self.peek() in MINUSES and bool(self.peek())
@@ -396,9 +397,11 @@ class Calculator(Scanner):
         if word == constants.EULER and word in self.units:
             from radcalc.units import functions
 
-            return Value(*functions.of_number("exp", 1, 1, 0.0)[:2], blur=KEPT / 1e6)
+            top, bottom, _ = functions.of_number("exp", 1, 1, 0.0)
+            return Value(top, bottom, blur=KEPT / 1e6)
         name = find(word)
-        return Value(*CONSTANTS[name], {name: 1})
+        top, bottom, dimension = CONSTANTS[name]
+        return Value(top, bottom, dimension, {name: 1})
 
     def is_function(self) -> str:
         """Return the name of the function that starts here, or ''."""
@@ -555,6 +558,7 @@ class Calculator(Scanner):
         return value
 
     def bracket(self) -> Value:
+        """Read a number, a unit, a function, a reading of a scale, or a sum in brackets."""
         if (leaf := self.leaf()) is not None:
             return leaf
         self.is_arithmetic |= self.begins_number()
@@ -721,6 +725,7 @@ class Calculator(Scanner):
         return tries
 
     def function(self, name: str, value: Value, start: int) -> Value:
+        """Return a function of a value: an angle for sines, a bare number for logarithms."""
         self.is_arithmetic = True
         call = quote(self.slice(start, self.at))
         if name == "sqrt":

@@ -148,6 +148,7 @@ class Scanner:
         return self.error("is ambiguous", readings)
 
     def factor(self, depth: int) -> list[Atom]:
+        """Return the units of a group, a sign or a name, with its exponent or 'square'."""
         c = self.peek()
         power = 1
         if c == "(":
@@ -184,6 +185,7 @@ class Scanner:
         ]
 
     def name(self) -> str:
+        """Return the letters from here on; digits only after '_', a hyphen only between letters."""
         start = self.at
         while self.at < len(self.text):
             c = self.text[self.at]
@@ -205,6 +207,7 @@ class Scanner:
         return self.text[start : self.at]
 
     def exponent(self) -> int:
+        """Return the whole exponent from here on, 1 if there is none."""
         if self.at == len(self.text):
             return 1
         caret = self.caret()

@@ -143,6 +143,7 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
 
 
 def _read_operands(words: list[str]) -> tuple[Amount, str]:
+    """Return the amount and the target of the words, '' if they have none."""
     if not words:
         raise errors.UsageError("a value is missing", EXAMPLE)
     if words[1:] and words[-1] in ("-", "="):

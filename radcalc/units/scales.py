@@ -54,6 +54,7 @@ class ScaleUnit(Unit):
         return text
 
     def quantity(self, reading: Any) -> Any:
+        """Return the quantity of a reading [coherent SI]; NumberError if it has none."""
         reading_text = f"{reading:.12g} " if isinstance(reading, float) else ""
         reading_text += quote(self.text)
         if not self.scale.steps and maths.any_true(reading <= 0):

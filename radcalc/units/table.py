@@ -226,6 +226,7 @@ def spellings() -> list[str]:
 
 
 def _unknown(spelling: str) -> errors.UnitError:
+    """Return the error for an unknown spelling: other letter cases, prefixes or similar units."""
     typed = quote(spelling)
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:

@@ -110,6 +110,7 @@ def _is_product(text: str) -> bool:
 
 
 def _with_sign(text: str) -> Reading | None:
+    """Return the reading of VALUE±UNCERTAINTY UNIT; None if the text has another form."""
     if text.count(SIGN) > 1:
         return None
     if text.startswith("("):
@@ -148,6 +149,7 @@ def _with_sign(text: str) -> Reading | None:
 def _of_quantity(
     text: str, value: float, unit: Unit, number: float, unit_of_uncertainty: str
 ) -> Reading:
+    """Return the reading of VALUE UNIT±UNCERTAINTY UNIT, with one unit for both."""
     if not unit_of_uncertainty:
         better = errors.correct(text, f"{value:.15g}±{number:.15g} {unit.text}")
         raise errors.UnitError(f"the unit of the uncertainty of '{quote(text)}' is missing", better)

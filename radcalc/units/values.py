@@ -50,6 +50,7 @@ class Value:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
 
     def times(self, other: "Value", power: int = 1) -> "Value":
+        """Return the product with the power of another value; refuse 0 in a denominator."""
         top, bottom = (other.top, other.bottom) if power > 0 else (other.bottom, other.top)
         if max(abs(top), bottom).bit_length() * abs(power) > MAX_BITS:
             raise ExpressionError("a number in the expression has too many digits", "fewer")

@@ -255,6 +255,7 @@ def _header_lines(data: bytes, name: str) -> tuple[list[str], int]:
 
 
 def _numbers(lines: list[str], name: str) -> dict[str, list[float]]:
+    """Return the numbers of the known variables of a header; EXPOSURE and COLORCORR multiply."""
     values: dict[str, list[float]] = {}
     for line in lines:
         key, _, text = line.partition("=")

@@ -152,6 +152,7 @@ class _Grid:
         return numpy.stack(sides, 1), numpy.stack(ends, 1)
 
     def _rule(self, place: Any, nodes: Any, weights: Any) -> tuple[Any, Any]:
+        """Return the integrals of f and of abs(f) over the cells at `place` (n, 3)."""
         count = self.cuts ** place[:, :1]
         first, part = numpy.divmod(place[:, 1:], count)
         start, end = self._sides(first)

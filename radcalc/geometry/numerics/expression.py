@@ -60,6 +60,7 @@ class Angles:
                 self.powers[node] = self._power(node)
 
     def _power(self, node: ast.expr) -> Power:
+        """Return the power of the angle unit in a node, None for 0 and pi, which may have any."""
         match node:
             case ast.Constant(value=value):
                 return 0.0 if value else None
@@ -286,6 +287,7 @@ class Expression:
         return self.uses <= {"theta", "z"}
 
     def _read(self, node: ast.expr, depth: int) -> Function:
+        """Return a node as a function of the coordinates; refuse all but arithmetic."""
         if not depth:
             raise errors.ConditionError(
                 "the expression is nested too deeply", f"at most {DEEPEST} levels"
@@ -385,6 +387,7 @@ class Expression:
         return angles
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
+        """Return a call of a known function with the right number of arguments."""
         if name in LOGARITHMS:
             meant = [f"{other}({', '.join(map(self._part, args))})" for other in LOGARITHMS[name]]
             raise errors.ConditionError(
