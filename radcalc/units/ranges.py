@@ -212,6 +212,15 @@ def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
         raise errors.NumberError(error.message, with_list(error.tries, text, unit)) from None
 
 
+def refuse_list(text: str) -> None:
+    """Raise for a text with a comma, or of several values: one is asked for."""
+    values = read_values(text)
+    if len(values) == 1 and "," in text:
+        split_value(text)  # the same error without a list
+    if len(values) > 1:
+        raise errors.ConditionError(f"'{quote(text)}' has {len(values)} values", "one value")
+
+
 def _targets(text: str) -> list[str]:
     targets = [target.strip() for target in text.split(",")]
     if len(targets) > 1 and not all(targets):
