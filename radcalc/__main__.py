@@ -107,7 +107,7 @@ def _any_units(operands: list[str], is_named: bool) -> "Operands | None":
         return None
     if any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
         return None
-    from radcalc.units.reading import read_operands
+    from radcalc.conversion.operands import read_operands
     from radcalc.units.table import resolve
 
     amount, target = read_operands(operands)

@@ -20,6 +20,7 @@ from radcalc.calculators.pages import COMMANDS
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick
 from radcalc.calculators.solid_angle import solid_angle
+from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
 from radcalc.errors import (
     END,
@@ -61,7 +62,6 @@ from radcalc.quantities import search, typical
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import parse_number
 from radcalc.units.ranges import read_series
-from radcalc.units.reading import read_operands
 from radcalc.units.table import resolve
 
 

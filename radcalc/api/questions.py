@@ -11,7 +11,9 @@ from radcalc.api.keywords import Scalar
 from radcalc.api.refusals import call_function, in_python
 from radcalc.api.result import Result, question_of
 from radcalc.api.spelling import in_words, keyword
-from radcalc.errors import ConditionError, UsageError, input_of
+from radcalc.conversion.operands import read_operands
+from radcalc.conversion.plan import target_of
+from radcalc.errors import ConditionError, RadcalcError, SeveralReadings, UsageError, input_of
 from radcalc.homework.verdict import Verdict as Judged
 from radcalc.quantities.symbols import article
 from radcalc.quantities.typical import FIELDS, Typical, how_far
@@ -22,7 +24,7 @@ from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read
 from radcalc.sentences.tasks import Task
 from radcalc.sentences.tasks import search as tasks_for
-from radcalc.units.reading import read_operands
+from radcalc.units.numbers import is_sentence
 from radcalc.units.unit import unit_behind
 
 
@@ -52,8 +54,7 @@ def ask(sentence: str) -> Result | Quantity:
     312.5 lux
     """
     require_texts(sentence=sentence)
-    found = read([sentence])
-    command, *words = call_of(found)
+    command, *words = _conversion(sentence) or call_of(read([sentence]))
     if command == "convert":
         operands = [text for name, text in map(input_of, words) if not name]
         amount, target = read_operands(operands)
@@ -65,6 +66,20 @@ def ask(sentence: str) -> Result | Quantity:
         problem = str(error) or f"{command} is not a function of Python"
         raise UsageError(problem, "the same sentence at a shell") from None
     return answer
+
+
+def _conversion(line: str) -> list[str]:
+    """Return the call of a line that is a conversion, as at a shell; [] for another line."""
+    if not is_sentence(line.split()):
+        return []
+    try:
+        amount, target = read_operands([line])
+        target_of(target or "?", amount.unit)
+    except SeveralReadings:
+        raise
+    except RadcalcError:
+        return []
+    return ["convert", amount.text, target]
 
 
 class Verdict(Judged):

@@ -8,6 +8,7 @@ from radcalc import errors
 from radcalc.answer import Result, Row, ShownInput
 from radcalc.cli.cases import Case
 from radcalc.cli.output import Output
+from radcalc.conversion.operands import read_lists, read_operands, sides
 from radcalc.conversion.plan import Planned, plan, plans, result_of_plan, source_of, target_of
 from radcalc.errors import call, quote
 from radcalc.inputs.given import Input, any_uncertain, shown_inputs
@@ -16,8 +17,7 @@ from radcalc.tuples import NamedTuple
 from radcalc.units.amount import Amount
 from radcalc.units.compiled import PREFIX_SYMBOLS
 from radcalc.units.numbers import read_number, split_quantity
-from radcalc.units.ranges import note_of, read_lists, refuse_many
-from radcalc.units.reading import read_operands, sides
+from radcalc.units.ranges import note_of, refuse_many
 from radcalc.units.table import unit_of
 from radcalc.units.unit import Unit
 
@@ -203,13 +203,6 @@ def with_target(words: Sequence[str], call: Conversion) -> errors.Hint:
     return errors.correct(words[-1], words[-1], others[0]) if others else "a TARGET unit"
 
 
-def _cut(unit: str) -> errors.Hint:
-    """Return the hint for a unit that is not of a quantity: `lx fc` are a unit and a target."""
-    first, _, target = unit.partition(" ")
-    is_target = target and unit_of(first) and unit_of(target)
-    return errors.correct(unit, f"{first} to {target}") if is_target else "a TARGET unit"
-
-
 def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result:
     """Return the value in every unit of its quantity."""
     source = call.source
@@ -232,7 +225,7 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     if len(targets) == 1 and not name_of(source):
         raise errors.UsageError(
             f"'{quote(source.text)}' is not a unit of a quantity known to radcalc",
-            _cut(source.text),
+            "a TARGET unit",
         )
     rows, assumptions = [], {}
     assumed: tuple[str, ...] = ()

@@ -15,7 +15,7 @@ from radcalc.cli.conversions import (
     with_target,
 )
 from radcalc.cli.output import Output
-from radcalc.units.numbers import SEPARATORS
+from radcalc.units.connectives import TO
 
 HELP = """\
 \b
@@ -73,7 +73,7 @@ def command(
     options = request.LineOptions(**stream_options)
     if words and is_stream(words[0]):  # '- lx', as an option has it
         words = (*words[0].split(None, 1), *words[1:])
-    if words and words[0] in SEPARATORS:
+    if words and words[0] in TO:
         problem = f"a value is missing before '{words[0]}', and no pipe has values"
         raise errors.UsageError(
             problem, errors.call("convert", "-", *words[1:], remark="for values from a pipe")

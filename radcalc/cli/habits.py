@@ -7,12 +7,12 @@ import stat
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.files import say
 from radcalc.errors import RadcalcError, UsageError, call
-from radcalc.units.amounts import ALSO_UNITS
-from radcalc.units.numbers import SEPARATORS, is_sentence
+from radcalc.units.connectives import ALSO_UNITS, TO
+from radcalc.units.numbers import is_sentence
 from radcalc.units.unit import Unit
 
 ENDS = ("--from", "--to")
-BETWEEN = (*SEPARATORS, *ALSO_UNITS)
+BETWEEN = (*TO, *ALSO_UNITS)
 
 
 def is_piped() -> bool:
@@ -128,7 +128,7 @@ def _parts(words: list[str]) -> tuple[list[str], list[str], list[str]]:
 
 
 def _is_operand(word: str) -> bool:
-    return word in SEPARATORS or is_sentence([word])
+    return word in TO or is_sentence([word])
 
 
 def _unit(word: str) -> Unit | None:

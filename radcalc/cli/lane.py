@@ -8,14 +8,13 @@ from radcalc.cli.heard import Heard, Listener
 from radcalc.cli.output import decide
 from radcalc.cli.plain_call import work_out
 from radcalc.cli.spelling import typed
-from radcalc.errors import ExpressionError, RadcalcError, TooManyWords, input_of
+from radcalc.conversion.operands import read_lists, read_operands
+from radcalc.errors import ExpressionError, RadcalcError, SeveralReadings, TooManyWords, input_of
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.products import assumptions_of
 from radcalc.sentences.reader import read
 from radcalc.units.numbers import is_sentence
-from radcalc.units.ranges import read_lists
-from radcalc.units.reading import read_operands
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -60,7 +59,7 @@ def _is_refused(words: Words) -> bool:
     (operands,), *others = read_lists(words)
     try:
         return not (others or read_operands(operands))
-    except ExpressionError:
+    except (ExpressionError, SeveralReadings):
         return False
     except RadcalcError:
         return True

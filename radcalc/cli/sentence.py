@@ -82,7 +82,8 @@ def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
     if not words or any(map(is_stream, words)) or {*words} & others:
         return False
     asked, _ = options_of(options_of(words)[0], _of_file(words))
-    is_read = isinstance(error, (errors.ExpressionError, errors.MissingCondition))
+    of_reading = (errors.ExpressionError, errors.MissingCondition, errors.SeveralReadings)
+    is_read = isinstance(error, of_reading)
     if is_read or all(word[:1] == "-" for word in asked):
         return False
     options = [word.partition("=")[0] for word in asked if word[:2] == "--"]

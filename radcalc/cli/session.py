@@ -20,6 +20,7 @@ from radcalc.cli import boundary, group
 from radcalc.cli.cases import is_stream
 from radcalc.cli.output import decide
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
+from radcalc.conversion.operands import read_operands
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
 from radcalc.quantities import symbols
 from radcalc.quantities.light import LUMINOUS, name_of
@@ -28,9 +29,9 @@ from radcalc.quantities.units import full_name
 from radcalc.sentences.words import ENDS
 from radcalc.units import scales
 from radcalc.units.amount import Amount
-from radcalc.units.amounts import ALSO_UNITS
-from radcalc.units.numbers import FUNCTIONS, SEPARATORS, is_sentence, read_number
-from radcalc.units.reading import read_amount, read_operands
+from radcalc.units.connectives import ALSO_UNITS, TO
+from radcalc.units.numbers import FUNCTIONS, is_sentence, read_number
+from radcalc.units.reading import read_amount
 from radcalc.units.table import unit_of
 from radcalc.units.uncertain import SIGN
 from radcalc.units.unit import unit_behind
@@ -43,7 +44,7 @@ LEAVING = ("exit", "quit")
 ALSO_LEAVING = (*LEAVING, "bye", "q", "logout")  # words that people type to exit
 WORDS = {"help": "The commands, or a search.", "vars": "The variables and their values."}
 WORDS |= dict.fromkeys(LEAVING, "Leave the prompt.")
-SEPARATING = {*SEPARATORS, *ALSO_UNITS}
+SEPARATING = {*TO, *ALSO_UNITS}
 RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, *FUNCTIONS, "radcalc", "per", "pi", "π"}
 OF_AMOUNTS = {
     symbols.QUANTITY,

@@ -12,13 +12,13 @@ from radcalc.cli.output import Output
 from radcalc.cli.request import LineOptions, first_of
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
+from radcalc.conversion.operands import read_stream_operands
 from radcalc.conversion.plan import plan, result_of_plan, source_of, target_of
 from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.streams import Source
 from radcalc.terminal import ABORT, CSV, JSON, TABLE
-from radcalc.units.reading import read_stream_operands
 from radcalc.units.scales import resolve_any, resolve_given
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit

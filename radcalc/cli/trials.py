@@ -385,7 +385,7 @@ def _in_python(words: Words) -> str:
             value = value if equals or is_flag else next(rest, "")
             given.append(f"{'get' if name == '-g' else name.removeprefix('--')}={value}")
     if command == "convert":
-        from radcalc.units.reading import read_operands
+        from radcalc.conversion.operands import read_operands
 
         amount, target = read_operands(operands)
         operands = [amount.text, target]

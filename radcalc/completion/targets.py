@@ -4,6 +4,7 @@ from radcalc.completion.table import NAMES
 from radcalc.completion.table import UNITS as MEASURES
 from radcalc.completion.words import Completion, split_number
 from radcalc.conversion.conditions import CONDITIONS
+from radcalc.conversion.operands import read_lists, read_value, sides
 from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
 from radcalc.inputs.given import Input
@@ -13,8 +14,7 @@ from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS
 from radcalc.quantities.units import full_name, offered
 from radcalc.units.compiled import NAMES as SPELLINGS
 from radcalc.units.compiled import UNITS
-from radcalc.units.ranges import read_lists
-from radcalc.units.reading import read_value, sides, with_unit
+from radcalc.units.reading import with_unit
 from radcalc.units.scale_table import SCALES
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve, unit_of

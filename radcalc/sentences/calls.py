@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from radcalc import errors
 from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.conversion.operands import read_operands, unit_first
 from radcalc.errors import call, listed, quote, quote_path
 from radcalc.quantities import symbols
 from radcalc.quantities.light import LUMINOUS, PHOTON
@@ -78,6 +79,9 @@ def call_of(sentence: Sentence) -> list[str]:
 
     Raises UsageError if it has several readings, or none, or words that were not understood.
     """
+    if unit_first(sentence.text.split()):
+        amount, target = read_operands([sentence.text])
+        return ["convert", amount.text, "to", target]
     if sentence.unknown:
         raise _not_understood(sentence)
     sentence = _of_efficacy(_with_values(sentence))

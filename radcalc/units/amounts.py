@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 NOT_UNITS = "^*+±×'.,0123456789"  # characters that a unit cannot begin with
 BEFORE_NUMBERS = tuple(" */(+×·")  # characters before a number in an expression
 OPERATORS = ("+", "-", "*", "/", "·", "×", MINUS)
-ALSO_UNITS = ("in", "as")  # separators that may also be inches and attoseconds
 UNCERTAIN = "±+("  # marks of an uncertainty in 100±3, 100+-3 and 100(3)
 LONGEST_SUM = 100  # characters of a text for which a hint suggests a sum
 EXAMPLE = command("convert", "100", "lx", "fc")

@@ -7,6 +7,7 @@ A text that is not a unit is translated into English word by word (`5 килол
 import unicodedata
 
 from radcalc.errors import nearest
+from radcalc.units.connectives import DIVIDERS, divides
 
 # The endings of a declension, singular and plural; _ is an empty ending.
 CZECH_ENDINGS = {
@@ -91,7 +92,6 @@ PREFIXES = (
     "кветта ронна йотта зетта экса пета тера гига мега кило гекто дека деци санти милли микро нано "
     "пико фемто атто зепто йокто ронто квекто",
 )
-PER = ("na", "za", "на", "за", "в")
 SQUARE, CUBIC = ("ctverecn", "квадратн"), ("krychlov", "kubick", "кубическ")  # without endings
 
 
@@ -150,8 +150,11 @@ def in_english(text: str) -> str:
                 words[-2:] = [power, " ", words[-2]]
             else:
                 words.append(power)
-        elif place and comparable(piece) in PER:
-            words.append("per")
+        elif place and comparable(piece) in DIVIDERS:
+            behind = "".join(pieces[place + 1 :]).strip()
+            under, *_ = (in_english(behind) or behind).partition(" per ")
+            is_per = divides(comparable(piece), "".join(words).strip(), under)
+            words.append("per" if is_per else piece)
         else:
             words.append(_unit(piece) or piece)
     return "".join(words) if words != pieces else ""
@@ -191,4 +194,6 @@ def _has_unit(pieces: list[str], place: int, side: int) -> bool:
     at = place + 2 * side
     if not 0 <= at < len(pieces) or pieces[place + side] != " ":
         return False
-    return pieces[at].isalpha() and comparable(pieces[at]) not in PER and not _power(pieces[at])
+    return (
+        pieces[at].isalpha() and comparable(pieces[at]) not in DIVIDERS and not _power(pieces[at])
+    )

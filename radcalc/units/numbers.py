@@ -16,7 +16,6 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and target
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
 MAX_LENGTH = 1000

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from itertools import pairwise, product
+from itertools import product
 from typing import Any, TypeVar
 
 from radcalc import errors
@@ -10,7 +10,7 @@ from radcalc.errors import quote
 from radcalc.floats import divide
 from radcalc.units.amounts import nominal, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
-from radcalc.units.reading import read_amount, sides
+from radcalc.units.reading import read_amount
 from radcalc.units.unit import Unit
 
 T = TypeVar("T")
@@ -65,7 +65,7 @@ def with_list(tries: "Sequence[errors.Try]", text: str, unit: str = "") -> "Sequ
     A unit after the last value, or in another word, applies to each value.
     """
     *others, last = [part.strip() for part in text.split(",")]
-    unit = unit or _unit_in(last)
+    unit = unit or unit_in(last)
     parts = [*others, last.removesuffix(unit).strip()]
     is_begun = any(len(part.partition(".")[0]) > 1 and part[0] == "0" for part in parts)
     if is_begun or not all(map(_is_number, parts)):
@@ -94,7 +94,7 @@ def note_of(text: str) -> tuple[str, ...]:
     if text.count(",") < 2:
         return ()
     word = text.split()[0]
-    word = word.removesuffix(_unit_in(word.rpartition(",")[2]))
+    word = word.removesuffix(unit_in(word.rpartition(",")[2]))
     parts = word.split(",")
     if not _are_groups(parts):
         return ()
@@ -112,7 +112,7 @@ def read_values(text: str) -> list[str]:
         return [text]
     if unit:
         return [value.strip() + unit for value in series]
-    if len({bool(_unit_in(value)) for value in series}) > 1:
+    if len({bool(unit_in(value)) for value in series}) > 1:
         raise errors.ConditionError(
             f"'{quote(text)}' has values with a unit and without", _with_units(text, series)
         )
@@ -121,12 +121,12 @@ def read_values(text: str) -> list[str]:
 
 def _with_units(text: str, series: Sequence[str]) -> errors.Hint:
     """Propose one unit for all values, if only one is typed."""
-    units = {_unit_in(value) for value in series} - {""}
+    units = {unit_in(value) for value in series} - {""}
     if len(units) > 1 or ":" in text:
         return "a unit after each value, or one at the end"
     (unit,) = units
     return errors.correct(
-        text, ",".join([value if _unit_in(value) else value + unit for value in series])
+        text, ",".join([value if unit_in(value) else value + unit for value in series])
     )
 
 
@@ -140,7 +140,7 @@ def _cut_unit(text: str) -> tuple[str, str]:
         bracketed = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*values, last)]
         problem = errors.ambiguous(text, "only the last value or all are in %")
         raise errors.ConditionError(problem, errors.correct(text, mark.join(bracketed)))
-    unit = "" if any(map(_unit_in, values)) else _unit_in(last)
+    unit = "" if any(map(unit_in, values)) else unit_in(last)
     if not unit or not last.endswith(unit):
         return mark.join([*values, last]), ""
     last = last.removesuffix(unit)
@@ -151,10 +151,11 @@ def _cut_unit(text: str) -> tuple[str, str]:
 def _is_part(text: str) -> bool:
     """Return whether the uncertainty of a bare number is a percentage: 100±3%."""
     is_uncertain = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
-    return is_uncertain and text.rstrip().endswith(PERCENT) and not _unit_in(text)
+    return is_uncertain and text.rstrip().endswith(PERCENT) and not unit_in(text)
 
 
-def _unit_in(text: str) -> str:
+def unit_in(text: str) -> str:
+    """Return the text of the unit of a value, '' without one."""
     try:
         if any(sign in text for sign in (*SIGNS_OF_UNCERTAINTY, "(")):
             unit = read_amount(text).typed[1]
@@ -166,45 +167,14 @@ def _unit_in(text: str) -> str:
         return ""
 
 
-def read_lists(words: list[str]) -> list[list[list[str]]]:
-    """Return the words of each conversion that lists in VALUE and TARGET request, by value."""
-    if not any(mark in word for word in words for mark in ",:"):
-        return [[words]]
-    source, separator, target = sides(words)
-    if separator:
-        values, between, targets = read_values(source), [separator], _targets(target)
-        _refuse_commas(source, values)
-    else:
-        for word, next_word in pairwise(words):
-            if word.endswith(","):
-                problem = f"'{quote(word)} {quote(next_word)}' has a blank in its list"
-                better = errors.correct(f"{word} {next_word}", _without_blank(word, next_word))
-                raise errors.ConditionError(problem, better)
-        values, between = read_values(words[0]), words[1:-1]
-        _refuse_commas(words[0], values, *words[1:2])
-        targets = _targets(words[-1]) if len(words) > 1 else []
-    refuse_many([len(values), len(targets)])
-    ends = [[target] for target in targets] or [[]]
-    return [[[value, *between, *end] for end in ends] for value in values]
-
-
-def _without_blank(word: str, behind: str) -> str:
-    """Return the intended list if a blank after a comma splits off a value, target or unit."""
-    numeric = tuple(f"{DIGITS}{SIGNS}.(")
-    if behind.startswith(numeric) or not word.startswith(numeric):
-        return word + behind
-    values = word.rstrip(",").split(",")
-    return ",".join(values if _unit_in(values[0]) else [value + behind for value in values])
-
-
-def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
+def refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
     """Raise for a value with a comma that is not a list, with the list that may be meant.
 
     Its unit may be in another word, `behind`.
     """
     if "," not in text or len(values) > 1:
         return
-    unit = "" if _unit_in(text.rpartition(",")[2]) else behind.strip()
+    unit = "" if unit_in(text.rpartition(",")[2]) else behind.strip()
     whole = f"{text.strip()} {unit}".strip()
     try:
         split_value(whole)
@@ -219,15 +189,6 @@ def refuse_list(text: str) -> None:
         split_value(text)  # the same error without a list
     if len(values) > 1:
         raise errors.ConditionError(f"'{quote(text)}' has {len(values)} values", "one value")
-
-
-def _targets(text: str) -> list[str]:
-    targets = [target.strip() for target in text.split(",")]
-    if len(targets) > 1 and not all(targets):
-        there = ",".join(filter(None, targets)) or "lx,fc"
-        problem = f"a unit is missing in the list '{quote(text)}'"
-        raise errors.ConditionError(problem, errors.correct(text, there))
-    return targets
 
 
 def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:

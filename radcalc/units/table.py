@@ -14,7 +14,7 @@ from radcalc.units.compiled import (
     SYMBOLS,
     UNITS,
 )
-from radcalc.units.grammar import parse_unit
+from radcalc.units.grammar import NAMED, parse_unit
 from radcalc.units.unit import (
     COUNT_AT,
     CYCLE_AT,
@@ -89,8 +89,10 @@ def _read(text: str) -> Unit | str:
             inverted += below
             loose = "" if below else spelling
         is_light = is_light or _counts_light(powers)
-    if len(parsed) == 2 and " " in text:
-        _refuse_minus(unit, spelling)
+    if " " in text:
+        _refuse_side_by_side(text)
+        if len(parsed) == 2:
+            _refuse_minus(unit, spelling)
     if is_light:
         _check_light(unit, loose)
     return _as_wavenumber(unit, inverted)
@@ -118,6 +120,20 @@ def _power_of_part(text: str, spelling: str) -> errors.UnitError:
     """Return the error for %2 and the like: the exponent may belong to the number as well."""
     hint = "brackets around the number with it, as in (50%)^2"
     return errors.UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
+
+
+def _refuse_side_by_side(text: str) -> None:
+    """Raise for ft m and % lx: a blank there is more likely a conversion than a product."""
+    first, *others = text.split(" ")
+    for second in others:
+        is_power = not all(part.isalpha() or part in NAMED for part in (first, second))
+        one, other = (None, None) if is_power else (unit_of(first), unit_of(second))
+        if one and other and one.dimension in (other.dimension, NUMBER):
+            of_one = "two of one quantity" if any(one.dimension) else "a part of another"
+            problem = f"the unit '{quote(text)}' has {of_one} side by side"
+            product = errors.correct(f"{first} {second}", f"{first}*{second}", remark="a product")
+            raise errors.UnitError(problem, [product])
+        first = second
 
 
 def _refuse_minus(unit: Unit, last: str) -> None:

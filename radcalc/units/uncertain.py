@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 from radcalc import errors
 from radcalc.errors import quote
 from radcalc.floats import divide
+from radcalc.units.connectives import TO
 from radcalc.units.numbers import (
     DIGITS,
-    SEPARATORS,
     SIGNS,
     SIGNS_OF_UNCERTAINTY,
     parse_number,
@@ -360,7 +360,7 @@ def _power_of_ten(text: str) -> tuple[int, str]:
 def join_words(words: list[str]) -> list[str]:
     """Join the words of a value and its uncertainty, `100 ± 3 lx`, not a unit after both."""
     marked = next(k for k, word in enumerate(words) if SIGN in signed(word))
-    if any(word in SEPARATORS for word in words):
+    if any(word in TO for word in words):
         return words  # the part before a separator is read as a whole
     end = marked + 1
     if signed(words[marked]).endswith(SIGN):  # the number is the next word

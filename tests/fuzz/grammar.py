@@ -9,12 +9,12 @@ import random
 import re
 from fractions import Fraction
 
+from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
 from radcalc.errors import NumberError, RadcalcError
 from radcalc.homework.answer import read_claim
 from radcalc.units.dimensions import powers, times
 from radcalc.units.numbers import parse_number
-from radcalc.units.reading import read_operands
 from radcalc.units.table import resolve
 from radcalc.units.unit import NUMBER as NUMBER_ITSELF
 

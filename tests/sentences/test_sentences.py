@@ -252,7 +252,7 @@ REFUSED = [
     ("1000 lm over 3 m2 to maximum lx", "lx is not a unit of maximum", ""),
     ("2 m radius 3 m distance to m2", "no command takes", ""),
     ("100 cd 2 m in", "", ""),
-    ("nits 174 klx", "a reflectance", ""),
+    ("nits 174 klx", "2 readings", ""),
     ("500 lx at 30 deg incidence reflectance 0.5 to nits", "2 readings", "--reflectance 0.5"),
     ("2.94 lx on 3 m2 333 cd luminous flux in klm", "2 readings", "received-flux"),
     ("800 lm 24 deg lobe to cd mean", "not understood: mean", ""),

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
 from radcalc.errors import LineError, RadcalcError
 from radcalc.render.plain import number
@@ -15,7 +16,6 @@ from radcalc.streams.fields import Cut, Fields
 from radcalc.streams.header import Header
 from radcalc.streams.readers import Numbers, Quantities
 from radcalc.streams.stream import LONGEST, Stream, run
-from radcalc.units.reading import read_operands
 from radcalc.units.table import resolve
 
 LX_FC = plan(resolve("lx"), resolve("fc"))

@@ -10,6 +10,7 @@ from helpers import for_each, shell
 
 import radcalc
 from radcalc.__main__ import run
+from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
 from radcalc.errors import ExpressionError, RadcalcError
 from radcalc.homework.answer import read_claim
@@ -18,7 +19,7 @@ from radcalc.units import constants
 from radcalc.units.amounts import split_value
 from radcalc.units.compiled import CONSTANTS
 from radcalc.units.ranges import read_series
-from radcalc.units.reading import read_amount, read_operands
+from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
 
 # text, number, unit: exact by the definitions of the units (foot 0.3048 m, inch 0.0254 m)

@@ -2,8 +2,9 @@
 
 import pytest
 
+from radcalc.conversion.operands import read_lists
 from radcalc.errors import ConditionError, RadcalcError, TooMany
-from radcalc.units.ranges import MOST, note_of, read_lists, read_series, read_values, refuse_many
+from radcalc.units.ranges import MOST, note_of, read_series, read_values, refuse_many
 
 LISTS = {
     "1m,2m": ["1m", "2m"],

@@ -5,8 +5,9 @@ import math
 import pytest
 from uncertainties import ufloat_fromstr
 
+from radcalc.conversion.operands import read_operands
 from radcalc.errors import RadcalcError
-from radcalc.units.reading import read_amount, read_operands
+from radcalc.units.reading import read_amount
 
 
 @pytest.mark.parametrize(
