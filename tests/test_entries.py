@@ -22,7 +22,7 @@ UNITS = [
     *("W m-2", "lux", "footcandles", "lumens per square foot", "лк", "люкс", "люменов", "метров"),
     *("luxů", "lumenů", "cm-1", "umol/m2/s", "mag", "OD", "as", "1", "lx h", "m2", "kelvin"),
 ]
-AMOUNTS = ["5", "1/3", "2.5e3", "-5", "0.5", "100*2", "2pi", "1:3:1", "4+-1"]
+AMOUNTS = ["5", "1/3", "2.5e3", "-5", "0.5", "100*2", "2pi", "1:3:1"]
 OTHERS = """
     500 люкс в фут-канделы
     1000 люмен в люксы
@@ -105,6 +105,7 @@ def test_entry_points_answer_with_one_number_or_refuse(amount, source, link, tar
     ("line", "number"),
     [
         ("5 ft m", "1.524"),
+        ("5 W m-2 mW cm-2", "0.5"),
         ("10 in cm", "25.4"),
         ("1 parsec m", "3.08568e+16"),
         ("2 m cm", "200"),

@@ -79,7 +79,6 @@ MEANT = [
     ("7 cd to", "radcalc 7 cd\n"),
     ("12 EV W/m2", "12 EV W/m2 --spectrum sun\n     93.55"),  # 2.5 lx 2^12 / (109.455 lm/W)
     ("10 dBm uW mW", "radcalc convert 10 dBm uW,mW\n     10000 uW, 10 mW"),
-    ("convert 5 W m-2 mW cm-2", "'W m-2' to 'mW cm-2'\n     0.5 mW"),
     ("2^3^2 lx fc", "radcalc 2^9 lx fc"),
     ("convert 100 cd lx --dist 2m", "--distance 2m\n     25 lx"),
     ("convert 500 lx fc --reflectance 80%", "radcalc convert 500*0.8 lx fc"),

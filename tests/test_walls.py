@@ -316,7 +316,7 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich():
         "convert 800 lm cd --isotropic",
     ]
 )
-def test_a_plain_call_of_a_calculator_into_a_pipe_does_not_load_click(call):
+def test_a_lane_of_a_calculator_into_a_pipe_does_not_load_click(call):
     assert not HEAVY & loaded_by(*call.split())
 
 

@@ -69,17 +69,20 @@ def ask(sentence: str) -> Result | Quantity:
 
 
 def _conversion(line: str) -> list[str]:
-    """Return the call of a line that is a conversion, as at a shell; [] for another line."""
+    """Return the call of a line that is a conversion or an amount, as at a shell; or []."""
     if not is_sentence(line.split()):
         return []
     try:
         amount, target = read_operands([line])
-        target_of(target or "?", amount.unit)
+        if target:
+            target_of(target, amount.unit)
     except SeveralReadings:
         raise
     except RadcalcError:
         return []
-    return ["convert", amount.text, target]
+    if amount.unit is None:
+        return []
+    return ["convert", amount.text, *(["to", target] if target else [])]
 
 
 class Verdict(Judged):

@@ -40,9 +40,9 @@ def run(words: list[str]) -> int:
 
         status = lane.answer_sentence(words)
     elif words and words[0] in SUMMARIES:
-        from radcalc.cli import plain_call
+        from radcalc.cli import lane
 
-        status = plain_call.answer_in_full(words)
+        status = lane.answer_in_full(words)
     return status if isinstance(status, int) else _with_click(words, status)
 
 

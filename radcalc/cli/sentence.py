@@ -20,6 +20,7 @@ from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other, plain
 from radcalc.cli.output import Output, decide, refuse_number_options
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, typed
+from radcalc.conversion.operands import is_conversion
 from radcalc.errors import RadcalcError, UsageError, call, drop, input_of, leave_out
 from radcalc.quantities.symbols import FLAG
 from radcalc.render.formats import Records
@@ -28,6 +29,7 @@ from radcalc.sentences.frames import one_word
 from radcalc.sentences.products import assumptions_of
 from radcalc.sentences.reader import Fact, Sentence, read
 from radcalc.terminal import JSON
+from radcalc.units.numbers import is_sentence
 from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
@@ -126,7 +128,8 @@ def call_meant(
         is_long |= is_several and not has_option
         is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
         raise (problem if is_better else error) from None
-    if not is_other(call, asked, error):
+    is_same = call[0] == "convert" and is_sentence(asked) and is_conversion(asked)
+    if is_same or not is_other(call, asked, error):
         raise error
     return call, options
 

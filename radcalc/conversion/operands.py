@@ -105,6 +105,15 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
         raise
 
 
+def is_conversion(words: list[str]) -> bool:
+    """Return whether words are an amount, also with the unit to convert it to, and no more."""
+    try:
+        amount, target = read_operands(words)
+    except errors.RadcalcError:
+        return False
+    return amount.typed[1] is not None and (not target or _target(target) is not None)
+
+
 def parts_of(words: "Sequence[str]") -> list[str]:
     """Return the parts of words at blanks; arithmetic in quotes is one part.
 
@@ -123,13 +132,14 @@ def parts_of(words: "Sequence[str]") -> list[str]:
 
 def is_divisible(parts: "Sequence[str]", words: "Sequence[str]") -> bool:
     """Return whether a line is divided by its units: not at `to`, and not in arithmetic."""
-    if not all(word.strip() for word in words):
+    if not all(map(str.strip, words)):
         return False
     if {*parts} & {*TO} or parts[-1] == "-" or " " in parts[0]:
         return False
     if len(words) > 1 and {*parts} & {*OPERATORS}:  # quotes are missing
         return False
-    return not any(sign in part for sign in SIGNS_OF_UNCERTAINTY for part in parts)
+    text = " ".join(words)
+    return not any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
 
 
 def readings(parts: "Sequence[str]") -> list[Reading]:
@@ -170,6 +180,9 @@ def unit_first(parts: "Sequence[str]") -> list[Reading]:
 
 def _divided_at(parts: "Sequence[str]", at: int) -> list[Reading]:
     """Return the readings with the target after a place, or after the connective there."""
+    *before, last = parts[:at]
+    if len(before) > 1 and last in ALSO and not unit_of(" ".join([*before[1:], last])):
+        return []  # 100 lx in
     found = []
     for skipped in (1, 0) if parts[at] in ALSO and parts[at + 1 :] else (0,):
         target = " ".join(parts[at + skipped :])
@@ -196,7 +209,7 @@ def _target(text: str) -> Unit | None:
     first, *others = text.split()
     if first == PER or first[0] == "/":  # the end of a unit
         return None
-    is_quotient = PER in others or all("-" in part for part in others)
+    is_quotient = PER in others or all("-" in part and "/" not in part for part in others)
     if not is_quotient and text.lower().replace(" ", "_") not in NAMES:
         return unit_of(text) if DIVIDERS.keys() & {*others} else None
     if unit := unit_of(text):
@@ -292,7 +305,8 @@ def read_value(
     The dimensions that are asked for decide between two readings of an expression.  The first
     word after the value may be the unit of a bare number, if there is no separator.
     """
-    if any(mark in word for word in words for mark in SIGNS_OF_UNCERTAINTY):
+    text = " ".join(words)
+    if any(mark in text for mark in SIGNS_OF_UNCERTAINTY):
         from radcalc.units.uncertain import join_words
 
         words = join_words(words)
@@ -405,7 +419,8 @@ def _are_alike(start: str, end: str) -> bool:
 
 def read_lists(words: list[str]) -> list[list[list[str]]]:
     """Return the words of each conversion that lists in VALUE and TARGET request, by value."""
-    if not any(mark in word for word in words for mark in OF_LISTS):
+    text = " ".join(words)
+    if not any(mark in text for mark in OF_LISTS):
         return [[words]]
     from itertools import pairwise
 

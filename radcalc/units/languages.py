@@ -1,13 +1,24 @@
-"""Names of units in Czech and Russian, in the cases used after numbers and `per`.
+"""Other spellings of units: names in Czech and Russian, and symbols that are written together.
 
 A text that is not a unit is translated into English word by word (`5 килолюксов`, `lumen na metr
-čtvereční`) and read again.  Case and diacritics do not matter.
+čtvereční`), in the cases used after numbers and `per`, and read again.  Case and diacritics do not
+matter.
 """
 
+import re
 import unicodedata
 
 from radcalc.errors import nearest
+from radcalc.units.compiled import PREFIX_SYMBOLS, SYMBOLS
 from radcalc.units.connectives import DIVIDERS, divides
+from radcalc.units.grammar import plain
+from radcalc.units.unit import takes
+
+TYPE_CHECKING = False  # typing is slow to import
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from radcalc.units.unit import Unit
 
 # The endings of a declension, singular and plural; _ is an empty ending.
 CZECH_ENDINGS = {
@@ -92,6 +103,12 @@ PREFIXES = (
     "кветта ронна йотта зетта экса пета тера гига мега кило гекто дека деци санти милли микро нано "
     "пико фемто атто зепто йокто ронто квекто",
 )
+RUN = r"(?:[^\W\d_]+(?:\^?[-\u2212\u207b]?[\d\u00b9\u00b2\u00b3\u2070-\u2079]+)?)+"
+JOINED = re.compile(rf"({RUN})(?:/({RUN}))?")
+PARTS = re.compile(r"([^\W\d_]+)([^\w]*[\d\u00b9\u00b2\u00b3\u2070-\u2079]*)")
+DIFFERENCE = re.compile(r"[-\u2212]\d+[^\W\d_]+$")  # the end of 5m-2cm
+LONGEST = 30  # characters of a text
+ENOUGH = 2  # readings that make a text ambiguous
 SQUARE, CUBIC = ("ctverecn", "квадратн"), ("krychlov", "kubick", "кубическ")  # without endings
 
 
@@ -134,8 +151,11 @@ def near(word: str) -> list[str]:
     return nearest(comparable(word), [form for _, units in LANGUAGES for form in units], 2, 0.7)
 
 
-def in_english(text: str) -> str:
-    """Return a unit's text with its Czech and Russian words in English; '' if it has none."""
+def in_english(text: str, unit_of: "Callable[[str], Unit | None]") -> str:
+    """Return a unit's text with its Czech and Russian words in English; '' if it has none.
+
+    A word between two units divides, or not, by what `unit_of` reads in both.
+    """
     text = unicodedata.normalize("NFC", text).replace("кв.", "квадратный ").removesuffix(".")
     pieces = _pieces(" ".join(text.split()))
     words: list[str] = []
@@ -151,10 +171,10 @@ def in_english(text: str) -> str:
             else:
                 words.append(power)
         elif place and comparable(piece) in DIVIDERS:
-            behind = "".join(pieces[place + 1 :]).strip()
-            under, *_ = (in_english(behind) or behind).partition(" per ")
-            is_per = divides(comparable(piece), "".join(words).strip(), under)
-            words.append("per" if is_per else piece)
+            rest = "".join(pieces[place + 1 :]).strip()
+            divisor, *_ = (in_english(rest, unit_of) or rest).partition(" per ")
+            over, under = unit_of("".join(words).strip()), unit_of(divisor)
+            words.append("per" if divides(comparable(piece), over, under) else piece)
         else:
             words.append(_unit(piece) or piece)
     return "".join(words) if words != pieces else ""
@@ -196,4 +216,52 @@ def _has_unit(pieces: list[str], place: int, side: int) -> bool:
         return False
     return (
         pieces[at].isalpha() and comparable(pieces[at]) not in DIVIDERS and not _power(pieces[at])
+    )
+
+
+def apart(text: str) -> list[str]:
+    """Return the texts with signs between units that are written together: Wm-2, Js-1, J/kgK.
+
+    A product below a solidus is all below it, so W/m2sr is W/(m2.sr).  There are up to two texts,
+    as for lmm-2; none for another text.
+    """
+    text = plain(text)
+    match = JOINED.fullmatch(text) if len(text) <= LONGEST else None
+    if match is None or text.isalpha() or DIFFERENCE.search(text):
+        return []
+    over = _products(match[1])
+    under = _products(match[2]) if match[2] else [""]
+    return [f"{a}/({b})" if "." in b else f"{a}/{b}" if b else a for a in over for b in under][
+        :ENOUGH
+    ]
+
+
+def _products(run: str) -> list[str]:
+    """Return the products of symbols that a run of letters and exponents may be."""
+    found = [""]
+    for letters, exponent in PARTS.findall(run):
+        splits = [letters] if _is_symbol(letters) else _splits(letters)
+        found = [
+            f"{before}.{split}{exponent}".removeprefix(".") for before in found for split in splits
+        ][:ENOUGH]
+    return found
+
+
+def _splits(letters: str) -> list[str]:
+    """Return the ways to write letters as symbols with points between them."""
+    found = []
+    for end in range(1, len(letters)):
+        if _is_symbol(letters[:end]):
+            rest = letters[end:]
+            rests = [rest] if _is_symbol(rest) else _splits(rest)
+            found += [f"{letters[:end]}.{other}" for other in rests]
+    return found[:ENOUGH]
+
+
+def _is_symbol(text: str) -> bool:
+    if text in SYMBOLS:
+        return True
+    return any(
+        text[:size] in PREFIX_SYMBOLS and text[size:] in SYMBOLS and takes(text[:size], text[size:])
+        for size in (1, 2)
     )

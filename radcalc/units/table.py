@@ -188,9 +188,9 @@ def _in_other_words(text: str) -> Unit | str:
 
 def _joined(text: str) -> Unit | str:
     """Return the unit of symbols that are written together, as Wm-2; '' for other texts."""
-    from radcalc.units import joined
+    from radcalc.units.languages import apart
 
-    texts = joined.readings(text)
+    texts = apart(text)
     if len(texts) > 1:
         raise errors.UnitError(errors.ambiguous(text), errors.corrections(text, *texts))
     unit = _read(texts[0]) if texts and texts[0] != text else ""
@@ -204,7 +204,7 @@ def _joined(text: str) -> Unit | str:
 def _in_another_language(text: str) -> Unit | str:
     from radcalc.units.languages import in_english
 
-    english = in_english(text)
+    english = in_english(text, unit_of)
     unit = _read(english) if english else ""
     if isinstance(unit, str):
         if unit in REFUSED:

@@ -138,7 +138,7 @@ TABLE = {
 
 
 @pytest.mark.parametrize("name", TABLE)
-def test_every_slope_is_the_difference_of_two_plain_calls(name):
+def test_every_slope_is_the_difference_of_two_lanes(name):
     """Inputs changed by a part in 1e5 change the results as the uncertainties predict."""
     function, given = TABLE[name]
     call = getattr(radcalc, function)

@@ -9,7 +9,7 @@ from conftest import ROOT
 from radcalc import __main__, cli
 from radcalc.calculators.page import words_of
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.cli import boundary, plain_call
+from radcalc.cli import boundary, lane
 from radcalc.cli.spelling import Shell
 from radcalc.conversion.operands import read_operands
 from radcalc.floats import read_decimal
@@ -124,7 +124,7 @@ def test_an_example_of_a_page_has_the_same_answer_without_click(command, piped, 
     for words in examples(command):
         for more in OUTPUT:
             call = [*words, *more]
-            status = plain_call.answer_in_full(call)
+            status = lane.answer_in_full(call)
             plain = piped()
             if status is None:
                 assert plain == ("", ""), call
@@ -145,8 +145,8 @@ def test_an_example_of_a_page_has_the_same_answer_without_click(command, piped, 
         "solid-angle cone --half-angle 30deg --json",
     ],
 )
-def test_a_plain_call_is_answered_without_click(call, piped):
-    assert plain_call.answer_in_full(call.split()) == 0
+def test_a_lane_is_answered_without_click(call, piped):
+    assert lane.answer_in_full(call.split()) == 0
     assert piped().out
 
 
@@ -176,8 +176,8 @@ def test_a_plain_call_is_answered_without_click(call, piped):
         "solid-angle hemisphere --format xml",
     ],
 )
-def test_a_plain_call_leaves_the_rest_to_click(call, piped):
-    assert plain_call.answer_in_full(shlex.split(call)) is None
+def test_a_lane_leaves_the_rest_to_click(call, piped):
+    assert lane.answer_in_full(shlex.split(call)) is None
     assert piped() == ("", "")
 
 

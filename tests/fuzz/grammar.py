@@ -8,6 +8,7 @@ import math
 import random
 import re
 from fractions import Fraction
+from itertools import pairwise
 
 from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
@@ -128,6 +129,13 @@ def product(draw: random.Random, sign: int, found: dict[str, int]) -> tuple[str,
     return text, factor
 
 
+def is_beside(text: str) -> bool:
+    """Return whether two units of one quantity have a blank alone between them: s min."""
+    parts = text.split(" ")
+    kinds = [ATOMS[part][1] if part in ATOMS else None for part in parts]
+    return any(one == other and one for one, other in pairwise(kinds))
+
+
 def unit(draw: random.Random) -> None:
     """Check that the factor of a unit is the product of the factors of its parts."""
     own: dict[str, int] = {}
@@ -140,8 +148,10 @@ def unit(draw: random.Random) -> None:
         found = resolve(text)
     except RadcalcError as error:
         is_difference = re.fullmatch(r"(\w+)-\d \1", text)  # h-2 h, of an expression
-        told_of(error, text, "ambiguous" if is_difference else "a length that multiplies light")
+        why = "two of one quantity side by side" if is_beside(text) else "a length that multiplies"
+        told_of(error, text, "ambiguous" if is_difference else why)
         return
+    assert not is_beside(text), text
     assert Fraction(found.top, found.bottom) == factor, text
     right = NUMBER_ITSELF
     for name, power in own.items():
