@@ -44,6 +44,7 @@ from radcalc.tuples import NamedTuple
 from radcalc.units import horticulture
 from radcalc.units.dimensions import AREA, ENERGY, LENGTH
 from radcalc.units.reading import read_amount
+from radcalc.units.table import unit_of
 from radcalc.units.unit import NUMBER, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
@@ -61,6 +62,7 @@ RANGE = re.compile(
 GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
 DENSITY = re.compile(r"nd\d+(?:\.\d+)?", re.IGNORECASE)
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
+SHORTEST_UNIT = 2  # letters: sp and rg are results
 ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
 OF_PHOTONS = 1e-9  # J: far above the energy of any photon of light
 LARGEST_EV = 40  # the sun's disc has 34
@@ -279,6 +281,11 @@ def _is_same_light(first: Fact, second: Fact) -> bool:
     return None not in tables and len({table.label for table in tables if table}) == 1
 
 
+def _is_unit(name: str) -> bool:
+    """Return whether the name of a quantity is a unit, which is asked for: 100 fL nits."""
+    return len(name) > SHORTEST_UNIT and unit_of(name) is not None
+
+
 def _is_letter(text: str, name: str) -> bool:
     """Return whether a text is the letter of a result with an index: R9 and Rg, also units."""
     letter = SYMBOLS[name].letter
@@ -385,6 +392,7 @@ class _Reading:
         """Return the end of a pattern that begins at `at`, and its amount; None without a match."""
         amount: Amount | None = None
         for part in parts:
+            is_apart = amount is not None and at and self.words[at - 1].is_last  # 5 m, radius 3 m
             if part[0] == "{":
                 amount = self.amount(at)
                 if part == "{number}" and amount and not self._is_number(amount):
@@ -392,7 +400,11 @@ class _Reading:
                 if amount is None or not fits(amount, part[1:-1]):
                     return None
                 at = amount.end
-            elif at < len(self.words) and self.words[at].folded in part.rstrip("?").split("|"):
+            elif (
+                at < len(self.words)
+                and not is_apart
+                and self.words[at].folded in part.rstrip("?").split("|")
+            ):
                 at += 1
             elif part[-1] != "?":
                 return None
@@ -422,7 +434,7 @@ class _Reading:
                 text = self.text(at, amount.end)
                 found.append((amount.end, Fact(_with_plain(fitting), amount.text, text, amount)))
         amount = self.amount(at)
-        if amount:
+        if amount and not self.words[amount.end - 1].is_last:
             for end, symbols in self._names(amount.end):
                 fitting = _of_amount(symbols, amount)
                 own = self.amount(end)
@@ -448,6 +460,7 @@ class _Reading:
                 return []
             return [(at + 1, found)] if found else []
         ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in self.names]
+        ends = [end for end in ends if not _is_unit(self.text(at, end))]
         return [(end, self.names[self.folded(at, end)]) for end in ends]
 
     def _spectrum(self, at: int) -> list[Found]:
