@@ -35,6 +35,7 @@ from radcalc.sentences.phrases import (
 )
 from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
+from radcalc.sentences.used import refuse_unused, unneeded
 from radcalc.sentences.words import amount_of, near_words, size_of
 from radcalc.units.dimensions import (
     POWER,
@@ -92,8 +93,11 @@ def call_of(sentence: Sentence) -> list[str]:
     _refuse_density(sentence)
     _refuse_bare(sentence)
     calls = _calls_of(sentence)
+    if len(calls) > 1 and all(unneeded(one)[0] for one in calls):
+        refuse_unused(sentence, calls[0])
     if len(calls) == 1:
         _refuse_room(calls[0])
+        refuse_unused(sentence, calls[0])
         return list(calls[0])
     is_name = len(sentence.goals) == 1 and not (sentence.facts or sentence.files)
     if not calls and is_name and sentence.ignored:  # what is a candela
@@ -462,12 +466,20 @@ def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence
     is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})
     has_unit = goal and goal.unit and goal.unit.dimension in symbols.SYMBOLS["flux"].dimensions
     is_point = bool(calls) and calls[0][0] == "point-source" and names.isdisjoint(DIRECTIONS)
-    if directed and is_point and (is_flux or has_unit):
+    pairs = [errors.input_of(word) for call in calls[:1] for word in call]
+    results = [text for name, text in pairs if name == "get"]
+    given = {symbols.generic_name(name) for name in names}
+    crossed = {symbols.generic_name(text.partition(":")[0]) for text in results} - given
+    is_crossed = crossed == {"flux"} or (crossed == {"intensity"} and "irradiance" not in given)
+    is_crossed = is_crossed and len(calls) == 1
+    if is_point and (is_crossed or (directed and (is_flux or has_unit))):
         tries = [
             errors.Try(words=(*calls[0], f"{name}={value}"), remark=remark)
             for name, value, remark in EXAMPLES_OF_BEAMS
         ]
-        problem = f"'{quote(directed[0])}' has a beam, and its angle is missing"
+        problem = "the directions of the light are missing"
+        if directed:
+            problem = f"'{quote(directed[0])}' has a beam, and its angle is missing"
         raise errors.UsageError(problem, tries)
 
 

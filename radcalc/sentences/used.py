@@ -1,0 +1,142 @@
+"""The promise of sentences: what was typed is in the call, and the result comes from all of it."""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from importlib import import_module
+
+from radcalc.answer import Answer, itself
+from radcalc.calculators.pages import page_of
+from radcalc.calculators.solved import Task
+from radcalc.conversion.plan import plan, source_of, target_of
+from radcalc.errors import RadcalcError, Try, Unused, UsageError, input_of, listed, quote
+from radcalc.inputs.given import Input
+from radcalc.inputs.reading import read
+from radcalc.quantities.symbols import FLAG, SYMBOLS, generic_name
+from radcalc.sentences.frames import FRAMES
+from radcalc.sentences.reader import Fact, Sentence
+from radcalc.units.dimensions import TEMPERATURE
+from radcalc.units.reading import read_operands
+
+NUMBERS = re.compile(r"(?<![^\W\d_])\d+(?:\.\d+)?")
+EXPONENTS = re.compile(r"(?<=[^\W\d_])\^?-?[1-4](?![\w.°])")  # of units: m-2, m^2
+OF_LED = "spectrum=LED-"  # in place of a colour temperature
+SOLVED = {frame.command for frame in FRAMES}
+
+
+def refuse_unused(sentence: Sentence, call: Sequence[str]) -> None:
+    """Raise for an amount of a sentence that its call lacks, or that the result does not need."""
+    lost = _lost(sentence.facts, call)
+    tries: list[Try] = []
+    if not lost:
+        names, tries = unneeded(call)
+        lost = [_typed(fact) for fact in sentence.facts if names & _names(fact, call)] or [*names]
+    if lost:
+        goals = listed([goal.text for goal in sentence.goals])
+        known = [text for text in map(_typed, sentence.facts) if text not in lost]
+        understood = f"understood {', '.join(map(quote, known))}; " if known else ""
+        wanted = f" for {goals}" if goals else ""
+        problem = f"{understood}not used{wanted}: {listed(lost)}"
+        raise UsageError(problem, tries or "a sentence in which each amount changes the answer")
+
+
+def _lost(facts: Sequence[Fact], call: Sequence[str]) -> list[str]:
+    """Return the phrases with a number that the words of a call lack."""
+    has = Counter(_numbers(" ".join(call)))
+    has_led = any(word.startswith(OF_LED) for word in call)
+    lost = []
+    for fact in facts:
+        is_of_led = has_led and fact.amount and fact.amount.dimension == TEMPERATURE
+        typed = Counter(_numbers(fact.amount.text if fact.amount else fact.text))
+        if typed - has and not is_of_led:
+            lost.append(_typed(fact))
+        has -= typed
+    return lost
+
+
+def _typed(fact: Fact) -> str:
+    return fact.typed.replace("f/ ", "f/")
+
+
+def _names(fact: Fact, call: Sequence[str]) -> set[str]:
+    """Return the inputs of a call that have the numbers of a fact."""
+    typed = _numbers(fact.text)
+    pairs = [input_of(word) for word in call[1:]]
+    return {name for name, text in pairs if name and typed and _numbers(text) == typed}
+
+
+def _numbers(text: str) -> list[str]:
+    """Return the numbers of a text, without those in its units."""
+    return NUMBERS.findall(EXPONENTS.sub("", text))
+
+
+def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:
+    """Return the inputs of a call that its result does not come from, and calls that use them.
+
+    Return none for a call that is refused, which says more, and for one with all results.
+    """
+    command, *words = call
+    if command not in SOLVED:
+        return set(), []
+    pairs = [input_of(word) for word in words]
+    texts = {name: text for name, text in pairs if name and name != "get"}
+    operands = [text for name, text in pairs if not name]
+    results = [text for name, text in pairs if name == "get"]
+    try:
+        page = page_of(command)
+        given = {
+            name: read(name, text or SYMBOLS[name].form == FLAG, bare=page.bare.get(name, ""))
+            for name, text in texts.items()
+        }
+        if command == "convert":
+            _plan(operands, [*given.values()])
+        elif len(results) == 1:
+            answer = _answer(command, operands, given)
+            names = [result.partition(":")[0] for result in results[0].split(",")]
+            return _idle(answer, names, texts), [Try(words=(command, *words[: -len(results)]))]
+    except Unused as error:
+        tries = [_whole(one, call) for one in error.tries if not one.without]
+        return {*error.symbols}, tries
+    except (RadcalcError, ImportError):
+        pass
+    return set(), []
+
+
+def _plan(operands: list[str], given: list[Input]) -> None:
+    """Plan a conversion, which refuses a condition that it does not need."""
+    amount, text = read_operands(operands)
+    unit = amount.typed[1]
+    if text and unit:
+        target = target_of(text, unit)
+        plan(source_of(amount, target, given) or unit, target, given)
+
+
+def _answer(command: str, operands: Sequence[str], given: dict[str, Input]) -> Answer:
+    """Return the answer of a calculator to read inputs."""
+    module = import_module(f"radcalc.calculators.{command.replace('-', '_')}")
+    if hasattr(module, "task"):
+        task: Task = module.task(operands, lambda name: False)
+        return task.nominal(given)
+    if module.PAGE.operand:  # a wavelength or a spectrum, with no other inputs to lose
+        raise ImportError
+    return Task(command, getattr(module, command.replace("-", "_"))).nominal(given)
+
+
+def _idle(answer: Answer, names: Sequence[str], texts: dict[str, str]) -> set[str]:
+    """Return the inputs that no result of these names comes from."""
+    if answer.origins is itself:
+        return set()
+    origins = [answer.origins(generic_name(name), "") for name in names]
+    if None in origins:
+        return set()
+    used = {origin for of in origins if of for origin in of}
+    return {name for name in texts if {name, generic_name(name)}.isdisjoint(used)}
+
+
+def _whole(proposal: Try, call: Sequence[str]) -> Try:
+    """Return the call that a proposal changes, as a whole."""
+    if proposal.words:
+        return proposal
+    old, *new = proposal.instead or ("", "")
+    words = [" ".join(new) if word == old else word for word in call]
+    return Try(words=(*words, *[f"{n}={v}" for n, v in proposal.inputs]), remark=proposal.remark)
