@@ -332,6 +332,8 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     fact = given.pop(value)
     amount = fact.amount
     usual = USUAL_GOALS.get((symbols.generic_name(value), *given), "")  # for one condition
+    if usual and fact.symbols and " of " in fact.typed:
+        usual = value.replace("-", " ")  # illuminance of 100 fc for 2 h
     target = _target(goal, fact, given) if goal else usual
     if amount is None or ((given or goal) and not target):
         return []

@@ -67,6 +67,7 @@ ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
 OF_PHOTONS = 1e-9  # J: far above the energy of any photon of light
 LARGEST_EV = 40  # the sun's disc has 34
 MEAN = ("mean", "average")
+PREPOSITIONS = ("in", "as", "a", "at")  # which are units, too
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
 
 
@@ -527,11 +528,14 @@ class _Reading:
         text = self.words[at].text
         if not text[0].isalnum() and text not in MARKS:
             return []
-        is_unit = len(text) == 1 and text.isupper() and at > 0 and unit_in([text])  # the ampere
+        is_ampere = len(text) == 1 and text.isupper() and at > 0
         is_letter = text[-1] == "=" and text[0].isalpha()
         amount = self.amount(at + 1) if is_letter else None
         if amount and (amount.is_wavelength or amount.dimension in AMOUNTS["wavelength"][1:]):
             return [(at + 1, None)]
+        is_after = any(amount and amount.end == at for amount in self.amounts.values())
+        is_after = is_after and text not in PREPOSITIONS  # 5 lm/m2 s lx
+        is_unit = (is_ampere or is_after) and unit_in([text])
         last = min(at + 2, len(self.words))
         ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in FILLERS | MARKS]
         return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]

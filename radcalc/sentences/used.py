@@ -95,8 +95,9 @@ def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:
             names = [result.partition(":")[0] for result in results[0].split(",")]
             return _idle(answer, names, texts), [Try(words=(command, *words[: -len(results)]))]
     except Unused as error:
-        tries = [_whole(one, call) for one in error.tries if not one.without]
-        return {*error.symbols}, tries
+        kept = [one for one in error.tries if not one.without]
+        kept = [one for one in kept if one.instead[:1] in ((), (operands[-1],))]
+        return {*error.symbols}, [_whole(one, call) for one in kept]
     except (RadcalcError, ImportError):
         pass
     return set(), []

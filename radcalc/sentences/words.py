@@ -99,6 +99,7 @@ SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
 BARE_SIDES = re.compile(r"(\d[\d.]*)[x×](\d[\d.]*)")  # before their unit: 4x4 ft
 # f/5.6, and T4 of a lens of the cinema; T5 and T12 are tubes of fluorescent lamps.
 F_NUMBER = re.compile(r"(?:[fFtT]/|f|T(?!5$|12$))(\d+(?:\.\d+)?)")
+SHUTTERED = frozenset(["f/", "iso", "asa"])  # beside these, 1/60 is a time
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"average": "mean", "avg": "mean"}
@@ -106,6 +107,7 @@ OF_AMOUNTS = ("mean", "average")  # add nothing to an amount before them
 LARGEST_DLI = 100  # mol/m2; outdoors it is at most 70
 TENS = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
 MARKS_IN_WORDS = {"=>": " to ", "=?": " to ", "@": " at "}
+TO = (["to"], ["in"], ["as"], ["into"], ["->"])
 WITHIN = (["in"], ["a"])  # before a time, not inches and years: dli 17 in 16 h
 # Hours of light and darkness: 18/6
 HOURS = re.compile(r"(?<![\d./])(\d{1,2}(?:\.\d+)?)/(\d{1,2}(?:\.\d+)?)(?![\d./])")
@@ -232,7 +234,11 @@ def _reordered(parts: list[str]) -> list[str]:
         if name.lower() in BEFORE_NUMBERS and parts[at + 1 : at + 2] in (["of"], ["is"]):
             del parts[at + 1]
         following = parts[at + 1 : at + 2]
-        is_before = (name != part and unit_of(name)) or name.lower() in BEFORE_NUMBERS
+        unit = unit_of(name)
+        is_before = (name != part and unit) or name.lower() in BEFORE_NUMBERS
+        is_first = at == 0 or not (parts[at - 1][0].isdigit() or [parts[at - 1]] in TO)
+        is_light = unit and is_first and read_light(unit)  # lux 500 to fc
+        is_before = is_before or is_light
         is_number = bool(following) and following[0][0].isdigit()
         behind = parts[at + 2 : at + 3]
         is_alone = is_number and not any(map(str.isalpha, following[0]))
@@ -308,8 +314,11 @@ def _operand(words: "list[Word]", start: int) -> Amount | None:
         text += f" {words[end].text}"
         end += 1
     amount = amount_of(text, end)
-    if text[:2] == "1/" and words[end : end + 1] and words[end].text.upper() == "EV":
-        return amount  # a shutter, whose EV is asked for
+    following = words[end : end + 1]
+    if text[:2] == "1/" and following and not SHUTTERED.isdisjoint([w.folded for w in words]):
+        wanted = unit_in([following[0].text])
+        if wanted and wanted.dimension != TIME:
+            return amount  # a shutter, whose light is asked for: iso 400 f/4 1/60 lux
     if amount and amount.dimension == NUMBER and "%" not in text:
         for last in range(min(len(words), end + LONGEST_UNIT), end, -1):
             whole = joined(words[start:last])
