@@ -92,6 +92,7 @@ def call_of(sentence: Sentence) -> list[str]:
     _refuse_exitance(sentence)
     _refuse_density(sentence)
     _refuse_bare(sentence)
+    _refuse_width(sentence)
     calls = _calls_of(sentence)
     if len(calls) > 1 and all(unneeded(one)[0] for one in calls):
         refuse_unused(sentence, calls[0])
@@ -172,6 +173,22 @@ def _refuse_bare(sentence: Sentence) -> None:
         raise errors.UsageError(
             f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}"
         )
+
+
+def _refuse_width(sentence: Sentence) -> None:
+    """Refuse the width of a band without its place: 1 nm is 1059 GHz at 532 nm."""
+    if [fact.symbols[-1:] for fact in sentence.facts] != [("fwhm",)]:
+        return
+    (fact,), goal = sentence.facts, _goal_of(sentence)
+    if fact.amount and goal and goal.unit and goal.unit.dimension == fact.amount.dimension:
+        return
+    tries = []
+    if fact.amount and goal and goal.unit:
+        number, unit = fact.amount.text, fact.amount.unit.text
+        words = ("convert", number.removesuffix(unit).strip(), unit, goal.text, "wavelength=532nm")
+        tries = [errors.Try(words=words, remark="at 532 nm, an example")]
+    problem = f"'{quote(fact.typed)}' is the width of a band, and its wavelength is missing"
+    raise errors.UsageError(problem, tries or "the wavelength of the band, and a unit after 'to'")
 
 
 def _is_of_shining(goal: Goal | None) -> bool:

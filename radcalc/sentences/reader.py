@@ -13,6 +13,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
 from radcalc.sentences.phrases import (
+    AIR,
     AMOUNTS,
     COLOURS,
     COMMAND,
@@ -21,6 +22,7 @@ from radcalc.sentences.phrases import (
     MARKS,
     MORE_NEEDED,
     NOUNS,
+    SHIFT,
     TARGET,
     THINGS,
     UNKNOWN,
@@ -64,6 +66,7 @@ DENSITY = re.compile(r"nd\d+(?:\.\d+)?", re.IGNORECASE)
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
 SHORTEST_UNIT = 2  # letters: sp and rg are results
 ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
+LINE, NARROW = "line", 10e-9  # m: a shorter one is the width of a line
 OF_PHOTONS = 1e-9  # J: far above the energy of any photon of light
 LARGEST_EV = 40  # the sun's disc has 34
 MEAN = ("mean", "average")
@@ -174,7 +177,8 @@ def _found(text: str, reading: "_Reading") -> Sentence:
     found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
     sentence = Sentence(*found, text, tuple(ignored), _named_in(text))
     for tidied in (
-        _with_one_light, _of_line, _of_cone, _of_area, _of_other_quantity, _of_named_number,
+        _with_one_light, _of_line, _of_cone, _of_area, _of_air, _of_mired, _of_other_quantity,
+        _of_named_number,
     ):  # fmt: skip
         sentence = tidied(sentence)
     return sentence
@@ -258,6 +262,21 @@ def _of_area(sentence: Sentence) -> Sentence:
     """Return a sentence with an area, over which light is even: its mean."""
     is_even = any("area" in fact.symbols or _is_area(fact) for fact in sentence.facts)
     return _ignoring(sentence, MEAN) if is_even else sentence
+
+
+def _of_air(sentence: Sentence) -> Sentence:
+    """Return a sentence with light in air, which has another wavelength than in vacuum."""
+    waves = AMOUNTS["wavelength"]
+    has_wave = any(fact.amount and fact.amount.dimension in waves[1:] for fact in sentence.facts)
+    has_wave |= any(map(_is_line, sentence.facts)) or not sentence.facts
+    has_wave |= any("wavelength" in (*fact.symbols, fact.text) for fact in sentence.facts)
+    return sentence if has_wave else _ignoring(sentence, AIR)
+
+
+def _of_mired(sentence: Sentence) -> Sentence:
+    """Return a sentence with a shift of colour temperatures, in mireds."""
+    is_mired = any(goal.unit and goal.unit.is_scale for goal in sentence.goals)
+    return _ignoring(sentence, SHIFT) if is_mired else sentence
 
 
 def _ignoring(
@@ -379,12 +398,15 @@ class _Reading:
                 if amount and amount.is_wavelength and self._has_own(parts, end):
                     continue
                 text = phrase.form.format(_joined(amount.text) if amount else "")
-                if phrase.fills == (TARGET,):
+                fills = phrase.fills
+                if amount and self.words[end - 1].folded == LINE and size_of(amount) < NARROW:
+                    fills = ("fwhm",)
+                if fills == (TARGET,):
                     found.append((end, Goal(text, None, (text,))))
-                elif phrase.fills == (UNKNOWN,):
+                elif fills == (UNKNOWN,):
                     found.append((end, ""))
                 else:
-                    found.append((end, Fact(phrase.fills, text, self.text(at, end), amount)))
+                    found.append((end, Fact(fills, text, self.text(at, end), amount)))
         return found
 
     def _match(
