@@ -35,7 +35,7 @@ from radcalc.sentences.phrases import (
 )
 from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
-from radcalc.sentences.used import refuse_unused, unneeded
+from radcalc.sentences.used import is_idle, refuse_unused
 from radcalc.sentences.words import amount_of, near_words, size_of
 from radcalc.units.dimensions import (
     POWER,
@@ -79,6 +79,8 @@ def call_of(sentence: Sentence) -> list[str]:
 
     Raises UsageError if it has several readings, or none, or words that were not understood.
     """
+    if sentence.also:
+        return _either(sentence._replace(also=None), sentence.also)
     if sentence.unknown:
         raise _not_understood(sentence)
     sentence = _of_efficacy(_with_values(sentence))
@@ -94,7 +96,7 @@ def call_of(sentence: Sentence) -> list[str]:
     _refuse_bare(sentence)
     _refuse_width(sentence)
     calls = _calls_of(sentence)
-    if len(calls) > 1 and all(unneeded(one)[0] for one in calls):
+    if len(calls) > 1 and all(map(is_idle, calls)):
         refuse_unused(sentence, calls[0])
     if len(calls) == 1:
         _refuse_room(calls[0])
@@ -112,8 +114,31 @@ def call_of(sentence: Sentence) -> list[str]:
             f"no command takes {what}{wanted}",
             lambda: _with_less(sentence) or errors.manual("convert"),
         )
+    raise _several(sentence, calls)
+
+
+def _either(first: Sentence, second: Sentence) -> list[str]:
+    """Return the call of the only reading that has one."""
+    calls: list[list[str]] = []
+    problem: errors.RadcalcError | None = None
+    for sentence in (first, second):
+        try:
+            calls.append(call_of(sentence))
+        except errors.SeveralReadings:
+            raise
+        except errors.RadcalcError as error:
+            problem = problem or error
+    if len(calls) > 1 and sorted(calls[0]) != sorted(calls[1]):
+        raise _several(first, [tuple(call) for call in calls])
+    if not calls:
+        assert problem is not None
+        raise problem
+    return calls[0]
+
+
+def _several(sentence: Sentence, calls: Sequence[tuple[str, ...]]) -> errors.SeveralReadings:
     problem = f"'{quote(sentence.text)}' has {len(calls)} readings"
-    raise errors.SeveralReadings(problem, explained(calls))
+    return errors.SeveralReadings(problem, explained(calls))
 
 
 def _refuse_percentage(sentence: Sentence) -> None:

@@ -97,7 +97,8 @@ class Goal(NamedTuple):
 class Sentence(NamedTuple):
     """A sentence that was read: its facts, its goals, its files and the words not understood.
 
-    `ignored` are the words that add nothing, and `named` the things of `MORE_NEEDED`.
+    `ignored` are the words that add nothing, and `named` the things of `MORE_NEEDED`.  `also` is
+    another reading, in which a name between two amounts has that behind it: 5 m radius 3 m.
     """
 
     facts: tuple[Fact, ...]
@@ -107,6 +108,7 @@ class Sentence(NamedTuple):
     text: str
     ignored: tuple[str, ...] = ()
     named: frozenset[str] = frozenset()
+    also: "Sentence | None" = None
 
     def has(self, thing: str) -> bool:
         """Return whether a word of a thing that needs more was typed."""
@@ -126,8 +128,14 @@ def read(typed: "list[str]") -> Sentence:
     if len(text) > LONGEST:
         raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")
     words = _apart(words_of(typed))
-    found = _found(text, _Reading(words, ENGLISH_ALONE))
-    return _found(text, _Reading(words, LANGUAGES)) if found.unknown else found
+    reading = _Reading(words, ENGLISH_ALONE)
+    found = _found(text, reading)
+    if found.unknown:
+        reading = _Reading(words, LANGUAGES)
+        found = _found(text, reading)
+    if not reading.has_between:
+        return found
+    return found._replace(also=_found(text, _Reading(words, LANGUAGES, is_forward=True)))
 
 
 def _apart(words: list[Word]) -> list[Word]:
@@ -323,8 +331,10 @@ def _is_line(fact: Fact) -> bool:
 class _Reading:
     """The words of a sentence, with the amounts that begin at each of them."""
 
-    def __init__(self, words: list[Word], languages: tuple[str, ...]) -> None:
-        self.words = words
+    def __init__(
+        self, words: list[Word], languages: tuple[str, ...], is_forward: bool = False
+    ) -> None:
+        self.words, self.is_forward, self.has_between = words, is_forward, False
         self.names = names(languages)
         self.amounts: dict[int, Amount | None] = {}
 
@@ -395,7 +405,7 @@ class _Reading:
         for phrase, parts in patterns():
             if match := self._match(parts, at, phrase.fills):
                 end, amount = match
-                if amount and amount.is_wavelength and self._has_own(parts, end):
+                if amount and self._has_own(parts, end, amount):
                     continue
                 text = phrase.form.format(_joined(amount.text) if amount else "")
                 fills = phrase.fills
@@ -433,12 +443,20 @@ class _Reading:
                 return None
         return at, amount
 
-    def _has_own(self, parts: tuple[str, ...], end: int) -> bool:
-        """Return whether the words of a phrase have their amount after it: 532 nm diameter 2 mm."""
-        following = self.amount(end)
-        if parts[0] != "{size}" or not following or following.is_wavelength:
+    def _has_own(self, parts: tuple[str, ...], end: int, amount: Amount) -> bool:
+        """Return whether the words of a phrase have the amount after them: 532 nm diameter 2 mm."""
+        following = None if self.words[end - 1].is_last else self.amount(end)
+        if parts[0][0] != "{" or len(parts) < 2 or not following or self._is_other(end):
             return False
-        return fits(following, "size")
+        if not fits(following, parts[0][1:-1]):
+            return False
+        self.has_between |= not amount.is_wavelength
+        return self.is_forward or (amount.is_wavelength and not following.is_wavelength)
+
+    def _is_other(self, at: int) -> bool:
+        """Return whether an amount has another name behind it: 5 m radius 3 m away."""
+        _, filled = self.longest(at)
+        return isinstance(filled, Fact) and bool(filled.symbols)
 
     def _named(self, at: int) -> list[Found]:
         """Find a name with its amount, before or after it: `radius 6 cm`, `1 mrad divergence`."""
@@ -462,12 +480,9 @@ class _Reading:
                 fitting = _of_amount(symbols, amount)
                 own = self.amount(end)
                 is_asked = "wavelength" in fitting and amount.dimension != LENGTH  # 3.1 eV lambda
-                if (
-                    fitting
-                    and not is_asked
-                    and amount.dimension != NUMBER
-                    and not (own and _of_amount(symbols, own))
-                ):
+                has_own = own and _of_amount(symbols, own) and not self._is_other(end)
+                self.has_between |= bool(has_own and fitting and not amount.is_wavelength)
+                if fitting and not is_asked and amount.dimension != NUMBER and not has_own:
                     found.append((end, Fact(fitting, amount.text, self.text(at, end), amount)))
         return found
 

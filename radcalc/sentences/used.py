@@ -21,23 +21,34 @@ from radcalc.units.reading import read_operands
 NUMBERS = re.compile(r"(?<![^\W\d_])\d+(?:\.\d+)?")
 EXPONENTS = re.compile(r"(?<=[^\W\d_])\^?-?[1-4](?![\w.°])")  # of units: m-2, m^2
 OF_LED = "spectrum=LED-"  # in place of a colour temperature
+ALL = "a sentence in which each amount changes the answer"
 SOLVED = {frame.command for frame in FRAMES}
 
 
 def refuse_unused(sentence: Sentence, call: Sequence[str]) -> None:
-    """Raise for an amount of a sentence that its call lacks, or that the result does not need."""
-    lost = _lost(sentence.facts, call)
+    """Raise for an amount of a sentence that its call lacks, or that the result does not need.
+
+    Raise the error of a call that is refused if its hint would leave out an amount.
+    """
+    facts = sentence.facts
+    lost = _lost(facts, call)
     tries: list[Try] = []
     if not lost:
-        names, tries = unneeded(call)
-        lost = [_typed(fact) for fact in sentence.facts if names & _names(fact, call)] or [*names]
+        try:
+            names, tries = unneeded(call)
+        except RadcalcError as error:
+            numbers = [number for fact in facts for number in _numbers(fact.text)]
+            kept = [one for one in error.tries if _has(_whole(one, call), numbers)]
+            if len(kept) == len(error.tries):
+                return  # the call says it
+            raise error.reworded(hint=[_whole(one, call) for one in kept] or ALL) from None
+        lost = [_typed(fact) for fact in facts if names & _names(fact, call)] or [*names]
     if lost:
         goals = listed([goal.text for goal in sentence.goals])
-        known = [text for text in map(_typed, sentence.facts) if text not in lost]
+        known = [text for text in map(_typed, facts) if text not in lost]
         understood = f"understood {', '.join(map(quote, known))}; " if known else ""
         wanted = f" for {goals}" if goals else ""
-        problem = f"{understood}not used{wanted}: {listed(lost)}"
-        raise UsageError(problem, tries or "a sentence in which each amount changes the answer")
+        raise UsageError(f"{understood}not used{wanted}: {listed(lost)}", tries or ALL)
 
 
 def _lost(facts: Sequence[Fact], call: Sequence[str]) -> list[str]:
@@ -52,6 +63,12 @@ def _lost(facts: Sequence[Fact], call: Sequence[str]) -> list[str]:
             lost.append(_typed(fact))
         has -= typed
     return lost
+
+
+def _has(proposal: Try, numbers: Sequence[str]) -> bool:
+    """Return whether a proposed call has all of some numbers."""
+    text = " ".join(proposal.words)
+    return all(number in text for number in numbers)
 
 
 def _typed(fact: Fact) -> str:
@@ -70,10 +87,18 @@ def _numbers(text: str) -> list[str]:
     return NUMBERS.findall(EXPONENTS.sub("", text))
 
 
+def is_idle(call: Sequence[str]) -> bool:
+    """Return whether an input of a call does not change its result."""
+    try:
+        return bool(unneeded(call)[0])
+    except RadcalcError:
+        return False
+
+
 def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:
     """Return the inputs of a call that its result does not come from, and calls that use them.
 
-    Return none for a call that is refused, which says more, and for one with all results.
+    Return none for a call with all results.
     """
     command, *words = call
     if command not in SOLVED:
@@ -82,24 +107,21 @@ def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:
     texts = {name: text for name, text in pairs if name and name != "get"}
     operands = [text for name, text in pairs if not name]
     results = [text for name, text in pairs if name == "get"]
+    page = page_of(command)
+    given = {
+        name: read(name, text or SYMBOLS[name].form == FLAG, bare=page.bare.get(name, ""))
+        for name, text in texts.items()
+    }
     try:
-        page = page_of(command)
-        given = {
-            name: read(name, text or SYMBOLS[name].form == FLAG, bare=page.bare.get(name, ""))
-            for name, text in texts.items()
-        }
         if command == "convert":
             _plan(operands, [*given.values()])
-        elif len(results) == 1:
-            answer = _answer(command, operands, given)
-            names = [result.partition(":")[0] for result in results[0].split(",")]
+        elif answer := _answer(command, operands, given):
+            names = [result.partition(":")[0] for text in results for result in text.split(",")]
             return _idle(answer, names, texts), [Try(words=(command, *words[: -len(results)]))]
     except Unused as error:
         kept = [one for one in error.tries if not one.without]
         kept = [one for one in kept if one.instead[:1] in ((), (operands[-1],))]
         return {*error.symbols}, [_whole(one, call) for one in kept]
-    except (RadcalcError, ImportError):
-        pass
     return set(), []
 
 
@@ -109,23 +131,24 @@ def _plan(operands: list[str], given: list[Input]) -> None:
     unit = amount.typed[1]
     if text and unit:
         target = target_of(text, unit)
-        plan(source_of(amount, target, given) or unit, target, given)
+        source = source_of(amount, target, given) or unit
+        plan(source, target, given, f"{amount.exact:.12g}")
 
 
-def _answer(command: str, operands: Sequence[str], given: dict[str, Input]) -> Answer:
-    """Return the answer of a calculator to read inputs."""
+def _answer(command: str, operands: Sequence[str], given: dict[str, Input]) -> Answer | None:
+    """Return the answer of a calculator to read inputs; None for one with an operand."""
     module = import_module(f"radcalc.calculators.{command.replace('-', '_')}")
     if hasattr(module, "task"):
         task: Task = module.task(operands, lambda name: False)
         return task.nominal(given)
     if module.PAGE.operand:  # a wavelength or a spectrum, with no other inputs to lose
-        raise ImportError
+        return None
     return Task(command, getattr(module, command.replace("-", "_"))).nominal(given)
 
 
 def _idle(answer: Answer, names: Sequence[str], texts: dict[str, str]) -> set[str]:
     """Return the inputs that no result of these names comes from."""
-    if answer.origins is itself:
+    if answer.origins is itself or not names:
         return set()
     origins = [answer.origins(generic_name(name), "") for name in names]
     if None in origins:
@@ -139,5 +162,8 @@ def _whole(proposal: Try, call: Sequence[str]) -> Try:
     if proposal.words:
         return proposal
     old, *new = proposal.instead or ("", "")
+    gone = {*proposal.without, *[name for name, _ in proposal.inputs]}
     words = [" ".join(new) if word == old else word for word in call]
-    return Try(words=(*words, *[f"{n}={v}" for n, v in proposal.inputs]), remark=proposal.remark)
+    words = [word for word in words if word and input_of(word)[0] not in gone]
+    words += [f"{name}={value}" for name, value in proposal.inputs]
+    return Try(words=tuple(words), remark=proposal.remark)
