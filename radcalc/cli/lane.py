@@ -11,8 +11,8 @@ from radcalc.cli.spelling import typed
 from radcalc.errors import ExpressionError, RadcalcError, TooManyWords, input_of
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.sentences.calls import call_of
-from radcalc.sentences.products import assumptions_of
 from radcalc.sentences.reader import read
+from radcalc.sentences.used import assumptions_of
 from radcalc.units.numbers import is_sentence
 from radcalc.units.ranges import read_lists
 from radcalc.units.reading import read_operands

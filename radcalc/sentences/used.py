@@ -2,18 +2,21 @@
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from importlib import import_module
+from typing import Any
 
-from radcalc.answer import Answer, itself
+from radcalc.answer import Answer
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task
 from radcalc.conversion.plan import plan, source_of, target_of
-from radcalc.errors import RadcalcError, Try, Unused, UsageError, input_of, listed, quote
-from radcalc.inputs.given import Input
+from radcalc.errors import RadcalcError, Try, Unused, UsageError, input_of, listed, option, quote
+from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.reading import read
-from radcalc.quantities.symbols import FLAG, SYMBOLS, generic_name
+from radcalc.quantities.symbols import FLAG, QUANTITY, SYMBOLS
 from radcalc.sentences.frames import FRAMES
+from radcalc.sentences.products import law_of
 from radcalc.sentences.reader import Fact, Sentence
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.reading import read_operands
@@ -21,6 +24,8 @@ from radcalc.units.reading import read_operands
 NUMBERS = re.compile(r"(?<![^\W\d_])\d+(?:\.\d+)?")
 EXPONENTS = re.compile(r"(?<=[^\W\d_])\^?-?[1-4](?![\w.°])")  # of units: m-2, m^2
 OF_LED = "spectrum=LED-"  # in place of a colour temperature
+DESCRIBING = frozenset(["wavelength", "spectrum"])  # what a light is: said, if it is not used
+MOVED = 1e-3  # relative change of an input, which a result shows
 ALL = "a sentence in which each amount changes the answer"
 SOLVED = {frame.command for frame in FRAMES}
 
@@ -36,6 +41,7 @@ def refuse_unused(sentence: Sentence, call: Sequence[str]) -> None:
     if not lost:
         try:
             names, tries = unneeded(call)
+            names = names - DESCRIBING
         except RadcalcError as error:
             numbers = [number for fact in facts for number in _numbers(fact.text)]
             kept = [one for one in error.tries if _has(_whole(one, call), numbers)]
@@ -87,16 +93,24 @@ def _numbers(text: str) -> list[str]:
     return NUMBERS.findall(EXPONENTS.sub("", text))
 
 
-def is_idle(call: Sequence[str]) -> bool:
-    """Return whether an input of a call does not change its result."""
+def assumptions_of(call: Sequence[str]) -> list[str]:
+    """Return what the answer of a sentence assumes, which its call does not say."""
+    texts = dict(map(input_of, call))
+    idle = [option(name, texts[name]) for name in DESCRIBING & texts.keys() if is_idle(call, name)]
+    return [*law_of(call), *[f"the same at every wavelength: {text} is not used" for text in idle]]
+
+
+def is_idle(call: Sequence[str], name: str = "") -> bool:
+    """Return whether an input of a call, or that of a name, does not change its result."""
     try:
-        return bool(unneeded(call)[0])
+        names, _ = unneeded(call)
+        return name in names if name else bool(names - DESCRIBING)
     except RadcalcError:
         return False
 
 
 def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:
-    """Return the inputs of a call that its result does not come from, and calls that use them.
+    """Return the inputs of a call that do not change its result, and calls that use them.
 
     Return none for a call with all results.
     """
@@ -104,20 +118,20 @@ def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:
     if command not in SOLVED:
         return set(), []
     pairs = [input_of(word) for word in words]
-    texts = {name: text for name, text in pairs if name and name != "get"}
     operands = [text for name, text in pairs if not name]
     results = [text for name, text in pairs if name == "get"]
     page = page_of(command)
     given = {
         name: read(name, text or SYMBOLS[name].form == FLAG, bare=page.bare.get(name, ""))
-        for name, text in texts.items()
+        for name, text in pairs
+        if name and name != "get"
     }
     try:
         if command == "convert":
             _plan(operands, [*given.values()])
-        elif answer := _answer(command, operands, given):
+        elif results and (work_out := _function(command, operands)):
             names = [result.partition(":")[0] for text in results for result in text.split(",")]
-            return _idle(answer, names, texts), [Try(words=(command, *words[: -len(results)]))]
+            return _idle(work_out, given, names), [Try(words=(command, *words[: -len(results)]))]
     except Unused as error:
         kept = [one for one in error.tries if not one.without]
         kept = [one for one in kept if one.instead[:1] in ((), (operands[-1],))]
@@ -135,26 +149,35 @@ def _plan(operands: list[str], given: list[Input]) -> None:
         plan(source, target, given, f"{amount.exact:.12g}")
 
 
-def _answer(command: str, operands: Sequence[str], given: dict[str, Input]) -> Answer | None:
-    """Return the answer of a calculator to read inputs; None for one with an operand."""
+def _function(command: str, operands: Sequence[str]) -> Callable[[Inputs], Answer] | None:
+    """Return the function of a calculator; None for one with an operand."""
     module = import_module(f"radcalc.calculators.{command.replace('-', '_')}")
     if hasattr(module, "task"):
         task: Task = module.task(operands, lambda name: False)
-        return task.nominal(given)
+        return task.nominal
     if module.PAGE.operand:  # a wavelength or a spectrum, with no other inputs to lose
         return None
-    return Task(command, getattr(module, command.replace("-", "_"))).nominal(given)
+    return Task(command, getattr(module, command.replace("-", "_"))).nominal
 
 
-def _idle(answer: Answer, names: Sequence[str], texts: dict[str, str]) -> set[str]:
-    """Return the inputs that no result of these names comes from."""
-    if answer.origins is itself or not names:
-        return set()
-    origins = [answer.origins(generic_name(name), "") for name in names]
-    if None in origins:
-        return set()
-    used = {origin for of in origins if of for origin in of}
-    return {name for name in texts if {name, generic_name(name)}.isdisjoint(used)}
+def _idle(work_out: Callable[[Inputs], Answer], given: Inputs, names: Sequence[str]) -> set[str]:
+    """Return the inputs that can change without any of the results of these names."""
+    first = _results(work_out(given), names)
+    idle = set()
+    for name, item in given.items():
+        if item.symbol.form != QUANTITY or not any(first):
+            continue
+        moved = item._replace(value=item.value * (1 + MOVED) + MOVED * (not item.value))
+        with suppress(RadcalcError):  # one that contradicts the others is used
+            if _results(work_out({**given, name: moved}), names) == first:
+                idle.add(name)
+    return idle
+
+
+def _results(answer: Answer, names: Sequence[str]) -> list[Any]:
+    """Return the results of these names [SI]."""
+    values = [value for value in answer.values if {value.name, value.also} & {*names}]
+    return [value.amount for value in values if not value.is_absent]
 
 
 def _whole(proposal: Try, call: Sequence[str]) -> Try:
