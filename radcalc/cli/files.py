@@ -40,7 +40,7 @@ def begins_with_file(words: list[str]) -> bool:
         return False
     if "/" in word:
         return True
-    from radcalc.cli.suggestions import looked_up
+    from radcalc.cli.refusals import looked_up
     from radcalc.units.numbers import is_sentence
     from radcalc.units.reading import read_amount
 

@@ -165,8 +165,8 @@ def answer_sentence(words: Words) -> int | None:
     from radcalc.cli.files import say
     from radcalc.cli.spelling import typed
     from radcalc.sentences.calls import call_of
-    from radcalc.sentences.products import assumptions_of
     from radcalc.sentences.reader import read
+    from radcalc.sentences.used import assumptions_of
 
     try:
         if not _is_refused(words):

@@ -26,8 +26,8 @@ from radcalc.quantities.symbols import FLAG
 from radcalc.render.formats import Records
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.frames import one_word
-from radcalc.sentences.products import assumptions_of
 from radcalc.sentences.reader import Fact, Sentence, read
+from radcalc.sentences.used import assumptions_of
 from radcalc.terminal import JSON
 from radcalc.units.numbers import is_sentence
 from radcalc.units.unit import NUMBER

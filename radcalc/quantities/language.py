@@ -84,7 +84,7 @@ SYNONYMS = {
     "receiver-diameter": "detector-diameter pupil-diameter",
     "pixel-pitch": "pixel pixel-size pitch",
     "height": "mounting-height",
-    "fwhm": "linewidth bandwidth",
+    "fwhm": "linewidth bandwidth line-width band-width spectral-width",
     "divergence": "full-divergence spread",
     "beam-diameter": "pool spot-size",
     "rf": "tm-30 tm30 fidelity",

@@ -36,6 +36,7 @@ from radcalc.sentences.phrases import (
 )
 from radcalc.sentences.products import moved, moved_either_way, quotients
 from radcalc.sentences.reader import Fact, Goal, Sentence
+from radcalc.sentences.used import is_idle, refuse_unused
 from radcalc.sentences.words import amount_of, near_words, size_of
 from radcalc.units.dimensions import (
     POWER,
@@ -82,6 +83,8 @@ def call_of(sentence: Sentence) -> list[str]:
     if unit_first(sentence.text.split()):
         amount, target = read_operands([sentence.text])
         return ["convert", amount.text, "to", target]
+    if sentence.also:
+        return _either(sentence._replace(also=None), sentence.also)
     if sentence.unknown:
         raise _not_understood(sentence)
     sentence = _of_efficacy(_with_values(sentence))
@@ -95,9 +98,13 @@ def call_of(sentence: Sentence) -> list[str]:
     _refuse_exitance(sentence)
     _refuse_density(sentence)
     _refuse_bare(sentence)
+    _refuse_width(sentence)
     calls = _calls_of(sentence)
+    if len(calls) > 1 and all(map(is_idle, calls)):
+        refuse_unused(sentence, calls[0])
     if len(calls) == 1:
         _refuse_room(calls[0])
+        refuse_unused(sentence, calls[0])
         return list(calls[0])
     is_name = len(sentence.goals) == 1 and not (sentence.facts or sentence.files)
     if not calls and is_name and sentence.ignored:  # what is a candela
@@ -111,8 +118,31 @@ def call_of(sentence: Sentence) -> list[str]:
             f"no command takes {what}{wanted}",
             lambda: _with_less(sentence) or errors.manual("convert"),
         )
+    raise _several(sentence, calls)
+
+
+def _either(first: Sentence, second: Sentence) -> list[str]:
+    """Return the call of the only reading that has one."""
+    calls: list[list[str]] = []
+    problem: errors.RadcalcError | None = None
+    for sentence in (first, second):
+        try:
+            calls.append(call_of(sentence))
+        except errors.SeveralReadings:
+            raise
+        except errors.RadcalcError as error:
+            problem = problem or error
+    if len(calls) > 1 and sorted(calls[0]) != sorted(calls[1]):
+        raise _several(first, [tuple(call) for call in calls])
+    if not calls:
+        assert problem is not None
+        raise problem
+    return calls[0]
+
+
+def _several(sentence: Sentence, calls: Sequence[tuple[str, ...]]) -> errors.SeveralReadings:
     problem = f"'{quote(sentence.text)}' has {len(calls)} readings"
-    raise errors.SeveralReadings(problem, explained(calls))
+    return errors.SeveralReadings(problem, explained(calls))
 
 
 def _refuse_percentage(sentence: Sentence) -> None:
@@ -172,6 +202,22 @@ def _refuse_bare(sentence: Sentence) -> None:
         raise errors.UsageError(
             f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}"
         )
+
+
+def _refuse_width(sentence: Sentence) -> None:
+    """Refuse the width of a band without its place: 1 nm is 1059 GHz at 532 nm."""
+    if [fact.symbols[-1:] for fact in sentence.facts] != [("fwhm",)]:
+        return
+    (fact,), goal = sentence.facts, _goal_of(sentence)
+    if fact.amount and goal and goal.unit and goal.unit.dimension == fact.amount.dimension:
+        return
+    tries = []
+    if fact.amount and goal and goal.unit:
+        number, unit = fact.amount.text, fact.amount.unit.text
+        words = ("convert", number.removesuffix(unit).strip(), unit, goal.text, "wavelength=532nm")
+        tries = [errors.Try(words=words, remark="at 532 nm, an example")]
+    problem = f"'{quote(fact.typed)}' is the width of a band, and its wavelength is missing"
+    raise errors.UsageError(problem, tries or "the wavelength of the band, and a unit after 'to'")
 
 
 def _is_of_shining(goal: Goal | None) -> bool:
@@ -466,13 +512,26 @@ def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence
     is_flux = any("flux" in name or "energy" in name for name in {*names, *asked})
     has_unit = goal and goal.unit and goal.unit.dimension in symbols.SYMBOLS["flux"].dimensions
     is_point = bool(calls) and calls[0][0] == "point-source" and names.isdisjoint(DIRECTIONS)
-    if directed and is_point and (is_flux or has_unit):
+    is_crossed = len(calls) == 1 and _is_crossed(calls[0])
+    if is_point and (is_crossed or (directed and (is_flux or has_unit))):
         tries = [
             errors.Try(words=(*calls[0], f"{name}={value}"), remark=remark)
             for name, value, remark in EXAMPLES_OF_BEAMS
         ]
-        problem = f"'{quote(directed[0])}' has a beam, and its angle is missing"
+        problem = "the directions of the light are missing"
+        if directed:
+            problem = f"'{quote(directed[0])}' has a beam, and its angle is missing"
         raise errors.UsageError(problem, tries)
+
+
+def _is_crossed(call: Sequence[str]) -> bool:
+    """Return whether a call finds the light in all directions from that in one, at a distance."""
+    pairs = [errors.input_of(word) for word in call]
+    given = {symbols.generic_name(name) for name, _ in pairs}
+    results = {
+        symbols.generic_name(text.partition(":")[0]) for name, text in pairs if name == "get"
+    } - given
+    return results == {"flux"} or (results == {"intensity"} and "irradiance" not in given)
 
 
 def _with_led(sentence: Sentence) -> Sentence:

@@ -180,9 +180,16 @@ def _is_part(goal: Goal) -> bool:
 def _on_sensor(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the call for the light on a sensor, where a light meter gives that on the scene."""
     is_of_lens = frame.command == "ev" and any(map(is_light, facts.values()))
-    if goal is None or not is_of_lens or not is_irradiance(goal):
+    if goal is None or not is_of_lens or not (is_irradiance(goal) or is_exposure(goal)):
         return []
     return _calculations(SENSOR, facts, goal)
+
+
+def is_exposure(goal: Goal) -> bool:
+    """Return whether a goal is a unit, or the name, of light on a surface over a time."""
+    if goal.unit:
+        return goal.unit.dimension in symbols.SYMBOLS["exposure"].dimensions
+    return any(symbols.generic_name(name) == "exposure" for name in goal.names)
 
 
 def is_irradiance(goal: Goal) -> bool:
@@ -325,6 +332,8 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     fact = given.pop(value)
     amount = fact.amount
     usual = USUAL_GOALS.get((symbols.generic_name(value), *given), "")  # for one condition
+    if usual and fact.symbols and " of " in fact.typed:
+        usual = value.replace("-", " ")  # illuminance of 100 fc for 2 h
     target = _target(goal, fact, given) if goal else usual
     if amount is None or ((given or goal) and not target):
         return []
@@ -394,7 +403,7 @@ def _results(page: Page, goal: Goal | None, given: Facts) -> list[str]:
         return _of_inputs(page, goal)
     options = (*page.light, *page.others, *page.takes)
     listed = [name for name in dict.fromkeys(options) if name not in given]
-    if not any(map(is_light, given.values())):  # ISO 100 is assumed, not found
+    if goal.unit or not any(map(is_light, given.values())):  # ISO 100 is assumed, not found
         listed = [name for name in listed if "(default" not in page.symbol(name).help]
     if goal.unit and goal.unit.text == EV and page.accepts("iso") and _has_other_speed(given):
         return [name for name in ("ev", "ev100") if name in listed]

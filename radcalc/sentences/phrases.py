@@ -207,6 +207,9 @@ PHRASES = (
         "light",
         ("at|of|with|λ {wavelength}", "wavelength"),
         ("{wavelength} light|laser|led|line|photon", "wavelength"),
+        ("{wavelength} linewidth|bandwidth|fwhm", "bandwidth or fwhm"),
+        ("{wavelength} line|band|spectral width", "bandwidth or fwhm"),
+        ("linewidth|bandwidth|fwhm of|is? {wavelength}", "bandwidth or fwhm"),
         ("{temperature} blackbody|planckian", "spectrum", "blackbody:{}"),
         ("{temperature} black body", "spectrum", "blackbody:{}"),
         ("blackbody|planckian|wien|planck at? {temperature}", "spectrum", "blackbody:{}"),
@@ -269,10 +272,10 @@ OF_BEAMS = """
 """
 # Things that are lit: a length next to one of these may be its size, not a distance.
 OBJECTS = """
-    lens optics globe softbox air aisle array backdrop backlight band bandgap band-gap bar basil
+    lens optics globe softbox aisle array backdrop backlight bandgap band-gap bar basil
     bathroom bedroom bench book camera car ceiling cell classroom collimated core corridor desk
     desks display dome eye face fibre fiber fill filament fixture floor garage gallery
-    greenhouse ground hallway house intense kitchen laptop lettuce library line linewidth meter
+    greenhouse ground hallway house intense kitchen laptop lettuce library meter
     metre monitor monochromator moon museum objective office page painting panel paper
     parking-lot phone photodiode picture pole pool poster pyranometer rack radiometer road roof
     room same sample scene screen seedlings semiconductor sheet shelf shop silicon sky slide
@@ -290,7 +293,7 @@ QUESTIONS = """
     hit hits hitting illuminates just key landing lands leaves lights-up lit longest look looks
     make makes measured number-of open optical peaking peaks plane produces put puts puts-out
     radiated radiates radiating rated reach reaches reaching read reads receive receives seen
-    see sees shift shine shines shining showing sits stands still straight subtend subtended
+    see sees shine shines shining showing sits stands still straight subtend subtended
     subtends takes then throw turned underneath unit wants wide-open wien across subject target
     detector actor performer person speaker singer dancer plant plants canopy leaf crop crops
     reader model object
@@ -342,6 +345,7 @@ CHANGES = """
 """
 MEANINGFUL = frozenset(comparable(word) for word in CHANGES.split())
 # Colours and lasers, which add nothing where a wavelength is given.
+AIR, SHIFT = frozenset(["air"]), frozenset(["shift"])  # beside light, and beside mireds
 OF_LINES = "violet blue green yellow orange red infrared HeNe Nd:YAG"
 COLOURS = frozenset(comparable(word) for word in OF_LINES.split())
 FILLERS = frozenset(comparable(word.replace("-", " ")) for word in IGNORED.split())

@@ -118,8 +118,8 @@ def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     return []
 
 
-def assumptions_of(call: Sequence[str]) -> list[str]:
-    """Return what the conversion of a sentence assumes, which its expression does not say."""
+def law_of(call: Sequence[str]) -> list[str]:
+    """Return the law of a conversion of light from one distance to another."""
     is_moved = call[0] == "convert" and any(map(INVERSE_SQUARE.fullmatch, call[1:2]))
     return [SMALL_SOURCE] if is_moved else []
 

@@ -13,6 +13,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
 from radcalc.sentences.phrases import (
+    AIR,
     AMOUNTS,
     COLOURS,
     COMMAND,
@@ -21,6 +22,7 @@ from radcalc.sentences.phrases import (
     MARKS,
     MORE_NEEDED,
     NOUNS,
+    SHIFT,
     TARGET,
     THINGS,
     UNKNOWN,
@@ -44,6 +46,7 @@ from radcalc.tuples import NamedTuple
 from radcalc.units import horticulture
 from radcalc.units.dimensions import AREA, ENERGY, LENGTH
 from radcalc.units.reading import read_amount
+from radcalc.units.table import unit_of
 from radcalc.units.unit import NUMBER, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
@@ -61,10 +64,13 @@ RANGE = re.compile(
 GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
 DENSITY = re.compile(r"nd\d+(?:\.\d+)?", re.IGNORECASE)
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
+SHORTEST_UNIT = 2  # letters: sp and rg are results
 ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
+LINE, NARROW = "line", 10e-9  # m: a shorter one is the width of a line
 OF_PHOTONS = 1e-9  # J: far above the energy of any photon of light
 LARGEST_EV = 40  # the sun's disc has 34
 MEAN = ("mean", "average")
+PREPOSITIONS = ("in", "as", "a", "at")  # which are units, too
 BEFORE_AMOUNT = ("of", "is", "=", ":", "at")  # between a name and its amount
 
 
@@ -91,7 +97,8 @@ class Goal(NamedTuple):
 class Sentence(NamedTuple):
     """A sentence that was read: its facts, its goals, its files and the words not understood.
 
-    `ignored` are the words that add nothing, and `named` the things of `MORE_NEEDED`.
+    `ignored` are the words that add nothing, and `named` the things of `MORE_NEEDED`.  `also` is
+    another reading, in which a name between two amounts has that behind it: 5 m radius 3 m.
     """
 
     facts: tuple[Fact, ...]
@@ -101,6 +108,7 @@ class Sentence(NamedTuple):
     text: str
     ignored: tuple[str, ...] = ()
     named: frozenset[str] = frozenset()
+    also: "Sentence | None" = None
 
     def has(self, thing: str) -> bool:
         """Return whether a word of a thing that needs more was typed."""
@@ -120,8 +128,14 @@ def read(typed: "list[str]") -> Sentence:
     if len(text) > LONGEST:
         raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")
     words = _apart(words_of(typed))
-    found = _found(text, _Reading(words, ENGLISH_ALONE))
-    return _found(text, _Reading(words, LANGUAGES)) if found.unknown else found
+    reading = _Reading(words, ENGLISH_ALONE)
+    found = _found(text, reading)
+    if found.unknown:
+        reading = _Reading(words, LANGUAGES)
+        found = _found(text, reading)
+    if not reading.has_between:
+        return found
+    return found._replace(also=_found(text, _Reading(words, LANGUAGES, is_forward=True)))
 
 
 def _apart(words: list[Word]) -> list[Word]:
@@ -171,7 +185,8 @@ def _found(text: str, reading: "_Reading") -> Sentence:
     found = tuple(facts), tuple(goals), tuple(files), tuple(unknown)
     sentence = Sentence(*found, text, tuple(ignored), _named_in(text))
     for tidied in (
-        _with_one_light, _of_line, _of_cone, _of_area, _of_other_quantity, _of_named_number,
+        _with_one_light, _of_line, _of_cone, _of_area, _of_air, _of_mired, _of_other_quantity,
+        _of_named_number,
     ):  # fmt: skip
         sentence = tidied(sentence)
     return sentence
@@ -257,6 +272,21 @@ def _of_area(sentence: Sentence) -> Sentence:
     return _ignoring(sentence, MEAN) if is_even else sentence
 
 
+def _of_air(sentence: Sentence) -> Sentence:
+    """Return a sentence with light in air, which has another wavelength than in vacuum."""
+    waves = AMOUNTS["wavelength"]
+    has_wave = any(fact.amount and fact.amount.dimension in waves[1:] for fact in sentence.facts)
+    has_wave |= any(map(_is_line, sentence.facts)) or not sentence.facts
+    has_wave |= any("wavelength" in (*fact.symbols, fact.text) for fact in sentence.facts)
+    return sentence if has_wave else _ignoring(sentence, AIR)
+
+
+def _of_mired(sentence: Sentence) -> Sentence:
+    """Return a sentence with a shift of colour temperatures, in mireds."""
+    is_mired = any(goal.unit and goal.unit.is_scale for goal in sentence.goals)
+    return _ignoring(sentence, SHIFT) if is_mired else sentence
+
+
 def _ignoring(
     sentence: Sentence, words: "Container[str]", form: "Callable[[str], str]" = str
 ) -> Sentence:
@@ -279,6 +309,11 @@ def _is_same_light(first: Fact, second: Fact) -> bool:
     return None not in tables and len({table.label for table in tables if table}) == 1
 
 
+def _is_unit(name: str) -> bool:
+    """Return whether the name of a quantity is a unit, which is asked for: 100 fL nits."""
+    return len(name) > SHORTEST_UNIT and unit_of(name) is not None
+
+
 def _is_letter(text: str, name: str) -> bool:
     """Return whether a text is the letter of a result with an index: R9 and Rg, also units."""
     letter = SYMBOLS[name].letter
@@ -296,8 +331,10 @@ def _is_line(fact: Fact) -> bool:
 class _Reading:
     """The words of a sentence, with the amounts that begin at each of them."""
 
-    def __init__(self, words: list[Word], languages: tuple[str, ...]) -> None:
-        self.words = words
+    def __init__(
+        self, words: list[Word], languages: tuple[str, ...], is_forward: bool = False
+    ) -> None:
+        self.words, self.is_forward, self.has_between = words, is_forward, False
         self.names = names(languages)
         self.amounts: dict[int, Amount | None] = {}
 
@@ -364,19 +401,23 @@ class _Reading:
         return any(reading.kind == RADIANT for reading in readings)
 
     def _phrases(self, at: int) -> list[Found]:
+        """Find the phrases of the table: those with an amount between two names are left out."""
         found: list[Found] = []
         for phrase, parts in patterns():
             if match := self._match(parts, at, phrase.fills):
                 end, amount = match
-                if amount and amount.is_wavelength and self._has_own(parts, end):
+                if amount and self._has_own(parts, end, amount):
                     continue
                 text = phrase.form.format(_joined(amount.text) if amount else "")
-                if phrase.fills == (TARGET,):
+                fills = phrase.fills
+                if amount and self.words[end - 1].folded == LINE and size_of(amount) < NARROW:
+                    fills = ("fwhm",)
+                if fills == (TARGET,):
                     found.append((end, Goal(text, None, (text,))))
-                elif phrase.fills == (UNKNOWN,):
+                elif fills == (UNKNOWN,):
                     found.append((end, ""))
                 else:
-                    found.append((end, Fact(phrase.fills, text, self.text(at, end), amount)))
+                    found.append((end, Fact(fills, text, self.text(at, end), amount)))
         return found
 
     def _match(
@@ -385,6 +426,7 @@ class _Reading:
         """Return the end of a pattern that begins at `at`, and its amount; None without a match."""
         amount: Amount | None = None
         for part in parts:
+            is_apart = amount is not None and at and self.words[at - 1].is_last  # 5 m, radius 3 m
             if part[0] == "{":
                 amount = self.amount(at)
                 if part == "{number}" and amount and not self._is_number(amount):
@@ -392,18 +434,30 @@ class _Reading:
                 if amount is None or not fits(amount, part[1:-1]):
                     return None
                 at = amount.end
-            elif at < len(self.words) and self.words[at].folded in part.rstrip("?").split("|"):
+            elif (
+                at < len(self.words)
+                and not is_apart
+                and self.words[at].folded in part.rstrip("?").split("|")
+            ):
                 at += 1
             elif part[-1] != "?":
                 return None
         return at, amount
 
-    def _has_own(self, parts: tuple[str, ...], end: int) -> bool:
-        """Return whether the words of a phrase have their amount after it: 532 nm diameter 2 mm."""
-        following = self.amount(end)
-        if parts[0] != "{size}" or not following or following.is_wavelength:
+    def _has_own(self, parts: tuple[str, ...], end: int, amount: Amount) -> bool:
+        """Return whether the words of a phrase have the amount after them: 532 nm diameter 2 mm."""
+        following = None if self.words[end - 1].is_last else self.amount(end)
+        if parts[0][0] != "{" or len(parts) < 2 or not following or self._is_other(end):
             return False
-        return fits(following, "size")
+        if not fits(following, parts[0][1:-1]):
+            return False
+        self.has_between |= not amount.is_wavelength
+        return self.is_forward or (amount.is_wavelength and not following.is_wavelength)
+
+    def _is_other(self, at: int) -> bool:
+        """Return whether an amount has another name behind it: 5 m radius 3 m away."""
+        _, filled = self.longest(at)
+        return isinstance(filled, Fact) and bool(filled.symbols)
 
     def _named(self, at: int) -> list[Found]:
         """Find a name with its amount, before or after it: `radius 6 cm`, `1 mrad divergence`."""
@@ -422,17 +476,14 @@ class _Reading:
                 text = self.text(at, amount.end)
                 found.append((amount.end, Fact(_with_plain(fitting), amount.text, text, amount)))
         amount = self.amount(at)
-        if amount:
+        if amount and not self.words[amount.end - 1].is_last:
             for end, symbols in self._names(amount.end):
                 fitting = _of_amount(symbols, amount)
                 own = self.amount(end)
                 is_asked = "wavelength" in fitting and amount.dimension != LENGTH  # 3.1 eV lambda
-                if (
-                    fitting
-                    and not is_asked
-                    and amount.dimension != NUMBER
-                    and not (own and _of_amount(symbols, own))
-                ):
+                has_own = own and _of_amount(symbols, own) and not self._is_other(end)
+                self.has_between |= bool(has_own and fitting and not amount.is_wavelength)
+                if fitting and not is_asked and amount.dimension != NUMBER and not has_own:
                     found.append((end, Fact(fitting, amount.text, self.text(at, end), amount)))
         return found
 
@@ -448,6 +499,7 @@ class _Reading:
                 return []
             return [(at + 1, found)] if found else []
         ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in self.names]
+        ends = [end for end in ends if not _is_unit(self.text(at, end))]
         return [(end, self.names[self.folded(at, end)]) for end in ends]
 
     def _spectrum(self, at: int) -> list[Found]:
@@ -514,11 +566,14 @@ class _Reading:
         text = self.words[at].text
         if not text[0].isalnum() and text not in MARKS:
             return []
-        is_unit = len(text) == 1 and text.isupper() and at > 0 and unit_in([text])  # the ampere
+        is_ampere = len(text) == 1 and text.isupper() and at > 0
         is_letter = text[-1] == "=" and text[0].isalpha()
         amount = self.amount(at + 1) if is_letter else None
         if amount and (amount.is_wavelength or amount.dimension in AMOUNTS["wavelength"][1:]):
             return [(at + 1, None)]
+        is_after = any(amount and amount.end == at for amount in self.amounts.values())
+        is_after = is_after and text not in PREPOSITIONS  # 5 lm/m2 s lx
+        is_unit = (is_ampere or is_after) and unit_in([text])
         last = min(at + 2, len(self.words))
         ends = [end for end in range(at + 1, last + 1) if self.folded(at, end) in FILLERS | MARKS]
         return [] if is_unit or self._is_last_unit(at) else [(end, None) for end in ends]

@@ -99,6 +99,7 @@ SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
 BARE_SIDES = re.compile(r"(\d[\d.]*)[x×](\d[\d.]*)")  # before their unit: 4x4 ft
 # f/5.6, and T4 of a lens of the cinema; T5 and T12 are tubes of fluorescent lamps.
 F_NUMBER = re.compile(r"(?:[fFtT]/|f|T(?!5$|12$))(\d+(?:\.\d+)?)")
+SHUTTERED = frozenset(["f/", "iso", "asa"])  # beside these, 1/60 is a time
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say
 SPELLED = {"average": "mean", "avg": "mean"}
@@ -308,8 +309,11 @@ def _operand(words: "list[Word]", start: int) -> Amount | None:
         text += f" {words[end].text}"
         end += 1
     amount = amount_of(text, end)
-    if text[:2] == "1/" and words[end : end + 1] and words[end].text.upper() == "EV":
-        return amount  # a shutter, whose EV is asked for
+    following = words[end : end + 1]
+    if text[:2] == "1/" and following and not SHUTTERED.isdisjoint([w.folded for w in words]):
+        wanted = unit_in([following[0].text])
+        if wanted and wanted.dimension != TIME:
+            return amount  # a shutter, whose light is asked for: iso 400 f/4 1/60 lux
     if amount and amount.dimension == NUMBER and "%" not in text:
         for last in range(min(len(words), end + LONGEST_UNIT), end, -1):
             whole = joined(words[start:last])
