@@ -125,7 +125,7 @@ MEANT = [
     ("spectrum line:550nm -g cct -g cri", "radcalc spectrum line:550nm -g x -g y\n     0.3016"),
     ("absent.ies", "the path of a file"),
     ("examples/downlght.ies", "radcalc examples/downlight.ies\n     intensity 420"),  # the file's
-    ("100 lx absent.csv ppfd", "leave out absent.csv"),
+    ("100 lx absent.csv ppfd", "another word for absent.csv"),
     ("convert 5 micromol/s umol/s", "radcalc convert 5 umol/s umol/s\n     5 umol/s"),
     ("convert 5 kilolm lm", "radcalc convert 5 klm lm\n     5000 lm"),
     ("100 lx fc --quiet=5", "radcalc 100 lx fc --quiet\n     9.29"),  # 100 x 0.3048 x 0.3048

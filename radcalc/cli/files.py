@@ -1,12 +1,23 @@
-"""A file as the first word of a call, and files of another kind than a command reads."""
+"""A first word that is a file, or neither a file nor a command; files of an unexpected kind."""
 
 import os
 from contextlib import suppress
+from itertools import takewhile
 
 from radcalc import terminal
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators.pages import COMMANDS, SUBJECTS
 from radcalc.cli.spelling import pasted
-from radcalc.errors import RadcalcError, Try, UsageError, call, quote, quote_path
+from radcalc.errors import (
+    RadcalcError,
+    Try,
+    UsageError,
+    call,
+    correct,
+    corrections,
+    nearest,
+    quote,
+    quote_path,
+)
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -40,7 +51,6 @@ def begins_with_file(words: list[str]) -> bool:
         return False
     if "/" in word:
         return True
-    from radcalc.cli.refusals import looked_up
     from radcalc.units.numbers import is_sentence
     from radcalc.units.reading import read_amount
 
@@ -132,3 +142,61 @@ def proposed(kind: str, path: str) -> Try:
     from radcalc.routes.kinds import call_of_file
 
     return call(*call_of_file(kind, path))
+
+
+def similar_calls(args: list[str]) -> "Hint":
+    """Return the hint for a word that is not a command."""
+    word = args[0].lower()
+    if near := nearest(word, COMMANDS, 1, 0.75):
+        return correct(args[0], near[0])
+    from radcalc.calculators.solid_angle import NAMES
+
+    if word in NAMES:
+        return correct(args[0], "solid-angle", word)
+    names = [name for name, synonyms in SUBJECTS.items() if word in synonyms.split()]
+    if names:
+        tries = corrections(args[0], *names[:2])
+        return tries if args[1:] else [call(names[0], "--help")]
+    whole = " ".join(args)
+    return looked_up(args[0]) or looked_up(whole) or typical_of(whole) or "radcalc --help"
+
+
+def absent_file(args: list[str]) -> UsageError | None:
+    """Return the error for a word with the ending of a file that does not exist, if any.
+
+    Words after an option, such as the file of a picture, are not files to read.
+    """
+    from radcalc.routes.kinds import ALL_ENDINGS
+
+    before = takewhile(lambda word: word[:1] != "-", args)
+    absent = [a for a in before if a.lower().endswith(ALL_ENDINGS) and not os.path.exists(a)]
+    if not absent:
+        return None
+    folder, name = os.path.split(absent[0])
+    near: list[str] = []
+    with suppress(OSError):
+        near = nearest(name, [one.name for one in os.scandir(folder or ".") if one.is_file()])
+    paths = [os.path.join(folder, one) for one in near]
+    hint = corrections(absent[0], *paths) or "the path of a file"
+    return UsageError(f"there is no file '{quote(absent[0])}'", hint)
+
+
+def typical_of(text: str) -> Try | None:
+    """Return the call that lists typical values of a thing; None if there are none."""
+    from radcalc.quantities.typical import is_seen
+
+    return call("typical", *text.split()) if is_seen(text) else None
+
+
+def looked_up(word: str) -> Try | None:
+    """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
+    from radcalc.quantities.targets import is_name
+    from radcalc.spectra.sources import find_named
+    from radcalc.units.scales import find
+    from radcalc.units.table import unit_of
+
+    if unit_of(word) or find(word):
+        return call("units", word)
+    if is_name(word):
+        return call("quantities", word)
+    return call("spectrum", word) if find_named(word) else None

@@ -69,7 +69,7 @@ class Commands(Helped, click.Group):
         if is_sentence(args):
             return "convert", self.get_command(ctx, "convert"), args
         if args[0] not in COMMANDS and not args[0].startswith("-"):
-            from radcalc.cli.refusals import absent_file, similar_calls
+            from radcalc.cli.files import absent_file, similar_calls
 
             if absent := absent_file(args):
                 raise absent

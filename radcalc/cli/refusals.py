@@ -1,14 +1,12 @@
 """Errors of the command line: loaded only for an error."""
 
-import os
-from contextlib import suppress
-from itertools import pairwise, takewhile
+from itertools import pairwise
 
 import click
 
 from radcalc import errors
 from radcalc.calculators.missing import on_page
-from radcalc.calculators.pages import COMMANDS, SUBJECTS
+from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.group import called_in, parameters
 from radcalc.errors import quote
 from radcalc.quantities.language import names_meant
@@ -234,63 +232,3 @@ def one_line(text: str) -> str:
     """Return one printable line of bounded length."""
     text = " ".join(text.split())
     return quote(text) if not text.isprintable() or len(text) > 300 else text
-
-
-def similar_calls(args: list[str]) -> errors.Hint:
-    """Return the hint for a word that is not a command."""
-    word = args[0].lower()
-    if near := errors.nearest(word, COMMANDS, 1, 0.75):
-        return errors.correct(args[0], near[0])
-    from radcalc.calculators.solid_angle import NAMES
-
-    if word in NAMES:
-        return errors.correct(args[0], "solid-angle", word)
-    names = [name for name, synonyms in SUBJECTS.items() if word in synonyms.split()]
-    if names:
-        tries = errors.corrections(args[0], *names[:2])
-        return tries if args[1:] else [errors.call(names[0], "--help")]
-    whole = " ".join(args)
-    return looked_up(args[0]) or looked_up(whole) or typical_of(whole) or "radcalc --help"
-
-
-def absent_file(args: list[str]) -> errors.UsageError | None:
-    """Return the error for a word with the ending of a file that does not exist, if any.
-
-    Words after an option, such as the file of a picture, are not files to read.
-    """
-    from radcalc.routes.kinds import ALL_ENDINGS
-
-    before = takewhile(lambda word: word[:1] != "-", args)
-    absent = [a for a in before if a.lower().endswith(ALL_ENDINGS) and not os.path.exists(a)]
-    if not absent:
-        return None
-    folder, name = os.path.split(absent[0])
-    near: list[str] = []
-    with suppress(OSError):
-        near = errors.nearest(
-            name, [one.name for one in os.scandir(folder or ".") if one.is_file()]
-        )
-    paths = [os.path.join(folder, one) for one in near]
-    hint = errors.corrections(absent[0], *paths) or "the path of a file"
-    return errors.UsageError(f"there is no file '{quote(absent[0])}'", hint)
-
-
-def typical_of(text: str) -> errors.Try | None:
-    """Return the call that lists typical values of a thing; None if there are none."""
-    from radcalc.quantities.typical import is_seen
-
-    return errors.call("typical", *text.split()) if is_seen(text) else None
-
-
-def looked_up(word: str) -> errors.Try | None:
-    """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
-    from radcalc.quantities.targets import is_name
-    from radcalc.spectra.sources import find_named
-    from radcalc.units.scales import find
-    from radcalc.units.table import unit_of
-
-    if unit_of(word) or find(word):
-        return errors.call("units", word)
-    if is_name(word):
-        return errors.call("quantities", word)
-    return errors.call("spectrum", word) if find_named(word) else None

@@ -62,9 +62,9 @@ def instead(words: Words, error: errors.RadcalcError, gate: Gate) -> int:
     """
     if not may_be(words, error):
         raise error
-    call, options = call_meant(words, error, gate.has_answers)
+    call, options, assumed = call_meant(words, error, gate.has_answers)
     try:
-        return _answer(call, options, gate)
+        return _answer(call, options, assumed, gate)
     except errors.RadcalcError as refused:
         is_missing = isinstance(refused, (errors.MissingCondition, errors.MissingInput))
         if not is_missing and _is_clear(error, words, gate.has_answers):
@@ -106,8 +106,8 @@ def call_meant(
     words: Words,
     error: errors.RadcalcError,
     has_answers: Callable[[errors.RadcalcError, Words], bool],
-) -> tuple[Words, Words]:
-    """Return the call that a refused call means as a sentence, and its options of the output.
+) -> tuple[Words, Words, Words]:
+    """Return the call that a refused call means, its options of the output, and what it assumes.
 
     Raises `error` if the words are not a sentence, or are the same call; raises the problem of the
     sentence if that is more useful.
@@ -118,7 +118,8 @@ def call_meant(
     try:
         sentence = read(asked)
         understood = _is_understood(sentence, asked)
-        call = [*typed(call_of(sentence)), *own]
+        found = call_of(sentence)
+        call = [*typed(found), *own]
     except errors.RadcalcError as problem:
         has_readings = any(one.is_call for one in problem.tries)
         is_several = isinstance(problem, errors.SeveralReadings)
@@ -131,7 +132,7 @@ def call_meant(
     is_same = call[0] == "convert" and is_sentence(asked) and is_conversion(asked)
     if is_same or not is_other(call, asked, error):
         raise error
-    return call, options
+    return call, options, assumptions_of(found)
 
 
 def _is_understood(sentence: Sentence, asked: Words) -> bool:
@@ -159,11 +160,11 @@ def as_call(
     problem = of_click(error, words) if isinstance(error, click.UsageError) else error
     if not may_be(words, problem):
         raise problem from None
-    call, options = call_meant(words, problem, has_answers)
+    call, options, _ = call_meant(words, problem, has_answers)
     return [*call, *options]
 
 
-def _answer(call: Words, options: Words, gate: Gate) -> int:
+def _answer(call: Words, options: Words, assumed: Words, gate: Gate) -> int:
     """Run the call of a sentence; write one result with its unit, and then the call."""
     values = values_of(options, gate.listener)
     if values["check"] is not None and "-g" in call:
@@ -175,7 +176,7 @@ def _answer(call: Words, options: Words, gate: Gate) -> int:
         status = terminal.ANSWERED
     else:
         status = gate.run([*call, *options])
-    say([*call, *options], gate.listener, assumptions_of(call))
+    say([*call, *options], gate.listener, assumed)
     return status
 
 

@@ -46,7 +46,6 @@ from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest
 from radcalc.units.unit import NUMBER, Daily
 
-FRACTION = "range-fraction"
 SHORTEST = 4  # letters of a word with a misspelling
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
 PLAIN_FLUX = ((), ("flux",))
@@ -57,7 +56,6 @@ EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.05  # of a temperature
 GREY = "0.18"  # the reflectance of a grey card of photographers
-JUDGING = frozenset(["right", "correct", "true", "wrong", "ok"])  # words of a question
 # Usual fluorescent lamps of the CIE, with their colour temperatures as `spectrum` gives them.
 FLUORESCENT = {
     "FL2": "cool white, 4225 K",
@@ -93,7 +91,7 @@ def call_of(sentence: Sentence) -> list[str]:
         raise _electrical(sentence, watts, _goal_of(sentence))
     for fact in sentence.facts:
         if not fact.text and symbols.SYMBOLS[fact.symbols[0]].form != symbols.FLAG:
-            raise _without_value(sentence, fact, _goal_of(sentence))
+            raise _without_value(sentence, fact)
     _refuse_percentage(sentence)
     _refuse_exitance(sentence)
     _refuse_density(sentence)
@@ -116,7 +114,7 @@ def call_of(sentence: Sentence) -> list[str]:
         what = ", ".join(map(quote, parts)) or "these words"
         raise errors.UsageError(
             f"no command takes {what}{wanted}",
-            lambda: _with_less(sentence) or errors.manual("convert"),
+            "a call of the command that calculates it",
         )
     raise _several(sentence, calls)
 
@@ -265,33 +263,6 @@ def _refuse_lamp_above(call: Sequence[str], values: Mapping[str, str]) -> None:
     raise errors.SeveralReadings("the light may be even, or that of one lamp at this height", tries)
 
 
-def _with_less(sentence: Sentence) -> list[errors.Try]:
-    """Propose the calls of a sentence without one of its phrases."""
-    facts, goals = sentence.facts, sentence.goals
-    if any(map(is_bare, facts)):
-        return []
-    shorter = [
-        (fact.typed, sentence._replace(facts=tuple([one for one in facts if one is not fact])))
-        for fact in facts
-        if fact.amount is None
-    ]
-    shorter += [
-        (goal.text, sentence._replace(goals=tuple([one for one in goals if one is not goal])))
-        for goal in goals
-    ]
-    return [
-        errors.Try(words=calls[0], remark=f"without '{quote(text)}'")
-        for text, less in shorter
-        if not _is_amount_alone(less) and len(calls := _answerable(less)) == 1
-    ]
-
-
-def _is_amount_alone(sentence: Sentence) -> bool:
-    """Return whether a sentence is nothing, or an amount that is not part of a phrase."""
-    is_short = len(sentence.facts) + len(sentence.goals) < 2 and not sentence.files
-    return is_short and not any(fact.symbols for fact in sentence.facts)
-
-
 def _refuse_height_of_sun(sentence: Sentence) -> None:
     """Refuse `at 30 deg` of the sun, which is its height or the angle from the normal."""
     for fact in sentence.facts:
@@ -349,37 +320,13 @@ def _not_understood(sentence: Sentence) -> errors.UsageError:
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
     is_unit = any(map(is_bare, sentence.facts))  # 5 mw
     corrected = next(filter(None, [_corrected(word, is_unit) for word in unknown]), [])
-    tries = [*corrected[: 2 if is_unit else 1], *_without(sentence)] or corrected
-    changing = [word for text in unknown for word in text.split() if comparable(word) in MEANINGFUL]
     from radcalc.quantities.typical import is_seen  # the values
 
     seen = next(filter(is_seen, (sentence.text, " ".join(unknown))), "")
-    if checks := _checks(sentence):
-        hint: errors.Hint = checks
-    elif seen and not tries:
+    hint: errors.Hint = corrected or f"another word for {listed(unknown)}"
+    if seen and not corrected:
         hint = call("typical", *seen.split())
-    elif changing and not tries:
-        hint = call("manual", "sentences", remark="which has the words of sentences")
-    else:
-        hint = tries or f"leave out {quote(unknown[0])}, or use another word"
     return errors.UsageError(f"{known}not understood: {listed(unknown)}", hint)
-
-
-def _checks(sentence: Sentence) -> list[errors.Try]:
-    """Propose to check the answer that a sentence asks about: is 1.59 lx right for ..."""
-    words = {comparable(word) for text in sentence.unknown for word in text.split()}
-    if words.isdisjoint(JUDGING):
-        return []
-    for fact in sentence.facts:
-        if fact.amount and not fact.symbols and f"is {fact.text}" in sentence.text:
-            facts = tuple([one for one in sentence.facts if one is not fact])
-            goal = Goal(fact.amount.unit.text, fact.amount.unit)
-            goals = sentence.goals or (goal,)
-            question = sentence._replace(facts=facts, goals=goals, unknown=())
-            calls = [[w for w in one if w[:4] != "get="] for one in _answerable(question)[:1]]
-            answer = fact.text.replace(" ", "")
-            return [errors.Try(words=(*one, f"check={answer}")) for one in calls]
-    return []
 
 
 def _corrected(word: str, is_unit: bool) -> list[errors.Try]:
@@ -403,33 +350,6 @@ def _in_other_case(word: str) -> list[errors.Try]:
         units = [word.replace(typed, other) for typed, other in pairs]
         return [errors.correct(word, one) for one in units if one.lower() == word.lower()]
     return []
-
-
-def _without(sentence: Sentence) -> list[errors.Try]:
-    """Propose the calls of a sentence without its unknown words, unless one changes an amount."""
-    unknown = sentence.unknown
-    has_bare_number = any(is_bare(fact) for fact in sentence.facts)  # its unit may be unknown
-    if has_bare_number or len(sentence.facts) + len(sentence.goals) < 2:
-        return []
-    from radcalc.routes.kinds import ALL_ENDINGS
-
-    is_number_or_file = any(
-        not word[0].isalpha() or "=" in word or word.lower().endswith(ALL_ENDINGS)
-        for text in unknown
-        for word in text.split()
-    )
-    words = {comparable(word) for text in unknown for word in text.split()}
-    if is_number_or_file or not MEANINGFUL.isdisjoint(words):
-        return []
-    try:
-        tries = [errors.Try(words=tuple(call_of(sentence._replace(unknown=()))))]
-    except errors.UsageError as error:
-        tries = [one for one in error.tries if one.is_call]
-    remark = "without " + " and ".join([f"'{word}'" for word in unknown])
-    remarks = [", ".join(filter(None, [remark, one.remark])) for one in tries]
-    return [
-        errors.Try(words=one.words, remark=text) for one, text in zip(tries, remarks, strict=True)
-    ]
 
 
 def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
@@ -457,7 +377,7 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
         tries = [] if has_beam else moved_either_way(sentence.facts, goal)
         raise errors.UsageError(
             f"two of these fill one place: {texts}",
-            lambda: tries or _with_less(sentence) or "a call for each of them",
+            tries or "a call for each of them",
         )
     return list(dict.fromkeys(map(tuple, found)))
 
@@ -640,7 +560,7 @@ def _is_of_photons(goal: Goal) -> bool:
     )
 
 
-def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> errors.UsageError:
+def _without_value(sentence: Sentence, fact: Fact) -> errors.UsageError:
     """Return the error for a place without its value, as the reflectance of white paper."""
     if fact.symbols == ("spectrum",):
         tries = _proposed(
@@ -652,7 +572,7 @@ def _without_value(sentence: Sentence, fact: Fact, goal: Goal | None) -> errors.
     symbol = symbols.SYMBOLS[fact.symbols[0]]
     is_grey = not {"grey", "gray"}.isdisjoint(fact.typed.lower().split())
     example = GREY if is_grey else symbol.example
-    tries = _with(sentence, fact, fact._replace(text=example), goal, "an example")
+    tries = _proposed([(_with_text(sentence, fact, example), "an example")])
     return errors.UsageError(
         f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number"
     )
@@ -669,15 +589,6 @@ def _with_text(sentence: Sentence, fact: Fact, text: str) -> Sentence:
     return _with_fact(sentence, fact, fact._replace(text=text))
 
 
-def _with(
-    sentence: Sentence, fact: Fact, other: Fact, goal: Goal | None, remark: str
-) -> list[errors.Try]:
-    """Return the first call of a sentence with another fact in place of one."""
-    readings = readings_of(_with_fact(sentence, fact, other))
-    calls = [call for reading in readings[:1] for call in calls_of(reading, goal)[:1]]
-    return [errors.Try(words=tuple(call), remark=remark) for call in calls]
-
-
 def _goal_of(sentence: Sentence) -> Goal | None:
     """Return the only goal; the name and the unit of one result count as one."""
     goals = list(dict.fromkeys(sentence.goals))
@@ -685,40 +596,27 @@ def _goal_of(sentence: Sentence) -> Goal | None:
     named = [goal for goal in goals if not goal.unit]
     if len(units) > 1 or len(named) > 1:
         texts = " and ".join([quote(goal.text) for goal in goals])
-        listed = Goal(",".join([goal.text for goal in units]), units[0].unit) if units else goals[0]
-        alone = [_alone(sentence, goal) for goal in dict.fromkeys((listed, *goals))]
-        calls = [call for one in alone[: errors.MOST] for call in _calls_of(one)[:1]]
-        tries = [errors.Try(words=tuple(call)) for call in calls]
+        calls = []
+        if len(units) == len(goals):  # 10 dBm uW mW
+            text = ",".join([goal.text for goal in units])
+            calls = _answerable(sentence._replace(goals=(Goal(text, units[0].unit),)))
+        tries = [errors.Try(words=words) for words in calls[:1]]
         problem = f"the sentence asks for several results: {texts}"
         raise errors.UsageError(problem, tries or "one of them")
     if units and named:
-        _check_named(sentence, named[0], units[0])
+        _check_named(named[0], units[0])
         return units[0]._replace(names=named[0].names)
     return goals[0] if goals else None
 
 
-def _alone(sentence: Sentence, goal: Goal) -> Sentence:
-    """Return a sentence with one of its goals; a range next to a fraction is for the fraction."""
-    facts = sentence.facts
-    has_fraction = any(FRACTION in other.names for other in sentence.goals)
-    if has_fraction and FRACTION not in goal.names:
-        facts = tuple([fact for fact in facts if fact.symbols != ("range",)])
-    return sentence._replace(goals=(goal,), facts=facts)
-
-
-def _check_named(sentence: Sentence, named: Goal, goal: Goal) -> None:
-    """Refuse the name of one quantity with the unit of another; propose each of them alone."""
+def _check_named(named: Goal, goal: Goal) -> None:
+    """Refuse the name of one quantity with the unit of another."""
     assert goal.unit is not None
     dimensions = {one for name in named.names for one in symbols.SYMBOLS[name].dimensions}
     if goal.unit.dimension not in dimensions:
         problem = f"{quote(goal.text)} is not a unit of {quote(named.text)}"
-        tries = [
-            errors.Try(words=tuple(call), remark=f"without '{quote(other.text)}'")
-            for one, other in ((goal, named), (named, goal))
-            for call in _answerable(sentence._replace(goals=(one,)))[: errors.MOST]
-        ]
         hint = f"one of them: {quote(named.text)} or {quote(goal.text)}"
-        raise errors.UsageError(problem, tries or hint)
+        raise errors.UsageError(problem, hint)
 
 
 def _answerable(sentence: Sentence) -> list[tuple[str, ...]]:

@@ -315,6 +315,13 @@ def _taken(name: str, fact: Fact, taken: set[str]) -> str:
     return name if name in taken or not light else in_kind(name, light.kind)
 
 
+def _usual(value: str, fact: Fact, given: Facts) -> str:
+    """Return what an amount with one condition becomes; its own quantity if that is named."""
+    usual = USUAL_GOALS.get((symbols.generic_name(value), *given), "")
+    is_named = usual and fact.symbols and " of " in fact.typed  # illuminance of 100 fc for 2 h
+    return value.replace("-", " ") if is_named else usual
+
+
 def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the only amount that is not a condition."""
     conditions = taken_by(page_of("convert"))
@@ -331,10 +338,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     value, given = values[0], {**facts}
     fact = given.pop(value)
     amount = fact.amount
-    usual = USUAL_GOALS.get((symbols.generic_name(value), *given), "")  # for one condition
-    if usual and fact.symbols and " of " in fact.typed:
-        usual = value.replace("-", " ")  # illuminance of 100 fc for 2 h
-    target = _target(goal, fact, given) if goal else usual
+    target = _target(goal, fact, given) if goal else _usual(value, fact, given)
     if amount is None or ((given or goal) and not target):
         return []
     if amount.dimension == NUMBER and given:  # a number whose unit is missing

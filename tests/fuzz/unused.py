@@ -58,10 +58,11 @@ def with_more(draw: random.Random, text: str) -> str:
 
 
 def answered(text: str) -> str:
-    """Return an answer, and "" for a refusal."""
+    """Return an answer, with what it does not use; "" for a refusal."""
     done = run(*text.split())
     assert done.returncode in (0, 2), (text, done.stderr)
-    return done.stdout if done.returncode == 0 else ""
+    unused = re.findall(r".* is not used", done.stderr)
+    return "\n".join([done.stdout, *unused]) if done.returncode == 0 else ""
 
 
 def changed(text: str, start: int, end: int) -> str:
@@ -74,7 +75,7 @@ def changed(text: str, start: int, end: int) -> str:
 def idle(text: str) -> list[str]:
     """Return the sentences with another number that have the same answer."""
     first = answered(text)
-    if not first:
+    if not first or first.startswith("0\t"):  # outside the beam
         return []
     others = [changed(text, *match.span()) for match in NUMBER.finditer(text)]
     return [other for other in others if answered(other) == first]

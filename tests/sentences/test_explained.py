@@ -91,7 +91,7 @@ def test_json_is_an_object():
 
 REFUSED = {
     "24 degree beam 800 lm to cd --explain": ("2 readings", "--apex-angle 24degree"),
-    "20000 cd at 8 m roughly --explain": ("not understood: roughly", "without 'roughly'"),
+    "20000 cd at 8 m roughly --explain": ("not understood: roughly", "another word for roughly"),
     "800 lm isotorpic cd --explain": (
         "not understood: isotorpic",
         "try: radcalc 800 lm isotropic cd --explain\n",
