@@ -22,13 +22,13 @@ from radcalc.cli.output import Output, decide, refuse_number_options
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, typed
 from radcalc.conversion.operands import is_conversion
 from radcalc.errors import RadcalcError, UsageError, call, drop, input_of, leave_out
-from radcalc.quantities.symbols import FLAG
+from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.render.formats import Records
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.frames import one_word
 from radcalc.sentences.reader import Fact, Sentence, read
 from radcalc.sentences.used import assumptions_of
-from radcalc.terminal import JSON
+from radcalc.terminal import JSON, PLAIN
 from radcalc.units.numbers import is_sentence
 from radcalc.units.unit import NUMBER
 
@@ -41,7 +41,7 @@ SHORT = 3  # words of a call that is rather a command with a mistake
 # Options of a call in words: those of the output and of a check.
 OF_SENTENCES = (*OF_ANSWERS, *CHECKS)
 # With a value and its unit.
-PLAIN_OPTIONS = {"precision", "quiet", "color", "auto", STEPS.parameter}
+PLAIN_OPTIONS = {"precision", "quiet", "color", "auto", "definitions", STEPS.parameter}
 
 
 class Gate(NamedTuple):
@@ -84,6 +84,7 @@ def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
     if not words or any(map(is_stream, words)) or {*words} & others:
         return False
     asked, _ = options_of(options_of(words)[0], _of_file(words))
+    asked, inputs = inputs_of(asked)
     of_reading = (errors.ExpressionError, errors.MissingCondition, errors.SeveralReadings)
     is_read = isinstance(error, of_reading)
     if is_read or all(word[:1] == "-" for word in asked):
@@ -93,7 +94,8 @@ def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
         is_word = len(asked) > 1 and not any(c.isdigit() for c in asked[1])
         has_file = any(map(os.path.exists, asked))
         is_word |= "unexpected argument" in error.message
-        return asked[0] != "convert" and not options and is_word and not has_file
+        is_phrase = is_word and not (options or inputs or has_file)
+        return asked[0] != "convert" and is_phrase
     if asked[0][:1] == "-" and {*asked} & {*COMMANDS}:  # options before a command
         return False
     if not options:
@@ -113,11 +115,12 @@ def call_meant(
     sentence if that is more useful.
     """
     asked, options = options_of(words)
-    asked, own = options_of(asked, _of_file(words))
+    typed_words, own = options_of(asked, _of_file(words))
+    asked, inputs = inputs_of(typed_words)
     understood = False
     try:
-        sentence = read(asked)
-        understood = _is_understood(sentence, asked)
+        sentence = read(asked, inputs)
+        understood = _is_understood(sentence, asked) and not (inputs and sentence.unknown)
         found = call_of(sentence)
         call = [*typed(found), *own]
     except errors.RadcalcError as problem:
@@ -130,7 +133,9 @@ def call_meant(
         is_better = is_free and (is_long or not _is_clear(error, words, has_answers))
         raise (problem if is_better else error) from None
     is_same = call[0] == "convert" and is_sentence(asked) and is_conversion(asked)
-    if is_same or not is_other(call, asked, error):
+    values = {input_of(word)[1] for word in found}
+    is_same |= any(input_of(word)[1] not in values for word in inputs)
+    if is_same or not is_other(call, typed_words, error):
         raise error
     return call, options, assumptions_of(found)
 
@@ -208,6 +213,22 @@ def options_of(
     return asked, options
 
 
+def inputs_of(words: Sequence[str]) -> tuple[Words, Words]:
+    """Return the words of a call, and its inputs NAME=VALUE in place of their options."""
+    asked: Words = []
+    inputs: Words = []
+    rest = iter(words)
+    for word in rest:
+        name, equals, value = word.removeprefix("--").partition("=")
+        symbol = SYMBOLS.get(name) if word[:2] == "--" else None
+        if symbol is None:
+            asked.append(word)
+        else:
+            text = value if equals or symbol.form == FLAG else next(rest, "")
+            inputs.append(f"{name}={text}")
+    return asked, inputs
+
+
 def _of_file(words: Sequence[str]) -> Sequence[Option]:
     """Return the options of the command that the file of a sentence means, except -g."""
     path = next(filter(os.path.isfile, words), "")
@@ -229,6 +250,7 @@ def values_of(options: Words, listener: "Listener | None") -> dict[str, Any]:
 def _has_unit(values: Mapping[str, Any]) -> bool:
     """Return whether a result keeps its unit with these values of options."""
     default = {**DEFAULTS, STEPS.parameter: False, **dict.fromkeys(row.parameter for row in CHECKS)}
+    default |= {"format_": PLAIN} if values["format_"] == PLAIN else {}
     return {name for name, value in values.items() if value != default[name]} <= PLAIN_OPTIONS
 
 

@@ -189,14 +189,20 @@ def _refuse_density(sentence: Sentence) -> None:
 
 
 def _refuse_bare(sentence: Sentence) -> None:
-    """Refuse a number whose unit is missing, as `10 S to ms`: it is not in that of the goal."""
-    if len(sentence.facts) != 1 or len(sentence.goals) != 1 or not is_bare(sentence.facts[0]):
+    """Refuse a number without a unit in `10 S to ms` and `luminance 700 to lx`."""
+    if len(sentence.facts) != 1 or len(sentence.goals) != 1:
         return
-    number, goal = sentence.facts[0].text, sentence.goals[0]
-    if goal.unit is None or (goal.unit.dimension == NUMBER and not goal.unit.is_scale):
+    (fact,), (goal,) = sentence.facts, sentence.goals
+    number = fact.text
+    has_number = fact.amount is not None and fact.amount.unit.text == "1"
+    if goal.unit is None or not has_number:
+        return
+    if goal.unit.dimension == NUMBER and not goal.unit.is_scale:
         return
     is_behind = sentence.text.rfind(goal.text) > sentence.text.find(number)
-    if goal.unit.is_scale or (is_behind and sentence.ignored):
+    dimensions = [one for name in fact.symbols for one in symbols.SYMBOLS[name].dimensions]
+    is_other = bool(dimensions) and {NUMBER, goal.unit.dimension}.isdisjoint(dimensions)
+    if is_other or (is_bare(fact) and (goal.unit.is_scale or (is_behind and sentence.ignored))):
         raise errors.UsageError(
             f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}"
         )

@@ -6,7 +6,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from radcalc.calculators.pages import SUMMARIES
-from radcalc.errors import RadcalcError, UsageError
+from radcalc.errors import RadcalcError, UsageError, input_of
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import RADIANT
 from radcalc.quantities.light import read as read_light
@@ -33,6 +33,7 @@ from radcalc.sentences.words import (
     Amount,
     Word,
     amount_at,
+    amount_of,
     joined,
     literals,
     names,
@@ -51,7 +52,7 @@ from radcalc.units.unit import NUMBER, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container
+    from collections.abc import Callable, Container, Sequence
 
 LONGEST_NAME = 5  # words
 LONGEST = 2000  # characters
@@ -122,8 +123,22 @@ class Sentence(NamedTuple):
 Found = tuple[int, "Fact | Goal | str | None"]  # the place after a phrase, and what it fills
 
 
-def read(typed: "list[str]") -> Sentence:
-    """Read the words of a call as a sentence; the longest phrase at each place counts."""
+def read(typed: "list[str]", inputs: "Sequence[str]" = ()) -> Sentence:
+    """Read the words of a call, and its inputs NAME=VALUE; the longest phrase at a place counts."""
+    found = _read(typed)
+    given = tuple(map(_input, inputs))
+    also = found.also and found.also._replace(facts=(*found.also.facts, *given))
+    return found._replace(facts=(*found.facts, *given), also=also)
+
+
+def _input(word: str) -> Fact:
+    """Return the fact of an input NAME=VALUE."""
+    name, text = input_of(word)
+    amount = amount_of(text, 0) if SYMBOLS[name].form == QUANTITY else None
+    return Fact((name,), text, f"{name} {text}".rstrip(), amount)
+
+
+def _read(typed: "list[str]") -> Sentence:
     text = " ".join(typed)
     if len(text) > LONGEST:
         raise UsageError(f"a sentence of {len(text)} characters is too long", f"at most {LONGEST}")

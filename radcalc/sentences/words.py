@@ -111,10 +111,10 @@ WITHIN = (["in"], ["a"])  # before a time, not inches and years: dli 17 in 16 h
 # Hours of light and darkness: 18/6
 HOURS = re.compile(r"(?<![\d./])(\d{1,2}(?:\.\d+)?)/(\d{1,2}(?:\.\d+)?)(?![\d./])")
 DAY, NEARLY = 24.0, 5.0  # h; a quotient is another number
-KILOLUX = re.compile(r"klux(?![\w.])")
 DAY_OF_LIGHT = re.compile(rf"(?<![^\W\d])({'|'.join(DLI)})\b")
 MICROMOLE = re.compile(r"(?<=\d) ?[uµμ]mol(?![\w/])")
 OF_PEAK = re.compile(r"\(?1/e\^?[2²]\)?,?")  # of the diameter of a beam
+BLANK = "\ue004"  # in place of that in the name of a file
 ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
 SYMBOL = re.compile(r"([a-zλρθ][a-z0-9λρθ-]*=)(\S+)", re.I)
@@ -159,7 +159,9 @@ def words_of(typed: "list[str]") -> list[Word]:
     words: list[Word] = []
     aspects: list[Word] = []
     before = ""
-    for part in _reordered(_plain_words(" ".join(typed))):
+    whole = [word.replace(" ", BLANK) if os.path.isfile(word) else word for word in typed]
+    for part in _reordered(_plain_words(" ".join(whole))):
+        part = part.replace(BLANK, " ")
         text = SPELLED.get(part, part.removeprefix("--").rstrip(ENDS) if len(part) > 1 else part)
         if _adds_nothing(text, words):
             continue
@@ -212,7 +214,7 @@ def _of_light(hours: re.Match[str]) -> str:
 def _marked(part: str) -> str:
     for mark, word in MARKS_IN_WORDS.items():
         part = part.replace(mark, word)
-    return KILOLUX.sub("klx", part)
+    return part
 
 
 def _adds_nothing(text: str, words: Sequence[Word]) -> bool:

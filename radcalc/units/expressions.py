@@ -441,17 +441,16 @@ class Calculator(Scanner):
         is_level = name.startswith("dB") and name != "dB"
         if before and before[-1] in SIGNS and not is_level:  # 500 lx - 1 EV, 5600 K + 134 mired
             return f"a value in units: after a sign, {quote(name)} may be a factor or a shift"
-        tries = [
-            call("convert", number_text, name, scale.unit.text, remark="then arithmetic with it")
-        ]
+        level = f"{before.removeprefix('+')}{number_text}" if before in SIGNS else number_text
+        tries = [call("convert", level, name, scale.unit.text, remark="then arithmetic with it")]
         gain = after.removesuffix("dB").strip()
         if not before and gain != after and is_level:
             try:
-                level = float(number_text) + float(gain.replace(" ", ""))
+                total = float(number_text) + float(gain.replace(" ", ""))
             except ValueError:
                 return tries
             tries.insert(
-                0, errors.correct(self.text, f"{level:.12g} {name}", remark="a level and a gain")
+                0, errors.correct(self.text, f"{total:.12g} {name}", remark="a level and a gain")
             )
         return tries
 

@@ -109,6 +109,8 @@ PARTS = re.compile(r"([^\W\d_]+)([^\w]*[\d\u00b9\u00b2\u00b3\u2070-\u2079]*)")
 DIFFERENCE = re.compile(r"[-\u2212]\d+[^\W\d_]+$")  # the end of 5m-2cm
 LONGEST = 30  # characters of a text
 ENOUGH = 2  # readings that make a text ambiguous
+PHOTONS = re.compile(r"(mol|moles?)[ .·*(]*(?:photons?|quanta)\b\)?", re.IGNORECASE)
+HYPHEN = re.compile(r"(?<=[^\W_])-(?=[^\W\d_])")  # W/m2-sr, lm-hr
 SQUARE, CUBIC = ("ctverecn", "квадратн"), ("krychlov", "kubick", "кубическ")  # without endings
 
 
@@ -265,3 +267,16 @@ def _is_symbol(text: str) -> bool:
         text[:size] in PREFIX_SYMBOLS and text[size:] in SYMBOLS and takes(text[:size], text[size:])
         for size in (1, 2)
     )
+
+
+def without_photons(text: str) -> str:
+    """Return a text whose moles are not said to be of photons: umol m-2 s-1."""
+    return PHOTONS.sub(r"\1", text)
+
+
+def without_hyphens(text: str) -> str:
+    """Return a unit with `per` and signs in place of hyphens: W/m2/sr for W/m2-sr."""
+    if "-per-" in text:
+        return text.replace("-", " ")
+    over, solidus, under = text.partition("/")
+    return HYPHEN.sub(".", over) + solidus + HYPHEN.sub("/", under)

@@ -118,7 +118,7 @@ SCALES = (
     LUMINANCE_EV,
     ILLUMINANCE_EV,
     Scale(
-        ("mired", "mireds"), "T", "K", 1e6, 10, 0, 0,
+        ("mired", "mireds", "mirek", "mireks"), "T", "K", 1e6, 10, 0, 0,
         "reciprocal colour temperature, in 1/MK", "ANSI/IES LS-1, reciprocal color temperature",
     ),
     Scale(

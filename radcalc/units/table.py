@@ -66,7 +66,7 @@ def _read(text: str) -> Unit | str:
     if simple := single(text):
         return simple
     text = " ".join(text.split())  # shown as typed, with single blanks
-    if named := _named_in_words(text):
+    if named := _named_in_words(text) or _of_photons(text):
         return named
     try:
         parsed = parse_unit(text)
@@ -82,8 +82,7 @@ def _read(text: str) -> Unit | str:
         entry = lookup(spelling) or _degree(spelling, unit, len(parsed) == exponent == 1)
         if entry is None:
             return spelling if spelling in SCALE_NAMES else _in_other_words(text) or spelling
-        if exponent not in (1, -1) and entry[1] in PARTS:
-            raise _power_of_part(text, spelling)
+        _refuse_power_of_part(text, spelling, entry[1], exponent)
         powers = _multiply(unit, *entry, exponent)
         if powers == LENGTH_ALONE and exponent == 1:
             inverted += below
@@ -116,10 +115,11 @@ def _degree(spelling: str, unit: Unit, is_alone: bool) -> tuple[str, str] | None
     return "", "kelvin"
 
 
-def _power_of_part(text: str, spelling: str) -> errors.UnitError:
-    """Return the error for %2 and the like: the exponent may belong to the number as well."""
-    hint = "brackets around the number with it, as in (50%)^2"
-    return errors.UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
+def _refuse_power_of_part(text: str, spelling: str, name: str, exponent: int) -> None:
+    """Raise for %2 and the like: the exponent may belong to the number as well."""
+    if name in PARTS and exponent not in (1, -1):
+        hint = "brackets around the number with it, as in (50%)^2"
+        raise errors.UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
 
 
 def _refuse_side_by_side(text: str) -> None:
@@ -186,11 +186,26 @@ def _in_other_words(text: str) -> Unit | str:
     return _in_another_language(text) or _joined(text)
 
 
+def _of_photons(text: str) -> Unit | None:
+    """Return the unit of `umol photons m-2 s-1`, whose moles are of photons; None for others."""
+    if "mol" not in text.lower():
+        return None
+    from radcalc.units.languages import without_photons
+
+    plain = without_photons(text)
+    unit = _read(plain) if plain != text else None
+    if not isinstance(unit, Unit):
+        return None
+    unit.text = text
+    return unit
+
+
 def _joined(text: str) -> Unit | str:
     """Return the unit of symbols that are written together, as Wm-2; '' for other texts."""
-    from radcalc.units.languages import apart
+    from radcalc.units.languages import apart, without_hyphens
 
-    texts = apart(text)
+    plain = without_hyphens(text)
+    texts = [plain] if plain != text else apart(text)
     if len(texts) > 1:
         raise errors.UnitError(errors.ambiguous(text), errors.corrections(text, *texts))
     unit = _read(texts[0]) if texts and texts[0] != text else ""
@@ -298,6 +313,9 @@ def suggest(spelling: str) -> list[str]:
     near = errors.nearest(folded, NAMES, SUGGESTED, 0.7)
     if len(spelling) <= 4:
         near = errors.nearest(spelling, _prefixed(), SUGGESTED, 0.75) + near
+    # a first letter may be a prefix, which a correction keeps: klux, not lux, for KLux
+    if folded[:1] in {prefix.lower() for prefix in PREFIX_SYMBOLS}:
+        near = [one for one in near if one[0].lower() == folded[0]]
     return list(dict.fromkeys(near))[:SUGGESTED]
 
 

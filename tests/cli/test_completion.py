@@ -114,7 +114,7 @@ def test_scales_are_units_too():
     assert {"mW", "W", "dBW"} <= set(texts("10 dBm "))
     assert "dBm" not in texts("10 dBm ")
     assert {"cd/m2", "lx"} <= set(texts("10 EV "))
-    assert texts("4000 K mi") == ["mired", "mireds"]
+    assert texts("4000 K mi") == ["mired", "mireds", "mirek", "mireks"]
     assert texts("point-source --flux 10dB") == ["10dBm", "10dBW", "10dBu(W)"]
 
 

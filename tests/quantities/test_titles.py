@@ -77,7 +77,7 @@ def test_a_new_name_gets_the_unit_in_the_same_form(text, renamed):
 
 
 SCALED = ["E (1000 lx)", "E [10^3 lx]", "E [10³ lx]", "E lx x10", "E 1e3 lx"]
-UNKNOWN = ["E [klux]", "kLux", "E lx*10", "E (lx*)", "E [W/m2 x]", "x" * 200 + " lx"]
+UNKNOWN = ["E [Mlux]", "mLux", "E lx*10", "E (lx*)", "E [W/m2 x]", "x" * 200 + " lx"]
 
 
 @pytest.mark.parametrize("text", [*SCALED, *UNKNOWN])
