@@ -73,6 +73,7 @@ PAGE = Page(
     LIGHT,
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
+OF_AXIS = "intensity: that on the source's axis; intensity-toward is that in the direction"
 OF_DIRECTION = ("intensity-toward", "off-axis", "azimuth")  # shown if a direction is given
 HORIZONTAL = "the receiver is horizontal"
 EXPRESSION = "expression"  # a format of distributions
@@ -387,6 +388,8 @@ class _Luminaire:
         is_on_axis = not self.is_aside and {"toward", "aim"}.isdisjoint(self.given)
         if is_on_axis and self.photometry.format != ISOTROPIC and solved.has("irradiance"):
             solved.assume(ON_AXIS, of=ON_RECEIVER)
+        if "toward" in self.given:
+            solved.assume(OF_AXIS, of=["intensity"])
         if solved.lit.links and not self.of_shape:
             solved.assume("the same spectrum in every direction", of=solved.lit.linked)
         solved.note_behind()

@@ -41,10 +41,10 @@ PAGE = Page(
         "brewster-angle=56.66deg get=index",
     ),
     remarks="{index} is the refractive index after the surface divided by that before it: 1.52 "
-    "into glass, 1/1.52 out of it.  s-polarised light has its electric field perpendicular to the "
-    "plane of incidence, p-polarised light parallel to it; the result reflectance is for "
-    "unpolarised light.  The slab is a plane layer of the second medium with the first medium on "
-    "both sides; its transmittance includes all internal reflections.",
+    "into glass, 1/1.52 out of it; absorbing media are not covered.  s-polarised light has its "
+    "electric field perpendicular to the plane of incidence, p-polarised light parallel to it; the "
+    "result reflectance is for unpolarised light.  The slab is a plane layer of the second medium "
+    "with the first medium on both sides; its transmittance includes all internal reflections.",
 )
 
 

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from contextlib import suppress
 from functools import partial
 
 import click
@@ -98,6 +99,9 @@ def _problem(error: RadcalcError | click.UsageError, words: list[str]) -> Radcal
         return error
     from radcalc.cli.refusals import about_unit, of_click
 
+    if files.begins_with_file(words):
+        with suppress(RadcalcError):
+            words = files.call_of_file(words)
     return about_unit(error, words) if isinstance(error, RadcalcError) else of_click(error, words)
 
 

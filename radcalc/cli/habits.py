@@ -3,10 +3,11 @@
 import os
 import select
 import stat
+from contextlib import suppress
 
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.files import say
-from radcalc.errors import RadcalcError, UsageError, call
+from radcalc.errors import RadcalcError, UsageError, call, quote
 from radcalc.units.connectives import ALSO_UNITS, TO
 from radcalc.units.numbers import is_sentence
 from radcalc.units.unit import Unit
@@ -49,8 +50,10 @@ def canonical(words: list[str]) -> list[str]:
     is_convert = words[:1] == ["convert"]
     if not words or _is_other(words[0], words[is_convert:]):
         return words
-    operands, options, ends = _parts(words[is_convert:])
+    operands, options, typed = _parts(words[is_convert:])
+    ends = list(typed.values())
     if is_sentence(operands[:1]):  # it has a value, or the - of a stream
+        _refuse_second_unit(operands, typed)
         between = ["to"] if len(ends) == 1 else []
         return _said("convert", *operands, *between, *ends, *options) if ends else words
     source, target = _sides([*operands, *ends])
@@ -67,6 +70,18 @@ def canonical(words: list[str]) -> list[str]:
         return _said("convert", "-", target, *options)
     # without a pipe, a target alone is refused for its missing value
     return ["convert", "to", target, *options] if has_word and not source else words
+
+
+def _refuse_second_unit(operands: list[str], ends: dict[str, str]) -> None:
+    """Refuse the unit of --from after a value with its own unit: 500 lx --from fc."""
+    from radcalc.units.numbers import split_quantity
+
+    source, unit = ends.get(ENDS[0], ""), "".join(operands[1:2])
+    with suppress(RadcalcError):
+        unit = split_quantity(operands[0])[1] or unit
+    if source and unit and operands[0] != "-":
+        problem = f"{quote(operands[0])} has two units: {quote(unit)} and --from {quote(source)}"
+        raise UsageError(problem, "one of them")
 
 
 def _is_other(first: str, words: list[str]) -> bool:
@@ -105,13 +120,15 @@ def _sides(words: list[str]) -> tuple[str, str]:
     return "", words[0] if len(words) == 1 else ""
 
 
-def _parts(words: list[str]) -> tuple[list[str], list[str], list[str]]:
+def _parts(words: list[str]) -> tuple[list[str], list[str], dict[str, str]]:
     """Return the operands, the options after them, and the units of --from and --to."""
     ends: dict[str, str] = {}
     rest: list[str] = []
     waiting = ""
     for word in words:
         name, is_joined, value = word.partition("=")
+        if not waiting and name in ENDS and name in ends:
+            raise UsageError(f"{name} is given more than once", "one of them")
         if waiting:
             ends[waiting], waiting = word, ""
         elif name in ENDS and is_joined:
@@ -121,10 +138,10 @@ def _parts(words: list[str]) -> tuple[list[str], list[str], list[str]]:
         else:
             rest.append(word)
     if waiting:  # without its unit
-        return words, [], []
+        return words, [], {}
     options = (k for k, word in enumerate(rest) if word[:1] == "-" and not _is_operand(word))
     count = next(options, len(rest))
-    return rest[:count], rest[count:], [ends[name] for name in ENDS if name in ends]
+    return rest[:count], rest[count:], {name: ends[name] for name in ENDS if name in ends}
 
 
 def _is_operand(word: str) -> bool:

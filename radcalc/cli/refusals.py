@@ -13,6 +13,7 @@ from radcalc.quantities.language import names_meant
 from radcalc.terminal import FORMATS
 from radcalc.units.numbers import is_sentence
 
+DIRECTION = ("--polar", "--azimuth")  # of --toward
 # Words for the operand of a command, typed as options.
 MEANT_OPERANDS = {
     "spectrum": "file spectrum spd csv source illuminant lamp",
@@ -127,6 +128,8 @@ def _no_such_option(typed: str, called: str, words: list[str]) -> errors.Radcalc
         return errors.RadcalcError(problem, operand)
     if typed[2:] in FORMATS:
         return errors.RadcalcError(problem, errors.correct(typed, "--format", typed[2:]))
+    if toward := _toward(called, words):
+        return errors.RadcalcError(problem, toward)
     known = [name for p in parameters(called) for name in p.opts if name.startswith("--")]
     if doubled := _doubled(typed, known, words):
         return errors.RadcalcError(problem, doubled)
@@ -174,6 +177,16 @@ def _operand(typed: str, called: str, words: list[str]) -> errors.Try | None:
         return None if following.startswith("--") else errors.drop(typed)
     joined = next((word for word in words if word.startswith(f"{typed}=")), "")
     return errors.correct(joined, joined.partition("=")[2]) if joined else None
+
+
+def _toward(called: str, words: list[str]) -> errors.Try | None:
+    """Return the call with the direction of --polar and --azimuth as --toward, or None."""
+    values = {name: value for name, value in pairwise([*words, ""]) if name in DIRECTION}
+    if not values or not any("--toward" in one.opts for one in parameters(called)):
+        return None
+    pairs = [pair for name in values for pair in (name, values[name])]
+    kept = ["intensity-toward" if w == "intensity" else w for w in words if w not in pairs]
+    return errors.call(*kept, toward=",".join([values.get(name, "0deg") for name in DIRECTION]))
 
 
 def _bare(words: list[str]) -> list[str]:

@@ -80,7 +80,7 @@ def _is_clear(error: errors.RadcalcError, words: Words, has_answers: Callable[..
 
 def may_be(words: Sequence[str], error: errors.RadcalcError) -> bool:
     """Return whether a refused call may be a sentence, and not a command with a mistake."""
-    others = {*HELP_NAMES, "help", "--version", EXPLAIN}
+    others = {*HELP_NAMES, "help", "--version", EXPLAIN, *GET.spellings}
     if not words or any(map(is_stream, words)) or {*words} & others:
         return False
     asked, _ = options_of(options_of(words)[0], _of_file(words))

@@ -99,6 +99,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
                 f"{of.observer.start}-{of.observer.end} nm",
             )
         steps = (efficacy_step(efficacy, of.observer),)
+        notes += _of_other_eye(of.observer)
     if PHOTON in (over, under):
         from radcalc.laws import optics
         from radcalc.spectra.spectrum import OUTSIDE, PAR
@@ -131,6 +132,13 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             )
         symbol, value = f"(1/{symbol})", 1 / value
     return Factor(symbol, value, unit, assumption, steps, notes)
+
+
+def _of_other_eye(observer: Observer) -> tuple[str, ...]:
+    """Return the note on lumens that are not those of V(lambda); none on those of V(lambda)."""
+    if observer is OBSERVERS["photopic"]:
+        return ()
+    return (f"lumens by {observer.label} do not add to lumens by V(lambda)",)
 
 
 def efficacy_step(efficacy: Any, observer: Observer) -> Step:
@@ -191,6 +199,8 @@ def spectral_factor(
     step = formula.with_numbers(f"K = {ratio} = {format_number(value)}; that is {ratio_text}")
     remarks.insert(1, ratio_text)
     notes = source.notes + tuple(counted.notes((over, under)))
+    if LUMINOUS in amounts:
+        notes += _of_other_eye(seen_by)
     if LUMINOUS in amounts and not amounts[LUMINOUS]:
         notes += ("this spectrum is invisible",)
     return Factor("K", value, KIND_UNITS[over, under], "; ".join(remarks), (step,), notes)

@@ -49,6 +49,8 @@ def diagnose(
     mistakes are tried only if no single mistake fits: among so many pairs, one fits almost any
     number of few digits.
     """
+    if not claim.value:  # any mistake may lead to 0
+        return ()
     problem = Problem(question, target)
     single = sorted([*candidates(problem), *readings], key=_rank)
     search = _Search(claim, problem.right, scale)

@@ -139,7 +139,10 @@ def _in_radians(p: Problem) -> Found:
             if p.lists("projected cone") and not p.asks("solid-angle"):
                 yield usual(name, p.right * (math.sin(number) / math.sin(half)) ** 2)
     if ANGLE in p.target.dimensions:
-        yield from _multiples(name, p.right, math.degrees(1))
+        yield usual(name, p.right * math.degrees(1))
+        in_radians = "the answer is in radians, and its unit is missing"
+        bare = usual(name, p.right / math.degrees(1), in_radians)
+        yield bare and bare._replace(right="an answer without a unit is in degrees")
 
 
 def _in_other_units(p: Problem) -> Found:

@@ -50,8 +50,10 @@ SHORTEST = 4  # letters of a word with a misspelling
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
 PLAIN_FLUX = ((), ("flux",))
 OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}
-# Examples of the efficacy of a lamp.
+# Examples of the efficacy of a lamp, and of one with a filament, which `typical` gives.
 EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
+FILAMENTS = frozenset(["incandescent", "tungsten", "filament", "zarovka", "zarovky"])
+OF_FILAMENTS = "12lm/W"
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.05  # of a temperature
@@ -190,19 +192,20 @@ def _refuse_density(sentence: Sentence) -> None:
 
 def _refuse_bare(sentence: Sentence) -> None:
     """Refuse a number without a unit in `10 S to ms` and `luminance 700 to lx`."""
-    if len(sentence.facts) != 1 or len(sentence.goals) != 1:
+    if len(sentence.facts) != 1 or sentence.files:
         return
-    (fact,), (goal,) = sentence.facts, sentence.goals
-    number = fact.text
-    has_number = fact.amount is not None and fact.amount.unit.text == "1"
-    if goal.unit is None or not has_number:
+    goal, (fact,) = _goal_of(sentence), sentence.facts
+    if goal is None or goal.unit is None:
         return
-    if goal.unit.dimension == NUMBER and not goal.unit.is_scale:
+    unit = goal.unit
+    number, has_number = fact.text, fact.amount is not None and fact.amount.unit.text == "1"
+    if not has_number or (unit.dimension == NUMBER and not unit.is_scale):
         return
-    is_behind = sentence.text.rfind(goal.text) > sentence.text.find(number)
     dimensions = [one for name in fact.symbols for one in symbols.SYMBOLS[name].dimensions]
-    is_other = bool(dimensions) and {NUMBER, goal.unit.dimension}.isdisjoint(dimensions)
-    if is_other or (is_bare(fact) and (goal.unit.is_scale or (is_behind and sentence.ignored))):
+    is_other = bool(dimensions) and {NUMBER, unit.dimension}.isdisjoint(dimensions)
+    is_behind = sentence.text.rfind(goal.text) > sentence.text.find(number)
+    is_apart = is_behind and f"{number} {goal.text}" not in sentence.text
+    if is_other or (is_bare(fact) and (unit.is_scale or is_apart)):
         raise errors.UsageError(
             f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}"
         )
@@ -330,7 +333,7 @@ def _not_understood(sentence: Sentence) -> errors.UsageError:
 
     seen = next(filter(is_seen, (sentence.text, " ".join(unknown))), "")
     hint: errors.Hint = corrected or f"another word for {listed(unknown)}"
-    if seen and not corrected:
+    if seen and not corrected and not sentence.facts:
         hint = call("typical", *seen.split())
     return errors.UsageError(f"{known}not understood: {listed(unknown)}", hint)
 
@@ -545,6 +548,8 @@ def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> errors.Usa
     """Return the error for the watts of a lamp, which may be electrical or those of its light."""
     kind = PHOTON if goal and _is_of_photons(goal) else LUMINOUS
     efficacy = EXAMPLES_OF_LAMPS[kind]
+    if kind == LUMINOUS and not FILAMENTS.isdisjoint(map(comparable, sentence.text.split())):
+        efficacy = OF_FILAMENTS
     text = f"{fact.text}*{efficacy}"
     electrical = Fact(("flux",), text, fact.typed, amount_of(text, 0))
     radiant = _with_fact(sentence, fact, fact._replace(symbols=("flux",)))
@@ -552,7 +557,7 @@ def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> errors.Usa
         radiant = radiant._replace(facts=(*radiant.facts, Fact(("spectrum",), "LED", "LED")))
     remark = f"electrical watts, {efficacy} as an example"
     tries = _proposed(
-        [(radiant, "watts of light"), (_with_fact(sentence, fact, electrical), remark)]
+        [(_with_fact(sentence, fact, electrical), remark), (radiant, "watts of light")]
     )
     problem = f"'{quote(fact.typed)}': the watts of a lamp are electrical or of its light"
     return errors.UsageError(problem, tries or "its flux in lm, or its radiant flux")

@@ -305,26 +305,16 @@ OTHERS = """
     если и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
     источник точечный экран стол бумага
 """  # Czech; Russian
+OF_LAMPS = """
+    led lamp bulb fixture luminaire halogen tungsten incandescent zarovka zarovky lampa лампа
+"""
 IGNORED = f"{QUESTIONS}{SOURCES}{OBJECTS}{OTHERS}"
 # Words of things that need more than a sentence without them has: the angle of a beam; whether
 # watts of a lamp are electrical, unless they are of light; whether a meter is before a filter or
 # behind it; whether an angle of the sun is its height.
 MORE_NEEDED = {
     BEAM: frozenset(OF_BEAMS.split()),
-    LAMP: frozenset(
-        [
-            "led",
-            "lamp",
-            "bulb",
-            "fixture",
-            "luminaire",
-            "halogen",
-            "tungsten",
-            "žárovka",
-            "lampa",
-            "лампа",
-        ]
-    ),
+    LAMP: frozenset(OF_LAMPS.split()),
     LIGHT: frozenset(["laser", "light", "optical", "radiant", "radiated", "emits", "efficacy"]),
     METER: frozenset(["meter", "metre", "measured", "reads", "read", "reading"]),
     SUN: frozenset(["sun", "sunlight", "sky", "roof", "dni"]),

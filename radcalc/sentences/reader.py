@@ -212,10 +212,10 @@ def _of_other_quantity(sentence: Sentence) -> Sentence:
     if len(sentence.facts) != 1 or sentence.goals or sentence.files:
         return sentence
     (fact,) = sentence.facts
-    amount = fact.amount
-    if not amount or not fact.symbols or not fact.typed.endswith(amount.text):
+    amount, typed = fact.amount, fact.typed.replace(" x ", " * ")
+    if not amount or not fact.symbols or not typed.endswith(amount.text):
         return sentence
-    *name, last = fact.typed.removesuffix(amount.text).split() or [""]
+    *name, last = typed.removesuffix(amount.text).split() or [""]
     parts = [*name, *([] if last in BEFORE_AMOUNT else [last])]
     unit = own = unit_in(parts)  # lux of 100 fc
     if own is None:
@@ -313,7 +313,7 @@ def _ignoring(
 
 def _named_in(text: str) -> frozenset[str]:
     """Return the things that need more, by the words for them in a text."""
-    words = {word.strip(".,;:?!").lower() for word in text.split()}
+    words = {comparable(word.strip(".,;:?!")) for word in text.split()}
     return frozenset([thing for thing in MORE_NEEDED if not MORE_NEEDED[thing].isdisjoint(words)])
 
 

@@ -66,7 +66,7 @@ def _read(text: str) -> Unit | str:
     if simple := single(text):
         return simple
     text = " ".join(text.split())  # shown as typed, with single blanks
-    if named := _named_in_words(text) or _of_photons(text):
+    if named := _named_in_words(text) or ("mol" in text.lower() and _of_photons(text)):
         return named
     try:
         parsed = parse_unit(text)
@@ -82,7 +82,6 @@ def _read(text: str) -> Unit | str:
         entry = lookup(spelling) or _degree(spelling, unit, len(parsed) == exponent == 1)
         if entry is None:
             return spelling if spelling in SCALE_NAMES else _in_other_words(text) or spelling
-        _refuse_power_of_part(text, spelling, entry[1], exponent)
         powers = _multiply(unit, *entry, exponent)
         if powers == LENGTH_ALONE and exponent == 1:
             inverted += below
@@ -115,13 +114,6 @@ def _degree(spelling: str, unit: Unit, is_alone: bool) -> tuple[str, str] | None
     return "", "kelvin"
 
 
-def _refuse_power_of_part(text: str, spelling: str, name: str, exponent: int) -> None:
-    """Raise for %2 and the like: the exponent may belong to the number as well."""
-    if name in PARTS and exponent not in (1, -1):
-        hint = "brackets around the number with it, as in (50%)^2"
-        raise errors.UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
-
-
 def _refuse_side_by_side(text: str) -> None:
     """Raise for ft m and % lx: a blank there is more likely a conversion than a product."""
     first, *others = text.split(" ")
@@ -146,6 +138,9 @@ def _refuse_minus(unit: Unit, last: str) -> None:
 
 def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
     """Multiply a unit by the power of a named unit; return the exponents of the latter."""
+    if name in PARTS and exponent not in (1, -1):  # %2: it may belong to the number as well
+        hint = "brackets around the number with it, as in (50%)^2"
+        raise errors.UnitError(f"'{quote(unit.text)}' is a power of {name}", hint)
     top, bottom, powers = multiple(prefix, name)
     if exponent < 0:
         top, bottom = bottom, top
@@ -188,8 +183,6 @@ def _in_other_words(text: str) -> Unit | str:
 
 def _of_photons(text: str) -> Unit | None:
     """Return the unit of `umol photons m-2 s-1`, whose moles are of photons; None for others."""
-    if "mol" not in text.lower():
-        return None
     from radcalc.units.languages import without_photons
 
     plain = without_photons(text)
