@@ -26,9 +26,8 @@ from radcalc.files.text import reading as opened
 from radcalc.inputs.given import refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import article
 from radcalc.streams.clocks import TimeSettings
-from radcalc.streams.dose import EXPECTED, LogDose, longest_step
 from radcalc.streams.log_layout import LogSettings
-from radcalc.streams.samples import Log
+from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
 from radcalc.terminal import ABORT, IGNORE, WARN
 
 TAB = "\t"

@@ -5,19 +5,18 @@ A step that is longer than `max-gap`, or that lacks a sample, is a gap: it adds 
 reports it.
 """
 
-from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator
-from math import ceil, floor, fsum, inf, log10
-from operator import add, mul, sub
-from typing import Any, NamedTuple
+from math import ceil, floor, inf, log10
+from typing import NamedTuple
 
 from radcalc.answer import Answer, Value
+from radcalc.calculators.dose_sums import WITHIN, Dose, Period, SampleStep
 from radcalc.calculators.page import FILE, PERIODS, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import Formula, coherent_unit_of, format_number, format_value, letter_of
-from radcalc.errors import ConditionError, NumberError, TooMany, Try, mention, option, quote
+from radcalc.errors import ConditionError, NumberError, Try, mention, option, quote
 from radcalc.files.text import ENDINGS
 from radcalc.floats import divide
 from radcalc.inputs.given import Inputs
@@ -42,12 +41,7 @@ READINGS = {
 }
 SHORT = 3600  # s: a log that is shown in seconds, and not in hours
 LONG = 10  # times the mean of the others: longer steps are noted
-HOLE, WITHIN = 1.8, 1.5  # times the usual step: longer ones lack samples; as long or as short ones
-REGULAR = 2 / 3  # share of steps that are as long as the usual one
-ENOUGH = 100  # steps that show the usual one
-MOST = 100_000  # periods: 11 years of hours
 SLACK = 1e-9  # of a number of units
-ROUNDED = 1e-3  # of a gap's limit: times in a log are rounded, as 600.05 s for 10 min in days
 
 MEAN = {
     IRRADIANCE: law("mean irradiance", "{exposure} = {mean-irradiance} {covered-time}"),
@@ -131,8 +125,6 @@ CUSTOMARY_UNITS = {
     "lx s": "lx h", "J/m2": "Wh/m2", "umol/m2": "mol/m2", "umol": "mol", "lm s": "lm h", "J": "Wh",
 }  # fmt: skip
 
-Spans = Callable[[float], tuple[float, float, str]]  # a time's period: start, end and name
-
 
 def check_unit(unit: Unit) -> None:
     """Refuse samples whose integral over time is neither an exposure nor an energy."""
@@ -151,255 +143,6 @@ def check_unit(unit: Unit) -> None:
         f"the integral of {describe(unit)} over time is neither an exposure nor an energy",
         "samples of an irradiance, illuminance, PPFD or flux: W/m2, lx, umol/m2/s, W, lm",
     )
-
-
-class SampleStep(NamedTuple):
-    """The length of the step from one sample to the next, and its ends [ticks]."""
-
-    length: float
-    start: float
-    end: float
-
-
-NO_STEP = SampleStep(0, 0, 0)
-
-
-class Steps:
-    """The number of bridged steps [ticks] that are as long as the usual one, or longer.
-
-    The usual step is the median of the first steps.
-    """
-
-    def __init__(self) -> None:
-        self.usual = 0.0
-        self.count = self.alike = self.longer = 0
-        self._first: list[Any] = []
-
-    @property
-    def has_holes(self) -> bool:
-        """Return whether the steps are regular but for some longer ones."""
-        return bool(self.longer) and self.alike >= REGULAR * self.count
-
-    def take(self, steps: list[Any], longest: Any) -> None:
-        if self.usual:
-            self._count(steps, longest)
-            return
-        self._first += steps
-        if len(self._first) >= ENOUGH:
-            self.settle()
-
-    def settle(self) -> None:
-        """Find the usual step among those that were taken."""
-        if not self.usual and self._first:
-            self.usual = sorted(self._first)[(len(self._first) - 1) // 2]
-            self._count(self._first, max(self._first))
-            self._first = []
-
-    def _count(self, steps: list[Any], longest: Any) -> None:
-        self.count += len(steps)
-        least, most = self.usual / WITHIN, self.usual * WITHIN
-        if longest <= most and min(steps) >= least:  # the usual case
-            self.alike += len(steps)
-            return
-        ordered = sorted(steps)
-        self.alike += bisect_right(ordered, most) - bisect_left(ordered, least)
-        self.longer += len(ordered) - bisect_right(ordered, self.usual * HOLE)
-
-
-class Period:
-    """The sums over the samples of a period, in their unit and in ticks.
-
-    The sum is kept in two floats, so that ten million terms lose no digits.
-    """
-
-    __slots__ = (
-        "count",
-        "covered",
-        "end",
-        "is_in_gap",
-        "label",
-        "low",
-        "peak",
-        "start",
-        "total",
-        "when",
-    )
-
-    def __init__(self, start: float, end: float, label: str = "") -> None:
-        self.start, self.end, self.label = start, end, label
-        self.total = self.low = 0.0
-        self.covered: float = 0
-        self.count = 0
-        self.is_in_gap = False  # also for a single sample between two gaps
-        self.peak, self.when = -inf, start
-
-    def take(
-        self, times: list[Any], values: list[float], steps: list[Any], of_means: bool = False
-    ) -> None:
-        highest = max(values)
-        if highest > self.peak:
-            self.peak, self.when = highest, times[values.index(highest)]
-        self.covered += times[-1] - times[0]
-        part = _sum(values, values if of_means else values[1:], steps)
-        total = self.total + part  # Neumaier's sum
-        if abs(self.total) >= abs(part):
-            self.low += (self.total - total) + part
-        else:
-            self.low += (part - total) + self.total
-        self.total = total
-
-
-class Dose:
-    """Samples added up over the whole log or by period."""
-
-    def __init__(
-        self,
-        longest: float = inf,
-        bridges: bool = False,
-        spans: Spans | None = None,
-        of_means: bool = False,
-    ) -> None:
-        """Take the longest step to bridge [ticks], and the periods.
-
-        With `bridges`, a missing sample does not make a gap by itself; with `of_means`, a sample is
-        the mean from its time to that of the next one.
-        """
-        self.of_means = of_means
-        self.usual = 0.0  # the last bridged step
-        self.longest = longest * (1 + ROUNDED)
-        self.bridges = bridges
-        self.spans = spans
-        self.periods: list[Period] = []
-        self.first: Any = None  # tick
-        self.time: Any = None  # of the last sample
-        self.value = 0.0
-        self.is_broken = False
-        self.count = 0
-        self.plain, self.first_value = 0.0, 0.0  # the sum of the samples, without their times
-        self.peak, self.peak_at = -inf, 0.0
-        self.gaps, self.gap_time, self.widest = 0, 0.0, NO_STEP
-        self.step = NO_STEP  # the longest bridged step
-        self.steps = Steps()
-        self.negative, self.below, self.least, self.least_at = 0, 0.0, 0.0, 0.0
-
-    def interrupt(self) -> None:
-        self.is_broken = not self.bridges
-
-    def add(self, times: list[Any], values: list[float]) -> None:
-        """Add samples in order of time: sum up each run, and count the gaps between runs."""
-        self._watch(times, values)
-        counted = 0  # of the run, before
-        if self.first is None:
-            self.first, self.first_value = times[0], values[0]
-        elif self.is_broken or times[0] - self.time > self.longest:
-            self._gap(self.time, times[0], self.value)
-        else:
-            times, values, counted = [self.time, *times], [self.value, *values], 1
-        self.time, self.value, self.is_broken = times[-1], values[-1], False
-        steps = list(map(sub, times[1:], times))
-        start = 0
-        if self.longest < inf and steps and max(steps) > self.longest:
-            for k, step in enumerate(steps, 1):
-                if step > self.longest:
-                    self._run(times[start:k], values[start:k], steps[start : k - 1], counted)
-                    self._gap(times[k - 1], times[k], values[k - 1])
-                    start, counted = k, 0
-        self._run(times[start:], values[start:], steps[start:], counted)
-
-    def _watch(self, times: list[Any], values: list[float]) -> None:
-        self.count += len(times)
-        self.plain += sum(values)
-        high, low = max(values), min(values)
-        if high > self.peak:
-            self.peak, self.peak_at = high, times[values.index(high)]
-        if low < 0:
-            self.negative += sum(value < 0 for value in values)
-            if low < self.least:
-                self.least, self.least_at = low, times[values.index(low)]
-
-    def finish(self) -> None:
-        """End the last mean, and the search for the usual step."""
-        self.steps.settle()
-        if self.of_means and self.usual:
-            self.time = self._hold(self.value, self.time, self.time + self.usual)
-
-    def _hold(self, value: float, start: Any, end: Any) -> Any:
-        """Add a value that lasts from one time to another; return the latter."""
-        while start < end:
-            period = self._period(start)
-            stop = min(end, period.end)
-            period.take([start, stop], [value, value], [stop - start])
-            start = stop
-        return start
-
-    def _gap(self, start: Any, end: Any, value: float) -> None:
-        if self.of_means:
-            start = self._hold(value, start, min(start + self.usual, end))
-        self.gaps += 1
-        self.gap_time += end - start
-        self.widest = max(self.widest, SampleStep(end - start, start, end))
-        while self.spans:
-            period = self.periods[-1]
-            period.is_in_gap |= not period.covered
-            if period.end >= end:
-                break
-            self._period(period.end)
-
-    def _run(self, times: list[Any], values: list[float], steps: list[Any], counted: int) -> None:
-        """Add samples without gaps, split at the ends of periods."""
-        if steps:
-            self.usual = steps[-1]
-            longest = max(steps)
-            self.steps.take(steps, longest)
-            if longest > self.step.length:
-                at = steps.index(longest)
-                self.step = SampleStep(longest, times[at], times[at + 1])
-            if min(values) < 0:
-                ends = values if self.of_means else values[1:]
-                self.below += fsum(map(_area_below, values, ends, steps))
-        elif not counted:
-            self._period(times[0]).is_in_gap = True
-        while True:
-            period = self._period(times[0])
-            end = period.end
-            cut = bisect_left(times, end)
-            period.count += cut - counted
-            if cut == len(times):
-                period.take(times, values, steps, self.of_means)
-                return
-            step_to_end = end - times[cut - 1]
-            value = values[cut]
-            if self.of_means:
-                value = values[cut - 1]
-            elif times[cut] != end:  # on the straight line between two samples
-                value = values[cut - 1] + (value - values[cut - 1]) * (step_to_end / steps[cut - 1])
-            period.take(
-                [*times[:cut], end],
-                [*values[:cut], value],
-                [*steps[: cut - 1], step_to_end],
-                self.of_means,
-            )
-            counted = int(times[cut] != end)
-            if counted:
-                times, values = [end, *times[cut:]], [value, *values[cut:]]
-                steps = [times[1] - end, *steps[cut:]]
-            else:
-                times, values, steps = times[cut:], values[cut:], steps[cut:]
-
-    def _period(self, time: Any) -> Period:
-        last = self.periods[-1] if self.periods else None
-        if last and last.start <= time < last.end:
-            return last
-        start, end, label = self.spans(time) if self.spans else (time, inf, "")
-        if last and start < last.end:
-            start = last.end
-        if len(self.periods) >= MOST:
-            raise TooMany(
-                f"there are more than {MOST} days or hours, up to {label}",
-                mention("{by=day}; a time that is far from the others may be wrong"),
-            )
-        self.periods.append(Period(start, end, label))
-        return self.periods[-1]
 
 
 class SummedLog(NamedTuple):
@@ -599,21 +342,6 @@ class SummedLog(NamedTuple):
         if not is_own or self.unit.factor == resolve(result.units[0]).factor:
             return result
         return result._replace(units=(self.unit.text,))
-
-
-def _sum(starts: list[float], ends: list[float], steps: list[Any]) -> float:
-    try:
-        return fsum(map(mul, map(add, ends, starts), steps)) / 2
-    except (OverflowError, ValueError):  # too large for a float, or infinities of both signs
-        return inf
-
-
-def _area_below(first: float, second: float, step: float) -> float:
-    """Return the area below 0 under a straight line."""
-    low, high = min(first, second), max(first, second)
-    if low >= 0:
-        return 0.0
-    return (low + high) / 2 * step if high <= 0 else low * (low / (low - high)) / 2 * step
 
 
 def _times_in(duration: float) -> tuple[str, ...]:

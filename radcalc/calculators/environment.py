@@ -261,8 +261,8 @@ class _Surroundings:
             if links:
                 raise Unused(tuple(links), "to relative radiances")
             self.assumptions.append(IS_RELATIVE)
-        self.counts = bool(environment.efficacy) and not set(LINKS) & set(links)
-        if self.counts:
+        self.uses_own_efficacy = bool(environment.efficacy) and not set(LINKS) & set(links)
+        if self.uses_own_efficacy:
             links = {**links, "efficacy": read("efficacy", f"{environment.efficacy:g} lm/W")}
         self.lit = kinds.read_light({}, links)._replace(kind=self.kind, mixed=lit.mixed)
 
@@ -404,7 +404,7 @@ class _Surroundings:
             rows = {name: [_relative(name, amount)] for name, amount in amounts.items()}
             return kinds.LightResults(rows, (), (), ())
         results = kinds.show_light(self.lit, amounts)
-        if self.counts:
+        if self.uses_own_efficacy:
             assumption = (
                 f"a watt counts as {self.environment.efficacy:g} lm, as in Radiance "
                 f"({options(LINKS)} for another light)"

@@ -8,7 +8,8 @@ from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import FILE, Operand, Page, text
 from radcalc.calculators.results import element, value
-from radcalc.calculators.scene_rows import NamedSource, Reader, rows_of_dicts, rows_of_file
+from radcalc.calculators.scene_reader import NamedSource, Reader
+from radcalc.calculators.scene_rows import rows_of_dicts, rows_of_file
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
 from radcalc.files.text import ENDINGS

@@ -21,10 +21,9 @@ from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
 from radcalc.quantities.names import DLI
 from radcalc.streams.clocks import TimeSettings
-from radcalc.streams.dose import EXPECTED, LogDose, longest_step
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import LogSettings
-from radcalc.streams.samples import Log
+from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
 from radcalc.terminal import ABORT
 
 HELP = """\

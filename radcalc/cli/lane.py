@@ -234,9 +234,9 @@ def _results(call: "Sequence[str]") -> "Sequence[Result]":
             given[symbol] = SYMBOLS[symbol].form == FLAG or text
         elif symbol:
             return ()
-    from radcalc.cli.heard import Heard, Listener
+    from radcalc.cli.output import Heard, Hearer
 
-    listener = Listener()
+    listener = Hearer()
     with suppress(Heard):
         work_out(name, operands, given, wanted, decide(command=name, listener=listener))
     results = listener.results

@@ -241,7 +241,7 @@ def on_plane(
     def light(across: Any, along: Any, x: Any, y: Any, height: Any) -> Any:
         return relative_irradiance(distribution, pose, x + across, y + along, height)
 
-    counts = _counts(distribution, radius, height)
+    counts = _refinements(distribution, radius, height)
     return _over_discs(light, counts, radius, x, y, height)
 
 
@@ -267,7 +267,7 @@ def on_facing_disc(
         polar, azimuth, slant = _seen(across, along, distance, theta, phi)
         return distribution.intensity(polar, azimuth) * distance / slant**3
 
-    counts = _counts(distribution, radius, distance)
+    counts = _refinements(distribution, radius, distance)
     return _over_discs(light, counts, radius, distance, theta, phi)
 
 
@@ -275,7 +275,7 @@ def _about_axis(distribution: Distribution, radius: Number, away: Number) -> Num
     return each(lambda r, d: distribution.flux((0.0, math.atan2(r, d))).value, radius, away)
 
 
-def _counts(distribution: Distribution, radius: Number, away: Number) -> list[int]:
+def _refinements(distribution: Distribution, radius: Number, away: Number) -> list[int]:
     """Return the numbers of radii to sample, so that no light falls between the samples."""
     widest = float(numpy.arctan(numpy.max(radius / away, initial=0.0)))
     least = math.pi * widest / distribution.finest

@@ -34,7 +34,7 @@ from radcalc.sentences.phrases import (
     PERIOD,
     SUN,
 )
-from radcalc.sentences.products import moved, moved_either_way, quotients
+from radcalc.sentences.products import moved_either_way, moved_in_distance, quotients_or_products
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.used import is_idle, refuse_unused
 from radcalc.sentences.words import amount_of, near_words, size_of
@@ -373,17 +373,17 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
         raise errors.UsageError(
             "the meter may be in front of the filter or behind it", "the light without it"
         )
-    has_beam = any(map(is_lamp, sentence.facts)) or bool(sentence.fillers(BEAM))
-    sentence = _without_lamp(_with_led(sentence), goal)
+    names_a_source = any(map(is_lamp, sentence.facts)) or bool(sentence.fillers(BEAM))
+    sentence = _without_needless_spectrum(_with_led(sentence), goal)
     readings = readings_of(sentence)
-    found = _in_frames(sentence, readings, goal) or quotients(sentence.facts, goal)
-    if not found and not has_beam:
-        found = moved(sentence.facts, goal)
+    found = _in_frames(sentence, readings, goal) or quotients_or_products(sentence.facts, goal)
+    if not found and not names_a_source:
+        found = moved_in_distance(sentence.facts, goal)
     _refuse_wide(sentence, goal, found)
     _refuse_field(sentence, goal)
     if not found and not readings:
         texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
-        tries = [] if has_beam else moved_either_way(sentence.facts, goal)
+        tries = [] if names_a_source else moved_either_way(sentence.facts, goal)
         raise errors.UsageError(
             f"two of these fill one place: {texts}",
             tries or "a call for each of them",
@@ -412,7 +412,7 @@ def _in_frames(sentence: Sentence, readings: Sequence[Facts], goal: Goal | None)
     return found or [call for facts in readings for call in calls_of(facts, goal)]
 
 
-def _without_lamp(sentence: Sentence, goal: Goal | None) -> Sentence:
+def _without_needless_spectrum(sentence: Sentence, goal: Goal | None) -> Sentence:
     """Return a sentence without a spectrum such as `led` or `sun`, if its light needs none.
 
     It is of one kind, or its efficacy is given.

@@ -31,7 +31,7 @@ SMALL_SOURCE = "a source small compared to both distances (the inverse square la
 PPFD = "umol/m2/s"  # which is a unit in expressions
 
 
-def quotients(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
+def quotients_or_products(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     """Return the conversion of the quotient or product of two amounts that has the goal's unit."""
     amounts = [fact.amount for fact in facts if fact.amount]
     if any(a.dimension == SOLID_ANGLE and "*" in a.text for a in amounts):  # 24 deg x 12 deg
@@ -96,7 +96,7 @@ def _unit_of(goal: Goal, amounts: Sequence[Amount]) -> str:
     return light_unit(symbol.generic, kinds[0]) if symbol.generic and kinds else symbol.unit
 
 
-def moved(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
+def moved_in_distance(facts: Sequence[Fact], goal: Goal | None) -> list[list[str]]:
     """Return the conversion of light on a surface from one distance to another, or a distance.
 
     Both distances have `at`, and the light comes from a small lamp: it is not the sun's, nor a

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from radcalc.calculators import dose as module
-from radcalc.calculators.dose import Dose, SummedLog, check_unit
+from radcalc.calculators import dose_sums
+from radcalc.calculators.dose import SummedLog, check_unit
+from radcalc.calculators.dose_sums import Dose
 from radcalc.errors import RadcalcError
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
@@ -190,7 +191,7 @@ def test_inputs_without_a_dose_are_refused(times, values, said):
 
 
 def test_a_distant_time_does_not_make_an_endless_list(monkeypatch):
-    monkeypatch.setattr(module, "MOST", 50)
+    monkeypatch.setattr(dose_sums, "MOST", 50)
     assert len(summed([0, 49 * DAY], [1.0, 1.0], spans=days).periods) == 50
     with pytest.raises(RadcalcError, match="more than 50 days or hours"):
         summed([0, 50 * DAY], [1.0, 1.0], spans=days)
