@@ -31,7 +31,7 @@ from radcalc.calculators.page import (
 )
 from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.group import command_of, examples_of
-from radcalc.cli.heard import hear
+from radcalc.cli.output import hear
 from radcalc.cli.help import joined, narrowed
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED

@@ -35,6 +35,8 @@ LINES = (
 # Problems whose hint may be a sentence: a number that is out of range or not finite, and a file
 # that is missing, damaged or malformed.
 PROSE = (
+    "not understood: ",  # what was understood, and what was not
+    "not used( for .*)?: ",
     r"out of range|not a finite number|too (large|small) for a number|divides by zero",
     r"exponent too large|no reading on|not the reciprocal|is invisible|no CIE daylight|near '0lx'",
     r"^cannot (read|write) |^there is no file ",

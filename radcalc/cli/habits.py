@@ -4,6 +4,7 @@ import os
 import select
 import stat
 from contextlib import suppress
+from itertools import pairwise
 
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.files import say
@@ -81,7 +82,7 @@ def _refuse_second_unit(operands: list[str], ends: dict[str, str]) -> None:
         unit = split_quantity(operands[0])[1] or unit
     if source and unit and operands[0] != "-":
         problem = f"{quote(operands[0])} has two units: {quote(unit)} and --from {quote(source)}"
-        raise UsageError(problem, "one of them")
+        raise UsageError(problem, call("convert", *operands, "to", source))
 
 
 def _is_other(first: str, words: list[str]) -> bool:
@@ -128,7 +129,11 @@ def _parts(words: list[str]) -> tuple[list[str], list[str], dict[str, str]]:
     for word in words:
         name, is_joined, value = word.partition("=")
         if not waiting and name in ENDS and name in ends:
-            raise UsageError(f"{name} is given more than once", "one of them")
+            typed = [following for word, following in pairwise(words) if word == name]
+            hint = (
+                call("convert", *rest, "to", ",".join(typed)) if name == ENDS[1] else "one of them"
+            )
+            raise UsageError(f"{name} is given more than once", hint)
         if waiting:
             ends[waiting], waiting = word, ""
         elif name in ENDS and is_joined:

@@ -40,6 +40,7 @@ def translate(label: str, language: str) -> str:
 
 # Symbols, and names of options, with other words for them.
 SYNONYMS = {
+    "photon-energy": "energy-of-a-photon energy-of-one-photon",
     "distance": "dist range separation throw",
     "f-number": "aperture f-stop fstop stop",
     "limit": "mpe el",

@@ -32,9 +32,9 @@ class Quantity(NamedTuple):
         return (self.names(language) or self.names("en"))[0]
 
 
-def data_rows(name: str) -> list[list[str]]:
-    """Return the rows of a table in `data`, below its remarks and titles, with all their cells."""
-    path = os.path.join(os.path.dirname(__file__), "data", f"{name}.tsv")
+def data_rows(name: str, folder: str = "quantities/data") -> list[list[str]]:
+    """Return the rows of a table of the package, below remarks and titles, with all their cells."""
+    path = os.path.join(os.path.dirname(os.path.dirname(__file__)), folder, f"{name}.tsv")
     with open(path, encoding="utf-8") as file:
         lines = [line.rstrip("\n") for line in file if line[0] != "#"]
     count = lines[0].count("\t")

@@ -4,6 +4,7 @@ A pattern is a sequence of words, of which `a|b` are alternatives, and of amount
 dimension of an amount decides whether a phrase fits.  The manual's table is made of `PHRASES`.
 """
 
+from radcalc.quantities.names import data_rows
 from radcalc.quantities.search import comparable
 from radcalc.tuples import NamedTuple
 from radcalc.units import dimensions
@@ -254,93 +255,30 @@ PHRASES = (
 # Readings that count only in a sentence with another symbol, unless that has the value here.
 BESIDE = {"height": ("incidence", "0deg"), "ev": ("iso", "100")}
 
-# Words that add nothing to a phrase.
-# Sources of light; those that light in one direction need the angle of their beam.
-SOURCES = """
-    area-light beam bulb downlight diode flash flashlight flood floodlight followspot fresnel
-    headlamp headlight image key-light lamp laser led light luminaire moving-head par16 par20
-    par30 par36 par38 par46 par56 par64 par-can parcan point point-light pointer profile
-    projection projector pulse pulses radiation ray searchlight single small source source-four
-    spot spotlight star torch
-"""
-# Things whose words ask for more: see MORE_NEEDED.
-BEAM, LAMP, LIGHT, METER, SUN, LASER = "beam", "lamp", "light", "meter", "sun", "laser"
-OF_BEAMS = """
-    beam collimated downlight flashlight flood floodlight focused focussed followspot fresnel
-    headlamp headlight laser moving-head par16 par20 par30 par36 par38 par46 par56 par64 parcan
-    pointer profile projector searchlight sky softbox spot spotlight sun torch лазер лазера
-"""
-# Things that are lit: a length next to one of these may be its size, not a distance.
-OBJECTS = """
-    lens optics globe softbox aisle array backdrop backlight bandgap band-gap bar basil
-    bathroom bedroom bench book camera car ceiling cell classroom collimated core corridor desk
-    desks display dome eye face fibre fiber fill filament fixture floor garage gallery
-    greenhouse ground hallway house intense kitchen laptop lettuce library meter
-    metre monitor monochromator moon museum objective office page painting panel paper
-    parking-lot phone photodiode picture pole pool poster pyranometer rack radiometer road roof
-    room same sample scene screen seedlings semiconductor sheet shelf shop silicon sky slide
-    smartphone solar-disc solar-disk spectrometer spectroradiometer stage street strip studio
-    sun-disc sun-disk surface table tablet tape tent theater theatre tomato tomatoes tray truss
-    tunnel tv video wall warehouse wash work-plane workplane
-"""
-QUESTIONS = """
-    a about an and are at be by calculate can convert corresponds do does equals for from get
-    give given gives giving have has how how-many how-much i if in into is it its me my need
-    needed needs of on onto over please pls required tell that that's the there this to under
-    using value what when which will with would you arrive arrives bare below beneath
-    brightness-of directly directly-underneath draws emission emit emits equally exactly face-on
-    falling falls fills focused focussed front gets gives-off glowing hang hangs head-on held
-    hit hits hitting illuminates just key landing lands leaves lights-up lit longest look looks
-    make makes measured number-of open optical peaking peaks plane produces put puts puts-out
-    radiated radiates radiating rated reach reaches reaching read reads receive receives seen
-    see sees shine shines shining showing sits stands still straight subtend subtended
-    subtends takes then throw turned underneath unit wants wide-open wien across subject target
-    detector actor performer person speaker singer dancer plant plants canopy leaf crop crops
-    reader model object
-"""
-OTHERS = """
-    je jak jaká jaký jaké kolik má při se s o ze pro lampa lampy papír svítidlo svítí svit zdroj
-    žárovka žárovky stůl plátno bodový
-
-    если и с со при какая какова какой какое какую сколько равна чему лампа лампы лазер лазера
-    источник точечный экран стол бумага
-"""  # Czech; Russian
-OF_LAMPS = """
-    led lamp bulb fixture luminaire halogen tungsten incandescent zarovka zarovky lampa лампа
-"""
-IGNORED = f"{QUESTIONS}{SOURCES}{OBJECTS}{OTHERS}"
-# Words of things that need more than a sentence without them has: the angle of a beam; whether
+# Things whose words ask for more than a sentence without them has: the angle of a beam; whether
 # watts of a lamp are electrical, unless they are of light; whether a meter is before a filter or
 # behind it; whether an angle of the sun is its height.
-MORE_NEEDED = {
-    BEAM: frozenset(OF_BEAMS.split()),
-    LAMP: frozenset(OF_LAMPS.split()),
-    LIGHT: frozenset(["laser", "light", "optical", "radiant", "radiated", "emits", "efficacy"]),
-    METER: frozenset(["meter", "metre", "measured", "reads", "read", "reading"]),
-    SUN: frozenset(["sun", "sunlight", "sky", "roof", "dni"]),
-    LASER: frozenset(["laser", "лазер", "лазера"]),
-}
-# Words that change an amount, or its meaning: without one, a sentence means something else.
-CHANGES = """
-    absorbed absorbs centre center square round absorption after away back behind before both
-    cloudy closer couple diffuse difference dim dimmed direct double down dozen each eight
-    either electrical every except fifth five four further global grazing half halogen lose
-    loses losing lost many melanopic minus moved much nd nine not off originally other outside
-    pair per pi plus quarter reflected reflects scotopic several seven six solar squared cubed
-    sodium fluorescent candle cool warm ten than third three through tilted inclined aimed times
-    transmitted twenty thirty forty fifty twice two under-water up was without instead window
-    gel goggles filter sensor lamps luminaires fixtures panels lights downlights fittings bulbs
-    glass water hene lambertian lasers violet blue cyan green yellow orange red infrared
-    ultraviolet uv white bez dva dvě tři poloviční ne без два две три половина не
-"""
-MEANINGFUL = frozenset(comparable(word) for word in CHANGES.split())
-# Colours and lasers, which add nothing where a wavelength is given.
-AIR, SHIFT = frozenset(["air"]), frozenset(["shift"])  # beside light, and beside mireds
-OF_LINES = "violet blue green yellow orange red infrared HeNe Nd:YAG"
-COLOURS = frozenset(comparable(word) for word in OF_LINES.split())
-FILLERS = frozenset(comparable(word.replace("-", " ")) for word in IGNORED.split())
-THINGS = frozenset(OBJECTS.split())
-NOUNS = frozenset(f"{SOURCES}{OBJECTS}".split())
+BEAM, LAMP, LIGHT, METER, SUN, LASER = "beam", "lamp", "light", "meter", "sun", "laser"
+# Things that are lit: a length next to one of these may be its size, not a distance.
+OBJECT, SOURCE = "object", "source"
+# Colours, which add nothing where a wavelength is given; air beside light, a shift beside mireds.
+LINE, AIR, SHIFT = "line", "air", "shift"
+WORDS = [row[:4] for row in data_rows("words", "sentences")]  # word, language, role, what it is of
+# Words that add nothing to a phrase, and those that change an amount or its meaning.
+FILLERS, MEANINGFUL = (
+    frozenset([comparable(row[0].replace("-", " ")) for row in WORDS if row[2] == role])
+    for role in ("nothing", "changes")
+)
+
+
+def words_for(*things: str) -> frozenset[str]:
+    """Return the words of things, as `comparable` writes them."""
+    rows = [row for row in WORDS if not {*row[3].split()}.isdisjoint(things)]
+    return frozenset([comparable(row[0]) for row in rows])
+
+
+MORE_NEEDED = {thing: words_for(thing) for thing in (BEAM, LAMP, LIGHT, METER, SUN, LASER)}
+THINGS, NOUNS = words_for(OBJECT), words_for(OBJECT, SOURCE)
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])
 # Words before the name of a spectrum of one letter: `with A`.

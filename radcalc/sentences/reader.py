@@ -15,9 +15,9 @@ from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
 from radcalc.sentences.phrases import (
     AIR,
     AMOUNTS,
-    COLOURS,
     COMMAND,
     FILLERS,
+    LINE,
     LONE,
     MARKS,
     MORE_NEEDED,
@@ -26,6 +26,7 @@ from radcalc.sentences.phrases import (
     TARGET,
     THINGS,
     UNKNOWN,
+    words_for,
 )
 from radcalc.sentences.words import (
     ASPECT,
@@ -52,7 +53,7 @@ from radcalc.units.unit import NUMBER, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container, Sequence
+    from collections.abc import Container, Sequence
 
 LONGEST_NAME = 5  # words
 LONGEST = 2000  # characters
@@ -67,7 +68,7 @@ DENSITY = re.compile(r"nd\d+(?:\.\d+)?", re.IGNORECASE)
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
 SHORTEST_UNIT = 2  # letters: sp and rg are results
 ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
-LINE, NARROW = "line", 10e-9  # m: a shorter one is the width of a line
+NARROW = 10e-9  # m: a shorter one is the width of a line
 OF_PHOTONS = 1e-9  # J: far above the energy of any photon of light
 LARGEST_EV = 40  # the sun's disc has 34
 MEAN = ("mean", "average")
@@ -117,7 +118,7 @@ class Sentence(NamedTuple):
 
     def fillers(self, thing: str) -> list[str]:
         """Return the words of a thing that needs more, without those of phrases: 3 metre."""
-        return [word for word in self.ignored if word.lower() in MORE_NEEDED[thing]]
+        return [word for word in self.ignored if comparable(word) in MORE_NEEDED[thing]]
 
 
 Found = tuple[int, "Fact | Goal | str | None"]  # the place after a phrase, and what it fills
@@ -268,7 +269,7 @@ def _of_line(sentence: Sentence) -> Sentence:
         return sentence
     lamps = [fact for fact in facts if fact.symbols == ("spectrum",) and fact.text.isalpha()]
     others = [fact for fact in facts if fact not in lamps]
-    without = _ignoring(sentence, COLOURS, comparable)
+    without = _ignoring(sentence, words_for(LINE))
     ignored = (*without.ignored, *[fact.typed for fact in lamps])
     return without._replace(facts=tuple(others), ignored=ignored)
 
@@ -293,21 +294,19 @@ def _of_air(sentence: Sentence) -> Sentence:
     has_wave = any(fact.amount and fact.amount.dimension in waves[1:] for fact in sentence.facts)
     has_wave |= any(map(_is_line, sentence.facts)) or not sentence.facts
     has_wave |= any("wavelength" in (*fact.symbols, fact.text) for fact in sentence.facts)
-    return sentence if has_wave else _ignoring(sentence, AIR)
+    return sentence if has_wave else _ignoring(sentence, words_for(AIR))
 
 
 def _of_mired(sentence: Sentence) -> Sentence:
     """Return a sentence with a shift of colour temperatures, in mireds."""
     is_mired = any(goal.unit and goal.unit.is_scale for goal in sentence.goals)
-    return _ignoring(sentence, SHIFT) if is_mired else sentence
+    return _ignoring(sentence, words_for(SHIFT)) if is_mired else sentence
 
 
-def _ignoring(
-    sentence: Sentence, words: "Container[str]", form: "Callable[[str], str]" = str
-) -> Sentence:
+def _ignoring(sentence: Sentence, words: "Container[str]") -> Sentence:
     """Return a sentence in which some of the unknown words are ignored."""
-    ignored = [word for word in sentence.unknown if form(word) in words]
-    unknown = [word for word in sentence.unknown if form(word) not in words]
+    ignored = [word for word in sentence.unknown if comparable(word) in words]
+    unknown = [word for word in sentence.unknown if comparable(word) not in words]
     return sentence._replace(unknown=tuple(unknown), ignored=(*sentence.ignored, *ignored))
 
 

@@ -247,7 +247,8 @@ def _reordered(parts: list[str]) -> list[str]:
                 _refuse_small(parts)
             parts[: 2 + (not is_bare)] = [following[0], "ppfd", name]  # dli 600 16h
         elif is_bare and is_before:
-            parts[at : at + 2] = [following[0].rstrip(ENDS), name]
+            number = following[0].rstrip(ENDS)
+            parts[at : at + 2] = [number, name + following[0].removeprefix(number)]
         elif part in ("inverse", "reciprocal") and following and unit_of(following[0]):
             parts[at : at + 2] = ["", f"{following[0]}^-1"]
     return parts
