@@ -31,7 +31,7 @@ from radcalc.calculators.page import (
 )
 from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.group import command_of, examples_of
-from radcalc.cli.output import hear
+from radcalc.cli.heard import hear
 from radcalc.cli.help import joined, narrowed
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED
@@ -58,12 +58,12 @@ from radcalc.sentences.frames import FRAMES, taken_by
 from radcalc.sentences.phrases import (
     COMMAND,
     FILTER,
-    IGNORED,
     PERIOD,
     PHRASES,
     SHAPE,
     TARGET,
     UNKNOWN,
+    WORDS,
     Phrase,
 )
 from radcalc.sentences.tasks import CALL
@@ -399,7 +399,7 @@ def phrases(_: str) -> Iterator[str]:
 def fillers(_: str) -> Iterator[str]:
     """Yield the words that add nothing to a sentence."""
     yield from filled(
-        [", ".join(sorted({word.replace("-", " ") for word in IGNORED.split()})) + "."]
+        [", ".join(sorted({word for word, _, role, _ in WORDS if role == "nothing"})) + "."]
     )
 
 

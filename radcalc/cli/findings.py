@@ -17,7 +17,8 @@ from radcalc.calculators.page import RESULT
 from radcalc.calculators.pages import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.cli.command import define
 from radcalc.cli.group import examples_of
-from radcalc.cli.output import Output, hear, refuse_number_options
+from radcalc.cli.heard import hear
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import pasted
 from radcalc.completion import table
 from radcalc.errors import (

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 # The module `help` has what all commands share, and `lists` has several commands.
 LISTS = ("units", "typical", "quantities", "examples", "manual")
-OTHERWISE = {"help": "findings", **dict.fromkeys(LISTS, "lists")}
+OTHERWISE = {"help": "findings", "columns": "dose", **dict.fromkeys(LISTS, "lists")}
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 
@@ -43,8 +43,9 @@ class Commands(Helped, click.Group):
         if cmd_name not in COMMANDS:
             return None
         module = own_module(OTHERWISE.get(cmd_name, cmd_name))
-        of_list = f"{cmd_name}_command" if cmd_name in LISTS else "command"
-        command: click.Command | None = getattr(module, of_list, None)
+        name = f"{cmd_name}_command"
+        name = name if hasattr(module, name) else "command"
+        command: click.Command | None = getattr(module, name, None)
         if command is None:
             from radcalc.cli.command import of_page
 

@@ -48,6 +48,13 @@ def canonical(words: list[str]) -> list[str]:
     `convert 1 footcandle lx`.  With a pipe, `to fc` is `convert - to fc`, `convert lx fc` is
     `convert - lx fc`, and `fc` alone, if the pipe has lines, `convert - fc`.
     """
+    parts = words[0].split() if len(words) == 1 and not os.path.exists(words[0]) else words
+    found = _canonical(parts)
+    return words if found == parts else found
+
+
+def _canonical(words: list[str]) -> list[str]:
+    """Return the conversion that words mean; the words as they are if they mean none."""
     is_convert = words[:1] == ["convert"]
     if not words or _is_other(words[0], words[is_convert:]):
         return words

@@ -234,7 +234,7 @@ def _results(call: "Sequence[str]") -> "Sequence[Result]":
             given[symbol] = SYMBOLS[symbol].form == FLAG or text
         elif symbol:
             return ()
-    from radcalc.cli.output import Heard, Hearer
+    from radcalc.cli.heard import Heard, Hearer
 
     listener = Hearer()
     with suppress(Heard):

@@ -12,7 +12,8 @@ from radcalc.calculators.pages import page_of
 from radcalc.calculators.results import said_of
 from radcalc.cli import files, sentence, trials
 from radcalc.cli.command import define
-from radcalc.cli.output import Asked, Output, asked, refuse_number_options
+from radcalc.cli.heard import Asked, asked
+from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.refusals import of_click
 from radcalc.cli.spelling import Shell, refuse_long, spelled, split
 from radcalc.errors import RadcalcError, UsageError, drop, listed, printable, quote, spell

@@ -16,8 +16,9 @@ from radcalc.cli.cases import is_stream
 from radcalc.cli.command import option_of
 from radcalc.cli.files import route, say
 from radcalc.cli.group import parameters
+from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other, plain
-from radcalc.cli.output import Output, decide, hear, refuse_number_options
+from radcalc.cli.output import Output, decide, refuse_number_options
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, typed
 from radcalc.conversion.operands import is_conversion
 from radcalc.errors import RadcalcError, UsageError, call, drop, input_of, leave_out

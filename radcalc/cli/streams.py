@@ -206,7 +206,7 @@ class _Calculation(_Work):
         layout: "Layout",
         output: Output,
     ) -> None:
-        from radcalc.streams.remarks import Remarks
+        from radcalc.streams.calculated import Remarks
 
         super().__init__(layout, output)
         self.case = case

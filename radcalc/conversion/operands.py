@@ -127,7 +127,8 @@ def parts_of(words: "Sequence[str]") -> list[str]:
             is_one = read_amount(first).rounding is not None
         except errors.RadcalcError:
             is_one = False
-    return [first, *rest] if is_one else [*first.split(), *rest]
+    parts = [first, *rest] if is_one else [*first.split(), *rest]
+    return [part[:-1] if part[-1] == "." and part[:-1].isalpha() else part for part in parts]
 
 
 def is_divisible(parts: "Sequence[str]", words: "Sequence[str]") -> bool:

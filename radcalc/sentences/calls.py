@@ -1,18 +1,18 @@
 """The call of a command that a sentence means: its facts decide."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from radcalc import errors
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.conversion.operands import read_operands, unit_first
 from radcalc.errors import call, listed, quote, quote_path
 from radcalc.quantities import symbols
-from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
+from radcalc.sentences import doubts
+from radcalc.sentences.doubts import ELECTRICAL, Way
 from radcalc.sentences.facts import (
-    DAYS,
     Facts,
     is_bare,
     is_efficacy,
@@ -25,45 +25,28 @@ from radcalc.sentences.phrases import (
     COMMAND,
     FILLERS,
     FILTER,
-    LAMP,
     LASER,
-    LIGHT,
     MEANINGFUL,
     METER,
     PER_DAY,
     PERIOD,
-    SUN,
 )
 from radcalc.sentences.products import moved_either_way, moved_in_distance, quotients_or_products
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.used import is_idle, refuse_unused
-from radcalc.sentences.words import amount_of, near_words, size_of
+from radcalc.sentences.words import near_words, size_of
 from radcalc.units.dimensions import (
-    POWER,
     TEMPERATURE,
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest
-from radcalc.units.unit import NUMBER, Daily
+from radcalc.units.unit import Daily
 
 SHORTEST = 4  # letters of a word with a misspelling
-ELECTRICAL = ("flux", "input-power")  # of `60 W led`
-PLAIN_FLUX = ((), ("flux",))
 OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}
-# Examples of the efficacy of a lamp, and of one with a filament, which `typical` gives.
-EXAMPLES_OF_LAMPS = {LUMINOUS: "100lm/W", PHOTON: "2.5umol/J"}
-FILAMENTS = frozenset(["incandescent", "tungsten", "filament", "zarovka", "zarovky"])
-OF_FILAMENTS = "12lm/W"
 # Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
 LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.05  # of a temperature
-GREY = "0.18"  # the reflectance of a grey card of photographers
-# Usual fluorescent lamps of the CIE, with their colour temperatures as `spectrum` gives them.
-FLUORESCENT = {
-    "FL2": "cool white, 4225 K",
-    "FL4": "warm white, 2940 K",
-    "FL11": "three bands, 4000 K",
-}
 OF_ROOM = {"flux", "irradiance", "receiver-area"}
 UNDER_LAMP = {"irradiance", "receiver-area", "height"}
 # Directions of light, and examples of them.
@@ -88,17 +71,7 @@ def call_of(sentence: Sentence) -> list[str]:
     if sentence.unknown:
         raise _not_understood(sentence)
     sentence = _of_efficacy(_with_values(sentence))
-    _refuse_height_of_sun(sentence)
-    if watts := _watts_of_lamp(sentence):
-        raise _electrical(sentence, watts, _goal_of(sentence))
-    for fact in sentence.facts:
-        if not fact.text and symbols.SYMBOLS[fact.symbols[0]].form != symbols.FLAG:
-            raise _without_value(sentence, fact)
-    _refuse_percentage(sentence)
-    _refuse_exitance(sentence)
-    _refuse_density(sentence)
-    _refuse_bare(sentence)
-    _refuse_width(sentence)
+    doubts.refuse(sentence, None if sentence.files else _goal_of(sentence), _answerable)
     calls = _calls_of(sentence)
     if len(calls) > 1 and all(map(is_idle, calls)):
         refuse_unused(sentence, calls[0])
@@ -145,97 +118,6 @@ def _several(sentence: Sentence, calls: Sequence[tuple[str, ...]]) -> errors.Sev
     return errors.SeveralReadings(problem, explained(calls))
 
 
-def _refuse_percentage(sentence: Sentence) -> None:
-    """Refuse a percentage without a name, unless it is the reflectance of a surface that shines."""
-    percentages = [
-        quote(fact.text)
-        for fact in sentence.facts
-        if fact.symbols == ("reflectance",) and fact.typed == fact.text and "%" in fact.text
-    ]
-    if percentages and not _is_of_shining(_goal_of(sentence)):
-        problem = f"{percentages[0]} may be a reflectance, a transmittance or another part"
-        raise errors.UsageError(problem, "its name before it, or the number times it: 500*0.8 lx")
-
-
-def _refuse_exitance(sentence: Sentence) -> None:
-    """Refuse `exitance of 500 lx, reflectance 0.8`: 500 lx leave the surface, or fall on it."""
-    others = [fact for fact in sentence.facts if "reflectance" not in fact.symbols]
-    if len(others) == len(sentence.facts):
-        return
-    for fact in others:
-        names = [name for name in fact.symbols if symbols.generic_name(name) == "exitance"]
-        if names and fact.amount and not fact.amount.unit.is_exitance:
-            goal = Goal(symbols.SYMBOLS[names[0]].label, None, (names[0],))
-            fallen = _with_fact(sentence, fact, fact._replace(symbols=()))
-            fallen = fallen._replace(goals=sentence.goals or (goal,))
-            tries = _proposed([(fallen, "it falls on the surface")])
-            page, light = page_of("lambertian"), {names[0]: fact}
-            left = on_page(["lambertian"], page, light, _goal_of(sentence))[:1]
-            tries += [errors.Try(words=tuple(one), remark="it leaves the surface") for one in left]
-            problem = f"{quote(fact.text)} may fall on the surface or leave it"
-            raise errors.SeveralReadings(problem, tries)
-
-
-def _refuse_density(sentence: Sentence) -> None:
-    """Refuse `through ND 8`, whose number is a density or, as photographers write, a factor."""
-    for fact in sentence.facts:
-        number = fact.amount.text if fact.amount else ""
-        is_nd = fact.symbols == (FILTER,) and "nd" in fact.typed.lower().split()
-        if is_nd and number.isdigit() and int(number) > 1:
-            ways = [
-                (_with_text(sentence, fact, f"{number}.0 OD"), "the density"),
-                (_with_text(sentence, fact, f"1/{number}"), "the factor"),
-            ]
-            problem = f"{quote(fact.typed)} is ambiguous: a density or a factor"
-            raise errors.SeveralReadings(problem, _proposed(ways))
-
-
-def _refuse_bare(sentence: Sentence) -> None:
-    """Refuse a number without a unit in `10 S to ms` and `luminance 700 to lx`."""
-    if len(sentence.facts) != 1 or sentence.files:
-        return
-    goal, (fact,) = _goal_of(sentence), sentence.facts
-    if goal is None or goal.unit is None:
-        return
-    unit = goal.unit
-    number, has_number = fact.text, fact.amount is not None and fact.amount.unit.text == "1"
-    if not has_number or (unit.dimension == NUMBER and not unit.is_scale):
-        return
-    dimensions = [one for name in fact.symbols for one in symbols.SYMBOLS[name].dimensions]
-    is_other = bool(dimensions) and {NUMBER, unit.dimension}.isdisjoint(dimensions)
-    is_behind = sentence.text.rfind(goal.text) > sentence.text.find(number)
-    is_apart = is_behind and f"{number} {goal.text}" not in sentence.text
-    if is_other or (is_bare(fact) and (unit.is_scale or is_apart)):
-        raise errors.UsageError(
-            f"the unit of {quote(number)} is missing", f"a unit after {quote(number)}"
-        )
-
-
-def _refuse_width(sentence: Sentence) -> None:
-    """Refuse the width of a band without its place: 1 nm is 1059 GHz at 532 nm."""
-    if [fact.symbols[-1:] for fact in sentence.facts] != [("fwhm",)]:
-        return
-    (fact,), goal = sentence.facts, _goal_of(sentence)
-    if fact.amount and goal and goal.unit and goal.unit.dimension == fact.amount.dimension:
-        return
-    tries = []
-    if fact.amount and goal and goal.unit:
-        number, unit = fact.amount.text, fact.amount.unit.text
-        words = ("convert", number.removesuffix(unit).strip(), unit, goal.text, "wavelength=532nm")
-        tries = [errors.Try(words=words, remark="at 532 nm, an example")]
-    problem = f"'{quote(fact.typed)}' is the width of a band, and its wavelength is missing"
-    raise errors.UsageError(problem, tries or "the wavelength of the band, and a unit after 'to'")
-
-
-def _is_of_shining(goal: Goal | None) -> bool:
-    """Return whether a goal is the radiance or the exitance of a surface, by its unit or name."""
-    if goal is None:
-        return False
-    reading = read_light(goal.unit) if goal.unit else None
-    names = {symbols.generic_name(name) for name in goal.names}
-    return bool(reading and reading.is_radiance) or not names.isdisjoint(("radiance", "exitance"))
-
-
 def _refuse_room(call: Sequence[str]) -> None:
     """Refuse a flux and an illuminance on an area, which may be a receiver's or a room's."""
     values = {}
@@ -272,18 +154,6 @@ def _refuse_lamp_above(call: Sequence[str], values: Mapping[str, str]) -> None:
     raise errors.SeveralReadings("the light may be even, or that of one lamp at this height", tries)
 
 
-def _refuse_height_of_sun(sentence: Sentence) -> None:
-    """Refuse `at 30 deg` of the sun, which is its height or the angle from the normal."""
-    for fact in sentence.facts:
-        is_plain = fact.symbols == ("incidence",) and "incidence" not in fact.typed
-        is_given = "normal" in fact.typed or fact.text[:6] == "90deg-"
-        if is_plain and not is_given and sentence.has(SUN):
-            height = _with_text(sentence, fact, f"90deg-{fact.text}")
-            tries = _proposed([(sentence, "from the normal"), (height, "the sun's height")])
-            problem = f"'{quote(fact.typed)}' is the angle from the normal, or the sun's height"
-            raise errors.UsageError(problem, tries)
-
-
 def _of_efficacy(sentence: Sentence) -> Sentence:
     """Return a sentence whose watts of a lamp are those of its efficacy: 240 W LED, 2.7 umol/J."""
     if not any("efficacy" in fact.symbols or is_efficacy(fact) for fact in sentence.facts):
@@ -292,20 +162,6 @@ def _of_efficacy(sentence: Sentence) -> Sentence:
         fact._replace(symbols=()) if fact.symbols == ELECTRICAL else fact for fact in sentence.facts
     ]
     return sentence._replace(facts=tuple(facts))
-
-
-def _watts_of_lamp(sentence: Sentence) -> Fact | None:
-    """Return the watts of a lamp, as `400 W HPS`, which may be electrical or of its light."""
-    facts = sentence.facts
-    if any("efficacy" in fact.symbols or is_efficacy(fact) for fact in facts):
-        return None
-    is_lit = sentence.has(LAMP) or any(is_lamp(f) and f.text.lower() not in DAYS for f in facts)
-    is_of_lamp = is_lit and not sentence.has(LIGHT)
-    for fact in facts:
-        is_watts = fact.amount is not None and fact.amount.dimension == POWER
-        if fact.symbols == ELECTRICAL or (is_watts and is_of_lamp and fact.symbols in PLAIN_FLUX):
-            return fact
-    return None
 
 
 def _with_values(sentence: Sentence) -> Sentence:
@@ -380,7 +236,6 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
     if not found and not names_a_source:
         found = moved_in_distance(sentence.facts, goal)
     _refuse_wide(sentence, goal, found)
-    _refuse_field(sentence, goal)
     if not found and not readings:
         texts = ", ".join([quote(fact.typed) for fact in sentence.facts])
         tries = [] if names_a_source else moved_either_way(sentence.facts, goal)
@@ -389,20 +244,6 @@ def _calls_of(sentence: Sentence) -> list[tuple[str, ...]]:
             tries or "a call for each of them",
         )
     return list(dict.fromkeys(map(tuple, found)))
-
-
-def _refuse_field(sentence: Sentence, goal: Goal | None) -> None:
-    """Refuse the diameter of a field, which is not that of the beam: 19 degree field angle."""
-    fields = [fact for fact in sentence.facts if "field-angle" in fact.symbols]
-    if not fields or goal is None or {"diameter", "beam-diameter"}.isdisjoint(goal.names):
-        return
-    edge = _with_fact(sentence, fields[0], fields[0]._replace(symbols=("apex-angle",)))
-    calls = [call for facts in readings_of(sentence) for call in calls_of(facts, goal)]
-    tries = _proposed([(edge, "to the edge of the field")])
-    tries += [
-        errors.Try(words=tuple(one), remark="of the beam, at half of the peak") for one in calls[:1]
-    ]
-    raise errors.SeveralReadings("the field and the beam have two diameters", tries)
 
 
 def _in_frames(sentence: Sentence, readings: Sequence[Facts], goal: Goal | None) -> list[list[str]]:
@@ -475,11 +316,13 @@ def _with_led(sentence: Sentence) -> Sentence:
     first, second = sorted(LEDS, key=lambda led: abs(LEDS[led] - temperature))[:2]
     others = sentence._replace(facts=tuple([fact for fact in facts if fact is not colours[0]]))
     if abs(LEDS[first] - temperature) <= NEAR * temperature:
-        return _with_text(others, leds[0], first)
+        return Way(first, "").of(others, leds[0])
     names = (first, second)
-    tries = _proposed(
-        (_with_text(others, leds[0], name), f"an LED of {LEDS[name]} K") for name in names
-    )
+    tries = [
+        errors.Try(words=call, remark=f"an LED of {LEDS[name]} K")
+        for name in names
+        for call in _answerable(Way(name, "").of(others, leds[0]))[:1]
+    ]
     raise errors.UsageError(
         f"no LED of the CIE has about {quote(colours[0].typed)}", tries or first
     )
@@ -544,62 +387,6 @@ def _toward(fact: Fact) -> Fact:
     return fact
 
 
-def _electrical(sentence: Sentence, fact: Fact, goal: Goal | None) -> errors.UsageError:
-    """Return the error for the watts of a lamp, which may be electrical or those of its light."""
-    kind = PHOTON if goal and _is_of_photons(goal) else LUMINOUS
-    efficacy = EXAMPLES_OF_LAMPS[kind]
-    if kind == LUMINOUS and not FILAMENTS.isdisjoint(map(comparable, sentence.text.split())):
-        efficacy = OF_FILAMENTS
-    text = f"{fact.text}*{efficacy}"
-    electrical = Fact(("flux",), text, fact.typed, amount_of(text, 0))
-    radiant = _with_fact(sentence, fact, fact._replace(symbols=("flux",)))
-    if "led" in fact.typed.lower().split():
-        radiant = radiant._replace(facts=(*radiant.facts, Fact(("spectrum",), "LED", "LED")))
-    remark = f"electrical watts, {efficacy} as an example"
-    tries = _proposed(
-        [(_with_fact(sentence, fact, electrical), remark), (radiant, "watts of light")]
-    )
-    problem = f"'{quote(fact.typed)}': the watts of a lamp are electrical or of its light"
-    return errors.UsageError(problem, tries or "its flux in lm, or its radiant flux")
-
-
-def _is_of_photons(goal: Goal) -> bool:
-    """Return whether a goal is a unit, or the name, of photons."""
-    light = read_light(goal.unit) if goal.unit else None
-    return bool(light and light.kind == PHOTON) or any(
-        symbols.SYMBOLS[name].kind == PHOTON for name in goal.names
-    )
-
-
-def _without_value(sentence: Sentence, fact: Fact) -> errors.UsageError:
-    """Return the error for a place without its value, as the reflectance of white paper."""
-    if fact.symbols == ("spectrum",):
-        tries = _proposed(
-            (_with_text(sentence, fact, name), remark) for name, remark in FLUORESCENT.items()
-        )
-        return errors.UsageError(
-            f"'{quote(fact.typed)}': lamps of this kind differ", tries or "FL2"
-        )
-    symbol = symbols.SYMBOLS[fact.symbols[0]]
-    is_grey = not {"grey", "gray"}.isdisjoint(fact.typed.lower().split())
-    example = GREY if is_grey else symbol.example
-    tries = _proposed([(_with_text(sentence, fact, example), "an example")])
-    return errors.UsageError(
-        f"'{quote(fact.typed)}': the {symbol.label} is missing", tries or "a number"
-    )
-
-
-def _with_fact(sentence: Sentence, fact: Fact, other: Fact) -> Sentence:
-    """Return a sentence with another fact in place of one."""
-    facts = [other if one is fact else one for one in sentence.facts]
-    return sentence._replace(facts=tuple(facts))
-
-
-def _with_text(sentence: Sentence, fact: Fact, text: str) -> Sentence:
-    """Return a sentence with another value of a fact."""
-    return _with_fact(sentence, fact, fact._replace(text=text))
-
-
 def _goal_of(sentence: Sentence) -> Goal | None:
     """Return the only goal; the name and the unit of one result count as one."""
     goals = list(dict.fromkeys(sentence.goals))
@@ -636,12 +423,3 @@ def _answerable(sentence: Sentence) -> list[tuple[str, ...]]:
         return _calls_of(sentence)
     except errors.UsageError:
         return []
-
-
-def _proposed(ways: Iterable[tuple[Sentence, str]]) -> list[errors.Try]:
-    """Propose the first call of each of several sentences, with its remark."""
-    return [
-        errors.Try(words=call, remark=remark)
-        for way, remark in ways
-        for call in _answerable(way)[:1]
-    ]

@@ -114,7 +114,7 @@ def moved_in_distance(facts: Sequence[Fact], goal: Goal | None) -> list[list[str
         known = facts[facts.index(places[0]) - 1]
         wanted = next(light for light in lights if light is not known)
         place = f"{places[0].text} * sqrt(({known.text}) / ({wanted.text}))"
-        return [["convert", place, _unit_text(places[0])]]
+        return [["convert", place, goal.text if goal.unit else _unit_text(places[0])]]
     return []
 
 

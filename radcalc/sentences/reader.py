@@ -66,6 +66,7 @@ RANGE = re.compile(
 GLUED = re.compile(r"([^\W\d_]{2,})(\.?\d\S*)")
 DENSITY = re.compile(r"nd\d+(?:\.\d+)?", re.IGNORECASE)
 COUNTS = ("luminaires",)  # 12 lamps, but lamps of 3000 lm
+LAMPS_OF_LINES = ("led", "sodium", "mercury")  # the name of one beside its wavelength
 SHORTEST_UNIT = 2  # letters: sp and rg are results
 ASKED = frozenset(["f-number"])  # f-stop 1000 lux asks for one
 NARROW = 10e-9  # m: a shorter one is the width of a line
@@ -149,9 +150,19 @@ def _read(typed: "list[str]") -> Sentence:
     if found.unknown:
         reading = _Reading(words, LANGUAGES)
         found = _found(text, reading)
-    if not reading.has_between:
-        return found
-    return found._replace(also=_found(text, _Reading(words, LANGUAGES, is_forward=True)))
+    if reading.has_between:
+        return found._replace(also=_found(text, _Reading(words, LANGUAGES, is_forward=True)))
+    if other := _with_first_unit(typed):
+        return found._replace(also=_found(text, _Reading(_apart(words_of(other)), LANGUAGES)))
+    return found
+
+
+def _with_first_unit(typed: "list[str]") -> "list[str]":
+    """Return the words of `lx 1000 cd 2 m` with its number for the first unit; [] for others."""
+    first, number, *rest = " ".join(typed).split()[:3] + [""] * 3
+    if not (number.replace(".", "", 1).isdigit() and unit_in([first]) and unit_in(rest[:1])):
+        return []
+    return [number, first, "to", *" ".join(typed).split()[2:]]
 
 
 def _apart(words: list[Word]) -> list[Word]:
@@ -267,7 +278,7 @@ def _of_line(sentence: Sentence) -> Sentence:
     facts = sentence.facts
     if not any("wavelength" in fact.symbols or _is_line(fact) for fact in facts):
         return sentence
-    lamps = [fact for fact in facts if fact.symbols == ("spectrum",) and fact.text.isalpha()]
+    lamps = [fact for fact in facts if fact.text.lower() in LAMPS_OF_LINES]
     others = [fact for fact in facts if fact not in lamps]
     without = _ignoring(sentence, words_for(LINE))
     ignored = (*without.ignored, *[fact.typed for fact in lamps])

@@ -60,6 +60,9 @@ def parse_unit(text: str) -> list[Atom]:
     return [(name, n, inverse and n == 1) for name, n, inverse in atoms]
 
 
+POINTS = tuple(f".{digit}" for digit in DIGITS)
+
+
 class Scanner:
     """One pass over the text of a unit."""
 
@@ -219,7 +222,8 @@ class Scanner:
             return 1
         sign = -1 if digits[:1] == "-" else 1
         number = digits[1:] if digits[:1] in ("+", "-") else digits
-        is_whole = number.isdigit() and not (caret and self.has_fraction(number))
+        is_decimal = self.text[self.at : self.at + 2] in POINTS  # m-1.1
+        is_whole = number.isdigit() and not is_decimal and not (caret and self.has_fraction(number))
         if not is_whole or (bracket and self.peek() != ")"):
             raise self.error("has an exponent that is not a whole number", "a whole number")
         if bracket:

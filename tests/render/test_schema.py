@@ -68,7 +68,11 @@ EXAMPLES = {Shell.command(name, *example_of(name)).removeprefix("radcalc ") for 
 CALLS, STREAMS = sorted({*calls(), *MORE, *EXAMPLES}), sorted({*piped("convert -")})
 LOGS = sorted({*piped("dose -")})
 # Sentences among the calls, which may mean any command.
-SENTENCES = {text for text in CALLS if " at " in text or text.startswith(("f/", "EV "))}
+SENTENCES = {
+    text
+    for text in CALLS
+    if " at " in text or text.startswith(("f/", "EV ", "iso ", "how ")) or " f/" in text
+}
 ANSWERS = [text for text in CALLS if not text.startswith(LISTS)]
 
 

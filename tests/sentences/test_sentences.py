@@ -149,7 +149,6 @@ MEANT = [
     ("d=2m I=100cd", "point-source --distance 2m --intensity 100cd"),
     ("400 umol/m2/s 3000K white led lux", "convert 400 umol/m2/s lux --spectrum LED-B2"),
     ("450umol 18h dli", "convert '450 ppfd' dli --time 18h"),
-    ("HPS 5 mW 589 nm lm", "convert 5 mW lm --wavelength 589nm"),
 ]
 
 
@@ -268,7 +267,7 @@ REFUSED = [
     ("sodium 500 lx ppfd", "not understood: sodium", ""),
     ("137 cd 61 to lm into 1 sr", "", ""),
     ("64 deg full angle 46 1 lm to kcd", "", ""),
-    ("24 deg x 12 deg 800 lm cd", "no command takes", ""),
+    ("24 deg x 12 deg 800 lm cd", "a field from edge to edge", ""),
     ("ev 12 2 stops to lx", "", ""),
     ("ND 64 in stops", "a density or a factor", "--nd ND64"),
     ("intensity 2.5 m from a 100 W source isotropic", "2 readings", "-g irradiance"),

@@ -1,6 +1,6 @@
 """Remarks on the lines of a stream."""
 
-from radcalc.streams.remarks import Remarks
+from radcalc.streams.calculated import Remarks
 
 
 def test_a_remark_missing_from_the_first_lines_names_its_lines():
