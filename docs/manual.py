@@ -30,7 +30,7 @@ from radcalc.calculators.page import (
     Page,
 )
 from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
-from radcalc.cli.group import command_of, examples_of
+from radcalc.cli.command import command_of, examples_of
 from radcalc.cli.heard import hear
 from radcalc.cli.help import joined, narrowed
 from radcalc.cli.spelling import spelled

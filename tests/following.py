@@ -12,7 +12,7 @@ from unittest import mock
 from conftest import standard_streams
 
 from radcalc import cli, terminal
-from radcalc.cli.cases import is_stream
+from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import Shell
 from radcalc.cli.trials import is_long
 from radcalc.errors import RadcalcError

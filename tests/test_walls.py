@@ -13,7 +13,7 @@ from conftest import ROOT, python
 from helpers import for_each
 
 from radcalc.calculators.pages import COMMANDS
-from radcalc.cli.group import OTHERWISE
+from radcalc.cli.command import OTHERWISE
 from radcalc.completion.rows import module_text
 from radcalc.laws import point
 from radcalc.quantities.symbols import DIRECTION, DISTRIBUTIONS, OBSERVER_NAMES, SYMBOLS

@@ -6,9 +6,8 @@ from typing import Any
 from radcalc import terminal
 from radcalc.answer import Answer, Result, Row, ShownInput
 from radcalc.calculators.results import LINKS_HINT, element, pick, rows, said_of, scales_of
-from radcalc.cli.cases import Case, label
 from radcalc.cli.output import Output
-from radcalc.cli.request import Request
+from radcalc.cli.request import Case, Request, label
 from radcalc.errors import MissingInput, Try, UsageError, add, leave_out
 from radcalc.maths import is_array
 from radcalc.render.plain import omitted

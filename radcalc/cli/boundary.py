@@ -10,7 +10,7 @@ import click
 from radcalc import terminal
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import files
-from radcalc.cli.group import commands, protect_negatives
+from radcalc.cli.command import commands, protect_negatives
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES
 from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from radcalc import errors
 from radcalc.answer import Result, Row, ShownInput
-from radcalc.cli.cases import Case
 from radcalc.cli.output import Output
+from radcalc.cli.request import Case
 from radcalc.conversion.operands import read_lists, read_operands, sides
 from radcalc.conversion.plan import Planned, plan, plans, result_of_plan, source_of, target_of
 from radcalc.errors import call, quote

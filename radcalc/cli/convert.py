@@ -5,7 +5,6 @@ from typing import Any
 from radcalc import errors, terminal
 from radcalc.calculators.convert import PAGE
 from radcalc.cli import request
-from radcalc.cli.cases import cases, is_stream
 from radcalc.cli.command import define
 from radcalc.cli.conversions import (
     conversions,
@@ -15,6 +14,7 @@ from radcalc.cli.conversions import (
     with_target,
 )
 from radcalc.cli.output import Output
+from radcalc.cli.request import cases, is_stream
 from radcalc.units.connectives import TO
 
 HELP = """\

@@ -11,11 +11,10 @@ from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, show
 from radcalc.cli.calculator import run
-from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
 from radcalc.cli.files import only_file, proposed
 from radcalc.cli.output import Output, refuse_number_options
-from radcalc.cli.request import Request, refuse_second_reader, several
+from radcalc.cli.request import Case, Request, cases, refuse_second_reader, several
 from radcalc.cli.spelling import quoted
 from radcalc.cli.streams import complain
 from radcalc.errors import ConditionError, UsageError, quote_path

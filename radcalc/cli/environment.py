@@ -9,11 +9,10 @@ from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source, environment
 from radcalc.calculators.solved import Task
 from radcalc.cli.calculator import run
-from radcalc.cli.cases import cases
 from radcalc.cli.command import define
 from radcalc.cli.output import Output
 from radcalc.cli.plot import one_case, write_map
-from radcalc.cli.request import Request
+from radcalc.cli.request import Request, cases
 from radcalc.errors import UsageError, call, leave_out, quote_path
 from radcalc.inputs.given import Inputs, shown_inputs
 

@@ -51,7 +51,7 @@ class Asked(NamedTuple):
 
 def hear(words: Sequence[str]) -> Sequence[Result]:
     """Return the answers to a call, or none for one that lists or writes; raise its error."""
-    from radcalc.cli.group import commands, protect_negatives  # with Click
+    from radcalc.cli.command import commands, protect_negatives  # with Click
 
     listener = Hearer()
     protected = protect_negatives(list(words))
@@ -65,7 +65,7 @@ def asked(words: Sequence[str]) -> Asked:
 
     The call is parsed as always, and its check is then one whose answer is never read.
     """
-    from radcalc.cli.group import commands, context, protect_negatives  # with Click
+    from radcalc.cli.command import commands, context, protect_negatives  # with Click
 
     examiner = Examiner()
     top = context(examiner)

@@ -6,7 +6,7 @@ A sentence has no options.  Whatever else is typed is left to Click.
 from contextlib import suppress
 
 from radcalc import terminal
-from radcalc.calculators.pages import page_of
+from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.output import Output, decide
 from radcalc.cli.request import Request
 from radcalc.errors import (
@@ -57,6 +57,18 @@ class Call(NamedTuple):
     wanted: list[str]
     of_output: "dict[str, Any]"
     of_lines: dict[str, str]
+
+
+def answer(words: Words) -> int | BaseException | None:
+    """Answer a sentence, or a call of a calculator, without Click; None for whatever is left."""
+    if len(words) > 1 and words[0] not in COMMANDS and not any(map(_is_option, words)):
+        return answer_sentence(words)
+    return answer_in_full(words) if words and words[0] in SUMMARIES else None
+
+
+def _is_option(word: str) -> bool:
+    """Return whether a word is an option, a negative number or a stream, or has an option in it."""
+    return (word.lstrip()[:1] == "-" and word != "->") or " -" in word
 
 
 def answer_in_full(words: "Sequence[str]") -> int | BaseException | None:
@@ -121,8 +133,7 @@ def _value(word: str) -> str:
 def _convert_lines(call: Call, output: Output) -> int | BaseException:
     """Convert the lines of standard input; return the exit status, or the error."""
     from radcalc.cli import streams
-    from radcalc.cli.cases import Case
-    from radcalc.cli.request import LineOptions
+    from radcalc.cli.request import Case, LineOptions
 
     typed: dict[str, Any] = dict.fromkeys(LineOptions._fields) | call.of_lines
     try:
@@ -141,13 +152,13 @@ def work_out(
     """Write the answers of a calculator or of `convert` to typed inputs; return whether it can."""
     if name == "convert":
         from radcalc.calculators.convert import PAGE
-        from radcalc.cli.cases import cases
         from radcalc.cli.conversions import conversions, show
+        from radcalc.cli.request import cases
 
         show(conversions([*operands], cases(given, False, bare=PAGE.bare)), given, False, output)
         return True
     from radcalc.calculators.results import listed_in
-    from radcalc.cli.operands import answerer
+    from radcalc.cli.calculator import answerer
 
     answer_in_full = answerer(name)
     if answer_in_full:

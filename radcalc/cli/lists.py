@@ -14,8 +14,7 @@ from radcalc.answer import Result, texts_of
 from radcalc.calculators import lists, page
 from radcalc.calculators.lists import MAIN
 from radcalc.calculators.pages import page_of
-from radcalc.cli.command import SectionedCommand, define, option_of
-from radcalc.cli.group import commands, context
+from radcalc.cli.command import SectionedCommand, commands, context, define, option_of
 from radcalc.cli.help import is_colored, narrowed, show
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
 from radcalc.cli.spelling import Shell

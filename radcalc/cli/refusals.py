@@ -7,7 +7,7 @@ import click
 from radcalc import errors
 from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import COMMANDS
-from radcalc.cli.group import called_in, parameters
+from radcalc.cli.command import called_in, parameters
 from radcalc.errors import quote
 from radcalc.quantities.language import names_meant
 from radcalc.terminal import FORMATS

@@ -11,11 +11,10 @@ from radcalc.calculators.results import element, name_in, name_of, pick
 from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, refuse_bare, result, show
 from radcalc.cli.calculator import run
-from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
 from radcalc.cli.files import only_file
 from radcalc.cli.output import Output
-from radcalc.cli.request import Request
+from radcalc.cli.request import Case, Request, cases
 from radcalc.errors import ConditionError, UsageError, leave_out, one_of, quote
 from radcalc.errors import command as call_of
 from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs

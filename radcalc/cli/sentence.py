@@ -12,13 +12,12 @@ from radcalc.calculators.missing import on_page
 from radcalc.calculators.page import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, Option
 from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.cli import files, habits
-from radcalc.cli.cases import is_stream
-from radcalc.cli.command import option_of
+from radcalc.cli.command import option_of, parameters
 from radcalc.cli.files import route, say
-from radcalc.cli.group import parameters
 from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other, plain
 from radcalc.cli.output import Output, decide, refuse_number_options
+from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, typed
 from radcalc.conversion.operands import is_conversion
 from radcalc.errors import RadcalcError, UsageError, call, drop, input_of, leave_out

@@ -16,9 +16,10 @@ from radcalc import terminal
 from radcalc.answer import Result, Row
 from radcalc.calculators.page import DEFAULTS
 from radcalc.calculators.pages import COMMANDS
-from radcalc.cli import boundary, group
-from radcalc.cli.cases import is_stream
+from radcalc.cli import boundary
+from radcalc.cli import command as group
 from radcalc.cli.output import decide
+from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
 from radcalc.conversion.operands import read_operands
 from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote

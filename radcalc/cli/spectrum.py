@@ -8,10 +8,9 @@ from radcalc.calculators.solved import Task
 from radcalc.calculators.spectrum import PAGE
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.cli.calculator import run
-from radcalc.cli.cases import Case, as_typed
 from radcalc.cli.command import define
 from radcalc.cli.output import Output, refuse_number_options
-from radcalc.cli.request import Request
+from radcalc.cli.request import Case, Request, as_typed
 from radcalc.errors import UsageError, call, correct
 from radcalc.inputs.given import Input
 from radcalc.inputs.reading import read

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from radcalc import errors, terminal
 from radcalc.answer import Answer, Result, ShownInput, Value
 from radcalc.calculators.solved import Task
-from radcalc.cli.cases import Case
 from radcalc.cli.output import Output
-from radcalc.cli.request import LineOptions, first_of
+from radcalc.cli.request import Case, LineOptions, first_of
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.operands import read_stream_operands

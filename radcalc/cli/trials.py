@@ -12,10 +12,16 @@ import click
 from radcalc import errors, terminal
 from radcalc.answer import Row, in_short
 from radcalc.calculators.pages import SUMMARIES, page_of
-from radcalc.cli.cases import is_stream
-from radcalc.cli.command import with_plot
-from radcalc.cli.group import called_in, commands, context, parameters, protect_negatives
+from radcalc.cli.command import (
+    called_in,
+    commands,
+    context,
+    parameters,
+    protect_negatives,
+    with_plot,
+)
 from radcalc.cli.heard import hear
+from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, Shell, pasted, spelled, typed
 from radcalc.errors import option, quote
 from radcalc.quantities.symbols import SYMBOLS

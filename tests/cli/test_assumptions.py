@@ -12,7 +12,7 @@ import radcalc
 from radcalc.answer import Remark
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.calculators.results import pick, said_of
-from radcalc.cli.group import examples_of
+from radcalc.cli.command import examples_of
 from radcalc.cli.heard import asked, hear
 from radcalc.errors import RadcalcError
 from radcalc.laws.solver import Derivation

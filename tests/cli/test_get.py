@@ -22,7 +22,7 @@ from radcalc.__main__ import run as main
 from radcalc.calculators.pages import SUMMARIES
 from radcalc.calculators.results import pick
 from radcalc.cli import answers
-from radcalc.cli.group import command_of
+from radcalc.cli.command import command_of
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
 from radcalc.quantities.symbols import (

@@ -13,7 +13,7 @@ from conftest import process, run
 from helpers import for_each, screen_of, terminal_of
 
 from radcalc.calculators.pages import COMMANDS
-from radcalc.cli.group import commands
+from radcalc.cli.command import commands
 from radcalc.cli.spelling import GROUPS
 from radcalc.terminal import CALLS, fold
 

@@ -15,7 +15,7 @@ from test_cases import answered
 from radcalc.calculators.lists import manual_pages
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import habits
-from radcalc.cli.group import commands
+from radcalc.cli.command import commands
 from radcalc.cli.lists import find_pages
 from radcalc.quantities.names import QUANTITIES
 from radcalc.units.compiled import PREFIX_NAMES, UNITS

@@ -11,7 +11,7 @@ import pytest
 from conftest import ROOT, entry_point, process, python, run
 from helpers import for_each, on_terminal, started
 
-from radcalc.cli import group
+from radcalc.cli import command as group
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 from conftest import ROOT, standard_streams
 from test_cases import FILES, transcripts
 
-from radcalc.cli import group
+from radcalc.cli import command as group
 from radcalc.cli.session import Session
 
 # 1 fc = 1 lm/ft2 and 1 ft = 0.3048 m exactly: 100 lx = 9.290304 fc

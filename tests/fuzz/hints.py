@@ -16,8 +16,7 @@ from following import call, liars  # the folder of the tests is on the path when
 from fuzz.steps import CONDITIONS, UNITS
 
 from radcalc.calculators.solid_angle import SHAPES
-from radcalc.cli.command import SymbolOption
-from radcalc.cli.group import commands
+from radcalc.cli.command import SymbolOption, commands
 
 SHORT, LONG = 15, 5_000
 

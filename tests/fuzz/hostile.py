@@ -25,7 +25,7 @@ from fuzz.edges import ending
 from fuzz.processes import Seen, call
 
 from radcalc.calculators.pages import COMMANDS
-from radcalc.cli.group import commands, context
+from radcalc.cli.command import commands, context
 
 SHORT, LONG = 200, 200_000
 ROOT = Path(__file__).parents[2]
