@@ -54,7 +54,8 @@ def of_process(*words: str, input: str = "") -> str:
     lines = done.stdout.splitlines()
     if done.returncode or not lines:
         return REFUSED
-    return f"{float(lines[0].split()[0]):.6g}"
+    cells = lines[0].split("\t")  # of several results, the first has a name
+    return f"{float(cells[len(cells) > 2].split()[0]):.6g}"
 
 
 def of_python(line: str) -> str:

@@ -17,7 +17,6 @@ from radcalc.units.reading import (
     read_amount,
     read_for,
     sum_meant,
-    temperatures,
     with_unit,
 )
 from radcalc.units.table import unit_of
@@ -91,10 +90,6 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     try:
         return _read_operands(words)
     except errors.RadcalcError:
-        if several := temperatures(words[:-1]):  # 3200 K 5600 K mired
-            typed = quote(" ".join(words[:-1]))
-            hint = errors.call("convert", several, words[-1])
-            raise errors.UsageError(f"'{typed}' has several temperatures", hint) from None
         for end in range(len(words), 1, -1):  # 5 ft 3 in m, 5ft 3in m
             if not (end > 3 or all(word[:1].isdigit() for word in words[:end])):
                 continue
@@ -328,7 +323,11 @@ def read_stream_operands(words: list[str]) -> tuple[str, str]:
     if not units or not all(unit.strip() for unit in units[bool(separator) :]):
         raise errors.UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
     if len(units) > 2:
-        raise _too_many(units, units, is_stream=True)
+        found = readings(["1", *units])
+        source_unit = found[0].amount.typed[1] if len(found) == 1 and found[0].target else None
+        if source_unit is None:
+            raise _too_many(units, units, is_stream=True)
+        units = [source_unit.text, found[0].target]
     return (units[0] if len(units) > 1 else ""), units[-1]
 
 
@@ -393,16 +392,7 @@ def _too_many(words: list[str], units: list[str], is_stream: bool = False) -> er
             errors.correct(whole, whole.removesuffix(f" {last}"), last),
         ]
         return errors.TooManyWords(problem, "quotes around a value that is calculated", calculated)
-    return errors.TooManyWords(problem, lambda: _divided(units) or _of_targets(units, is_stream))
-
-
-def _divided(units: list[str]) -> "list[Try]":
-    """Propose `W m-2 to mW cm-2`, with a unit of several words on both sides or one."""
-    typed = " ".join(units)
-    ends = [(" ".join(units[:k]), " ".join(units[k:])) for k in range(1, len(units))]
-    return [
-        errors.correct(typed, start, "to", end) for start, end in ends if _are_alike(start, end)
-    ]
+    return errors.TooManyWords(problem, lambda: _of_targets(units, is_stream))
 
 
 def _of_targets(units: list[str], is_stream: bool) -> "list[Try]":

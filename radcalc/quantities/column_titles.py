@@ -76,6 +76,14 @@ NO_UNIT = re.compile(  # places, statistics, zones of time, and words for relati
     r"|rel|a\.?u\.?|arb|norm|spd|n/a|s/n",
     re.IGNORECASE,
 )
+PLACE = re.compile(r"\s*\((?:in|out|min|max|avg|[nshiab])\)", re.IGNORECASE)
+# Remarks in brackets: the above, directions and days, one letter, a number of a sensor, a position,
+# serial numbers, a band of wavelengths.
+QUALIFIER = re.compile(
+    rf"(?:{NO_UNIT.pattern})(?:[\s_-]?\w{{1,3}})?|[^\W\d]|(?:sensor|channel|ch|probe|no\.?|nr\.?|#|[a-z])?"
+    r"\s?#?\d{1,4}|.*\bs/?n\b.*|.*\blgr\b.*|lbl:.*|[\d.]+\s?[-–]\s?[\d.]+\s?nm|at .*|x\d+ y\d+",
+    re.IGNORECASE,
+)
 OF_DETECTOR = re.compile(
     r"(?<![^\W\d_])(?:counts?|cts|adu|raw|bits?|volts?|voltage)(?![^\W\d_])", re.IGNORECASE
 )
@@ -146,7 +154,35 @@ def read_title(text: str, like: Unit | None = None) -> Title:
     if title.unit:
         refuse_altered(title)
         refuse_misnamed(title, title.unit)
+    if not title.in_brackets and (title.unit or unit_of_name(text)):
+        _refuse_unread(title)
     return title
+
+
+def _refuse_unread(title: Title) -> None:
+    """Raise for brackets that are neither a unit nor a qualifier, as in `PAR (mV)` and `lux [xx]`.
+
+    The unit is that of a word or a name beside the brackets, and would not be what they say.
+    """
+    for found in IN_BRACKETS.findall(title.text):
+        inner = "".join(filter(None, found)).strip()
+        if (
+            not inner
+            or (title.unit and inner in title.unit.text)
+            or QUALIFIER.fullmatch(inner)
+            or _is_name(inner)
+        ):
+            continue
+        unit = _unit_of(inner)
+        if not (unit and title.unit and is_same(unit, title.unit)):
+            of = quote(title.unit.text) if title.unit else "a unit of light"
+            problem = f"'{quote(inner)}' in the title '{quote(title.text)}' is not {of}"
+            raise UnitError(f"{problem}, and no known remark", "the unit in brackets, or none")
+
+
+def _is_name(text: str) -> bool:
+    folded = comparable(text)
+    return folded in index().names or folded in index().misnomers
 
 
 def unit_in(text: str, like: Unit | None = None) -> Unit | None:
@@ -272,7 +308,12 @@ def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
 
 
 def _read(text: str, like: Unit | None) -> Title:
-    candidates = list(_candidates(text)) if len(text) <= LONGEST else []
+    """Return the title with its likeliest unit, if any."""
+    masked = _without_places(text) if len(text) <= LONGEST else ""
+    candidates = [
+        (title._replace(text=text, name=_name(text, title.opening, title.closing)), in_brackets)
+        for title, in_brackets in _candidates(masked)
+    ]
     for is_fitting in (_fits, _contradicts):
         longer: list[Title] = []  # units that contain shorter ones: the s in umol_m2_s
         for title, in_brackets in candidates:
@@ -286,6 +327,22 @@ def _read(text: str, like: Unit | None) -> Title:
             if _contradicts(title, in_brackets, like) and not in_brackets:
                 longer.append(title)
     return Title(text, text)
+
+
+def _without_places(text: str) -> str:
+    """Return a title with blanks for places after a name or a unit of light: PAR (in), Lux (min).
+
+    They are also units: hours, seconds, minutes and inches.
+    """
+    place = PLACE.search(text)
+    before = text[: place.start()] if place else ""
+    if place and (unit_of_name(before) or any(fit[0].unit for fit in _of_light(before))):
+        return before + " " * len(place[0]) + text[place.end() :]
+    return text
+
+
+def _of_light(text: str) -> Iterator[tuple[Title, bool]]:
+    return ((t, b) for t, b in _candidates(text) if t.unit and _fits(t, b, None))
 
 
 def _other_unit(text: str, unit: Unit) -> Unit | None:
@@ -395,10 +452,14 @@ def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title
         return None
     if text[opening - 1 : opening] == '"' == text[closing : closing + 1]:
         opening, closing = opening - 1, closing + 1
-    before = text[:opening].rstrip(AROUND)
-    before = IN.sub("", before).rstrip(AROUND)
-    name = " ".join(filter(None, [before, text[closing:].strip(AROUND)]))
+    before = IN.sub("", text[:opening].rstrip(AROUND)).rstrip(AROUND)
+    name = _name(text, len(before), closing)
     return Title(text, name, unit, len(before), start, start + len(inner), closing)
+
+
+def _name(text: str, opening: int, closing: int) -> str:
+    """Return the text of a title around its unit."""
+    return " ".join(filter(None, [text[:opening], text[closing:].strip(AROUND)]))
 
 
 def _of_words(text: str) -> Unit | None:

@@ -262,6 +262,8 @@ class FirstRows:
                 refuse_altered(parsed)
                 if units:
                     refuse_misnamed(parsed, units[0])
+                elif parsed.unit and unit_of_name(parsed.text):  # PAR (mV)
+                    refuse_unknown(parsed)
         except errors.UnitError as error:
             raise self.error(0, error.message, error.hint) from None
         for unit in units[1:]:

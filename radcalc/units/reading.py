@@ -85,13 +85,6 @@ def sum_meant(text: str) -> str:
     return " + ".join(f"{number} {unit}" for number, unit in pairs)
 
 
-def temperatures(words: list[str]) -> str:
-    """Return `3200K,5600K` for `3200 K 5600 K`, which do not add up; else ''."""
-    text = "".join(words)
-    parts = [f"{number}K" for number in text.removesuffix("K").split("K")]
-    return ",".join(parts) if len(parts) > 1 and text.replace("K", "").isdigit() else ""
-
-
 def with_unit(amount: Amount, unit: str) -> Amount:
     """Return a bare number with the unit from another word, or arithmetic times that unit."""
     text = f"{amount.text} {unit}"

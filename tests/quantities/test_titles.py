@@ -87,6 +87,25 @@ def test_a_title_with_a_factor_or_an_unknown_unit_is_refused(text):
         read_title(text, resolve_any("lx"))
 
 
+# Brackets beside a unit or a name that stands for one, and whether they only say which it is.
+BRACKETS = {
+    "lux [mV]": False, "fc [foo]": False, "PAR [xx]": False, "GHI [counts]": False,
+    "lux (lab 7 of the house)": False, "PPFD (raw)": False,
+    "lux (desk)": True, "Lux (min)": True, "Lux (h)": True, "PAR (in)": True, "GHI (s)": True,
+    "PAR (sensor 1)": True, "lux (B)": True, "lux (max)": True, "E (h) [lx]": True,
+    "any wall at all (north, 2nd floor) [lx]": True,
+}  # fmt: skip
+
+
+@for_each(BRACKETS.items())
+def test_brackets_beside_a_unit_are_known_or_refused(text, is_known):
+    if is_known:
+        assert read_title(text).unit is None or read_title(text).unit.is_light
+    else:
+        with pytest.raises(UnitError):
+            read_title(text)
+
+
 NAMES = ["E", "E_v", "Ev", "desk", "room 7", "sensor-2", "x1 y2", "Osvětlenost stolu", "grid 3x3",
          "20 m²", "E1", "lamp 5 W", "at 2 m", "LG monitor", "logger 1", "1/2", "f/2.8", "50 %",
          "400-700 nm", "2024-06-01", "max", "exp 1", "1/e2",
