@@ -107,6 +107,8 @@ def _any_units(operands: list[str], is_named: bool) -> "Operands | None":
         return None
     if any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
         return None
+    if sum(w[:1].isdigit() for w in operands) > 1:  # a sentence, or arithmetic
+        return None
     from radcalc.conversion.operands import read_operands
     from radcalc.units.table import resolve
 

@@ -173,15 +173,15 @@ def answer_sentence(words: Words) -> int | None:
 
     Return None for a conversion, and for whatever is refused.
     """
-    from radcalc.cli.files import say
-    from radcalc.cli.spelling import typed
-    from radcalc.sentences.calls import call_of
-    from radcalc.sentences.reader import read
-    from radcalc.sentences.used import assumptions_of
-
     try:
         if not _is_refused(words):
             return None
+        from radcalc.cli.files import say
+        from radcalc.cli.spelling import typed
+        from radcalc.sentences.calls import call_of
+        from radcalc.sentences.reader import read
+        from radcalc.sentences.used import assumptions_of
+
         sentence = read(words)
         call = call_of(sentence)
         if not is_other(list(typed(call)), words):

@@ -263,22 +263,25 @@ BEAM, LAMP, LIGHT, METER, SUN, LASER = "beam", "lamp", "light", "meter", "sun", 
 OBJECT, SOURCE = "object", "source"
 # Colours, which add nothing where a wavelength is given; air beside light, a shift beside mireds.
 LINE, AIR, SHIFT = "line", "air", "shift"
-WORDS = [row[:4] for row in data_rows("words", "sentences")]  # word, language, role, what it is of
-# Words that add nothing to a phrase, and those that change an amount or its meaning.
-FILLERS, MEANINGFUL = (
-    frozenset([comparable(row[0].replace("-", " ")) for row in WORDS if row[2] == role])
-    for role in ("nothing", "changes")
-)
+# Words that add nothing to a phrase, those that change an amount or its meaning, and the words of
+# each thing, all as `comparable` writes them.
+OF_THINGS: dict[str, set[str]] = {}
+WORDS = data_rows("words", "sentences")  # word, language, role, what it is of
 
 
-def words_for(*things: str) -> frozenset[str]:
-    """Return the words of things, as `comparable` writes them."""
-    rows = [row for row in WORDS if not {*row[3].split()}.isdisjoint(things)]
-    return frozenset([comparable(row[0]) for row in rows])
+def _sorted() -> tuple[frozenset[str], frozenset[str]]:
+    roles: dict[str, list[str]] = {"nothing": [], "changes": []}
+    for word, _, role, things in WORDS:
+        text = word if word.isascii() and word.islower() and "-" not in word else comparable(word)
+        roles[role].append(text)
+        for thing in things.split():
+            OF_THINGS.setdefault(thing, set()).add(text)
+    return frozenset(roles["nothing"]), frozenset(roles["changes"])
 
 
-MORE_NEEDED = {thing: words_for(thing) for thing in (BEAM, LAMP, LIGHT, METER, SUN, LASER)}
-THINGS, NOUNS = words_for(OBJECT), words_for(OBJECT, SOURCE)
+FILLERS, MEANINGFUL = _sorted()
+MORE_NEEDED = {thing: OF_THINGS[thing] for thing in (BEAM, LAMP, LIGHT, METER, SUN, LASER)}
+THINGS, NOUNS = OF_THINGS[OBJECT], OF_THINGS[OBJECT] | OF_THINGS[SOURCE]
 # Words before a target: `to fc`, `in lux`, `as ppfd`.
 MARKS = frozenset(["to", "in", "into", "as", "->", "→", "=", "into", "na", "v", "do", "в"])
 # Words before the name of a spectrum of one letter: `with A`.

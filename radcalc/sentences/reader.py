@@ -22,11 +22,11 @@ from radcalc.sentences.phrases import (
     MARKS,
     MORE_NEEDED,
     NOUNS,
+    OF_THINGS,
     SHIFT,
     TARGET,
     THINGS,
     UNKNOWN,
-    words_for,
 )
 from radcalc.sentences.words import (
     ASPECT,
@@ -280,7 +280,7 @@ def _of_line(sentence: Sentence) -> Sentence:
         return sentence
     lamps = [fact for fact in facts if fact.text.lower() in LAMPS_OF_LINES]
     others = [fact for fact in facts if fact not in lamps]
-    without = _ignoring(sentence, words_for(LINE))
+    without = _ignoring(sentence, OF_THINGS[LINE])
     ignored = (*without.ignored, *[fact.typed for fact in lamps])
     return without._replace(facts=tuple(others), ignored=ignored)
 
@@ -305,13 +305,13 @@ def _of_air(sentence: Sentence) -> Sentence:
     has_wave = any(fact.amount and fact.amount.dimension in waves[1:] for fact in sentence.facts)
     has_wave |= any(map(_is_line, sentence.facts)) or not sentence.facts
     has_wave |= any("wavelength" in (*fact.symbols, fact.text) for fact in sentence.facts)
-    return sentence if has_wave else _ignoring(sentence, words_for(AIR))
+    return sentence if has_wave else _ignoring(sentence, OF_THINGS[AIR])
 
 
 def _of_mired(sentence: Sentence) -> Sentence:
     """Return a sentence with a shift of colour temperatures, in mireds."""
     is_mired = any(goal.unit and goal.unit.is_scale for goal in sentence.goals)
-    return _ignoring(sentence, words_for(SHIFT)) if is_mired else sentence
+    return _ignoring(sentence, OF_THINGS[SHIFT]) if is_mired else sentence
 
 
 def _ignoring(sentence: Sentence, words: "Container[str]") -> Sentence:

@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Sequence
 from contextlib import suppress
-from functools import cache
+from functools import cache, lru_cache
 
 from radcalc.errors import RadcalcError, UsageError, ambiguous, call, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
@@ -114,6 +114,7 @@ DAY, NEARLY = 24.0, 5.0  # h; a quotient is another number
 DAY_OF_LIGHT = re.compile(rf"(?<![^\W\d])({'|'.join(DLI)})\b")
 MICROMOLE = re.compile(r"(?<=\d) ?[uµμ]mol(?![\w/])")
 OF_PEAK = re.compile(r"\(?1/e\^?[2²]\)?,?")  # of the diameter of a beam
+MOST_AMOUNTS = 64  # texts that are read once in a sentence
 BLANK = "\ue004"  # in place of that in the name of a file
 ANSI = "ansi"  # between a number and lumens
 ASPECT = re.compile(r"\d+(?:\.\d+)?:\d+")
@@ -358,14 +359,18 @@ def _sides(words: "list[Word]", first: Amount) -> Amount | None:
 
 def amount_of(text: str, end: int) -> Amount | None:
     """Return the amount of a text, or None; `end` is the place after it."""
+    unit = _unit_of_amount(text)
+    return Amount(text, unit, end) if unit else None
+
+
+@lru_cache(MOST_AMOUNTS)
+def _unit_of_amount(text: str) -> Unit | None:
+    """Return the unit of an amount, None for another text; phrases try the same text often."""
     try:
         amount = read_amount(text)
     except RadcalcError:
         return None
-    unit = amount.typed[1]
-    if unit is None:
-        return Amount(text, unit_of("1") or Unit("1", 1, 1, NUMBER, ()), end)
-    return Amount(text, unit, end)
+    return amount.typed[1] or Unit("1", 1, 1, NUMBER, ())
 
 
 def size_of(amount: Amount) -> float:
