@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib import import_module
+from math import isclose
 from typing import Any
 
 from radcalc.answer import Answer
@@ -25,6 +26,7 @@ NUMBERS = re.compile(r"(?<![^\W\d_])\d+(?:\.\d+)?")
 EXPONENTS = re.compile(r"(?<=[^\W\d_])\^?-?[1-4](?![\w.°])")  # of units: m-2, m^2
 OF_LED = "spectrum=LED-"  # in place of a colour temperature
 DESCRIBING = frozenset(["wavelength", "spectrum"])  # what a light is: said, if it is not used
+ROUNDED = 1e-9  # relative difference of equal results, far below that of moved inputs
 MOVED = 1e-3  # relative change of an input, which a result shows
 ALL = "a sentence in which each amount changes the answer"
 SOLVED = {frame.command for frame in FRAMES}
@@ -170,9 +172,14 @@ def _idle(work_out: Callable[[Inputs], Answer], given: Inputs, names: Sequence[s
             continue
         moved = item._replace(value=item.value * (1 + MOVED) + MOVED * (not item.value))
         with suppress(RadcalcError):  # one that contradicts the others is used
-            if _results(work_out({**given, name: moved}), names) == first:
+            second = _results(work_out({**given, name: moved}), names)
+            if len(second) == len(first) and all(map(_is_same, first, second)):
                 idle.add(name)
     return idle
+
+
+def _is_same(first: float, second: float) -> bool:
+    return isclose(first, second, rel_tol=ROUNDED)
 
 
 def _results(answer: Answer, names: Sequence[str]) -> list[Any]:
