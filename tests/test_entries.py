@@ -63,6 +63,8 @@ def of_python(line: str) -> str:
         answer = radcalc.ask(line)
     except radcalc.RadcalcError:
         return REFUSED
+    if isinstance(answer, radcalc.Result):  # of a calculator: several numbers
+        return REFUSED
     return f"{float(getattr(answer, 'magnitude', answer)):.6g}"
 
 

@@ -142,9 +142,9 @@ def readings(parts: "Sequence[str]") -> list[Reading]:
     """Return the readings that fit of a line without `to`, by its parts at blanks."""
     found = [one for at in range(len(parts) - 1, 0, -1) for one in _divided_at(parts, at)]
     of_one = [one for one in found if one.is_of_one_quantity]
-    if of_one:  # 5 W as J may also be 5 W in J
+    if of_one:  # 5 W as J may also be 5 W in J, and 4 m2 / 2 m2 is a ratio
         others = [one for one in found if one.connective and one not in of_one]
-        return of_one + [one for one in others if one.is_linked]
+        return of_one + [one for one in others if one.is_linked] + _ratio(parts)
     whole = _alone(parts)
     if whole is None and len(found) == 1:
         return found
@@ -152,6 +152,21 @@ def readings(parts: "Sequence[str]") -> list[Reading]:
     if whole and (not linked or DIVIDERS.keys() & {*parts}):
         linked.append(whole)
     return linked
+
+
+def _ratio(parts: "Sequence[str]") -> list[Reading]:
+    """Return the reading of arithmetic whose last number may have the unit after it."""
+    *before, number, _ = parts
+    for sign in OPERATORS:
+        number = number.rpartition(sign)[2]
+    is_bare = number.strip("()").replace(".", "", 1).isdigit()
+    whole = _amount(" ".join(parts)) if before and is_bare else None
+    if whole is None:
+        return []
+    from radcalc.quantities.light import name_of
+
+    unit = whole.typed[1]
+    return [Reading(whole)] if unit is None or name_of(unit) else []
 
 
 def unit_first(parts: "Sequence[str]") -> list[Reading]:
