@@ -22,9 +22,9 @@ from radcalc.cli.output import decide
 from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
 from radcalc.conversion.operands import read_operands
-from radcalc.errors import RadcalcError, UsageError, add, ambiguous, listed, quote
+from radcalc.errors import RadcalcError, UsageError, add, listed, quote
 from radcalc.quantities import symbols
-from radcalc.quantities.light import LUMINOUS, name_of
+from radcalc.quantities.light import LUMINOUS
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
 from radcalc.sentences.words import ENDS
@@ -265,9 +265,9 @@ class Session:
         if is_bare and remaining[1:]:
             value, remaining = [*value, remaining[0]], remaining[1:]
         head, remaining = self._fill(" ".join(value), True), list(map(self._fill, remaining))
-        return (
-            _parted(head, remaining[0]) if is_bare and len(remaining) == 1 else [head, *remaining]
-        )
+        if is_bare and len(remaining) == 1 and SIGN not in head:  # the target, or its unit
+            return [f"{head} {remaining[0]}"]
+        return [head, *remaining]
 
     def _run(self, words: list[str]) -> int:
         called = words[0] if words else ""
@@ -399,26 +399,6 @@ def _closed(words: list[str]) -> list[str]:
 
 def _is_part(word: str, place: int) -> bool:
     return bool(ARITHMETIC.search(word)) if place else word[-1:] in tuple(OPERATIONS)
-
-
-def _parted(head: str, last: str) -> list[str]:
-    """Split arithmetic that ends in a number, and a word: its unit, or the target.
-
-    Their quantities decide: `800 lm / 2 m2` has no target and `800 lm * 2 cd` has one; an ambiguous
-    line is refused.
-    """
-    phrase = f"{head} {last}"
-    as_unit, value, target = _read(phrase), _read(head), unit_of(last)
-    if value is None or value.unit is None:
-        return [phrase]
-    if as_unit is None or (as_unit.unit and not name_of(as_unit.unit)):
-        return [head, last]
-    if target is None or target.dimension != value.unit.dimension:
-        return [phrase]
-    number = NUMBER_AT_END.search(head)
-    other = f"{head[: number.start()]}({number[0]} {last})" if number else f"({phrase})"
-    readings = f"{quote(head)} in {quote(last)}, or {quote(other)}"
-    raise UsageError(ambiguous(phrase), readings)
 
 
 def _read(text: str) -> Amount | None:

@@ -160,7 +160,9 @@ def _ratio(parts: "Sequence[str]") -> list[Reading]:
     for sign in OPERATORS:
         number = number.rpartition(sign)[2]
     is_bare = number.strip("()").replace(".", "", 1).isdigit()
-    whole = _amount(" ".join(parts)) if before and is_bare else None
+    whole = (
+        _amount(f"({' '.join(parts)})") if before and is_bare else None
+    )  # has this reading alone
     if whole is None:
         return []
     from radcalc.quantities.light import name_of
