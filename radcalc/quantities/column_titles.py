@@ -233,7 +233,9 @@ def refuse_unknown(title: Title, typed: Unit | None = None) -> None:
     other = title.unit or (None if unit_of_name(text) else unit_of(text))
     is_other = other is not None and (title.unit or sum(map(str.isalpha, text)) > 1)
     detected = OF_DETECTOR.search(text)
-    if (is_other and other and not read(other) and other.dimension != NUMBER) or detected:
+    is_bare = not (typed and title.in_brackets)  # of RH (%) too, if --unit is another one
+    is_number = other is not None and other.dimension == NUMBER and is_bare
+    if (is_other and other and not read(other) and not is_number) or detected:
         what = quote(detected[0] if detected else other.text if other else "")
         problem = f"the title '{quote(text)}' has numbers in {what}, not in a unit of light"
         raise UnitError(problem, "another column, or calibrated values")

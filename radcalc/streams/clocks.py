@@ -11,7 +11,7 @@ from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
 from typing import NamedTuple, TypeVar
 
 from radcalc.calculators.page import PER_DAY
-from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option, quote
+from radcalc.errors import ConditionError, MissingInput, NumberError, add, mention, option, quote
 from radcalc.files import columns
 from radcalc.streams.timestamps import (
     DAY,
@@ -36,6 +36,10 @@ LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
 MOST_KNOWN = 200_000  # texts of dates or times in the cache
 # Unix time from 2001 to 2286: ticks by the digits before the point.
 OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
+SAYS_UNIX = re.compile(r"unix|epoch|posix", re.IGNORECASE)
+DATE_AND_HOUR = re.compile(
+    r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])(?:[01]\d|2[0-4])"
+)
 UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
 ZONE = option("time-zone", "Europe/Prague")
 
@@ -354,6 +358,9 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
         UNIX.get(len(integer_part)) if integer_part.isdigit() and integer_part[0] != "0" else None
     )
     if ticks and (unit is None or ticks * unit.bottom == unit.top * SECOND):
+        if unit is None and DATE_AND_HOUR.fullmatch(first) and not SAYS_UNIX.search(settings.title):
+            ways = [add("time-format", "%Y%m%d%H"), add("time-unit", "s")]
+            raise NumberError(f"'{quote(first)}' is a date with its hour, or Unix time", ways)
         return Unix(zone, ticks)
     if unit:
         if zone:

@@ -32,6 +32,12 @@ from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
+# Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
+OF_OTHER_LIGHT = """
+    melanopic rhodopic cyanopic chloropic erythropic scotopic medi edi uva uvb uvc uv uvi erythemal
+    ery longwave lw lwin lwout infrared nir
+"""
+OTHER_LIGHT = frozenset(OF_OTHER_LIGHT.split())
 NAMES_OF_PAR = ("par", "qpar", "фар")
 HEAD = 1000  # lines searched for the data, without comments and blank lines
 MOST_REMARKS = 10_000  # lines searched with comments and blank lines
@@ -72,6 +78,7 @@ class LogLayout(NamedTuple):
     unit: Unit
     units: int | None = None  # the column with the unit of each value
     is_par: bool = False  # of watts from 400 nm to 700 nm, by the title
+    band: str = ""  # by the title: melanopic, UVA; no spectrum of visible light links these
 
 
 def error(name: str, number: int, problem: str, hint: str, row: str) -> errors.LineError:
@@ -313,7 +320,8 @@ class Head(FirstRows):
         light = read_light(unit)
         is_of_watts = light is not None and light.kind == RADIANT
         is_par = is_of_watts and any(map(_is_par, above))
-        return LogLayout(table, times, place, clock, unit, units, is_par)
+        words = [word for title in above for word in _words(title) if word in OTHER_LIGHT]
+        return LogLayout(table, times, place, clock, unit, units, is_par, "".join(words[:1]))
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
         if self.settings.times:

@@ -12,13 +12,25 @@ from typing import Any, NamedTuple
 from radcalc.answer import Answer
 from radcalc.calculators import dose as page
 from radcalc.calculators.dose_sums import Dose
-from radcalc.errors import LineError, MissingInput, NumberError, RadcalcError, add, mention, quote
+from radcalc.errors import (
+    LineError,
+    MissingInput,
+    NumberError,
+    RadcalcError,
+    UsageError,
+    add,
+    leave_out,
+    mention,
+    option,
+    quote,
+)
 from radcalc.files import columns
 from radcalc.files.text import Text
 from radcalc.floats import divide
 from radcalc.inputs.given import Inputs
 from radcalc.quantities.column_titles import unit_of_meter
 from radcalc.quantities.light import describe
+from radcalc.quantities.symbols import LINKS
 from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, Head, LogSettings, is_remark
@@ -315,6 +327,10 @@ class LogDose:
         if self.log.layout.is_par and "spectrum" in given and "range" not in given:
             problem = "the values are PAR in watts, which are counted from 400 nm to 700 nm"
             raise MissingInput(problem, add("range", horticulture.PAR_RANGE))
+        if (band := self.log.layout.band) and (links := [name for name in LINKS if name in given]):
+            problem = f"the values are of another light by their title ({band})"
+            problem = f"{problem}, which {option(links[0])} does not convert"
+            raise UsageError(problem, leave_out(links[0]))
         return {name: condition for name, condition in given.items() if name != "max-gap"}
 
     def _with_remarks(self, answer: Answer) -> Answer:
