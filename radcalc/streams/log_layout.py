@@ -106,6 +106,8 @@ class FirstRows:
         self.settings = settings
         self.assumptions: list[str] = []
         rows = [row for row in lines if not is_remark(row[1])][:HEAD]
+        # of the titles, with blanks inside cells below: 20240601 1800,100
+        self.commas = rows[0][1].count(",") if rows and columns.dialect(rows[0][1])[0] == "," else 0
         rows = rows[self._largest(rows) :]
         named = self._named_row(rows)
         start = 0 if named is None else named + 1
@@ -158,7 +160,10 @@ class FirstRows:
         return error(self.name, number, problem, hint, self.settings.row)
 
     def delimiter(self, line: str) -> str | None:
-        return self.settings.delimiter or columns.dialect(line)[0]
+        found, has_decimal_commas = columns.dialect(line)
+        if found is None and has_decimal_commas and line.count(",") == self.commas:
+            found = ","
+        return self.settings.delimiter or found
 
     def _largest(self, rows: Sequence[NumberedLine]) -> int:
         """Return the row of titles of the largest table, if there are several; else 0."""
