@@ -47,6 +47,7 @@ PARTS = ("year", "month", "day", "hour", "minute", "second")  # titles of the pa
 FORMATS = ("%Y", "%m", "%d", "%H", "%M", "%S")  # of the parts
 LEAST_PARTS = 3  # a date; with an hour, it is a time
 PAR_ALSO = " (some meters give PAR in W/m2; a unit in the title decides: PAR [W/m2])"
+OF_HOURS = ("hour", "hours", "hr", "hh", "hhmm", "hora", "stunde", "heure", "hodina", "час")
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b|^t$")
 
 NumberedLine = tuple[int, str]
@@ -354,6 +355,12 @@ class Head(FirstRows):
             choices = listed([names[k] if names else str(k + 1) for k in candidates])
             hint = f"{option('time-column', 'NAME')} twice, for the date and one of {choices}"
             raise self.error(0, f"there are {len(candidates)} columns of clocks", hint)
+        hours = [k for k, name in enumerate(names) if columns.plain(name) in OF_HOURS]
+        if not candidates and hours and ":" not in cells[date]:
+            title = quote(names[hours[0]])
+            ways = " ".join(option("time-column", quote(names[k])) for k in (date, hours[0]))
+            hint = f"{ways} with {option('time-format', '%Y-%m-%d %H')}, or the like"
+            raise self.error(0, f"the column '{title}' may be the time of the dates", hint)
         if candidates and names:
             pair = f"'{quote(names[date])}' and '{quote(names[candidates[0]])}'"
             self.assumptions.append(f"the date and the clock are those of {pair}")
