@@ -140,9 +140,11 @@ def _in_radians(p: Problem) -> Found:
                 yield usual(name, p.right * (math.sin(number) / math.sin(half)) ** 2)
     if ANGLE in p.target.dimensions:
         yield usual(name, p.right * math.degrees(1))
-        in_radians = "the answer is in radians, and its unit is missing"
+        in_radians = "the number is that in radians"
         bare = usual(name, p.right / math.degrees(1), in_radians)
-        yield bare and bare._replace(right="an answer without a unit is in degrees")
+        yield bare and bare._replace(
+            right="pi/4 rad is 45 deg; an answer without a unit is in degrees"
+        )
 
 
 def _in_other_units(p: Problem) -> Found:

@@ -47,6 +47,9 @@ FACTOR = re.compile(
     r"(?<![^\W\d_])x\s?\d|\d\s?x(?![^\W_])|[*×·÷]\s?\d|\d\s?[*×·]|/\s?\d"
     r"|10(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])|(?<![^\W_])\d[\d.]*e[-+]?\d+(?![^\W_])"
     r"|(?<![^\W\d_])(?:thousand|million|hundred|tenth)(?:th)?s?(?![^\W\d_])"
+    r"|(?<![^\W\d_])(?:gain|offset|factor|scaled?|multiplier|(?-i:nano|micro|milli|centi|deci|hecto"
+    r"|kilo|mega|giga))(?![^\W\d_])|[(\[](?-i:[kMGuµμ])[)\]]"
+    rf"|{HERE}[\])]?\s*\(?10{{2,}}\)?\s*$"
     r"|(?<!\d)(?<!\d\s)(?:%|‰|(?<![^\W\d_])(?:per ?cent|pct)(?![^\W\d_]))"
     rf"|{HERE}[\"')\]]*\s?(?:[/*·×^²³]|per\b)"
     # 1000 I (cd), but not 2 m (lx): the number before the symbol of a quantity
@@ -55,6 +58,7 @@ FACTOR = re.compile(
 )
 FUNCTION = re.compile(
     r"(?<![^\W\d_])(?:(?i:log)(?:10|2|e)?|lg|ln|lb|dB[a-zA-Z]{0,3}|(?i:sqrt|squared|square root"
+    r"|cumul\w*|integral|integrated|(?<![^\W\d_])(?:sum|delta|std|stdev|errors?|uncertainty)"
     r"|inverse|reciprocal|exp(?=\s?\()))(?=(?:[A-ZΑ-Ω][a-z]{0,3})?(?![^\W\d_]))"
     r"|(?<!\d)1\s?/\s?(?:[^\W\d_]|\()|(?<![^\W_])d\w+\s?/\s?dt(?![^\W_])"
     r"|[√∛∫∂^²³⁻⁴-⁹]|\*\*"
@@ -80,7 +84,7 @@ PLACE = re.compile(r"\s*\((?:in|out|min|max|avg|[nshiab])\)", re.IGNORECASE)
 # Remarks in brackets: the above, directions and days, one letter, a number of a sensor, a position,
 # serial numbers, a band of wavelengths.
 QUALIFIER = re.compile(
-    rf"(?:{NO_UNIT.pattern})(?:[\s_-]?\w{{1,3}})?|[^\W\d]|(?:sensor|channel|ch|probe|no\.?|nr\.?|#|[a-z])?"
+    rf"(?:{NO_UNIT.pattern})(?:[\s_-]?\w{{1,3}})?|[nshiab]|(?:sensor|channel|ch|probe|no\.?|nr\.?|#|[a-z])?"
     r"\s?#?\d{1,4}|.*\bs/?n\b.*|.*\blgr\b.*|lbl:.*|[\d.]+\s?[-–]\s?[\d.]+\s?nm|at .*|x\d+ y\d+",
     re.IGNORECASE,
 )

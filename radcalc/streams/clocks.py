@@ -37,8 +37,11 @@ MOST_KNOWN = 200_000  # texts of dates or times in the cache
 # Unix time from 2001 to 2286: ticks by the digits before the point.
 OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
 SAYS_UNIX = re.compile(r"unix|epoch|posix", re.IGNORECASE)
+# 2019071710, and 2406010930 with the year in two digits, which as Unix time is after 2030.
+DAY_OF_DIGITS = r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])"
 DATE_AND_HOUR = re.compile(
-    r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])(?:[01]\d|2[0-4])"
+    rf"{DAY_OF_DIGITS}(?:[01]\d|2[0-4])"
+    r"|(?:19|2\d)(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])(?:[01]\d|2[0-4])[0-5]\d"
 )
 UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
 ZONE = option("time-zone", "Europe/Prague")
@@ -359,7 +362,9 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
     )
     if ticks and (unit is None or ticks * unit.bottom == unit.top * SECOND):
         if unit is None and DATE_AND_HOUR.fullmatch(first) and not SAYS_UNIX.search(settings.title):
-            ways = [add("time-format", "%Y%m%d%H"), add("time-unit", "s")]
+            is_of_year = re.match(DAY_OF_DIGITS, first)
+            pattern = "%Y%m%d%H" if is_of_year else "%y%m%d%H%M"
+            ways = [add("time-format", pattern), add("time-unit", "s")]
             raise NumberError(f"'{quote(first)}' is a date with its hour, or Unix time", ways)
         return Unix(zone, ticks)
     if unit:
