@@ -62,7 +62,7 @@ def ask(sentence: str) -> Result | Quantity:
         words = [amount.text, target or unit, *words[len(operands) :]]
     try:
         answer: Result | Quantity = call_function((command, *words), in_core=False)
-    except (LookupError, TypeError, AttributeError) as error:  # no function, or no such result
+    except (LookupError, TypeError) as error:  # no function, no such result, or more is needed
         problem = str(error) or f"{command} is not a function of Python"
         raise UsageError(problem, "the same sentence at a shell") from None
     return answer

@@ -128,7 +128,9 @@ def _result(found: Any, wanted: str) -> Any:
     if isinstance(found, dict):
         return {period: _result(result, wanted) for period, result in found.items()}
     name, _, unit = wanted.partition(":")
-    quantity = getattr(found, keyword(name))
+    quantity = getattr(found, keyword(name), None)
+    if quantity is None:
+        raise LookupError(f"the function has no result {keyword(name)}")
     unit, *_ = horticulture.WORDS.get(unit.lower(), (unit,))  # of ppfd and dli, which are names
     return quantity.to(unit) if unit else quantity
 

@@ -17,7 +17,7 @@ from radcalc.answer import Result, Row
 from radcalc.calculators.page import DEFAULTS
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import boundary
-from radcalc.cli import command as group
+from radcalc.cli.command import commands, context, protect_negatives
 from radcalc.cli.output import decide
 from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
@@ -308,7 +308,7 @@ class Session:
 def _help() -> str:
     from radcalc.cli.help import HelpFormatter
 
-    formatter = HelpFormatter(max_width=group.context().max_content_width)
+    formatter = HelpFormatter(max_width=context().max_content_width)
     for title, rows in (("At the prompt", EXAMPLES), ("Commands", COMMANDS)):
         with formatter.section(title):
             formatter.write_dl(list(rows.items()))
@@ -366,7 +366,7 @@ def _takers(called: str) -> set[str]:
     """Return the options of a command that take the next word as their value."""
     if called not in COMMANDS:
         return set()
-    command = group.commands.get_command(group.context(), called)
+    command = commands.get_command(context(), called)
     options = (
         [option for option in command.params if isinstance(option, click.Option)] if command else []
     )
@@ -380,7 +380,7 @@ def _is_option(word: str) -> bool:
 
 
 def _is_negative(word: str) -> bool:
-    return group.protect_negatives([word]) != [word]
+    return protect_negatives([word]) != [word]
 
 
 def _closed(words: list[str]) -> list[str]:

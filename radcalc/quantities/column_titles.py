@@ -316,10 +316,7 @@ def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
 def _read(text: str, like: Unit | None) -> Title:
     """Return the title with its likeliest unit, if any."""
     masked = _without_places(text) if len(text) <= LONGEST else ""
-    candidates = [
-        (title._replace(text=text, name=_name(text, title.opening, title.closing)), in_brackets)
-        for title, in_brackets in _candidates(masked)
-    ]
+    candidates = list(_candidates(masked))
     for is_fitting in (_fits, _contradicts):
         longer: list[Title] = []  # units that contain shorter ones: the s in umol_m2_s
         for title, in_brackets in candidates:
@@ -329,7 +326,7 @@ def _read(text: str, like: Unit | None) -> Title:
             ):
                 continue
             if is_fitting(title, in_brackets, like):
-                return title
+                return title._replace(text=text, name=_name(text, title.opening, title.closing))
             if _contradicts(title, in_brackets, like) and not in_brackets:
                 longer.append(title)
     return Title(text, text)
@@ -342,13 +339,9 @@ def _without_places(text: str) -> str:
     """
     place = PLACE.search(text)
     before = text[: place.start()] if place else ""
-    if place and (unit_of_name(before) or any(fit[0].unit for fit in _of_light(before))):
+    if place and (unit_of_name(before) or any(_fits(*one, None) for one in _candidates(before))):
         return before + " " * len(place[0]) + text[place.end() :]
     return text
-
-
-def _of_light(text: str) -> Iterator[tuple[Title, bool]]:
-    return ((t, b) for t, b in _candidates(text) if t.unit and _fits(t, b, None))
 
 
 def _other_unit(text: str, unit: Unit) -> Unit | None:

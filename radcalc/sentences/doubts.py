@@ -13,7 +13,7 @@ from radcalc.sentences.phrases import FILTER, LAMP, LIGHT, SUN
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import amount_of
 from radcalc.tuples import NamedTuple
-from radcalc.units.dimensions import POWER, SOLID_ANGLE
+from radcalc.units.dimensions import ANGLE, POWER, SOLID_ANGLE
 from radcalc.units.unit import NUMBER
 
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
@@ -244,9 +244,9 @@ def _places(sentence: Sentence, fact: Fact, goal: Goal | None) -> Iterator[Way]:
 
 def _is_of_two_angles(sentence: Sentence, fact: Fact, goal: Goal | None) -> bool:
     """Return whether a solid angle is a product of two angles, as of a field of 60 deg x 40 deg."""
-    sides = fact.text.split("*")
-    is_solid = fact.amount is not None and fact.amount.dimension == SOLID_ANGLE
-    return is_solid and len(sides) == 2 and not fact.symbols
+    sides = [amount_of(side, 0) for side in fact.text.split("*")]
+    is_alone = len(sides) == 2 and not fact.symbols
+    return is_alone and all(side and side.dimension == ANGLE for side in sides)
 
 
 def _fields(sentence: Sentence, fact: Fact, goal: Goal | None) -> Iterator[Way]:

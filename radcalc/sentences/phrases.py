@@ -263,23 +263,13 @@ BEAM, LAMP, LIGHT, METER, SUN, LASER = "beam", "lamp", "light", "meter", "sun", 
 OBJECT, SOURCE = "object", "source"
 # Colours, which add nothing where a wavelength is given; air beside light, a shift beside mireds.
 LINE, AIR, SHIFT = "line", "air", "shift"
-# Words that add nothing to a phrase, those that change an amount or its meaning, and the words of
-# each thing, all as `comparable` writes them.
-OF_THINGS: dict[str, set[str]] = {}
 WORDS = data_rows("words", "sentences")  # word, language, role, what it is of
-
-
-def _sorted() -> tuple[frozenset[str], frozenset[str]]:
-    roles: dict[str, list[str]] = {"nothing": [], "changes": []}
-    for word, _, role, things in WORDS:
-        text = word if word.isascii() and word.islower() and "-" not in word else comparable(word)
-        roles[role].append(text)
-        for thing in things.split():
-            OF_THINGS.setdefault(thing, set()).add(text)
-    return frozenset(roles["nothing"]), frozenset(roles["changes"])
-
-
-FILLERS, MEANINGFUL = _sorted()
+OF_THINGS: dict[str, set[str]] = {}  # the words of each role and thing, as `comparable` writes them
+for _word, _, _role, _things in WORDS:
+    for _thing in (_role, *_things.split()):
+        OF_THINGS.setdefault(_thing, set()).add(comparable(_word))
+# Words that add nothing to a phrase, and those that change an amount or its meaning.
+FILLERS, MEANINGFUL = OF_THINGS["nothing"], OF_THINGS["changes"]
 MORE_NEEDED = {thing: OF_THINGS[thing] for thing in (BEAM, LAMP, LIGHT, METER, SUN, LASER)}
 THINGS, NOUNS = OF_THINGS[OBJECT], OF_THINGS[OBJECT] | OF_THINGS[SOURCE]
 # Words before a target: `to fc`, `in lux`, `as ppfd`.

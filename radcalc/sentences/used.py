@@ -98,18 +98,25 @@ def _numbers(text: str) -> list[str]:
 def assumptions_of(call: Sequence[str]) -> list[str]:
     """Return what the answer of a sentence assumes, which its call does not say."""
     texts = dict(map(input_of, call))
-    idle = [texts[name] for name in DESCRIBING & texts.keys() if is_idle(call, name)]
-    said = [f"the same at every wavelength: {quote(text)} is not used" for text in idle]
+    idle = _unneeded_in(call) if DESCRIBING & texts.keys() else set()
+    said = [
+        f"the same at every wavelength: {quote(texts[name])} is not used"
+        for name in sorted(DESCRIBING & idle)
+    ]
     return [*law_of(call), *said]
 
 
-def is_idle(call: Sequence[str], name: str = "") -> bool:
-    """Return whether an input of a call, or that of a name, does not change its result."""
+def is_idle(call: Sequence[str]) -> bool:
+    """Return whether an input of a call does not change its result, nor describes its light."""
+    return bool(_unneeded_in(call) - DESCRIBING)
+
+
+def _unneeded_in(call: Sequence[str]) -> set[str]:
+    """Return the inputs that do not change the result of a call; none if it is refused."""
     try:
-        names, _ = unneeded(call)
-        return name in names if name else bool(names - DESCRIBING)
+        return unneeded(call)[0]
     except RadcalcError:
-        return False
+        return set()
 
 
 def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:

@@ -38,11 +38,13 @@ MOST_KNOWN = 200_000  # texts of dates or times in the cache
 OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
 SAYS_UNIX = re.compile(r"unix|epoch|posix", re.IGNORECASE)
 # 2019071710, and 2406010930 with the year in two digits, which as Unix time is after 2030.
-DAY_OF_DIGITS = r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])"
-DATE_AND_HOUR = re.compile(
-    rf"{DAY_OF_DIGITS}(?:[01]\d|2[0-4])"
-    r"|(?:19|2\d)(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])(?:[01]\d|2[0-4])[0-5]\d"
-)
+DATE_AND_HOUR = {
+    pattern: re.compile(year + r"(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])(?:[01]\d|2[0-4])" + rest)
+    for pattern, year, rest in (
+        ("%Y%m%d%H", r"(?:19|20)\d\d", ""),
+        ("%y%m%d%H%M", r"(?:19|2\d)", r"[0-5]\d"),
+    )
+}
 UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
 ZONE = option("time-zone", "Europe/Prague")
 
@@ -361,10 +363,9 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
         UNIX.get(len(integer_part)) if integer_part.isdigit() and integer_part[0] != "0" else None
     )
     if ticks and (unit is None or ticks * unit.bottom == unit.top * SECOND):
-        if unit is None and DATE_AND_HOUR.fullmatch(first) and not SAYS_UNIX.search(settings.title):
-            is_of_year = re.match(DAY_OF_DIGITS, first)
-            pattern = "%Y%m%d%H" if is_of_year else "%y%m%d%H%M"
-            ways = [add("time-format", pattern), add("time-unit", "s")]
+        dates = [pattern for pattern, form in DATE_AND_HOUR.items() if form.fullmatch(first)]
+        if unit is None and dates and not SAYS_UNIX.search(settings.title):
+            ways = [add("time-format", dates[0]), add("time-unit", "s")]
             raise NumberError(f"'{quote(first)}' is a date with its hour, or Unix time", ways)
         return Unix(zone, ticks)
     if unit:

@@ -169,7 +169,8 @@ def usual(constant: str, settable: bool = False) -> str:
 
 def named(text: str) -> list[Scale]:
     """Return the scales with a spelling: symbols match as written, names in any case."""
-    bare = text if text[:4] == "dBm " else text.replace(" ", "")  # dB (1 mW), not dBm W
+    head, bracket, reference = text.partition("(")  # dB (1 mW), but not dBm W
+    bare = head.rstrip() + bracket + reference.replace(" ", "")
     folded = text.lower().replace("_", " ")
     rows = BY_SPELLING.get(bare) or BY_NAME.get(folded) or []
     if rows or "mag" not in text:

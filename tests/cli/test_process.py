@@ -11,7 +11,7 @@ import pytest
 from conftest import ROOT, entry_point, process, python, run
 from helpers import for_each, on_terminal, started
 
-from radcalc.cli import command as group
+from radcalc.cli.command import commands
 
 
 @pytest.mark.parametrize(
@@ -111,7 +111,7 @@ def test_a_bug_is_reported_as_a_bug(monkeypatch, capsys):
     def broken(*args, **kwargs):
         raise ZeroDivisionError("oh")
 
-    monkeypatch.setattr(group.commands, "invoke", broken)
+    monkeypatch.setattr(commands, "invoke", broken)
     assert cli.run(["convert"]) == 3
     message = capsys.readouterr().err
     assert "bug in radcalc" in message
@@ -127,7 +127,7 @@ def test_a_lack_of_memory_is_not_reported_as_a_bug(monkeypatch, capsys):
     def greedy(*args, **kwargs):
         raise MemoryError
 
-    monkeypatch.setattr(group.commands, "invoke", greedy)
+    monkeypatch.setattr(commands, "invoke", greedy)
     assert cli.run(["convert"]) == 2
     assert capsys.readouterr().err.startswith("radcalc: not enough memory\ntry: ")
 

@@ -9,7 +9,7 @@ import pytest
 from conftest import ROOT, standard_streams
 from test_cases import FILES, transcripts
 
-from radcalc.cli import command as group
+from radcalc.cli.command import commands
 from radcalc.cli.session import Session
 
 # 1 fc = 1 lm/ft2 and 1 ft = 0.3048 m exactly: 100 lx = 9.290304 fc
@@ -395,7 +395,7 @@ def test_a_bug_is_reported_and_the_next_line_is_answered(session, monkeypatch, c
         raise ZeroDivisionError("oh")
 
     with monkeypatch.context() as patched:
-        patched.setattr(group.commands, "invoke", broken)
+        patched.setattr(commands, "invoke", broken)
         assert session.answer("100 lx fc") == 3
     assert "bug in radcalc" in capsys.readouterr().err
     assert session.answer("100 lx fc") == 0
@@ -406,7 +406,7 @@ def test_an_interrupt_ends_only_the_line(session, monkeypatch, capsys):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(group.commands, "invoke", interrupted)
+        patched.setattr(commands, "invoke", interrupted)
         assert session.answer("100 lx fc") == 130
     assert session.answer("100 lx fc") == 0
     assert capsys.readouterr().out == "9.290304\tfc\n"
