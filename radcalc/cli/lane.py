@@ -196,7 +196,7 @@ def answer_sentence(words: Words) -> int | None:
         output.show(results)
     except RadcalcError as error:  # a full disk
         return terminal.complain(error)
-    say([*typed(call)], assumptions=assumptions_of(call))
+    say([*typed(call)], assumptions=assumptions_of(sentence, call))
     return terminal.ANSWERED
 
 

@@ -136,7 +136,7 @@ def call_meant(
     is_same |= any(input_of(word)[1] not in values for word in inputs)
     if is_same or not is_other(call, typed_words, error):
         raise error
-    return call, options, assumptions_of(found)
+    return call, options, assumptions_of(sentence, found)
 
 
 def _is_understood(sentence: Sentence, asked: Words) -> bool:

@@ -61,11 +61,8 @@ LIMITS = ("", ",", ":")  # characters of a value in a list or a range
 
 ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
 NAME = re.compile(r"(?<![\w.])[^\W\d]\w*(?:(?<=\bans)\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*)?(?![\w(])")
-OPERATIONS = "-+*/^·×⋅∙−±"
-ARITHMETIC = re.compile(
-    rf"[{OPERATIONS}]$|^[+*/^·×⋅∙]|^[-−]$|[*/·×⋅∙]\(*[\d.]"
-)  # in a word of several
-NUMBER_AT_END = re.compile(rf"(?<![^{OPERATIONS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$", re.I)
+OPERATIONS = "-+*/^·×⋅∙−"
+ARITHMETIC = re.compile(rf"[{OPERATIONS}]|[^\s-]+[{OPERATIONS}]|[*/·×⋅∙]\S+")  # goes on in the next
 
 EXAMPLES = {
     "100 lx fc": "A value with its unit, converted.",
@@ -250,24 +247,11 @@ class Session:
         )
 
     def _operands(self, words: list[str]) -> list[str]:
-        """Replace names in the operands of a conversion, and join the words of its value."""
-        if words[:1] == ["-"]:
-            return words
-        words = _closed(words)
-        if words and words[-1][-1:] in tuple(OPERATIONS):  # convert reports what is missing
-            return [self._fill(word) for word in words]
-        last = max((k for k, word in enumerate(words) if _is_part(word, k)), default=-1)
-        if last < 0 or SEPARATING.intersection(words):
-            return [self._fill(word, last >= 0) for word in words]
-        end = last + (1 if words[last][-1] in OPERATIONS else 0)
-        value, remaining = words[: end + 1], words[end + 1 :]
-        is_bare = value[-1][-1] == ")" or bool(NUMBER_AT_END.search(value[-1]))
-        if is_bare and remaining[1:]:
-            value, remaining = [*value, remaining[0]], remaining[1:]
-        head, remaining = self._fill(" ".join(value), True), list(map(self._fill, remaining))
-        if is_bare and len(remaining) == 1 and SIGN not in head:  # the target, or its unit
-            return [f"{head} {remaining[0]}"]
-        return [head, *remaining]
+        """Replace names in the operands of a conversion; arithmetic is one word, as in quotes."""
+        is_part = words[:1] != ["-"] and any(map(ARITHMETIC.fullmatch, words))
+        filled = [self._fill(word, is_part) for word in words]
+        is_one = is_part and words[-1] != "-" and {*words}.isdisjoint(TO)
+        return [" ".join(filled)] if is_one else filled
 
     def _run(self, words: list[str]) -> int:
         called = words[0] if words else ""
@@ -381,24 +365,6 @@ def _is_option(word: str) -> bool:
 
 def _is_negative(word: str) -> bool:
     return protect_negatives([word]) != [word]
-
-
-def _closed(words: list[str]) -> list[str]:
-    """Join the words from a bracket to the one that closes it."""
-    joined: list[str] = []
-    text = " ".join(words)
-    if text.count("(") != text.count(")"):
-        return words
-    for word in words:
-        if joined and joined[-1].count("(") > joined[-1].count(")"):
-            joined[-1] += f" {word}"
-        else:
-            joined.append(word)
-    return joined
-
-
-def _is_part(word: str, place: int) -> bool:
-    return bool(ARITHMETIC.search(word)) if place else word[-1:] in tuple(OPERATIONS)
 
 
 def _read(text: str) -> Amount | None:

@@ -13,6 +13,7 @@ from radcalc.quantities.search import comparable
 from radcalc.sentences import doubts
 from radcalc.sentences.doubts import ELECTRICAL, Way
 from radcalc.sentences.facts import (
+    LEDS,
     Facts,
     is_bare,
     is_efficacy,
@@ -44,8 +45,6 @@ from radcalc.units.unit import Daily
 
 SHORTEST = 4  # letters of a word with a misspelling
 OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}
-# Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
-LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 NEAR = 0.05  # of a temperature
 OF_ROOM = {"flux", "irradiance", "receiver-area"}
 UNDER_LAMP = {"irradiance", "receiver-area", "height"}

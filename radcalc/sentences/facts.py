@@ -22,6 +22,8 @@ OF_DIMENSION = {
 }
 # Words for light that is not that of a lamp.
 DAYS = ("sun", "sunlight", "full sun", "solar", "daylight", "skylight", "moonlight")
+# Correlated colour temperatures [K] of the white LEDs of the CIE, as `spectrum` gives them.
+LEDS = {"LED-B1": 2735, "LED-B2": 2999, "LED-B3": 4102, "LED-B4": 5106, "LED-B5": 6591}
 
 
 def is_efficacy(fact: Fact) -> bool:

@@ -17,6 +17,7 @@ from radcalc.errors import RadcalcError, Try, Unused, UsageError, input_of, list
 from radcalc.inputs.given import Input, Inputs
 from radcalc.inputs.reading import read
 from radcalc.quantities.symbols import FLAG, QUANTITY, SYMBOLS
+from radcalc.sentences.facts import LEDS
 from radcalc.sentences.frames import FRAMES
 from radcalc.sentences.products import law_of
 from radcalc.sentences.reader import Fact, Sentence
@@ -95,7 +96,7 @@ def _numbers(text: str) -> list[str]:
     return NUMBERS.findall(EXPONENTS.sub("", text))
 
 
-def assumptions_of(call: Sequence[str]) -> list[str]:
+def assumptions_of(sentence: Sentence, call: Sequence[str]) -> list[str]:
     """Return what the answer of a sentence assumes, which its call does not say."""
     texts = dict(map(input_of, call))
     idle = _unneeded_in(call) if DESCRIBING & texts.keys() else set()
@@ -103,6 +104,12 @@ def assumptions_of(call: Sequence[str]) -> list[str]:
         f"the same at every wavelength: {quote(texts[name])} is not used"
         for name in sorted(DESCRIBING & idle)
     ]
+    led = texts.get("spectrum", "")
+    for fact in sentence.facts:
+        if led in LEDS and fact.amount and fact.amount.dimension == TEMPERATURE:
+            said.append(f"an LED of {quote(fact.typed)} is taken as {led}, of {LEDS[led]} K (CIE)")
+        elif fact.symbols == ("spectrum",) and "efficacy" in texts and not led:
+            said.append(f"the efficacy is that of {quote(fact.text)}, whose spectrum is not used")
     return [*law_of(call), *said]
 
 

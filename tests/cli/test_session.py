@@ -46,7 +46,7 @@ READ = {
     "radcalc 100 lx fc": ["convert", "100", "lx", "fc"],
     "convert 100 lx to fc": ["convert", "100", "lx", "to", "fc"],
     "-30 mW uW": ["convert", "-30", "mW", "uW"],
-    "1 J/(m2 s) W/m2": ["convert", "1", "J/(m2 s)", "W/m2"],
+    "1 J/(m2 s) W/m2": ["convert", "1", "J/(m2", "s)", "W/m2"],
     "'5 W m-2' W/m2": ["convert", "5 W m-2", "W/m2"],
     "- lx fc --header -d ,": ["convert", "-", "lx", "fc", "--header", "-d", ","],
     "convert - --header lx fc": ["convert", "-", "lx", "fc", "--header"],
