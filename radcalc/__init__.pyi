@@ -196,6 +196,10 @@ def dose(
     time_zone: str = "",
     time_format: str = "",
     samples: Samples = "points",
+    where: Mapping[str, str] | None = None,
+    missing: str | float | Sequence[str | float] = (),
+    dark: str | float = "",
+    thousands: str = "",
     invalid: Invalid = "abort",
     by: None = None,
 ) -> Result: ...
@@ -219,6 +223,10 @@ def dose(
     time_zone: str = "",
     time_format: str = "",
     samples: Samples = "points",
+    where: Mapping[str, str] | None = None,
+    missing: str | float | Sequence[str | float] = (),
+    dark: str | float = "",
+    thousands: str = "",
     invalid: Invalid = "abort",
     by: Period,
 ) -> dict[str, Result]: ...

@@ -156,7 +156,7 @@ def test_columns_have_the_numbers_of_their_cells(tmp_path):
     assert (lamp["from"], lamp["to"], lamp["mean"]) == ("a", "c", None)
     assert (lux["unit"], lux["from"], lux["to"], lux["mean"]) == ("lx", 100, 500, 300)
     assert (distance["unit"], distance["numbers"], distance["mean"]) == ("m", 1, 1.5)
-    assert "1 line with other columns is skipped" in run("columns", path).stderr
+    assert "a line is no row of data; the first: line 6: 'd;x'" in run("columns", path).stderr
 
 
 def test_many_rows_are_summed_as_single_ones(tmp_path):

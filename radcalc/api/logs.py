@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from datetime import date, timedelta
 from io import BytesIO
@@ -64,12 +64,20 @@ def _of_file(path: str, times: Times, chosen: LogSettings) -> tuple[LogSettings,
 
 def _of_readings(readings: Any, times: Times, chosen: LogSettings) -> tuple[LogSettings, Source]:
     """Return the settings of readings in memory, and their text."""
-    if chosen.column or chosen.times:
+    if chosen.column or chosen.times or chosen.where:
         raise ConditionError("readings in memory have no columns to choose", "a file")
     table = _table(readings, times, chosen.unit)
     clock = chosen.clock
     clock = clock._replace(zone=clock.zone or table.zone, unit=clock.unit or table.time_unit)
-    settings = LogSettings(("1",), "2", table.unit, TAB, chosen.invalid, clock, "reading", 0)
+    settings = chosen._replace(
+        times=("1",),
+        column="2",
+        unit=table.unit,
+        delimiter=TAB,
+        clock=clock,
+        row="reading",
+        first=0,
+    )
     return settings, table.opened()
 
 
@@ -91,6 +99,10 @@ def dose(
     time_zone: str = "",
     time_format: str = "",
     samples: Samples = "points",
+    where: Mapping[str, str] | None = None,
+    missing: str | float | Sequence[str | float] = (),
+    dark: str | float = "",
+    thousands: str = "",
     invalid: Invalid = "abort",
     by: Period | None = None,
     **given: Any,
@@ -119,6 +131,14 @@ def dose(
         The format of dates in texts, as in strptime: ``"%d/%m/%Y %H:%M"``.
     samples : {"points", "means"}, optional
         Points with straight lines between them, or means from each time to the next.
+    where : dict, optional
+        The rows of a file that are read, by the text in a column: ``{"sensor": "A"}``.
+    missing : str, number or sequence, optional
+        The marks of missing values, whose rows are gaps: ``-99.9``.
+    dark : str or number, optional
+        What the meter shows in the dark, which is subtracted.
+    thousands : str, optional
+        The separator of thousands in the values.
     invalid : {"abort", "warn", "ignore"}, optional
         Refuse the log at a reading that is missing or invalid (the default), or skip it, which is a
         gap, with a warning or without.
@@ -140,21 +160,25 @@ def dose(
     means = arguments.one_of(samples, READINGS, "kind of samples") == MEANS_OF_STEPS
     arguments.one_of(invalid, SKIPPING, "treatment of an invalid reading")
     period = "" if by is None else arguments.one_of(by, PERIODS, "period")
-    arguments.require_texts(
-        unit=unit, time_zone=time_zone, time_unit=time_unit, time_format=time_format
-    )
+    texts = {"time_zone": time_zone, "time_unit": time_unit, "time_format": time_format}
+    arguments.require_texts(unit=unit, thousands=thousands, **texts)
     inputs = arguments.read_inputs(given)
     refuse_uncertain([inputs["max-gap"]] if "max-gap" in inputs else [], "a log")
     arguments.refuse_arrays(inputs, "the whole log")
-    clock = TimeSettings(time_zone, time_unit, time_format)
-    columns = tuple(map(str, _listed(time_column)))
-    place = "" if column is None else str(column)
-    chosen = LogSettings(tuple(filter(None, columns)), place, unit, "", invalid, clock)
+    chosen = LogSettings(
+        tuple(map(str, filter(None, _listed(time_column)))),
+        "" if column is None else str(column),
+        unit,
+        invalid=invalid,
+        clock=TimeSettings(time_zone, time_unit, time_format),
+        where=tuple((where or {}).items()),
+        missing=tuple(map(str, _listed(missing))),
+        dark=str(dark),
+        thousands=thousands,
+    )
     path = os.fspath(readings) if isinstance(readings, (str, os.PathLike)) else None
-    if path is None:
-        settings, source = _of_readings(readings, times, chosen)
-    else:
-        settings, source = _of_file(path, times, chosen)
+    of = _of_readings(readings, times, chosen) if path is None else _of_file(path, times, chosen)
+    settings, source = of
     with source as (name, read):
         skipped: list[LineError] = []
         log = LogDose(
@@ -162,29 +186,22 @@ def dose(
         )
     for error in skipped:
         warn(in_words(error.message), stacklevel=4)  # in the caller's line
-    operands = {
-        "file": path or "",
-        "column": place,
-        "unit": unit,
-        "time-column": ",".join(columns),
-        "invalid": invalid if invalid != ABORT else "",
-        "time-zone": time_zone,
-        "time-format": time_format,
-        "time-unit": time_unit,
-        "samples": samples if means else "",
-    }
+    operands = {"file": path or "", **chosen.texts, "samples": samples if means else ""}
     if not period:
         return calculate("dose", given, log.answer, operands, waits=False, samples=log.samples)
     shown = (*texts_of(operands), *shown_inputs(inputs))
-    results = {}
-    for label, answer in log.periods(inputs):
-        listed = (*shown, ShownInput(period, text=label, tells=True))
-        results[label] = of_answer("dose", answer, listed, None, UNDRAWN)
-    return results
+    return {
+        label: of_answer("dose", answer, (*shown, _of_period(period, label)), None, UNDRAWN)
+        for label, answer in log.periods(inputs)
+    }
 
 
-def _listed(columns: str | int | Sequence[str | int]) -> Sequence[str | int]:
-    return [columns] if isinstance(columns, (str, int)) else columns
+def _of_period(period: str, label: str) -> ShownInput:
+    return ShownInput(period, text=label, tells=True)
+
+
+def _listed(texts: str | float | Sequence[str | float]) -> Sequence[str | float]:
+    return [texts] if isinstance(texts, (str, float, int)) else texts
 
 
 def _table(readings: Any, times: Any, unit: str) -> Table:

@@ -32,7 +32,6 @@ FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
 PPFD = light_dimension(PHOTON, IRRADIANCE, "")
 DAY = 86400  # s
 WHOLE = (3600, DAY)  # seconds of an hour, and of a day without a clock change
-NOISE = 0.05  # of the peak: smaller negative readings are a meter's offset
 POINTS, MEANS_OF_STEPS = "points", "means"  # what samples are
 READINGS = {
     POINTS: "values between samples are interpolated linearly (trapezoidal rule)",
@@ -80,6 +79,20 @@ PAGE = Page(
                 repeats=True,
             ),
             text("d delimiter", "X", "Field separator: one character, or tab (default: detected)."),
+            text(
+                "where",
+                "COLUMN=VALUE",
+                "Rows of one series: those with this text in a column (* is any; repeatable).",
+                repeats=True,
+            ),
+            text(
+                "missing",
+                "VALUE",
+                "Mark of a missing value, whose line is a gap (repeatable).",
+                repeats=True,
+            ),
+            text("dark", "VALUE", "What the meter shows in the dark, subtracted from all values."),
+            text("thousands", "X", "Separator of thousands in the values, as in 1,033.3."),
             choice(
                 "invalid",
                 INVALID,
@@ -165,8 +178,8 @@ class SummedLog(NamedTuple):
         return self.duration > DAY * (1 + SLACK)
 
     def check(self) -> None:
-        """Refuse a log with too few samples, without covered time, or with negative light."""
-        dose, unit = self.dose, self.unit.text
+        """Refuse a log with too few samples, or without covered time."""
+        dose = self.dose
         if dose.count < 2:
             problem = "one sample is not enough" if dose.count else "there is no sample"
             raise ConditionError(problem, "two samples or more")
@@ -175,12 +188,6 @@ class SummedLog(NamedTuple):
             raise ConditionError(
                 "every step is a gap, so there is nothing to add up",
                 f"{option('max-gap', longest)}, which bridges all of them",
-            )
-        if dose.least < -NOISE * dose.peak:
-            raise ConditionError(
-                f"a sample of {format_number(dose.least)} {unit} at {self.say(dose.least_at)} is "
-                f"too far below 0 for a meter's offset (the peak is {format_number(dose.peak)})",
-                "a column of light, without marks such as -99 for missing values",
             )
 
     def refuse_dli(self, by: str, is_check: bool) -> None:
@@ -210,8 +217,8 @@ class SummedLog(NamedTuple):
             below = format_number(_exact(dose.below, self.tick))
             count = "a sample" if dose.negative == 1 else f"{dose.negative} samples"
             notes.append(
-                f"kept as a meter's offset: {count} below 0, down to {format_number(dose.least)} "
-                f"{unit}, together {below} {unit} s"
+                f"kept as noise of the dark meter: {count} below 0, down to "
+                f"{format_number(dose.least)} {unit}, together {below} {unit} s"
             )
         return notes
 

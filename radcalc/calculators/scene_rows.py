@@ -148,7 +148,7 @@ def _rows(
 ) -> list[Row]:
     """Return the rows of lines with their numbers, with the units of their columns."""
     rows = []
-    table = Table(partial(text.refusal, name), delimiter, len(titles), [list(titles.values())])
+    table = Table(partial(text.refusal, name), delimiter, len(titles), list(titles.values()))
     for number, line in lines:
         cells = table.cells(number, line)
         filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}

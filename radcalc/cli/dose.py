@@ -17,11 +17,10 @@ from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.request import Case, Request, cases, refuse_second_reader, several
 from radcalc.cli.spelling import quoted
 from radcalc.cli.streams import complain
-from radcalc.errors import ConditionError, UsageError, quote_path
+from radcalc.errors import MINUS, ConditionError, RadcalcError, UsageError, quote_path
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
-from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI
 from radcalc.quantities.units import offered
 from radcalc.render.formats import Records
@@ -29,9 +28,9 @@ from radcalc.render.plain import number
 from radcalc.routes.kinds import NAMES, ColumnSummary, contents_of, listing
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.fields import read_delimiter
-from radcalc.streams.log_layout import FirstRows, LogSettings
+from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where
 from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
-from radcalc.terminal import ABORT, CSV, JSON, TABLE
+from radcalc.terminal import CSV, JSON, TABLE
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
@@ -70,6 +69,8 @@ def command(
     words: tuple[str, ...],
     typed: dict[str, str],
     time_column: tuple[str, ...],
+    where: tuple[str, ...],
+    missing: tuple[str, ...],
     invalid: str,
     samples: str,
     request: Request,
@@ -82,7 +83,9 @@ def command(
     """
     path = _path(words, typed)
     texts = {name: text or "" for name, text in others.items()}
-    by, column, unit, delimiter = map(texts.pop, ("by", "column", "unit", "delimiter"))
+    by, column, unit, delimiter, dark, thousands = map(
+        texts.pop, ("by", "column", "unit", "delimiter", "dark", "thousands")
+    )
     all_cases = cases(typed, arrays=False)
     gap = _gap(all_cases)
     if by and len(all_cases) > 1:
@@ -92,23 +95,17 @@ def command(
     clock = TimeSettings(texts["time_zone"], texts["time_unit"], texts["time_format"])
     cut = read_delimiter(delimiter) if delimiter else ""
     settings = LogSettings(time_column, column, unit, cut, invalid, clock)
+    missing, dark = tuple(text.replace(MINUS, "-") for text in missing), dark.replace(MINUS, "-")
+    settings = settings._replace(
+        where=rows_where(where), missing=missing, dark=dark, thousands=thousands
+    )
     with reading(path, EXPECTED) as (name, read):
         log = Log(name, read, settings, complain)
         summed = LogDose(log, gap, by, samples == page.MEANS_OF_STEPS)
     if by != PER_DAY and _asks_for_dli(request):
         summed.summed.refuse_dli(by, request.check is not None)
-    typed_here = {
-        "file": path,
-        "column": column,
-        "unit": unit,
-        "time-column": ",".join(time_column),
-        "delimiter": delimiter,
-        "invalid": invalid if invalid != ABORT else "",
-        "time-zone": clock.zone,
-        "time-format": clock.format,
-        "time-unit": clock.unit,
-        "samples": samples if samples != page.POINTS else "",
-    }
+    typed_here = {"file": path, **settings.texts, "delimiter": delimiter}
+    typed_here["samples"] = samples if samples != page.POINTS else ""
     operands = texts_of(typed_here)
     if by and request.check is None:
         _show_periods(summed, all_cases[0].given, operands, request, output)
@@ -215,12 +212,12 @@ def _command(path: str, rows: FirstRows, column: ColumnSummary) -> str:
     """Return the command that converts a column, or adds up its dose; "" without a unit."""
     if column.unit is None or not column.count:
         return ""
-    if (rows.times or rows.parts) and read_light(column.unit):
+    if _has_dose(rows, column):
         return f"radcalc dose {quoted(path)} --column {quoted(column.name)}"
     target = _another(column.unit)
     if not target or not rows.names:
         return ""
-    name = column.name if len(rows.table.titles) == 1 else str(column.place + 1)
+    name = column.name if rows.names == rows.table.titles else str(column.place + 1)
     words = [
         "radcalc convert -",
         quoted(column.unit.text),
@@ -237,6 +234,18 @@ def _command(path: str, rows: FirstRows, column: ColumnSummary) -> str:
     if rows.begin > 2:
         words.append(f"--header={rows.begin - 1}")
     return " ".join([*words, "<", quoted(path)])
+
+
+def _has_dose(rows: FirstRows, column: ColumnSummary) -> bool:
+    """Return whether the samples of a column add up: light above 0, at times that can be read."""
+    if not (rows.times or rows.parts[0]) or column.least < 0 or column.odd:
+        return False
+    try:
+        head = LogHead(rows.name, rows.lines, LogSettings(column=column.name))
+        page.check_unit(head.layout.unit)
+    except RadcalcError:
+        return False
+    return True
 
 
 def _another(unit: Unit) -> str:

@@ -47,6 +47,11 @@ def is_comment(line: str) -> bool:
     return line.lstrip().startswith(COMMENTS)
 
 
+def is_remark(line: str) -> bool:
+    """Return whether a line is blank or a comment."""
+    return not line or line.isspace() or is_comment(line)
+
+
 def comment_text(line: str) -> str:
     """Return the text of a comment."""
     return line.lstrip("#%/; \t")

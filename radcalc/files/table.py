@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 from radcalc.errors import RadcalcError, quote
 from radcalc.files import columns
@@ -14,18 +13,11 @@ Refuse = Callable[[int, str, str], RadcalcError]  # the error of a line, a probl
 NumberedLine = tuple[int, str]
 
 
-class Column(NamedTuple):
-    """A column: its place, its title, and its unit in a row below the titles, if any."""
-
-    place: int
-    title: str
-    unit: str = ""
-
-
 class Table:
     """A table of one delimiter and width, read row by row or many rows at once.
 
-    `titles` are the rows above the data, the names first; `preamble` are the lines before them.
+    `titles` are those of the columns, with their units, and `names` are without the units of a row
+    below them; `preamble` are the lines before the table.
     The values of a table may not fit into memory: they are returned, not kept.
     """
 
@@ -34,26 +26,17 @@ class Table:
         refuse: Refuse,
         delimiter: str | None,
         width: int,
-        titles: Sequence[Sequence[str]] = (),
+        titles: Sequence[str] = (),
         preamble: Sequence[NumberedLine] = (),
+        names: Sequence[str] = (),
     ) -> None:
         self.refuse = refuse
         self.delimiter = delimiter
         self.width = width
         self.titles = titles
+        self.names = names or titles
         self.preamble = preamble
         self.decimals = columns.Decimals()
-
-    @property
-    def columns(self) -> list[Column]:
-        names, *others = self.titles or [[""] * self.width]
-        units = [next(filter(None, texts), "") for texts in zip(*others, strict=True)]
-        return [
-            Column(place, title, unit)
-            for place, (title, unit) in enumerate(
-                zip(names, units or [""] * self.width, strict=True)
-            )
-        ]
 
     @property
     def pairs(self) -> dict[str, str]:
@@ -81,7 +64,7 @@ class Table:
     def cells(self, number: int, line: str) -> list[str]:
         """Return the cells of a row; raise for too few or many, without blank ones at its end."""
         cells = columns.cells(line, self.delimiter)
-        if len(cells) == self.width - 1 and self.titles and not self.titles[0][-1]:
+        if len(cells) == self.width - 1 and self.titles and not self.titles[-1]:
             cells.append("")  # the delimiter at the end of other lines
         while len(cells) > self.width and not cells[-1]:
             cells.pop()

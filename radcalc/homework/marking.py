@@ -69,7 +69,7 @@ def read_sheet(path: str) -> Sheet:
     number, header = lines[0]
     delimiter = max(columns.DELIMITERS, key=lambda mark: _known(columns.cells(header, mark)))
     titles = columns.cells(header, delimiter)
-    table = Table(partial(refusal, name), delimiter, len(titles), [titles])
+    table = Table(partial(refusal, name), delimiter, len(titles), titles)
     cells = [(line, table.cells(line, text)) for line, text in lines[1:]]
     places = _places(titles, [row for _, row in cells], partial(refusal, name, number))
     by_title = {t: _pointed([row[place] for _, row in cells]) for t, place in places.items()}
@@ -93,7 +93,7 @@ def _row(table: Table, line: int, cells: dict[str, Cell]) -> SheetRow:
     if not expected.text and not own[COMMAND].typed:
         problem = "the question has neither a command nor an expected value"
         raise table.refuse(line, problem, HEADER)
-    if own[POINTS].text or POINTS in table.titles[0]:
+    if own[POINTS].text or POINTS in table.titles:
         points = table.number(own[POINTS].typed, line)
     if points < 0:
         raise table.refuse(line, f"{points:g} points are less than none", "0 or more points")

@@ -269,7 +269,7 @@ def _unknown_unit(text: str) -> str:
     for inner in reversed(brackets):
         if _folded(inner) in SPELLINGS:
             return inner
-        if UNIT_LIKE.fullmatch(inner) and not NO_UNIT.fullmatch(inner) and not unit_of(inner):
+        if UNIT_LIKE.fullmatch(inner) and not QUALIFIER.fullmatch(inner) and not unit_of(inner):
             return inner
     found = PER_AREA.search(text)
     return found[0] if found else ""
@@ -492,6 +492,7 @@ def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
     if unit is None or in_brackets:
         return unit is not None
     is_word = sum(map(str.isalpha, unit.text)) > 1 and unit.text not in SUBSCRIPTS
+    is_word = is_word and not (title.name and "magnitude" in unit.text.lower())  # of a vector
     is_word = is_word and not SYMBOL.match(unit.text)
     is_name_of_kind = len(unit.atoms) == 1 and unit.atoms[0][0] == "photon"  # photon irradiance
     return is_word and not is_name_of_kind and _is_light(unit)

@@ -9,14 +9,15 @@ from math import fsum, inf
 from typing import NamedTuple
 
 from radcalc.distributions import contents
-from radcalc.errors import ConditionError, LineError, RadcalcError, quote_path
+from radcalc.errors import ConditionError, LineError, RadcalcError, quote, quote_path
 from radcalc.files import columns, signatures
+from radcalc.files.head import first_lines, is_number
 from radcalc.files.text import ENDINGS as OF_COLUMNS
 from radcalc.files.text import Text
 from radcalc.quantities.column_titles import read_title
 from radcalc.quantities.light import read as read_light
 from radcalc.spectra.files import is_spectrum
-from radcalc.streams.log_layout import MISSING, FirstRows, Head, LogSettings, first_lines, is_remark
+from radcalc.streams.log_layout import MISSING, FirstRows, LogHead, LogSettings
 from radcalc.streams.samples import LEAST, MARKED
 from radcalc.units.unit import Unit
 
@@ -64,9 +65,8 @@ X = re.compile(r"\s*x(?![^\W_])", re.IGNORECASE)
 class LooseRows(FirstRows):
     """The first rows of a table with text in some of its columns."""
 
-    def is_data(self, line: str, named: int | None) -> bool:
-        cells = columns.cells(line, self.delimiter(line))
-        return any(columns.is_number(cell, True) for cell in cells)
+    def is_data(self, cells: Sequence[str], is_named: bool) -> bool:
+        return any(map(is_number, cells))
 
 
 class Contents(NamedTuple):
@@ -161,12 +161,13 @@ def _rows(lines: list[str], name: str) -> FirstRows | None:
 def _is_table(rows: FirstRows, head: Sequence[tuple[int, str]]) -> bool:
     """Return whether rows have titles, or nothing but numbers and times, and others are alike."""
     cells = [cell for cell in rows.cells if cell]
-    are_numbers = all(columns.is_number(cell, True) or rows.is_stamp(cell) for cell in cells)
-    if not are_numbers and not (rows.names and rows.table.delimiter):
+    are_numbers = all(columns.is_number(cell, True) or rows.is_start(cell) for cell in cells)
+    if not are_numbers and not (rows.table.delimiter and len(cells) > 1):
         return False
-    below = [line for number, line in head if number >= rows.begin and not is_remark(line)]
+    below = [line for number, line in head if number >= rows.begin and not columns.is_remark(line)]
     widths = [len(columns.cells(line, rows.table.delimiter)) for line in below]
-    return 2 * widths.count(rows.table.width) >= len(widths)
+    are_rows = are_numbers or bool(rows.names) or len(below) > 1
+    return are_rows and 2 * widths.count(rows.table.width) >= len(widths)
 
 
 def _are_of_angles(titles: Sequence[str]) -> bool:
@@ -183,12 +184,12 @@ def _are_of_angles(titles: Sequence[str]) -> bool:
 
 def _is_log(lines: list[str], name: str, rows: FirstRows | None) -> bool:
     """Return whether a table has times and a single column that may be light."""
-    if rows is None or isinstance(rows, LooseRows) or not (rows.times or rows.parts):
+    if rows is None or isinstance(rows, LooseRows) or not (rows.times or rows.parts[0]):
         return False
     try:
-        Head(name, first_lines([(1, lines)]), LogSettings())
+        LogHead(name, first_lines([(1, lines)]), LogSettings())
     except RadcalcError:
-        values = [k for k in range(len(rows.cells)) if k not in (*rows.times, *rows.parts)]
+        values = [k for k in range(len(rows.cells)) if k not in (*rows.times, *rows.parts[0])]
         units = [unit for k in values if (unit := unit_of(rows, k))]
         numbers = [k for k in values if columns.is_number(rows.cells[k], True)]
         of_light = [unit for unit in units if read_light(unit)]
@@ -227,6 +228,7 @@ class ColumnSummary:
     def __init__(self, place: int, title: str, unit: Unit | None, is_time: bool) -> None:
         self.place, self.title, self.unit, self.is_time = place, title, unit, is_time
         self.count = 0
+        self.odd = ""  # a remark on a text among the numbers
         self.first, self.last = "", ""
         self.least, self.greatest = inf, -inf
         self.sums: list[float] = []
@@ -260,14 +262,9 @@ class Listing(NamedTuple):
 
 
 def unit_of(rows: FirstRows, place: int) -> Unit | None:
-    """Return the unit in the titles of a column, or None."""
-    for titles in rows.table.titles:
-        try:
-            unit = read_title(titles[place]).unit
-        except RadcalcError:
-            continue
-        if unit:
-            return unit
+    """Return the unit in the title of a column, or None."""
+    with suppress(RadcalcError):
+        return read_title(rows.table.titles[place]).unit if rows.table.titles else None
     return None
 
 
@@ -279,7 +276,7 @@ def listing(path: str, rows: FirstRows) -> Listing:
     ConditionError, LineError
         If the file cannot be read, or its numbers have points and commas.
     """
-    times = {*rows.times, *rows.parts}
+    times = {*rows.times, *rows.parts[0]}
     titles = rows.names or [""] * rows.table.width
     reader = _Reader(
         rows,
@@ -298,10 +295,9 @@ def listing(path: str, rows: FirstRows) -> Listing:
     rows.table.finish()
     notes = [text.note] if text.note else []
     if reader.skipped:
-        plural = (
-            "line with other columns is" if reader.skipped == 1 else "lines with other columns are"
-        )
-        notes.append(f"{reader.skipped} {plural} skipped")
+        lines_text = "a line is" if reader.skipped == 1 else f"{reader.skipped} lines are"
+        notes.append(f"{lines_text} no row of data; the first: {reader.first_skipped}")
+    notes += [column.odd for column in reader.columns if column.count and column.odd]
     if is_cut:
         notes.append(f"only the first {LARGEST >> 20} MiB of the file are read")
     return Listing(reader.columns, reader.count, tuple(notes))
@@ -313,18 +309,25 @@ class _Reader:
     def __init__(self, rows: FirstRows, found: list[ColumnSummary]) -> None:
         self.table, self.columns = rows.table, found
         self.count = self.skipped = 0
+        self.first_skipped = ""
+        # The place of a cell that shows that a row is one of data: its date, or its first number.
+        self.place = next(iter(rows.times), 0)
+        kinds = (rows.is_start, is_number)
+        self.is_row = next((is_of for is_of in kinds if is_of(rows.cells[self.place])), bool)
 
     def add(self, lines: list[str], number: int) -> None:
         try:
             self._add_at_once(lines, number)
         except ValueError:
             for line in enumerate(lines, number):
-                if not is_remark(line[1]):
+                if not columns.is_remark(line[1]):
                     self._add_line(*line)
 
     def _add_at_once(self, lines: list[str], number: int) -> None:
         """Add many lines; raise ValueError if any is unusual, before anything is added."""
         cells = self.table.at_once(lines)
+        if not all(map(self.is_row, map(str.strip, cells[self.place]))):
+            raise ValueError
         numbers = {}
         for column, texts in zip(self.columns, cells, strict=True):
             if column.is_time or (column.first and not column.count):
@@ -345,7 +348,10 @@ class _Reader:
         try:
             cells = self.table.cells(number, line)
         except LineError:
+            cells = []
+        if not cells or not self.is_row(cells[self.place]):
             self.skipped += 1
+            self.first_skipped = self.first_skipped or f"line {number}: '{quote(line.strip())}'"
             return
         self.count += 1
         for column, cell in zip(self.columns, cells, strict=True):
@@ -354,6 +360,8 @@ class _Reader:
                 continue
             if value is None:
                 column.see(cell, cell)
+                if not column.is_time and not column.odd:
+                    column.odd = f"'{quote(cell)}' in line {number} is no number of '{column.name}'"
             else:
                 self.table.check_marks([cell], number)
                 column.add([value])

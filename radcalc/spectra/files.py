@@ -112,7 +112,7 @@ class _Layout(NamedTuple):
     @property
     def header(self) -> list[str]:
         """The title of the wavelengths, if there are titles."""
-        return [self.table.columns[self.axis].title] if self.table.titles else []
+        return [self.table.titles[self.axis]] if self.table.titles else []
 
 
 class _Reader:
@@ -217,7 +217,7 @@ class _Reader:
     def layout(self, rows: list[tuple[int, str]]) -> _Layout:
         """Return the table and its columns; remove the rows before it."""
         table = self.find_table(rows)
-        header = list(table.titles[0]) if table.titles else []
+        header = list(table.titles)
         axes = self.axes(header)
         place, title = self.value_column(header or [""] * table.width, axes, rows[0][0])
         axis = max((k for k in axes if k < place), default=axes[0])  # of several, the one before
@@ -254,7 +254,7 @@ class _Reader:
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         header = header or columns.titles_in_comments(self.comments, width)
-        table.titles = [header] if header else []
+        table.titles = table.names = header
         return table
 
     def header(self, before: list[tuple[int, str]], table: TextTable) -> list[str]:

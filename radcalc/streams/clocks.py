@@ -6,12 +6,21 @@ resolved by the order; one that does not exist, when they are put forward, is re
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
 from typing import NamedTuple, TypeVar
 
 from radcalc.calculators.page import PER_DAY
-from radcalc.errors import ConditionError, MissingInput, NumberError, add, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    MissingInput,
+    NumberError,
+    RadcalcError,
+    add,
+    mention,
+    option,
+    quote,
+)
 from radcalc.files import columns
 from radcalc.streams.timestamps import (
     DAY,
@@ -21,8 +30,8 @@ from radcalc.streams.timestamps import (
     LAST_YEAR,
     OFFSET,
     SECOND,
-    YEAR_FIRST,
     Pattern,
+    formats_of_digits,
     offset_in,
     pattern_of,
     pattern_of_format,
@@ -36,16 +45,9 @@ LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
 MOST_KNOWN = 200_000  # texts of dates or times in the cache
 # Unix time from 2001 to 2286: ticks by the digits before the point.
 OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
-SAYS_UNIX = re.compile(r"unix|epoch|posix", re.IGNORECASE)
-# 2019071710, and 2406010930 with the year in two digits, which as Unix time is after 2030.
-DATE_AND_HOUR = {
-    pattern: re.compile(year + r"(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])(?:[01]\d|2[0-4])" + rest)
-    for pattern, year, rest in (
-        ("%Y%m%d%H", r"(?:19|20)\d\d", ""),
-        ("%y%m%d%H%M", r"(?:19|2\d)", r"[0-5]\d"),
-    )
-}
+SAYS_UNIX = re.compile(r"unix|epoch|posix|timestamp", re.IGNORECASE)
 UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
+SYMBOLS = {SECOND: "s", 10**6: "ms", 10**3: "us", 1: "ns"}
 ZONE = option("time-zone", "Europe/Prague")
 
 
@@ -328,8 +330,8 @@ class _Known(dict[str, T]):
         return value
 
 
-def clock_for(first: str, settings: TimeSettings) -> Clock:
-    """Return the reader of the times of a log, from the first time."""
+def clock_for(first: str, settings: TimeSettings, others: Iterable[str] = ()) -> Clock:
+    """Return the reader of the times of a log, from the first; others show the order of dates."""
     zone = zone_of(settings.zone) if settings.zone else None
     if settings.format:
         if settings.unit:
@@ -342,7 +344,7 @@ def clock_for(first: str, settings: TimeSettings) -> Clock:
     if settings.unit:
         problem = f"{option('time-unit', quote(settings.unit))} applies to numbers, not to"
         raise ConditionError(f"{problem} '{quote(first)}'", "leave it out")
-    pattern = pattern_of(first, settings.title)
+    pattern = pattern_of(first, settings.title, others)
     return Calendar(zone, pattern, first, offset_in(settings.title))
 
 
@@ -359,26 +361,32 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
             problem = f"{option('time-unit', quote(settings.unit))} contradicts the title"
             raise ConditionError(f"{problem} '{quote(settings.title)}'", "leave it out")
         unit = declared
-    ticks = (
-        UNIX.get(len(integer_part)) if integer_part.isdigit() and integer_part[0] != "0" else None
-    )
-    if ticks and (unit is None or ticks * unit.bottom == unit.top * SECOND):
-        dates = [pattern for pattern, form in DATE_AND_HOUR.items() if form.fullmatch(first)]
-        if unit is None and dates and not SAYS_UNIX.search(settings.title):
-            ways = [add("time-format", dates[0]), add("time-unit", "s")]
-            raise NumberError(f"'{quote(first)}' is a date with its hour, or Unix time", ways)
+    ticks = UNIX.get(len(integer_part)) if integer_part.isdigit() else None
+    if ticks and unit and ticks * unit.bottom == unit.top * SECOND:
         return Unix(zone, ticks)
     if unit:
         if zone:
             problem = f"{option('time-zone')} does not apply: the times have no date"
             raise ConditionError(problem, "leave it out")
         return Elapsed(unit)
-    if re.fullmatch(r"(?:19|20)\d{6}", first):
-        return Calendar(zone, Pattern(re.compile(YEAR_FIRST, re.ASCII), None, " ", ""))
-    raise MissingInput(
-        f"the unit of the times is missing: '{quote(first)}'",
-        mention("{time-unit=s}, or a title such as t [s]"),
-    )
+    forms, is_stated = formats_of_digits(first, settings.title) if first.isdigit() else ([], False)
+    if forms and (is_stated or forms == ["%Y%m%d"]):
+        return Calendar(zone, pattern_of_format(forms[0]), first, offset_in(settings.title))
+    if ticks and not forms and SAYS_UNIX.search(settings.title):
+        return Unix(zone, ticks)
+    raise _without_unit(first, forms, ticks)
+
+
+def _without_unit(text: str, forms: list[str], ticks: int | None) -> RadcalcError:
+    """Return the error for a time of digits that may be a date, Unix time, or an elapsed time."""
+    ways = [add("time-format", form) for form in forms]
+    if ticks:
+        ways.append(add("time-unit", SYMBOLS[ticks]))
+    units = f"{option('time-unit')} s, min, h or d, or a title such as t [s]"
+    if forms:
+        unix = ", or Unix time" if ticks else ""
+        return NumberError(f"'{quote(text)}' may be a date with its hour{unix}", ways)
+    return MissingInput(f"the unit of the times is missing: '{quote(text)}'", ways or units)
 
 
 def zone_of(text: str) -> tzinfo:

@@ -2,13 +2,14 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import NamedTuple
 
 from radcalc import errors
 from radcalc.errors import listed, option, quote
 from radcalc.files import columns
-from radcalc.files.table import Table
+from radcalc.files.head import SEARCHED, Head, is_number
+from radcalc.files.table import NumberedLine, Table
 from radcalc.files.text import where
 from radcalc.quantities.column_titles import (
     SPELLINGS,
@@ -25,7 +26,7 @@ from radcalc.quantities.column_titles import (
 from radcalc.quantities.light import PHOTON, RADIANT
 from radcalc.quantities.light import read as read_light
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
-from radcalc.streams.timestamps import looks_like_clock, looks_like_stamp
+from radcalc.streams.timestamps import DIGITS_IN_TITLE, looks_like_clock, looks_like_stamp
 from radcalc.terminal import ABORT
 from radcalc.units.dimensions import TIME
 from radcalc.units.scales import resolve_any
@@ -39,23 +40,51 @@ OF_OTHER_LIGHT = """
 """
 OTHER_LIGHT = frozenset(OF_OTHER_LIGHT.split())
 NAMES_OF_PAR = ("par", "qpar", "фар")
-HEAD = 1000  # lines searched for the data, without comments and blank lines
-MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 SECONDS = resolve("s")
-PARTS = ("year", "month", "day", "hour", "minute", "second")  # titles of the parts of times
-FORMATS = ("%Y", "%m", "%d", "%H", "%M", "%S")  # of the parts
-LEAST_PARTS = 3  # a date; with an hour, it is a time
+# The parts of a format by the titles of columns that have one part of a time each.
+PARTS = {
+    name: f"%{part.replace('_', '%')}"
+    for part, names in {
+        "Y": "year yyyy yr",
+        "m": "month mo mon",
+        "d": "day dy dayofmonth",
+        "j": "doy jday yday dayofyear",
+        "H": "hour hr hh",
+        "M": "minute mn mi",
+        "S": "second ss",
+        "H_M": "hhmm",
+    }.items()
+    for name in names.split()
+}
+OF_SERIES = frozenset(
+    [
+        *[
+            "id",
+            "device",
+            "sensor",
+            "channel",
+            "station",
+            "logger",
+            "node",
+            "serial",
+            "meter",
+            "probe",
+        ]
+    ]
+)
 PAR_ALSO = " (some meters give PAR in W/m2; a unit in the title decides: PAR [W/m2])"
 OF_HOURS = ("hour", "hours", "hr", "hh", "hhmm", "hora", "stunde", "heure", "hodina", "час")
-OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b|^t$")
-
-NumberedLine = tuple[int, str]
+OF_TIME = re.compile(
+    r"\b(?:time|date|datetime|elapsed|timestamp|unix|epoch|zeit|datum|čas|время|дата)\b|^t$"
+)
 
 
 class LogSettings(NamedTuple):
     """The settings for a log: columns, unit, delimiter, times.
 
+    The rows have the text of each `where` in its column (* is any).  `missing` are marks of values
+    that are missing, `dark` is subtracted, and `thousands` separates digits in whole numbers.
     A row of data is a `row` in messages, and the first row of all has the number `first`.
     """
 
@@ -67,6 +96,28 @@ class LogSettings(NamedTuple):
     clock: TimeSettings = TimeSettings()
     row: str = "line"
     first: int = 1
+    where: tuple[tuple[str, str], ...] = ()
+    missing: tuple[str, ...] = ()
+    dark: str = ""
+    thousands: str = ""
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """The settings by option, as they are typed; '' where none is."""
+        return {
+            "column": self.column,
+            "unit": self.unit,
+            "time-column": ",".join(self.times),
+            "delimiter": self.delimiter,
+            "where": ",".join(map("=".join, self.where)),
+            "missing": ",".join(self.missing),
+            "dark": self.dark,
+            "thousands": self.thousands,
+            "invalid": self.invalid if self.invalid != ABORT else "",
+            "time-zone": self.clock.zone,
+            "time-format": self.clock.format,
+            "time-unit": self.clock.unit,
+        }
 
 
 class LogLayout(NamedTuple):
@@ -80,279 +131,245 @@ class LogLayout(NamedTuple):
     units: int | None = None  # the column with the unit of each value
     is_par: bool = False  # of watts from 400 nm to 700 nm, by the title
     band: str = ""  # by the title: melanopic, UVA; no spectrum of visible light links these
+    series: tuple[int, ...] = ()  # the columns whose texts may tell series apart
+    where: tuple[tuple[int, str], ...] = ()  # the columns that choose rows, and their texts
 
 
-def error(name: str, number: int, problem: str, hint: str, row: str) -> errors.LineError:
+def rows_where(texts: Iterable[str]) -> tuple[tuple[str, str], ...]:
+    """Return the columns and values of texts COLUMN=VALUE."""
+    pairs = [text.rpartition("=") for text in texts]
+    for text, (name, _, _) in zip(texts, pairs, strict=True):
+        if not name.strip():
+            problem = f"{option('where', quote(text))} is not COLUMN=VALUE"
+            raise errors.UsageError(problem, option("where", "sensor=A"))
+    return tuple([(name.strip(), value.strip()) for name, _, value in pairs])
+
+
+def error(name: str, number: int, problem: str, hint: errors.Hint, row: str) -> errors.LineError:
     """Return the error of a log in a row (0: in none)."""
     return errors.LineError(f"{where(name, number, row)}: {problem}", hint)
 
 
-def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
-    """Return the lines that show the layout of a log, and the rest of their block."""
-    head: list[NumberedLine] = []
-    count = 0
-    for number, lines in blocks:
-        head += enumerate(lines, number)
-        count += sum(not is_remark(line) for line in lines)
-        if count >= HEAD or len(head) >= MOST_REMARKS:
-            break
-    return head
-
-
-class FirstRows:
-    """The first rows of a table: the titles, and the first line of the data and its cells."""
+class FirstRows(Head):
+    """The head of a log or another table with times: a date and a number, or only numbers."""
 
     def __init__(self, name: str, lines: Sequence[NumberedLine], settings: LogSettings) -> None:
         self.name = name
         self.settings = settings
-        self.assumptions: list[str] = []
-        rows = [row for row in lines if not is_remark(row[1])][:HEAD]
-        # of the titles, with blanks inside cells below: 20240601 1800,100
-        self.commas = rows[0][1].count(",") if rows and columns.dialect(rows[0][1])[0] == "," else 0
-        rows = rows[self._largest(rows) :]
-        named = self._named_row(rows)
-        start = 0 if named is None else named + 1
-        first = next((k for k in range(start, len(rows)) if self.is_data(rows[k][1], named)), None)
-        if first is None:
-            raise self.error(
-                0,
-                f"no time and value in the first {HEAD} lines" if rows else "the data are missing",
-                "lines with a time and a value: 2024-06-01T12:35,812",
-            )
-        number, line = rows[first]
-        delimiter = self.delimiter(line)
-        cells = columns.cells(line, delimiter)
-        while first > start and self._is_bad(rows[first - 1][1], line):
-            first -= 1
-        self.begin = rows[first][0]
-        titles = self._titles(rows[:first], named, delimiter, len(cells))
-        if not titles:
-            comments = [
-                columns.comment_text(line)
-                for number, line in lines
-                if number < self.begin and columns.is_comment(line)
-            ]
-            of_comment = columns.titles_in_comments(comments, len(cells), settings.delimiter)
-            titles = [of_comment] if of_comment else []
-        self.number, self.cells = number, cells
-        self.table = Table(self.error, delimiter, len(cells), titles, rows[:first])
+        names = (*settings.times, settings.column, *[name for name, _ in settings.where])
+        wanted = [name for name in names if name and not name.isdecimal()]
+        super().__init__(lines, settings.delimiter, wanted)
 
     @property
     def names(self) -> list[str]:
-        """The titles of the columns; none without titles."""
-        return list(self.table.titles[0]) if self.table.titles else []
+        """The names of the columns; none without titles."""
+        return list(self.table.names)
 
     @property
     def times(self) -> list[int]:
         """The columns of dates, or else those with titles of times."""
-        stamps = [k for k, cell in enumerate(self.cells) if self.is_stamp(cell)]
-        return stamps or [k for k, name in enumerate(self.names) if _is_of_time(name)]
+        if stamps := [k for k, cell in enumerate(self.cells) if self.is_start(cell)]:
+            return stamps
+        titled = [k for k, title in enumerate(self.table.titles) if _is_of_time(title)]
+        dates = [k for k in titled if "date" in _words(self.names[k]) and len(self.cells[k]) == 8]
+        return dates if len(dates) == 1 < len(titled) else titled
 
     @property
-    def parts(self) -> tuple[int, ...]:
-        """The columns of the year, month, day, hour ..., if each has its own."""
+    def parts(self) -> tuple[tuple[int, ...], str]:
+        """The columns of the year, month, day, hour ..., and their format, if each has its own."""
         if self.settings.times or self.settings.clock.format:
-            return ()
-        plain = [columns.plain(name) for name in self.names]
-        count = next((k for k, part in enumerate(PARTS) if plain.count(part) != 1), len(PARTS))
-        return tuple([plain.index(part) for part in PARTS[:count]]) if count > LEAST_PARTS else ()
+            return (), ""
+        found: dict[str, int] = {}
+        for place, name in enumerate(self.names):
+            directive = PARTS.get(re.sub(r"\W|_", "", columns.plain(name)), "")
+            if directive and found.setdefault(directive, place) != place:
+                return (), ""  # two columns of hours
+        for date in (("%Y", "%m", "%d"), ("%Y", "%j")):
+            clocks = (("%H", "%M", "%S"), ("%H%M",))
+            clock = next((parts for parts in clocks if parts[0] in found), ())
+            asked = [*date, *[part for part in clock if part in found]]
+            if {*date} <= found.keys() and asked[len(date) :]:
+                return tuple([found[part] for part in asked]), " ".join(asked)
+        return (), ""
 
-    def error(self, number: int, problem: str, hint: str) -> errors.LineError:
+    def error(self, number: int, problem: str, hint: errors.Hint) -> errors.LineError:
         return error(self.name, number, problem, hint, self.settings.row)
 
-    def delimiter(self, line: str) -> str | None:
-        found, has_decimal_commas = columns.dialect(line)
-        if found is None and has_decimal_commas and line.count(",") == self.commas:
-            found = ","
-        return self.settings.delimiter or found
+    def no_data(self, has_rows: bool) -> errors.LineError:
+        problem = f"no time and value in the first {SEARCHED} lines"
+        hint = "lines with a time and a value: 2024-06-01T12:35,812"
+        return self.error(0, problem if has_rows else "the data are missing", hint)
 
-    def _largest(self, rows: Sequence[NumberedLine]) -> int:
+    def is_start(self, cell: str) -> bool:
+        return looks_like_stamp(cell, self.settings.clock.format)
+
+    def is_data(self, cells: Sequence[str], is_named: bool) -> bool:
+        numbers = [cell for cell in cells if is_number(cell) or cell.lower() in MISSING]
+        if is_named:
+            return any(map(is_number, cells))
+        if any(map(self.is_start, cells)):
+            return len(numbers) > 0
+        return len(numbers) == len(cells) > 1 and any(map(is_number, cells))
+
+    def skipped(self, rows: Sequence[NumberedLine]) -> int:
         """Return the row of titles of the largest table, if there are several; else 0."""
-        cells = [columns.cells(line, self.delimiter(line)) for _, line in rows]
+        cells = [columns.cells(line, self.typed or columns.dialect(line)[0]) for _, line in rows]
         starts = [
             k
             for k in range(1, len(rows) - 1)
             if len(cells[k]) == len(cells[k + 1]) > 1
             and (rows[k][0] - rows[k - 1][0] > 1 or len(cells[k - 1]) != len(cells[k]))
-            and not any(_is_number(cell) or self.is_stamp(cell) for cell in cells[k])
-            and self.is_data(rows[k + 1][1], None)
+            and not any(is_number(cell) or self.is_start(cell) for cell in cells[k])
+            and self.is_data(cells[k + 1], False)
         ]
         if not starts:
             return 0
         sizes = [end - start for start, end in pairwise([*starts, len(rows)])]
         largest = starts[sizes.index(max(sizes))]
-        if any(self.is_data(line, None) for _, line in rows[:largest]):
+        if any(self.is_data(row, False) for row in cells[:largest]):
             self.assumptions.append(
                 f"the largest of several tables is read, with the titles in line {rows[largest][0]}"
             )
             return largest
         return 0
 
-    def _named_row(self, rows: Sequence[NumberedLine]) -> int | None:
-        """Return the place of the row with all names of the call, None if it names no column."""
-        wanted = (*self.settings.times, self.settings.column)
-        names = [name for name in wanted if name and not name.isdecimal()]
-        if not names:
-            return None
+    def named_row(self, rows: Sequence[NumberedLine], wanted: Sequence[str]) -> int | None:
+        """Return the place of the row with all names of the call."""
         refusal: errors.UsageError | None = None
         widest = 0
         for k, (_, line) in enumerate(rows):
-            cells = columns.cells(line, self.delimiter(line))
+            cells = columns.cells(line, self.typed or columns.dialect(line)[0])
             try:
-                for name in names:
+                for name in wanted:
                     find(cells, name, self.name)
             except errors.UsageError as error:
-                titles = [cell for cell in cells if cell and not _is_number(cell)]
+                titles = [cell for cell in cells if cell and not is_number(cell)]
                 if len(titles) > widest:
                     refusal, widest = error, len(titles)
             else:
                 return k
-        raise refusal or self.error(0, f"unknown column '{quote(names[0])}'", "its number")
+        raise refusal or self.error(0, f"unknown column '{quote(wanted[0])}'", "its number")
 
-    def is_data(self, line: str, named: int | None) -> bool:
-        """Return whether a line has a time and a value: a stamp and a number, or only numbers."""
-        cells = columns.cells(line, self.delimiter(line))
-        numbers = [cell for cell in cells if _is_number(cell) or cell.lower() in MISSING]
-        if named is not None:
-            return any(map(_is_number, cells))
-        if any(map(self.is_stamp, cells)):
-            return len(numbers) > 0
-        return len(numbers) == len(cells) > 1 and any(map(_is_number, cells))
+    def are_titles(self, cells: Sequence[str]) -> bool:
+        units = map(unit_in, cells)
+        return any(map(_is_of_time, cells)) or any(unit and read_light(unit) for unit in units)
 
-    def _is_bad(self, line: str, good: str) -> bool:
-        """Return whether a line above a good one has data, too: a time or a number."""
-        delimiter = self.delimiter(good)
-        cells, good_cells = columns.cells(line, delimiter), columns.cells(good, delimiter)
-        pairs = zip(cells, good_cells, strict=False)
-        if any(self.is_stamp(cell) and self.is_stamp(other) for cell, other in pairs):
-            return True
-        return len(cells) == len(good_cells) and any(map(_is_number, cells))
-
-    def is_stamp(self, cell: str) -> bool:
-        return looks_like_stamp(cell, self.settings.clock.format)
-
-    def _titles(
-        self, rows: Sequence[NumberedLine], named: int | None, delimiter: str | None, width: int
-    ) -> list[list[str]]:
-        """Return the rows of titles above the data: names, and units if they are below."""
-        titles: list[list[str]] = []
-        for _, line in reversed(rows[named or 0 :]):
-            cells = columns.cells(line, delimiter)
-            if len(cells) != width or any(_is_number(cell) for cell in cells if cell):
-                break
-            titles.insert(0, cells)
-        if named is not None and len(titles) < len(rows) - named:
-            raise self._unlike(rows[named], delimiter, width)
-        if rows and not titles and self._has_titles(rows[-1][1], delimiter):
-            raise self._unlike(rows[-1], delimiter, width)
-        return titles
-
-    def _has_titles(self, line: str, delimiter: str | None) -> bool:
-        """Return whether the line above the data has titles of times and of light."""
-        cells = columns.cells(line, delimiter) if delimiter else []
-        if len(cells) < 2 or any(_is_number(cell) or self.is_stamp(cell) for cell in cells):
-            return False
-        return any(map(_is_of_time, cells)) or any(
-            self._unit_in([cell]) is not None for cell in cells
-        )
-
-    def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> errors.LineError:
-        number, line = row
-        count = len(columns.cells(line, delimiter))
-        return self.error(
-            number,
-            f"{count} titles for {width} columns",
-            "a title for each column; quotation marks around a text with a delimiter, and "
-            "1000 for 1,000",
-        )
-
-    def _unit_in(self, texts: list[str]) -> Unit | None:
-        """Return the unit of light in the titles of a column, in which its numbers are."""
+    def _unit_in(self, title: str) -> Unit | None:
+        """Return the unit of light in the title of a column, in which its numbers are."""
         try:
-            read = [read_title(title) for title in texts]
-            units = [parsed.unit for parsed in read if parsed.unit and read_light(parsed.unit)]
-            for parsed in read:
+            parsed = read_title(title)
+            unit = parsed.unit if parsed.unit and read_light(parsed.unit) else None
+            if unit:
+                refuse_misnamed(parsed, unit)
+            elif parsed.unit and unit_of_name(title):  # PAR (mV)
+                refuse_unknown(parsed)
+            else:
                 refuse_altered(parsed)
-                if units:
-                    refuse_misnamed(parsed, units[0])
-                elif parsed.unit and unit_of_name(parsed.text):  # PAR (mV)
-                    refuse_unknown(parsed)
         except errors.UnitError as error:
             raise self.error(0, error.message, error.hint) from None
-        for unit in units[1:]:
-            if not is_same(unit, units[0]):
-                problem = f"the titles '{quote(' '.join(texts))}' have two units"
-                raise self.error(0, problem, "only one of them")
-        if units:
-            return units[0]
-        for title in texts:
-            if usual := unit_of_name(title):
-                also = PAR_ALSO if "par" in _words(title) else ""
-                if not self.settings.unit:
-                    self.assumptions.append(f"'{quote(title)}' is in {usual}{also}")
-                return resolve(usual)
-        return None
+        if unit is None and (usual := unit_of_name(title)):
+            also = PAR_ALSO if "par" in _words(title) else ""
+            if not self.settings.unit:
+                self.assumptions.append(f"'{quote(title)}' is in {usual}{also}")
+            return resolve(usual)
+        return unit
 
 
-class Head(FirstRows):
-    """The first lines of a log: its layout, and the first line of the data."""
+class LogHead(FirstRows):
+    """The first lines of a log: its layout, and the first line of the data.
 
-    def __init__(self, name: str, lines: Sequence[NumberedLine], settings: LogSettings) -> None:
+    `more` are the further blocks of lines, which are read if the first show no order of the dates.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        lines: Sequence[NumberedLine],
+        settings: LogSettings,
+        more: Iterable[tuple[int, list[str]]] = (),
+    ) -> None:
         super().__init__(name, lines, settings)
-        self.pairs = self.table.pairs
-        self.layout = self._columns(self.number, self.cells, self.table)
+        self.layout = self._layout([line for number, line in lines if number >= self.begin], more)
 
-    def _columns(self, number: int, cells: list[str], table: Table) -> LogLayout:
+    def _layout(self, lines: list[str], more: Iterable[tuple[int, list[str]]]) -> LogLayout:
         """Return the columns of times, values and units, from the titles and the first row."""
-        titles = [list(row) for row in table.titles]
-        names = self.names
-        parts = self.parts
-        times = parts or self._time_columns(number, cells, names)
-        place = self._value_column(number, cells, titles, times)
+        names, titles, cells, table = self.names, list(self.table.titles), self.cells, self.table
+        parts, form = self.parts
+        times = parts or self._time_columns()
+        place = self._value_column(times)
+        where = tuple([(self._place(name), text) for name, text in self.settings.where])
         units = columns.unit_column(names, place)
-        above = [row[place] for row in titles]
+        title = titles[place] if titles else ""
         if names and (stated := table.units_above.get(columns.plain(names[place]))):
-            above.append(stated)
-        unit = self._unit(above, None if units is None else cells[units])
-        title = " ".join([names[k] for k in times]) if names and not parts else ""
-        text = " ".join([cells[k] for k in times])
+            title += f" [{stated}]"
+        unit = self._unit(title, None if units is None else cells[units])
+        of_times = " ".join([titles[k] for k in times]) if titles and not parts else ""
+        stamps = (
+            " ".join([self._cells(line)[k] for k in times])
+            for line in chain(lines, chain.from_iterable(block for _, block in more))
+            if not columns.is_remark(line) and len(self._cells(line)) > max(times)
+        )
         try:
-            settings = self.settings.clock._replace(title=title, declared=_unit_of_time(title))
+            declared = _unit_of_time(of_times) if len(times) == 1 else None
+            settings = self.settings.clock._replace(title=of_times, declared=declared)
             if parts:
-                settings = settings._replace(format=" ".join(FORMATS[: len(parts)]))
-            clock = clock_for(text, settings)
-        except (errors.NumberError, errors.UnitError) as error:
-            raise self.error(number, error.message, error.hint) from None
+                settings = settings._replace(format=form)
+            clock = clock_for(" ".join([cells[k] for k in times]), settings, stamps)
+        except errors.MissingInput:
+            raise
+        except errors.RadcalcError as error:
+            raise self.error(self.number, error.message, error.hint) from None
         light = read_light(unit)
-        is_of_watts = light is not None and light.kind == RADIANT
-        is_par = is_of_watts and any(map(_is_par, above))
-        words = [word for title in above for word in _words(title) if word in OTHER_LIGHT]
-        return LogLayout(table, times, place, clock, unit, units, is_par, "".join(words[:1]))
+        is_par = light is not None and light.kind == RADIANT and _is_par(title)
+        band = next((word for word in _words(title) if word in OTHER_LIGHT), "")
+        known = {*times, place, units, *[k for k, _ in where]}
+        series = tuple([k for k in range(len(cells)) if k not in known and self._is_series(k)])
+        return LogLayout(table, times, place, clock, unit, units, is_par, band, series, where)
 
-    def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
+    def _is_series(self, place: int) -> bool:
+        """Return whether a column of texts, or of numbers of devices, may tell series apart."""
+        cell, title = self.cells[place], self._title(place)
+        if _is_of_time(title) or self.is_start(cell) or looks_like_clock(cell):
+            return False
+        is_text = not is_number(cell) and cell.lower() not in MISSING
+        return is_text or not cell or not _words(title).isdisjoint(OF_SERIES)
+
+    def _title(self, place: int) -> str:
+        return self.table.titles[place] if self.table.titles else ""
+
+    def _time_columns(self) -> tuple[int, ...]:
         if self.settings.times:
-            return tuple([self._place(name, names, len(cells)) for name in self.settings.times])
+            return tuple(map(self._place, self.settings.times))
         stamps = self.times
-        if not stamps and (not names or len(cells) == 2):
+        if not stamps and (not self.names or len(self.cells) == 2):
             stamps = [0]
         if len(stamps) == 1:
-            return (*stamps, *self._clock_column(stamps[0], cells, names))
-        choices = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
-        problem = (
-            f"there are {len(stamps)} columns of times"
-            if stamps
-            else "the column of the times is missing"
-        )
-        raise self.error(number, problem, f"{option('time-column', 'NAME')} of {listed(choices)}")
+            return (*stamps, *self._clock_column(stamps[0]))
+        choices = self._named(stamps or range(len(self.cells)))
+        problem = "the column of the times is missing"
+        if stamps:
+            problem = f"there are {len(stamps)} columns of times"
+        hint = f"{option('time-column', 'NAME')} of {choices}"
+        raise self.error(self.number, problem, hint)
 
-    def _clock_column(self, date: int, cells: list[str], names: list[str]) -> list[int]:
+    def _named(self, places: Iterable[int]) -> str:
+        """Return columns by name, or by number if they have none of their own."""
+        names = self.names
+        return listed(
+            [names[k] if names and names.count(names[k]) == 1 else str(k + 1) for k in places]
+        )
+
+    def _clock_column(self, date: int) -> list[int]:
         """Find the column of the times of day: next to the dates, or by its title."""
+        cells, names = self.cells, self.names
         clocks = [k for k, cell in enumerate(cells) if looks_like_clock(cell)]
-        titled = [k for k in clocks if names and _is_of_time(names[k]) and k != date]
+        if cells[date].isdigit() and len(cells[date]) == 8:  # 20190101,0955
+            clocks += [k for k, cell in enumerate(cells) if len(cell) == 4 and cell.isdigit()]
+        titled = [k for k in clocks if _is_of_time(self._title(k)) and k != date]
         near = [k for k in clocks if abs(k - date) == 1]
         candidates = [k for k in near if k in titled] or near or titled
         if len(candidates) > 1:
-            choices = listed([names[k] if names else str(k + 1) for k in candidates])
+            choices = self._named(candidates)
             hint = f"{option('time-column', 'NAME')} twice, for the date and one of {choices}"
             raise self.error(0, f"there are {len(candidates)} columns of clocks", hint)
         hours = [k for k, name in enumerate(names) if columns.plain(name) in OF_HOURS]
@@ -366,41 +383,36 @@ class Head(FirstRows):
             self.assumptions.append(f"the date and the clock are those of {pair}")
         return candidates
 
-    def _value_column(
-        self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]
-    ) -> int:
+    def _value_column(self, times: tuple[int, ...]) -> int:
         """Return the place of the values: the named column, or else the only one of light."""
+        cells, titles = self.cells, self.table.titles
         candidates = [k for k in range(len(cells)) if k not in times]
         if self.settings.column:
-            place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
+            place = self._place(self.settings.column)
         else:
-            numbers = [k for k in candidates if _is_number(cells[k])]
-            of_light = [k for k in candidates if any(_may_be_light(row[k]) for row in titles)]
+            numbers = [k for k in candidates if is_number(cells[k])]
+            of_light = [k for k in candidates if _may_be_light(self._title(k))]
             of_light = of_light or (numbers if titles and len(candidates) > 1 else candidates)
             if len(of_light) != 1:
-                choices = [titles[0][k] if titles else str(k + 1) for k in of_light or candidates]
-                raise self.error(
-                    number,
-                    f"there are {len(of_light)} columns of values",
-                    f"{option('column', 'NAME')} of {listed(choices)}",
-                )
+                problem = f"there are {len(of_light)} columns of values"
+                hint = f"{option('column', 'NAME')} of {self._named(of_light or candidates)}"
+                raise self.error(self.number, problem, hint)
             place = of_light[0]
             if titles and len(candidates) > 1:
-                chosen = f"{place + 1} {quote(titles[0][place])}".strip()
+                chosen = f"{place + 1} {quote(self.names[place])}".strip()
                 self.assumptions.append(f"the values are in column {chosen}")
         if place in times:
             raise errors.UsageError("one column has the times and the values", "two columns")
         return place
 
-    def _unit(self, titles: list[str], cell: str | None) -> Unit:
-        """Return the unit of the values: that of the user, in the titles, in a cell or above."""
-        declared, where = self._unit_in(titles), f"the title '{quote(' '.join(titles))}'"
+    def _unit(self, title: str, cell: str | None) -> Unit:
+        """Return the unit of the values: that of the user, in the title, in a cell or above."""
+        declared, where = self._unit_in(title), f"the title '{quote(title)}'"
         if declared is None:
             declared, where = self._stated(cell), "the preamble"
-            for title in titles:
-                self._refuse_unlike(
-                    title, resolve_any(self.settings.unit) if self.settings.unit else declared
-                )
+            self._refuse_unlike(
+                title, resolve_any(self.settings.unit) if self.settings.unit else declared
+            )
         unit = resolve_any(self.settings.unit) if self.settings.unit else declared
         if unit is None:
             raise errors.MissingInput(
@@ -415,14 +427,14 @@ class Head(FirstRows):
                 raise self.error(0, problem, "titles that fit the units of the lines")
             self.assumptions.append("each value is in the unit of its line")
         elif declared and not is_same(declared, unit):
-            self._override(unit, declared, where, any("par" in _words(title) for title in titles))
+            self._override(unit, declared, where, "par" in _words(title))
         elif where == "the preamble" and declared:
             self.assumptions.append(f"the values are in {quote(unit.text)}, as {where} says")
         return unit
 
     def _stated(self, cell: str | None) -> Unit | None:
         """Return the unit of light in a cell, or else in the lines before the table."""
-        stated = [text for key, text in self.pairs.items() if key in columns.UNIT_TITLES]
+        stated = [text for key, text in self.table.pairs.items() if key in columns.UNIT_TITLES]
         unit = unit_of_meter(cell if cell is not None else stated[0]) if stated or cell else None
         return unit if unit and read_light(unit) else None
 
@@ -460,21 +472,12 @@ class Head(FirstRows):
                 hint = option("unit", hint)
             raise self.error(0, error.message, hint) from None
 
-    def _place(self, name: str, names: list[str], width: int) -> int:
-        return find(names or [""] * width, name, self.name)
-
-
-def is_remark(line: str) -> bool:
-    """Return whether a line is blank or a comment."""
-    return not line or line.isspace() or columns.is_comment(line)
-
-
-def _is_number(cell: str) -> bool:
-    return columns.is_number(cell, comma=True)
+    def _place(self, name: str) -> int:
+        return find(self.names or [""] * len(self.cells), name, self.name)
 
 
 def _is_of_time(title: str) -> bool:
-    if OF_TIME.search(columns.plain(title).replace("_", " ")):
+    if OF_TIME.search(columns.plain(title).replace("_", " ")) or DIGITS_IN_TITLE.search(title):
         return True
     try:
         stated = read_title(title)

@@ -4,7 +4,8 @@ The first lines show the layout of a log (`log_layout.py`).
 """
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import compress, groupby, islice
 from math import inf
 from operator import lt
 from typing import Any, NamedTuple
@@ -12,7 +13,9 @@ from typing import Any, NamedTuple
 from radcalc.answer import Answer
 from radcalc.calculators import dose as page
 from radcalc.calculators.dose_sums import Dose
+from radcalc.derivation import format_number
 from radcalc.errors import (
+    Hint,
     LineError,
     MissingInput,
     NumberError,
@@ -25,6 +28,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.files import columns
+from radcalc.files.head import first_lines
 from radcalc.files.text import Text
 from radcalc.floats import divide
 from radcalc.inputs.given import Inputs
@@ -33,16 +37,26 @@ from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import LINKS
 from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
-from radcalc.streams.log_layout import MISSING, Head, LogSettings, is_remark
+from radcalc.streams.log_layout import MISSING, LogHead, LogSettings
 from radcalc.terminal import ABORT, FAIL, IGNORE
 from radcalc.units import horticulture
 from radcalc.units.numbers import parse_number
+from radcalc.units.reading import read_amount
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit
 
 FEW = 32  # lines read one by one
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # loggers mark missing values so: -9999.9
 LEAST = -999.0  # such marks are not greater
+THOUSANDS = re.compile(r"[-+]?\d{1,3}(?:,\d{3})+(?:\.\d*)?")
+ANY = "*"  # of a column that chooses rows
+BLANK = frozenset(MISSING)
+MOST_AHEAD = 16  # blocks, of 1 MiB, that are read to find the order of day and month
 
-Samples = tuple[list[Any], list[float]]  # times in ticks, and values
+# Above the illuminance and the irradiance that the sun gives, in coherent units, also by clouds.
+BRIGHTEST = {resolve(text).dimension: limit for text, limit in (("lx", 200e3), ("W/m2", 2000.0))}
+
+Samples = tuple[list[Any], list[float], Sequence[int]]  # times in ticks, values, and lines
 
 
 class Sample(NamedTuple):
@@ -52,6 +66,10 @@ class Sample(NamedTuple):
     value: float
     number: int
     stamp: str
+
+
+class Missing(LineError):
+    """A value that the user's mark says is missing: its line is skipped."""
 
 
 class Log:
@@ -71,6 +89,7 @@ class Log:
         self.notes: list[str] = []
         self.is_good = True
         self.left_out, self.first_left_out = 0, ""
+        self.is_bright = False
         self.last: Any = None  # tick
         self.last_line = 0
         # Local times that occur twice wait for a later one; None for a skipped line.
@@ -78,16 +97,26 @@ class Log:
         self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
         self.text = Text(name, read, "a time and a value", inf, settings.first)
         self._blocks = self.text.blocks()
-        lines = log_layout.first_lines(self._blocks)
-        head = Head(name, lines, settings)
+        self._pending: list[tuple[int, list[str]]] = []
+        lines = first_lines(self._blocks)
+        head = LogHead(name, lines, settings, self._ahead())
         self.layout, self.assumptions = head.layout, head.assumptions
-        self._pending = [(head.begin, [text for k, text in lines if k >= head.begin])]
+        self._pending.insert(0, (head.begin, [text for k, text in lines if k >= head.begin]))
+        self.dark = _dark(settings.dark, head.layout.unit) if settings.dark else 0.0
+        self.marks = {*map(_mark, settings.missing)}
+        self.seen: dict[int, set[str]] = {place: set() for place in head.layout.series}
+
+    def _ahead(self) -> Iterator[tuple[int, list[str]]]:
+        """Yield the next blocks, which are kept for the samples."""
+        for block in islice(self._blocks, MOST_AHEAD):
+            self._pending.append(block)
+            yield block
 
     @property
     def clock(self) -> Clock:
         return self.layout.clock
 
-    def error(self, number: int, problem: str, hint: str) -> LineError:
+    def error(self, number: int, problem: str, hint: Hint) -> LineError:
         return log_layout.error(self.name, number, problem, hint, self.settings.row)
 
     def samples(self) -> Iterator[Samples | None]:
@@ -106,6 +135,21 @@ class Log:
             self.notes.append(f"{how_many} skipped; the first: {self.first_left_out}")
         self.assumptions += self.clock.assumptions
 
+    def note_bright(self, peak: float, values: list[float], lines: Sequence[int]) -> None:
+        """Note the first sample that is brighter than the sun makes it."""
+        most = BRIGHTEST.get(self.layout.unit.dimension, inf) / float(self.layout.unit.factor)
+        if peak <= most or self.is_bright:
+            return
+        self.is_bright = True
+        k = next(k for k, value in enumerate(values) if value > most)
+        unit = self.layout.unit.text
+        limit = f"{format_number(most)} {unit}"
+        mark = option("missing", f"{values[k]!r}")
+        self.notes.append(
+            f"{format_number(values[k])} {unit} in {self.settings.row} {lines[k]} is more than the "
+            f"sun gives ({limit}); {mark}, if it marks a missing value"
+        )
+
     def _of(self, lines: list[str], number: int) -> Iterator[Samples | None]:
         """Yield the samples of lines, all at once or in parts, down to single lines."""
         samples = self._at_once(lines, number)
@@ -121,12 +165,26 @@ class Log:
     def _at_once(self, lines: list[str], number: int) -> Samples | None:
         """Return times and values of a block, None if one of its rows needs its own reading."""
         layout, table = self.layout, self.layout.table
+        numbers: Sequence[int] = range(number, number + len(lines))
         try:
             cells = table.at_once(lines)
+            for place, text in layout.where:
+                chosen = [text in (ANY, cell) for cell in cells[place]]
+                cells = [[*compress(column, chosen)] for column in cells]
+                numbers = [*compress(numbers, chosen)]
+            if not numbers:
+                return [], [], numbers
+            for place in layout.series:
+                if len(self.seen[place] | {*cells[place]} - BLANK) > 1:
+                    return None
             if layout.units is not None and {*cells[layout.units]} != {layout.unit.text}:
                 return None
             values = columns.finite_numbers(table.pointed(cells[layout.place], number))
-            if min(values) <= LEAST:
+            if not self.marks.isdisjoint(values):
+                return None
+            if self.dark:
+                values = [value - self.dark for value in values]
+            if min(values) < min(0.0, -self.dark):
                 return None
             stamps = cells[layout.times[0]]
             if layout.clock.has_numbers:
@@ -138,21 +196,26 @@ class Log:
             return None
         if not all(map(lt, times, times[1:])) or (self.last is not None and times[0] <= self.last):
             return None
-        self.last, self.last_line = times[-1], number + len(lines) - 1
-        return times, values
+        for place in layout.series:
+            self.seen[place] |= {cells[place][0]} - BLANK
+        self.last, self.last_line = times[-1], numbers[-1]
+        return times, values, numbers
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
-        rows = [row for row in enumerate(lines, number) if not is_remark(row[1])]
+        rows = [row for row in enumerate(lines, number) if not columns.is_remark(row[1])]
         yield from _runs(sample for row in rows for sample in self._of_line(*row))
 
     def _of_line(self, number: int, line: str) -> Iterator[Sample | None]:
         """Yield the sample of a line, after those that waited for its time."""
         try:
+            cells = self.layout.table.cells(number, line)
+            if not all(text in (ANY, cells[place]) for place, text in self.layout.where):
+                return
             try:
-                sample = self._sample(line, number)
+                sample = self._sample(cells, number)
             except Undecided:
                 yield from self._leave_out_waiting()
-                sample = self._sample(line, number)
+                sample = self._sample(cells, number)
         except LineError as error:
             self._leave_out(error)
             yield from self._in_order([None])
@@ -190,18 +253,20 @@ class Log:
 
     def _leave_out(self, error: LineError) -> None:
         """Report the error of a line, or stop there."""
-        if self.settings.invalid == ABORT:
+        if self.settings.invalid == ABORT and not isinstance(error, Missing):
             raise error
         self.first_left_out = self.first_left_out or error.message
         self.left_out += 1
-        self.is_good = self.is_good and self.settings.invalid != FAIL
-        if self.settings.invalid != IGNORE:
-            self.say(error)
+        if not isinstance(error, Missing):
+            self.is_good = self.is_good and self.settings.invalid != FAIL
+            if self.settings.invalid != IGNORE:
+                self.say(error)
 
-    def _sample(self, line: str, number: int) -> Sample:
+    def _sample(self, cells: list[str], number: int) -> Sample:
         """Return the sample of one row; refuse a missing or malformed value with its line."""
         layout = self.layout
-        cells = layout.table.cells(number, line)
+        for place in layout.series:
+            self._check_series(place, cells[place], number)
         stamp = " ".join([cells[k] for k in layout.times])
         try:
             time = layout.clock.one(stamp)
@@ -210,22 +275,50 @@ class Log:
         except RadcalcError as error:
             raise self.error(number, error.message, error.hint) from None
         text = cells[layout.place]
-        if text.lower() in MISSING or MARKED.fullmatch(text):
-            hint = mention(f"{{invalid=ignore}}, to skip the {self.settings.row}")
-            raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
-        value = columns.finite(text, True)
-        if value is None:
-            try:
-                parse_number(text)
-            except NumberError as error:
-                raise self.error(number, error.message, error.hint) from None
-            raise self.error(number, f"'{quote(text)}' is not a number", "a number")
+        value = self._value(text, number)
         if layout.clock.has_numbers:
             layout.table.check_marks([stamp], number, are_values=False)
         layout.table.check_marks([text], number)
         if layout.units is not None:
             value *= self._factor(cells[layout.units], number)
+        value -= self.dark
+        if value < min(0.0, -self.dark):
+            ways = [add("missing", text), add("dark", text), add("invalid", IGNORE)]
+            raise self.error(number, f"light below 0: '{quote(text)}'", ways)
         return Sample(time, value, number, stamp)
+
+    def _value(self, text: str, number: int) -> float:
+        """Return the number of a cell; raise for one that is missing or malformed."""
+        row = self.settings.row
+        if text.lower() in MISSING or MARKED.fullmatch(text) or _mark(text) in self.marks:
+            to_skip = mention(f"{{invalid=ignore}}, to skip the {row}")
+            error = self.error(number, f"a value is missing: '{quote(text)}'", to_skip)
+            raise Missing(error.message, to_skip) if _mark(text) in self.marks else error
+        if (mark := self.settings.thousands) and mark in text:
+            if not re.fullmatch(rf"[-+]?\d{{1,3}}(?:{re.escape(mark)}\d{{3}})+(?:[.,]\d*)?", text):
+                problem = f"'{quote(text)}' has no groups of three digits"
+                raise self.error(number, problem, leave_out("thousands"))
+            text = text.replace(mark, "")
+        value = columns.finite(text, True)
+        if value is not None:
+            return value
+        try:
+            parse_number(text)
+        except NumberError as error:
+            hint: Hint = add("thousands", ",") if THOUSANDS.fullmatch(text) else error.hint
+            raise self.error(number, error.message, hint) from None
+        raise self.error(number, f"'{quote(text)}' is not a number", "a number")
+
+    def _check_series(self, place: int, text: str, number: int) -> None:
+        """Raise for a row of another series than those before."""
+        seen = self.seen[place] | {text} - BLANK
+        if len(seen) > 1 and text in seen - self.seen[place]:
+            title = self.layout.table.names[place] if self.layout.table.names else str(place + 1)
+            first, *_ = self.seen[place]
+            problem = f"the column '{quote(title)}' has '{quote(first)}' and '{quote(text)}'"
+            ways = [add("where", f"{title}={value}") for value in (first, text, ANY)]
+            raise self.error(number, problem, ways)
+        self.seen[place] = seen
 
     def _factor(self, text: str, number: int) -> float:
         """Return the factor from the unit of a line to that of the log."""
@@ -250,20 +343,32 @@ class Log:
 
 
 def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples | None]:
-    """Yield samples as lists of times and values, and None for a skipped line."""
-    times: list[Any] = []
-    values: list[float] = []
-    for sample in samples:
-        if sample is None:
-            if times:
-                yield times, values
-                times, values = [], []
-            yield None
+    """Yield samples as lists of times, values and lines, and None for a skipped line."""
+    for is_sample, group in groupby(samples, lambda sample: sample is not None):
+        if is_sample:
+            run = [sample for sample in group if sample]
+            yield [one.time for one in run], [one.value for one in run], [one.number for one in run]
         else:
-            times.append(sample.time)
-            values.append(sample.value)
-    if times:
-        yield times, values
+            yield from (None for _ in group)
+
+
+def _mark(text: str) -> str | float:
+    """Return a mark of missing values as a number, or as a text without case."""
+    value = columns.finite(text, True)
+    return text.lower() if value is None else value
+
+
+def _dark(text: str, unit: Unit) -> float:
+    """Return what a meter shows in the dark, in the unit of its values."""
+    value = columns.finite(text, False)
+    if value is not None:
+        return value
+    amount = read_amount(text)
+    own = amount.typed[1]
+    if own is None or (own.dimension, own.is_exitance) != (unit.dimension, unit.is_exitance):
+        problem = f"{option('dark', quote(text))} is not in {quote(unit.text)}"
+        raise UsageError(problem, add("dark", f"0.1{unit.text}"))
+    return amount.number * divide(own.top * unit.bottom, own.bottom * unit.top)
 
 
 EXPECTED = "a file with a time and a value in each line"
@@ -289,7 +394,10 @@ class LogDose:
         )
         for samples in log.samples():
             if samples:
-                dose.add(*samples)
+                times, values, lines = samples
+                if times:
+                    dose.add(times, values)
+                    log.note_bright(dose.peak, values, lines)
             else:
                 dose.interrupt()
         dose.finish()

@@ -4,10 +4,21 @@ Ticks are whole nanoseconds: of a date since 1970, of a time of day since midnig
 """
 
 import re
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from datetime import date, datetime
 from typing import NamedTuple
 
-from radcalc.errors import ConditionError, NumberError, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    NumberError,
+    RadcalcError,
+    Try,
+    add,
+    mention,
+    option,
+    quote,
+)
 
 SECOND = 10**9  # ticks
 HOUR, DAY = 3600 * SECOND, 86400 * SECOND
@@ -16,8 +27,9 @@ FIRST_DAY = EPOCH.toordinal()
 FIRST_YEAR, LAST_YEAR = 1000, 9000
 YEAR_FIRST = r"(?P<Y>\d{4})(?P<x>[-/.])(?P<m>\d\d?)(?P=x)(?P<d>\d\d?)|"
 YEAR_FIRST += r"(?P<Y2>\d{4})(?P<m2>\d\d)(?P<d2>\d\d)"
-DAY_FIRST = r"(?P<d>\d\d?)(?P<x>[-/.]) ?(?P<m>\d\d?)(?P=x) ?(?P<Y>\d{4})"
-MONTH_FIRST = r"(?P<m>\d\d?)(?P<x>[-/])(?P<d>\d\d?)(?P=x)(?P<Y>\d{4})"
+WEEK = r"\d{4}-?W\d\d(?:-?\d)?"
+# A date with its year behind: 1.6.2024, 06/01/2024, 01-Jun-2024, and 06/01/24.
+YEAR_LAST = re.compile(r"(\d\d?)([-/.]) ?(\d\d?|[A-Za-z]{3,9})\2 ?(\d{4}|\d\d)(?!\d)", re.ASCII)
 TIME_OF_DAY = (
     r"(?P<H>\d\d?):(?P<M>\d\d)(?::(?P<S>\d\d)(?:[.,](?P<f>\d{1,9})\d*)?)?"
     r"(?: ?(?P<p>[AaPp])\.?[Mm]\.?)?"
@@ -26,11 +38,20 @@ TIME_OF_DAY = (
 OFFSET = r"(?P<z>[Zz]|UTC|GMT|[-+\u2212]\d\d(?::?\d\d)?)"
 CLOCK = re.compile(rf"(?:{TIME_OF_DAY}) ?{OFFSET}?", re.ASCII)  # only ASCII digits
 # begins with a date
-STAMP = re.compile(r"\d{1,4}([-/.]) ?\d\d?\1 ?\d{1,4}(?![\d.])|\d{8}(?=T\d)", re.ASCII)
+STAMP = re.compile(
+    r"\d{1,4}([-/.]) ?(?:\d\d?|[A-Za-z]{3,9})\1 ?\d{1,4}(?![\d.])|\d{8}(?=T\d)|\d{4}-?W\d\d",
+    re.ASCII,
+)
 TIME_ALONE = re.compile(r"\d\d?:\d\d(:\d\d)?([.,]\d+)?( ?[AaPp]\.?[Mm]\.?)?", re.ASCII)
 IN_TITLE = re.compile(r"\b(?:GMT|UTC) ?(?P<z>[-+\u2212]\d\d?(?::?\d\d)?)?(?!\w)", re.IGNORECASE)
-ORDER_IN_TITLE = re.compile(r"(mm?[-/]dd?|dd?[-/]mm?)[-/]yyyy", re.IGNORECASE)
-# Parts of a format, as in strptime.
+ORDER_IN_TITLE = re.compile(r"(mm?[-/.]dd?|dd?[-/.]mm?)[-/.]yyyy", re.IGNORECASE)
+DIGITS_IN_TITLE = re.compile(r"(?<![a-z])(?:yy){1,2}mmdd(?:hh(?:mm(?:ss)?)?)?(?![a-z])", re.I)
+OF_DWD = re.compile("mess_?datum", re.IGNORECASE)  # of the weather service of Germany
+# Formats of times that are only digits, by their number; those with two digits of the year.
+OF_DIGITS = {7: "%Y%j", 8: "%Y%m%d", 10: "%Y%m%d%H", 12: "%Y%m%d%H%M", 14: "%Y%m%d%H%M%S"}
+SHORT = {6: "%y%m%d", 8: "%y%m%d%H", 10: "%y%m%d%H%M", 12: "%y%m%d%H%M%S"}
+LIKELY = range(1990, 2030)  # years of a log, if its times are only digits
+# Parts of a format, as in strptime; the first letter of a group is that of its part.
 DIRECTIVES = {
     "Y": r"(?P<Y>\d{4})",
     "y": r"(?P<y>\d\d)",
@@ -48,6 +69,8 @@ DIRECTIVES = {
     "B": r"(?P<b>[A-Za-z]{3,9})",
     "%": "%",
 }
+WIDTHS = {"Y": 4, "j": 3, **dict.fromkeys("ymdHIMS", 2)}  # digits, with zeros before them
+RUN = re.compile("((?:%[YymdjHIMS]){2,})")  # parts without a mark between them
 MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
 OF_DATES, OF_CLOCKS = "YymdjbB", "HIMSfpz"
 FORMATS = mention("{time-format=%d/%m/%Y %H:%M} or {time-format=%m/%d/%Y %H:%M}")
@@ -83,6 +106,8 @@ class Pattern(NamedTuple):
         if not match:
             raise _no_stamp(text)
         parts = {key[0]: part for key, part in match.groupdict().items() if part}
+        if "W" in parts:
+            return _of_week(text.strip())
         year = int(parts["Y"]) if "Y" in parts else _year_of_two_digits(int(parts["y"]))
         if not FIRST_YEAR <= year < LAST_YEAR:
             raise NumberError(f"'{quote(text)}' is in the year {year}", "a date of a log")
@@ -132,42 +157,114 @@ def looks_like_clock(text: str) -> bool:
     return bool(TIME_ALONE.fullmatch(text))
 
 
-def pattern_of(text: str, title: str) -> Pattern:
-    """Return the notation of a stamp."""
-    mark = "T" if "T" in text and ":" not in text.partition("T")[0] else " "
+def pattern_of(text: str, title: str, others: Iterable[str] = ()) -> Pattern:
+    """Return the notation of a stamp; the others of its log decide between day and month."""
+    mark = "T" if re.match(r"[\dW-]*T", text) else " "
     day = text.partition(mark)[0]
-    if re.fullmatch(YEAR_FIRST, day):
-        return Pattern(re.compile(YEAR_FIRST, re.ASCII), None, mark, "")
-    parts = re.fullmatch(r"(\d\d?)([-/.])(\d\d?)\2(\d{2,4})", day)
-    if not parts:
+    if re.fullmatch(f"{YEAR_FIRST}|{WEEK}", day):
+        return Pattern(re.compile(f"{YEAR_FIRST}|(?P<W>{WEEK})", re.ASCII), None, mark, "")
+    parts = YEAR_LAST.match(text)
+    if not parts or not (orders := _orders(parts)):
         raise _no_stamp(text)
-    first, joint, second, year = parts.groups()
-    if len(year) != 4:
-        raise ConditionError(
-            f"'{quote(text)}' has a year of {len(year)} digits, without a clear order",
-            mention("{time-format=%m/%d/%y %I:%M:%S %p} or another format"),
-        )
-    order = ORDER_IN_TITLE.search(title.replace("_", " "))
-    if order:
-        by_day = order[1][:1] in "dD"
+    joint = parts[2]
+    if len(parts[4]) != 4:
+        problem = f"'{quote(text)}' has a year of 2 digits, without a clear order"
+        raise ConditionError(problem, _ways(text, parts, orders))
+    assumption = ""
+    if order := ORDER_IN_TITLE.search(title.replace("_", " ")):
+        orders = ["dmY" if order[1][:1] in "dD" else "mdY"]
         assumption = f"the dates are {order[0]}, as the title has it"
-    elif joint == ".":
-        by_day, assumption = True, "dates with points have the day first"
-    elif int(first) > 12 or int(second) > 12:
-        by_day = int(first) > 12
-        assumption = f"'{quote(day)}' shows that the {'day' if by_day else 'month'} is first"
-    else:
-        readings = " or ".join(
-            _reading(year, *month_and_day) for month_and_day in ((second, first), (first, second))
+    elif joint == "." and "m" in orders[0]:
+        assumption = "dates with points have the day first"
+    elif "m" in orders[0]:
+        parts, orders = _decided(parts, orders, others)
+        if len(readings := _readings(parts, orders)) > 1:
+            problem = f"'{quote(parts[0])}' is ambiguous: {' or '.join(readings)}"
+            raise ConditionError(problem, _ways(text, parts, orders))
+        if len(orders) == 1:
+            which = "day" if orders == ["dmY"] else "month"
+            assumption = f"'{quote(parts[0])}' shows that the {which} is first"
+    form = f"{re.escape(joint)} ?".join(DIRECTIVES[part] for part in orders[0])
+    return Pattern(re.compile(form, re.ASCII), None, mark, assumption)
+
+
+def _orders(date_parts: re.Match[str]) -> list[str]:
+    """Return the orders of day, month and year that a date may have, as parts of a format."""
+    first, joint, second, last = date_parts.groups()
+    year = "Y" if len(last) == 4 else "y"
+    if second.isalpha():
+        return [f"db{year}"]
+    orders = [f"dm{year}", f"md{year}", "ymd"]
+    if year == "Y":
+        orders = orders[: 1 if joint == "." else 2]
+    limits = {"d": 31, "m": 12, "y": 99, "Y": LAST_YEAR}
+    numbers = int(first), int(second), int(last)
+    return [
+        order
+        for order in orders
+        if all(n <= limits[part] for part, n in zip(order, numbers, strict=True))
+    ]
+
+
+def _decided(
+    first: re.Match[str], orders: list[str], others: Iterable[str]
+) -> tuple[re.Match[str], list[str]]:
+    """Return the date that shows the order of all, and the order.
+
+    Without such a date, return one with several readings, or any if none has.
+    """
+    doubtful = first
+    for parts in filter(None, map(YEAR_LAST.match, others)):
+        if len(orders) == 1:
+            break
+        orders = [order for order in orders if order in _orders(parts)] or orders
+        if len(orders) == 1 or len(_readings(doubtful, orders)) < 2:
+            doubtful = parts
+    return doubtful, orders
+
+
+def _readings(parts: re.Match[str], orders: Sequence[str]) -> list[str]:
+    """Return the different days that a date may be, in ISO 8601."""
+    named = [dict(zip(order, (parts[1], parts[3], parts[4]), strict=True)) for order in orders]
+    return [*dict.fromkeys(f"{of['Y']}-{of['m']:>02}-{of['d']:>02}" for of in named)]
+
+
+def _ways(text: str, parts: re.Match[str], orders: Sequence[str]) -> list[Try]:
+    """Propose the formats of a stamp, one for each order of its date."""
+    clock = ""
+    if match := CLOCK.fullmatch(text[parts.end() + 1 :]):
+        colon = "" if match["H2"] else ":"
+        found = match["H2"] or match["H"], match["M2"] or match["M"], match["S2"] or match["S"]
+        names = ("%I" if match["p"] else "%H", "%M", "%S")
+        clock = text[parts.end()] + colon.join(
+            name for name, digits in zip(names, found, strict=True) if digits
         )
-        raise ConditionError(f"'{quote(day)}' is ambiguous: {readings}", FORMATS)
-    if by_day:
-        return Pattern(re.compile(DAY_FIRST, re.ASCII), None, mark, assumption)
-    return Pattern(re.compile(MONTH_FIRST, re.ASCII), None, mark, assumption)
+        clock += (".%f" if match["f"] else "") + (" %p" if match["p"] else "")
+        clock += "%z" if match["z"] else ""
+    return [
+        add("time-format", parts[2].join(f"%{part}" for part in order) + clock) for order in orders
+    ]
 
 
-def _reading(year: str, month: str, day: str) -> str:
-    return f"{year}-{month:>02}-{day:>02}"
+def formats_of_digits(text: str, title: str) -> tuple[list[str], bool]:
+    """Return formats of a time of digits, and whether the title has one.
+
+    The format is that of the title, as of YYYYMMDDHH; else all that give a date of a log.
+    """
+    if OF_DWD.search(title):
+        return [OF_DIGITS[len(text)]] if len(text) in OF_DIGITS else [], True
+    if stated := DIGITS_IN_TITLE.search(title.replace("_", " ")):
+        known = OF_DIGITS if stated[0].lower().startswith("yyyy") else SHORT
+        return [known[len(text)]] if len(text) == len(stated[0]) else [], True
+    found = []
+    for form in filter(None, (OF_DIGITS.get(len(text)), SHORT.get(len(text)))):
+        pattern = pattern_of_format(form)
+        with suppress(RadcalcError):
+            if pattern.clocks:
+                pattern.clock(text)
+            if (EPOCH.year + pattern.day(text) // (365.2425 * DAY)) // 1 in LIKELY:
+                found.append(form)
+    return found, False
 
 
 def pattern_of_format(text: str) -> Pattern:
@@ -178,14 +275,14 @@ def pattern_of_format(text: str) -> Pattern:
         directives = re.findall("%(.)", day), re.findall("%(.)", clock)
         are_apart = {*directives[0]} <= {*OF_DATES} and {*directives[1]} <= {*OF_CLOCKS}
         if clock and are_apart:
-            return Pattern(_compiled(day, text), _compiled(clock, text), mark, "")
-    pattern = _compiled(text, text)
+            return Pattern(_compiled(day), _compiled(clock), mark, "")
+    pattern = _compiled(text)
     has_clock = {*re.findall("%(.)", text)} & {*OF_CLOCKS}
     return Pattern(pattern, pattern, "", "") if has_clock else Pattern(pattern, None, "\n", "")
 
 
 def _check_format(text: str) -> None:
-    """Refuse a format with an unknown part, an incomplete date, or an ambiguous hour."""
+    """Refuse a format with an unknown part, one twice, an incomplete date, or a doubtful hour."""
     option_text = option("time-format", quote(text))
     letters = {*(directives := re.findall("%(.)", text))}
     if unknown := [letter for letter in directives if letter not in DIRECTIVES]:
@@ -193,6 +290,9 @@ def _check_format(text: str) -> None:
         raise ConditionError(
             problem, " ".join(f"%{letter}" for letter in DIRECTIVES if letter != "%")
         )
+    meant = [DIRECTIVES[letter] for letter in directives if letter != "%"]
+    if len({*meant}) < len(meant):
+        raise ConditionError(f"{option_text} has a part twice", "each part once")
     if not (letters & {*"Yy"} and ("j" in letters or ("d" in letters and letters & {*"mbB"}))):
         raise ConditionError(f"{option_text} has no complete date", FORMATS)
     if ("I" in letters) != ("p" in letters):
@@ -205,18 +305,43 @@ def _year_of_two_digits(year: int) -> int:
     return year + (1900 if year >= 69 else 2000)
 
 
-def _compiled(part: str, text: str) -> re.Pattern[str]:
-    pieces = re.split("%(.)", part)
+def _of_week(text: str) -> int:
+    """Return the tick of the midnight of a day of a week, 2024-W22-6, or of the week's Monday."""
     try:
-        return re.compile(
-            "".join(
-                DIRECTIVES[piece] if k % 2 else re.escape(piece) for k, piece in enumerate(pieces)
-            ),
-            re.ASCII,
+        return (date.fromisoformat(text).toordinal() - FIRST_DAY) * DAY
+    except ValueError:
+        raise NumberError(f"'{quote(text)}' is not a day of the calendar", "a date") from None
+
+
+def _compiled(part: str) -> re.Pattern[str]:
+    """Return the pattern of a format; digits without a mark between them have their full width.
+
+    Zeros at their start may be missing: 105 is 01:05 by %H%M.
+    """
+    form = ""
+    for k, text in enumerate(RUN.split(part)):
+        if k % 2:
+            form += f"(?:{'|'.join(_ways_of_run(text.replace('%', '')))})"
+            continue
+        pieces = re.split("%(.)", text)
+        form += "".join(
+            DIRECTIVES[piece] if n % 2 else re.escape(piece) for n, piece in enumerate(pieces)
         )
-    except re.error:
-        problem = f"{option('time-format', quote(text))} has a part twice"
-        raise ConditionError(problem, "each part once") from None
+    return re.compile(form, re.ASCII)
+
+
+def _ways_of_run(letters: str) -> list[str]:
+    """Return the patterns of parts without a mark: all, and of clocks those without the first."""
+    first_parts = range(len(letters) if {*letters} <= {*"HMS"} else 1)
+    return [
+        "".join(
+            rf"(?P<{letter.replace('I', 'H')}{first}>\d"
+            rf"{{{1 if k == first and letter not in 'Yj' else WIDTHS[letter]},{WIDTHS[letter]}}})"
+            for k, letter in enumerate(letters)
+            if k >= first
+        )
+        for first in first_parts
+    ]
 
 
 def offset_in(title: str) -> int | None:

@@ -48,13 +48,13 @@ TOA5 = """"TOA5","CR1000","CR1000","12345","CR1000.Std.27","CPU:par.CR1","1234",
 """
 # NREL's Measurement and Instrumentation Data Center: date and clock in two columns.
 MIDC = """DATE (MM/DD/YYYY),MST,Global CMP22 (vent/cor) [W/m^2],Zenith Angle [degrees]
-1/2/2019,00:00,-1.2,160
-1/2/2019,00:01,-1.1,160
+1/2/2019,00:00,0.2,160
+1/2/2019,00:01,0.1,160
 """
 LAYOUTS = {
     "HOBO": (HOBO, {"format": "%m/%d/%y %I:%M:%S %p", "invalid": "ignore"}, 43800, 21500.4, "Lux"),
     "TOA5": (TOA5, {}, 600, 1490.5, "umol/s/m^2"),
-    "MIDC": (MIDC, {}, 60, -1.1, "W/m^2"),
+    "MIDC": (MIDC, {}, 60, 0.1, "W/m^2"),
     "commas": ("01.06.2024 00:00;0,5\n01.06.2024 00:10;1,25\n", {"unit": "klx"}, 600, 1.25, "klx"),
     "blanks": ("2024-06-01 00:00:00 1\n2024-06-01 00:00:10 2\n", {"unit": "lx"}, 10, 2, "lx"),
     "a comment": ("# t [min], E [lx]\n0,1\n1,2\n", {}, 60, 2, "lx"),
@@ -129,7 +129,7 @@ def test_a_byte_order_mark_declares_the_encoding(encoding, end):
         ("t [s],E [lx] x1000\n0,1\n1,2\n", {}, "'E [lx] x1000' scales its numbers"),
         ("t [s],log E\n0,1\n1,2\n", {"unit": "lx"}, "has a function of its numbers"),
         ("t,log E\ns,lx\n0,1\n1,2\n", {}, "has a function of its numbers"),
-        ("t,E [W/m2]\ns,lx\n0,1\n1,2\n", {}, "have two units"),
+        ("t,E [W/m2]\ns,lx\n0,1\n1,2\n", {}, "has two units"),
         ("t_s,E (100 lx)\n0,1\n1,2\n", {}, "scales its numbers"),
         # bad lines above the first good one are not lines of titles
         *[(f"time,E [lx]\n2024-06-01T11:00,{bad}\n2024-06-01T12:00,1\n", told, "line 2: ")
@@ -144,7 +144,7 @@ def test_a_byte_order_mark_declares_the_encoding(encoding, end):
         ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' is ambiguous: a thousand"),
         ("t_s;E_lx\n0,5;1,5\n1.5;2,5\n", {}, "line 3: a decimal point"),
         ("t_s;E_lx\n0.5;1\n1.5;2,5\n", {}, "line 3: a decimal comma"),
-        *[(f"t,E [lx]\n1717245300,1\n{bad},2\n", {}, "is not a Unix time")
+        *[(f"unix,E [lx]\n1717245300,1\n{bad},2\n", {}, "is not a Unix time")
           for bad in ("1e-9999999999999999999", "1.7172453e9", "9" * 5000)],
     ],
 )  # fmt: skip
