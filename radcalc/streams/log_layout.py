@@ -303,28 +303,33 @@ class LogHead(FirstRows):
         if names and (stated := table.units_above.get(columns.plain(names[place]))):
             title += f" [{stated}]"
         unit = self._unit(title, None if units is None else cells[units])
-        of_times = " ".join([titles[k] for k in times]) if titles and not parts else ""
-        stamps = (
-            " ".join([self._cells(line)[k] for k in times])
-            for line in chain(lines, chain.from_iterable(block for _, block in more))
-            if not columns.is_remark(line) and len(self._cells(line)) > max(times)
-        )
-        try:
-            declared = _unit_of_time(of_times) if len(times) == 1 else None
-            settings = self.settings.clock._replace(title=of_times, declared=declared)
-            if parts:
-                settings = settings._replace(format=form)
-            clock = clock_for(" ".join([cells[k] for k in times]), settings, stamps)
-        except errors.MissingInput:
-            raise
-        except errors.RadcalcError as error:
-            raise self.error(self.number, error.message, error.hint) from None
+        clock = self._clock(times, form, chain([lines], (block for _, block in more)))
         light = read_light(unit)
         is_par = light is not None and light.kind == RADIANT and _is_par(title)
         band = next((word for word in _words(title) if word in OTHER_LIGHT), "")
         known = {*times, place, units, *[k for k, _ in where]}
         series = tuple([k for k in range(len(cells)) if k not in known and self._is_series(k)])
         return LogLayout(table, times, place, clock, unit, units, is_par, band, series, where)
+
+    def _clock(self, times: tuple[int, ...], form: str, blocks: Iterable[Sequence[str]]) -> Clock:
+        """Return the reader of the times in some columns, which have that format if it is given."""
+        title = " ".join(map(self._title, times))
+        stamps = (
+            " ".join([cells[k] for k in times])
+            for line in chain.from_iterable(blocks)
+            if not columns.is_remark(line) and len(cells := self._cells(line)) > max(times)
+        )
+        try:
+            settings = self.settings.clock._replace(title="" if form else title)
+            if form:
+                settings = settings._replace(format=form)
+            elif len(times) == 1:
+                settings = settings._replace(declared=_unit_of_time(title))
+            return clock_for(" ".join([self.cells[k] for k in times]), settings, stamps)
+        except errors.MissingInput:
+            raise
+        except errors.RadcalcError as error:
+            raise self.error(self.number, error.message, error.hint) from None
 
     def _is_series(self, place: int) -> bool:
         """Return whether a column of texts, or of numbers of devices, may tell series apart."""
