@@ -144,6 +144,7 @@ class Dose:
         self.time: Any = None  # of the last sample
         self.value = 0.0
         self.is_broken = False
+        self.skipped: tuple[Any, Any] | None = None  # first and last time since the last sample
         self.count = 0
         self.plain, self.first_value = 0.0, 0.0  # the sum of the samples, without their times
         self.peak, self.peak_at = -inf, 0.0
@@ -152,8 +153,11 @@ class Dose:
         self.steps = Steps()
         self.negative, self.below, self.least, self.least_at = 0, 0.0, 0.0, 0.0
 
-    def interrupt(self) -> None:
+    def interrupt(self, time: Any = None) -> None:
+        """Skip a sample, at its time if that is known: the means beside it end and start there."""
         self.is_broken = not self.bridges
+        if time is not None:
+            self.skipped = (self.skipped or (time, time))[0], time
 
     def add(self, times: list[Any], values: list[float]) -> None:
         """Add samples in order of time: sum up each run, and count the gaps between runs."""
@@ -167,6 +171,7 @@ class Dose:
             counted = int(not self.halves or self.edge is not None)
             times, values = [self.time, *times], [self.value, *values]
         self.time, self.value, self.is_broken = times[-1], values[-1], False
+        self.skipped = None
         steps = list(map(sub, times[1:], times))
         start = 0
         if self.longest < inf and steps and max(steps) > self.longest:
@@ -225,8 +230,11 @@ class Dose:
                 self.edge = start
                 self._run([start], [value], [], 0)
             before = self._before(self.usual)
-            start = self._hold(value, self.edge, min(start + self.usual - before, end))
-            self.edge = end = max(end - before, start)
+            first, last = self.skipped or (end, start)
+            stop = min(start + self.usual - before, first - self._before(first - start))
+            begin = max(end - before, end - self._before(end - last))
+            start = self._hold(value, self.edge, stop)
+            self.edge = end = max(begin, start)
         self.gaps += 1
         self.gap_time += end - start
         self.widest = max(self.widest, SampleStep(end - start, start, end))

@@ -12,7 +12,7 @@ from radcalc.cli.request import Case, LineOptions, first_of
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.linear import Plan
 from radcalc.conversion.operands import read_stream_operands
-from radcalc.conversion.plan import plan, result_of_plan, source_of, target_of
+from radcalc.conversion.plan import note_on_negative, plan, result_of_plan, source_of, target_of
 from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
@@ -66,7 +66,9 @@ def convert(
             target.text,
         )
     record = conversion.record if conversion.as_json else None
-    return layout.run(texts, header, record, terminal.pour, options.invalid)
+    status = layout.run(texts, header, record, terminal.pour, options.invalid)
+    conversion.note_negative()
+    return status
 
 
 class _Work:
@@ -106,6 +108,13 @@ class _Conversion(_Work):
         self.given = given
         self.titles: Header | None = None
         self.already_said: set[str] = set()
+        self.planned: list[Plan] = []
+
+    def note_negative(self) -> None:
+        """Say what negative amounts of light are, as for a single one."""
+        for planned in self.planned:
+            if planned.has_negative:
+                self._remark((), note_on_negative(planned))
 
     def plan(self, unit: Unit, *assumptions: str) -> Plan:
         try:
@@ -121,6 +130,7 @@ class _Conversion(_Work):
             refuse_change(planned.source, planned.target)
         planned.assumptions = (*assumptions, *planned.assumptions)
         self._remark(planned.assumptions, planned.notes)
+        self.planned.append(planned)
         return planned
 
     def header(self, column: str) -> "Header":

@@ -22,10 +22,10 @@ RECIPROCALS = {TEMPERATURE_ALONE, INVERSE_TEMPERATURE}
 class Plan:
     """A factor from `source` to `target`, with the assumptions behind it.
 
-    `links` are the (factor, +1 or -1) of the conditions in use.
+    `links` are the (factor, +1 or -1) of the conditions in use; a stream sets `has_negative`.
     """
 
-    __slots__ = ("assumptions", "factor", "links", "notes", "source", "target")
+    __slots__ = ("assumptions", "factor", "has_negative", "links", "notes", "source", "target")
     is_linear = True  # False for a plan between scales
 
     def __init__(
@@ -35,6 +35,7 @@ class Plan:
         self.target = target
         self.factor = factor
         self.links = links
+        self.has_negative = False
         self.assumptions = tuple([f.assumption for f, _ in links if f.assumption])
         self.notes = source.notes + tuple([n for n in target.notes if n not in source.notes])
         for link, _ in links:

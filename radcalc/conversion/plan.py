@@ -92,7 +92,6 @@ def result_of_plan(
 ) -> "Result":
     """Return the result for one value; `inputs` are the value and the conditions."""
     from radcalc.answer import Result, Row
-    from radcalc.quantities.light import name_of, read
 
     unit = made.target
     number = made.apply(value)
@@ -100,9 +99,18 @@ def result_of_plan(
     row = Row(quantity, symbol, number, unit.text, case, name)
     derivation = tuple(made.derive(value)) if steps else ()
     notes = made.notes
-    if value < 0 and read(made.source) and not made.source.is_scale:
-        notes += (f"a negative {name_of(made.source)} is a difference: light is never negative",)
+    if value < 0:
+        notes += note_on_negative(made)
     return Result((row,), made.assumptions, notes, derivation, inputs, named=False)
+
+
+def note_on_negative(made: Plan) -> tuple[str, ...]:
+    """Return the note on a negative amount of light that is converted."""
+    from radcalc.quantities.light import name_of, read
+
+    if made.source.is_scale or not read(made.source):
+        return ()
+    return (f"a negative {name_of(made.source)} is a difference: light is never negative",)
 
 
 def plans(requests: "Sequence[Request]") -> list[Planned]:

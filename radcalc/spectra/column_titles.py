@@ -32,6 +32,7 @@ DECLARED = re.compile(
 )
 BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
 WORD = r"(?<![^\W\d_]){}(?![^\W\d_])"  # of any alphabet
+X_UNITS = re.compile(r"x[ _-]?(?:axis[ _-]?)?units?\s*[:=]\s*(.+)")  # in a preamble, as in JCAMP-DX
 PROPERTY = WORD.format(
     r"(?:absorb|absorpt|transmitt|transmiss|reflec|respons|sensitiv|efficien|extinct|emissiv|remiss"
     r"|reflex|reflekt|odraz|propust|pohlt|отраж|пропуск|поглощ)[^\W\d_]*"
@@ -52,7 +53,10 @@ SCALED = re.compile(
     r"\d[\d.]*(?:e[-+]?\d+)? *[*x×]? *(?:[mkun]?w|[mu]?mol|j)/|(?<![a-z])[*x×] *\d|1/\(|/\d"
 )
 AXES = re.compile(
-    WORD.format(r"(?:[mk]?ev|[mgtp]?hz|cm\^?-1|1/cm|energy|frequency|wave ?numbers?)")
+    WORD.format(
+        r"(?:[mk]?ev|[mgtp]?hz|cm\^?-1|1/cm|energy|freq\w*|wave ?numbers?|raman|shift|pixels?"
+        r"|times?|angles?|distance|temperature|position|channels?|depth)"
+    )
 )
 PHOTONS = re.compile(
     WORD.format(
@@ -135,6 +139,10 @@ def wavelengths(
     for text in own_titles:
         if AXES.search(text) and not DECLARED.search(text):
             raise ConditionError(f"'{quote(typed[text])}' is not a wavelength", "wavelengths in nm")
+    for text in typed:
+        if (stated := X_UNITS.match(text)) and not is_of_wavelengths(stated[1].strip()):
+            problem = f"'{quote(typed[text])}' is not a unit of wavelengths"
+            raise ConditionError(problem, "wavelengths in nm")
     for text in typed:
         match = DECLARED.search(text)
         word = match.group(1) if match else ""

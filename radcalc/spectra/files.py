@@ -374,9 +374,6 @@ class _Reader:
             titles = listed([header[k] for k in places])
             raise self.error(0, f"there are {len(places)} columns of wavelengths", titles)
         places = places or [0]
-        if plain and any(word in plain[places[0]] for word in ("freq", "energy", "wavenumber")):
-            problem = f"'{quote(header[places[0]])}' is not a wavelength"
-            raise self.error(0, problem, "a column of wavelengths")
         return places
 
     def finish_columns(self, layout: _Layout) -> Table:

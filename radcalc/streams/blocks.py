@@ -66,8 +66,12 @@ class Bulk:
             return None
         try:
             typed = floats(block, shape)
-            if typed is None or (self.plan.links and b"-" in block and min(typed) < 0):
+            if typed is None:
                 return None
+            if b"-" in block and min(typed) < 0:
+                self.plan.has_negative = True
+                if self.plan.links:
+                    return None
             if self.singly:
                 values = [self.plan.apply(value) for value in typed]
             elif b"0" * (self.digits + 1) not in shape:

@@ -125,6 +125,7 @@ class Calendar:
         self.zone = zone
         self.pattern = pattern
         self.has_offsets = bool(first) and pattern.clock(pattern.parts(first)[1])[1] is not None
+        self.is_of_days = bool(first) and not pattern.parts(first)[1].strip()
         self.of_title = 0 if self.has_offsets else of_title
         self.is_local = zone is not None and self.of_title is None
         self.offsets: set[int] = set()

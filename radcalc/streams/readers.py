@@ -72,6 +72,7 @@ class Numbers:
             raise NumberError(error.message, hint) from None
 
     def show(self, plan: Plan, value: float) -> bytes:
+        plan.has_negative |= value < 0
         return number(plan.apply(value), self.precision).encode().replace(POINT, self.mark)
 
     def lines(self, block: bytes) -> bytes | None:
@@ -142,6 +143,7 @@ class Quantities:
         return plan
 
     def show(self, plan: Plan, value: float) -> bytes:
+        plan.has_negative |= value < 0
         text = number(plan.apply(value), self.precision).encode()
         return text.replace(POINT, self.mark) + self.unit
 

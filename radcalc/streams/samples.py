@@ -6,13 +6,13 @@ The first lines show the layout of a log (`log_layout.py`).
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import compress, groupby, islice
-from math import inf
+from math import inf, isnan, nan
 from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer
 from radcalc.calculators import dose as page
-from radcalc.calculators.dose_sums import POINTS, Dose
+from radcalc.calculators.dose_sums import MEANS, POINTS, Dose
 from radcalc.derivation import format_number
 from radcalc.errors import (
     Hint,
@@ -91,6 +91,7 @@ class Log:
         self.left_out, self.first_left_out = 0, ""
         self.is_bright = False
         self.last: Any = None  # tick
+        self.tick: Any = None  # of the line that is read, once it is known
         self.last_line = 0
         # Local times that occur twice wait for a later one; None for a skipped line.
         self.waiting: list[Sample | None] = []
@@ -119,8 +120,8 @@ class Log:
     def error(self, number: int, problem: str, hint: Hint) -> LineError:
         return log_layout.error(self.name, number, problem, hint, self.settings.row)
 
-    def samples(self) -> Iterator[Samples | None]:
-        """Yield blocks of times and values; None for a skipped line."""
+    def samples(self) -> Iterator[Samples]:
+        """Yield blocks of times, values and lines; a skipped line has no value."""
         for number, lines in self._pending:
             yield from self._of(lines, number)
         for number, lines in self._blocks:
@@ -150,11 +151,11 @@ class Log:
             f"sun gives ({limit}); {mark}, if it marks a missing value"
         )
 
-    def _of(self, lines: list[str], number: int) -> Iterator[Samples | None]:
+    def _of(self, lines: list[str], number: int) -> Iterator[Samples]:
         """Yield the samples of lines, all at once or in parts, down to single lines."""
         samples = self._at_once(lines, number)
         if samples:
-            yield samples
+            yield from [samples] if samples[0] else []
         elif len(lines) <= FEW:
             yield from self._one_by_one(lines, number)
         else:
@@ -201,12 +202,16 @@ class Log:
         self.last, self.last_line = times[-1], numbers[-1]
         return times, values, numbers
 
-    def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
+    def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples]:
         rows = [row for row in enumerate(lines, number) if not columns.is_remark(row[1])]
         yield from _runs(sample for row in rows for sample in self._of_line(*row))
 
     def _of_line(self, number: int, line: str) -> Iterator[Sample | None]:
-        """Yield the sample of a line, after those that waited for its time."""
+        """Yield the sample of a line, after those that waited for its time.
+
+        The value of a line that is skipped is NaN; None is yielded if it has no time, either.
+        """
+        self.tick = None
         try:
             cells = self.layout.table.cells(number, line)
             if not all(text in (ANY, cells[place]) for place, text in self.layout.where):
@@ -218,7 +223,8 @@ class Log:
                 sample = self._sample(cells, number)
         except LineError as error:
             self._leave_out(error)
-            yield from self._in_order([None])
+            is_later = self.tick is not None and (self.last is None or self.tick > self.last)
+            yield from self._in_order([Sample(self.tick, nan, number, "") if is_later else None])
             return
         try:
             self._check_order(sample.time, number)
@@ -244,7 +250,7 @@ class Log:
         waiting, self.waiting = self.waiting, []
         self.clock.doubtful = ""
         for sample in waiting:
-            if sample:
+            if sample and sample.value == sample.value:
                 why = self.clock.comes_twice(sample.stamp, sample.time)
                 self._leave_out(self.error(sample.number, why.message, why.hint))
         self.last, self.last_line = self.before
@@ -269,7 +275,7 @@ class Log:
             self._check_series(place, cells[place], number)
         stamp = " ".join([cells[k] for k in layout.times])
         try:
-            time = layout.clock.one(stamp)
+            self.tick = time = layout.clock.one(stamp)
         except Undecided:
             raise
         except RadcalcError as error:
@@ -342,14 +348,14 @@ class Log:
         raise self.error(number, problem, hint)
 
 
-def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples | None]:
-    """Yield samples as lists of times, values and lines, and None for a skipped line."""
-    for is_sample, group in groupby(samples, lambda sample: sample is not None):
-        if is_sample:
-            run = [sample for sample in group if sample]
-            yield [one.time for one in run], [one.value for one in run], [one.number for one in run]
-        else:
-            yield from (None for _ in group)
+def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples]:
+    """Yield samples as lists of times, values and lines; a skipped line has no value."""
+    for is_good, group in groupby(samples, lambda one: one is not None and not isnan(one.value)):
+        run = [*group]
+        for some in [run] if is_good else [[one] for one in run]:
+            known = [one for one in some if one]
+            values = [one.value for one in known if is_good]
+            yield [one.time for one in known], values, [one.number for one in known]
 
 
 def _mark(text: str) -> str | float:
@@ -386,20 +392,23 @@ class LogDose:
         clock = log.clock
         page.check_unit(log.layout.unit)
         top, bottom = clock.tick
+        is_daily = not reading and _is_daily(log)
+        if is_daily:
+            reading, longest = MEANS, min(longest, page.DAY)
+            log.assumptions.append("each value is the sum of its day, as its unit is per day")
         dose = Dose(
             longest * bottom / top,
-            longest < inf,
+            longest < inf and not is_daily,
             (lambda time: clock.period(time, by)) if by else None,
             reading or POINTS,
         )
-        for samples in log.samples():
-            if samples:
-                times, values, lines = samples
-                if times:
-                    dose.add(times, values)
-                    log.note_bright(dose.peak, values, lines)
+        dose.usual = page.DAY * bottom // top if is_daily else 0.0
+        for times, values, lines in log.samples():
+            if values:
+                dose.add(times, values)
+                log.note_bright(dose.peak, values, lines)
             else:
-                dose.interrupt()
+                dose.interrupt(*times)
         dose.finish()
         self.log = log
         self.by = by
@@ -446,6 +455,18 @@ class LogDose:
         return answer._replace(
             assumptions=(*log.assumptions, *answer.assumptions), notes=[*answer.notes, *log.notes]
         )
+
+
+def _is_daily(log: Log) -> bool:
+    """Return whether a log has a rate per day for each day, and so the sums of days."""
+    clock, unit = log.clock, log.layout.unit
+    is_per_day = ("day", -1) in unit.atoms
+    if not (is_per_day and isinstance(clock, Calendar) and clock.is_of_days):
+        return False
+    if clock.zone:
+        problem = f"{option('time-zone')} does not apply to the sums of days"
+        raise UsageError(problem, leave_out("time-zone"))
+    return True
 
 
 def longest_step(given: Inputs) -> float:

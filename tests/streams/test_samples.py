@@ -24,8 +24,8 @@ def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Lo
     times, values = [], []
     top, bottom = log.clock.tick
     for found in log.samples():
-        times += found[0] if found else [None]
-        values += found[1] if found else []
+        times += found[0] if found[1] else [None]
+        values += found[1]
     first = next(time for time in times if time is not None)
     return [None if t is None else (t - first) * top / bottom for t in times], values, log
 
