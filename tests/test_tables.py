@@ -292,7 +292,7 @@ def test_rows_of_a_luminaire_are_not_taken_for_lines_above_the_table(tmp_path):
     path = tmp_path / "a.csv"
     path.write_text("gamma,I (cd)\nx,1\ny,1\n0,300\n90,0\n", encoding="utf-8")
     done = run("point-source", "--distribution", str(path), "-g", "flux:lm")
-    assert "line 2: 'x' in column 1 is not an angle" in done.stderr
+    assert "line 2: 'x,1' is between the titles and the numbers" in done.stderr
 
 
 def test_a_scene_has_lines_above_its_titles_and_units_below_them(tmp_path):

@@ -117,6 +117,7 @@ class _Conversion(_Work):
                 self._remark((), note_on_negative(planned))
 
     def plan(self, unit: Unit, *assumptions: str) -> Plan:
+        """Return the plan for a unit of the lines, and say what it assumes."""
         try:
             planned = plan(unit, self.target, self.given)
         except errors.Unused as error:

@@ -20,9 +20,8 @@ title of the first column has another unit.
 """
 
 import math
-import re
 from collections.abc import Sequence
-from functools import partial
+from contextlib import suppress
 from typing import Any, NoReturn
 
 import numpy
@@ -30,17 +29,15 @@ import numpy
 from radcalc.distributions import column_titles
 from radcalc.distributions.distribution import Photometry
 from radcalc.distributions.grid import CLOSEST, SLACK, Grid, closed, end_of, mirrored, without_noise
-from radcalc.errors import ConditionError, listed, quote
+from radcalc.errors import ConditionError, Hint, listed, quote
 from radcalc.files import columns
-from radcalc.files.table import Table
+from radcalc.files.head import Head, is_number
+from radcalc.files.table import NumberedLine, Table
 from radcalc.files.text import refusal
 from radcalc.quantities.light import read as facts_of
 
 FLAT = 180.0  # [deg]
 AS_RADIANS = 3.15  # up to this, angles without a unit may be in radians
-BRACKETED = re.compile(
-    r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
-)  # a title among titles separated by blanks
 
 
 def read(lines: Sequence[str], name: str) -> Photometry:
@@ -67,25 +64,64 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     return _Reader(lines, name).photometry()
 
 
+class _Head(Head):
+    """The head of a table whose rows begin with an angle; the titles may be C planes alone."""
+
+    def __init__(self, lines: Sequence[str], name: str) -> None:
+        self.name = name
+        super().__init__([*enumerate(lines, 1)])
+
+    def error(self, number: int, problem: str, hint: Hint) -> ConditionError:
+        return refusal(self.name, number, problem, str(hint))
+
+    def no_data(self, rows: Sequence[NumberedLine]) -> ConditionError:
+        problem = "there is no row of numbers" if rows else "there is no data"
+        return self.error(rows[0][0] if rows else 0, problem, "rows of an angle and an intensity")
+
+    def is_data(self, cells: Sequence[str], is_named: bool) -> bool:
+        return is_number(cells[0])
+
+    def are_names(self, cells: Sequence[str]) -> bool:
+        return not is_number(cells[0])
+
+    def is_bad(self, *lines: str) -> bool:
+        return False
+
+    def are_titles(self, cells: Sequence[str]) -> bool:
+        return True
+
+    def in_comments(self, width: int) -> list[str]:
+        """Return the titles from the last comment with some, angles first."""
+        for comment in reversed(self.comments):
+            titles = self.titles_in(comment, width)
+            with suppress(ConditionError):  # a comment is free text
+                if titles and not is_number(titles[0]):
+                    column_titles.angles(titles[0])
+                    return titles
+        return []
+
+
 class _Reader:
     def __init__(self, lines: Sequence[str], name: str) -> None:
         self.name = name
+        self.head = _Head(lines, name)
         self.assumptions: list[str] = []
-        self.comments: list[str] = []
-        self.rows: list[tuple[int, str]] = []
-        for number, line in enumerate(lines, 1):
-            text = line.strip()
-            if columns.is_comment(text):
-                self.comments.append(columns.comment_text(text))
-            elif text:
-                self.rows.append((number, line))
+        if self.head.preamble:
+            self.assumptions.append(f"the titles are in line {self.head.title_line}")
+        self.comments = [*self.head.comments, *[line.strip() for _, line in self.head.preamble]]
+        self.rows = [
+            (number, line)
+            for number, line in enumerate(lines, 1)
+            if number >= self.head.begin and not columns.is_remark(line)
+        ]
 
     def refuse(self, number: int, problem: str, hint: str) -> NoReturn:
         raise refusal(self.name, number, problem, hint)
 
     def photometry(self) -> Photometry:
         """Return the intensities [cd, W/sr or photons] of the planes in the titles."""
-        titles, head = self.titles()
+        titles = list(self.head.table.titles) or [""] * self.head.table.width
+        head = self.head.title_line or self.head.begin
         try:
             angle_unit = column_titles.angles(titles[0])
             titled_columns = [column_titles.column(title) for title in titles[1:]]
@@ -117,71 +153,6 @@ class _Reader:
             notes=self.notes,
         )
 
-    def titles(self) -> tuple[list[str], int]:
-        """Take out the titles of the columns; return them and their line."""
-        if not self.rows:
-            self.refuse(0, "there is no data", "rows of an angle and an intensity")
-        self.skip_preamble()
-        self.delimiter, comma = columns.dialect(self.rows[min(1, len(self.rows) - 1)][1])
-        self.comma = comma or (
-            self.delimiter != "," and any("," in line for _, line in self.rows[1:])
-        )
-        head, line = self.rows[0]
-        titles = columns.cells(line, self.delimiter)
-        if columns.is_number(titles[0], self.comma):
-            width = len(titles)
-            return self.commented(width), head
-        del self.rows[0]
-        if not self.rows:
-            self.refuse(head, "there is no row of numbers", "rows of an angle and an intensity")
-        width = len(columns.cells(self.rows[0][1], self.delimiter))
-        if len(titles) != width:
-            titles = self.split(line)
-        if len(titles) != width:
-            problem = f"{len(titles)} titles for {width} columns"
-            self.refuse(head, problem, "a title for each column, or no titles")
-        units = columns.cells(self.rows[0][1], self.delimiter)
-        if not any(columns.is_number(unit, self.comma) for unit in units) and len(self.rows) > 1:
-            del self.rows[0]
-            pairs = zip(titles, units, strict=True)
-            return [f"{title} ({unit})" if unit else title for title, unit in pairs], head
-        return titles, head
-
-    def is_row(self, line: str) -> bool:
-        cells = columns.cells(line, columns.dialect(line)[0])
-        return len(cells) > 1 and columns.is_number(cells[0], True)
-
-    def skip_preamble(self) -> None:
-        """Take the lines of text above the titles for comments, unless they may be rows."""
-        lines = [line for _, line in self.rows]
-        starts = (k for k, line in enumerate(lines) if self.is_row(line))
-        first = next(starts, 0)
-        delimiter = columns.dialect(lines[first])[0]
-        above = [columns.cells(line, delimiter) for line in lines[:first]]
-        width = len(columns.cells(lines[first], delimiter))
-        head = first - (2 if [len(cells) for cells in above[-2:]] == [width, width] else 1)
-        of_numbers = (columns.is_number(cell, True) for cells in above for cell in cells)
-        if head > 0 and delimiter and not any(of_numbers):
-            self.comments += [line.strip() for _, line in self.rows[:head]]
-            self.assumptions.append(f"the titles are in line {self.rows[head][0]}")
-            del self.rows[:head]
-
-    def split(self, line: str) -> list[str]:
-        """Split titles; if blanks separate them, a bracket belongs to the word before it."""
-        return columns.cells(line, self.delimiter) if self.delimiter else BRACKETED.findall(line)
-
-    def commented(self, width: int) -> list[str]:
-        """Return the titles from the last comment with titles, angles first; else empty ones."""
-        for comment in reversed(self.comments):
-            titles = self.split(comment)
-            if len(titles) == width and not columns.is_number(titles[0], self.comma):
-                try:
-                    column_titles.angles(titles[0])
-                except ConditionError:  # a comment is free text
-                    continue
-                return titles
-        return [""] * width
-
     def numbers(self, width: int) -> tuple[Any, Any]:
         """Return the rising angles, and the values (angles, planes), in the units of the table."""
         if width < 2:
@@ -190,7 +161,7 @@ class _Reader:
             )
         if len(self.rows) < 2:
             self.refuse(self.rows[0][0], "one row is not a table", "two rows or more")
-        text = Table(partial(refusal, self.name), self.delimiter, width)
+        text = self.head.table
         table = numpy.array([self.row(number, line, text) for number, line in self.rows])
         text.finish()
         angles, values = table[:, 0], table[:, 1:]
@@ -209,7 +180,7 @@ class _Reader:
 
     def row(self, number: int, line: str, table: Table) -> list[float]:
         if table.delimiter == ",":
-            values = columns.numbers_at_once(line, line.split(self.delimiter))
+            values = columns.numbers_at_once(line, line.split(table.delimiter))
             if values is not None and len(values) == table.width:
                 return values
         cells = table.cells(number, line)

@@ -1,8 +1,9 @@
 """The head of a table in a text: its delimiter, its titles with their units, its first row."""
 
+import re
 from collections.abc import Iterable, Sequence
 
-from radcalc.errors import Hint, RadcalcError
+from radcalc.errors import Hint, RadcalcError, quote
 from radcalc.files import columns
 from radcalc.files.table import NumberedLine, Table
 from radcalc.units.table import unit_of
@@ -13,6 +14,7 @@ MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 SAMPLED = frozenset(
     ["smp", "avg", "max", "min", "tot", "std", "med", "mean", "sum", "count", "ts", "rn"]
 )
+TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
 TITLES = (
     "a title for each column; quotation marks around a text with a delimiter, and 1000 for 1,000"
 )
@@ -51,25 +53,26 @@ class Head:
             (k for k in range(start, len(rows)) if self.is_row(rows[k][1], named is not None)), None
         )
         if first is None:
-            raise self.no_data(bool(rows))
-        number, line = rows[first]
+            raise self.no_data(rows)
+        self.number, line = rows[first]
         self.delimiter = self._delimiter(rows[start - 1 if start else 0 : first], line)
-        self.number, self.cells = number, columns.cells(line, self.delimiter)
-        while first > start and self._is_bad(rows[first - 1][1]):
+        self.cells = columns.cells(line, self.delimiter)
+        while first > start and self.is_bad(*[row[1] for row in rows[max(first - 2, 0) : first]]):
             first -= 1
         self.begin = rows[first][0]
-        above = [row for row in rows[named or 0 : first] if any(self._cells(row[1]))]
-        names, titles = self._titles(above, named is not None)
+        above = [row for row in rows[named or 0 : first] if any(map(str.isalnum, row[1]))]
+        self.title_line, names, titles = self._titles(above, named is not None)
+        self.preamble = [row for row in rows[:first] if row[0] < (self.title_line or self.begin)]
         self.comments = [
             columns.comment_text(line)
             for number, line in lines
             if number < self.begin and columns.is_comment(line)
         ]
+        width = len(names or _trimmed(self.cells))
         if not names:
-            width = len(self.cells)
-            names = titles = columns.titles_in_comments(self.comments, width, delimiter)
-        self.cells = self.cells[: len(names)] if names else self.cells
-        self.table = Table(self.error, self.delimiter, len(self.cells), titles, rows[:first], names)
+            names = titles = self.in_comments(width)
+        self.cells = self.cells[:width]
+        self.table = Table(self.error, self.delimiter, width, titles, rows[:first], names)
 
     # What a subclass knows.
 
@@ -93,13 +96,32 @@ class Head:
         """Return the place of the row of titles with all names, None if there are none."""
         return None
 
+    def are_names(self, cells: Sequence[str]) -> bool:
+        """Return whether the cells of a line may be titles: by default, not with a number."""
+        return not any(map(is_number, cells))
+
     def are_titles(self, cells: Sequence[str]) -> bool:
-        """Return whether the cells of a line with another number of them must be titles."""
+        """Return whether the cells of a line must be titles, also with another number of them."""
         return False
 
-    def no_data(self, has_rows: bool) -> RadcalcError:
+    def check_text(self, number: int, line: str) -> None:
+        """Raise for the line above the first row if it should have titles; it has none."""
+        cells = self.cells_of(line) if self.delimiter else []
+        is_text = not any(is_number(cell) or self.is_start(cell) for cell in cells)
+        if len(cells) > 1 and is_text and self.are_titles(cells):
+            raise self.unlike(number, line)
+
+    def in_comments(self, width: int) -> list[str]:
+        """Return the titles in a comment, if any."""
+        return columns.titles_in_comments(self.comments, width, self.typed)
+
+    def no_data(self, rows: Sequence[NumberedLine]) -> RadcalcError:
         problem = f"no row of data in the first {SEARCHED} lines"
-        return self.error(0, problem if has_rows else "the data are missing", "rows of numbers")
+        return self.error(0, problem if rows else "the data are missing", "rows of numbers")
+
+    def unlike(self, number: int, line: str) -> RadcalcError:
+        problem = f"{len(self.cells_of(line))} titles for {len(_trimmed(self.cells))} columns"
+        return self.error(number, problem, TITLES)
 
     def is_row(self, line: str, is_named: bool) -> bool:
         return self.is_data(columns.cells(line, self.typed or columns.dialect(line)[0]), is_named)
@@ -113,55 +135,72 @@ class Head:
                 own = other
         return self.typed or own
 
-    def _cells(self, line: str) -> list[str]:
+    def cells_of(self, line: str) -> list[str]:
         return columns.cells(line, self.delimiter)
 
-    def _is_bad(self, line: str) -> bool:
-        """Return whether a line above the first good row has data, too: a date or a number."""
-        cells = self._cells(line)
+    def is_bad(self, *lines: str) -> bool:
+        """Return whether the last of two lines above the first good row is data, too."""
+        cells = self.cells_of(lines[-1])
         pairs = zip(cells, self.cells, strict=False)
         if any(self.is_start(cell) and self.is_start(other) for cell, other in pairs):
             return True
         return len(cells) == len(self.cells) and any(map(is_number, cells))
 
-    def _titles(self, rows: Sequence[NumberedLine], is_named: bool) -> tuple[list[str], list[str]]:
-        """Return the names of the columns, and their titles with the units of rows below them."""
+    def _titles(
+        self, rows: Sequence[NumberedLine], is_named: bool
+    ) -> tuple[int, list[str], list[str]]:
+        """Return the line of the names of the columns, the names, and the titles with units.
+
+        The units may be in a row below the names.
+        """
         found: list[list[str]] = []  # the rows of titles, from below
         for _, line in reversed(rows):
             cells = self._of_width(line)
-            is_setting = bool(cells) and cells[0].endswith(":")  # Binning mode:,Sum,Average
-            if not cells or is_setting or any(map(is_number, cells)):
+            if not cells or not self.are_names(cells) or cells[0].endswith(":"):
                 break
-            if found and not _is_below(found[-1]):
+            if found and (len(cells) != len(found[-1]) or not _is_below(found[-1])):
                 break
             found.append(cells)
-        if (is_named and len(found) < len(rows)) or (
-            rows and not found and self._refuses(rows[-1])
-        ):
-            number, line = rows[0] if is_named else rows[-1]
-            problem = f"{len(self._cells(line))} titles for {len(self.cells)} columns"
-            raise self.error(number, problem, TITLES)
-        while len(found) > 1 and not any(found[-1]):
-            found.pop()
+        count = len(rows) - len(found)
+        if is_named and count:
+            raise self.unlike(*rows[0])
+        for k, (_, above) in enumerate(rows[:count]):
+            if (cells := self._of_width(above)) and self.are_titles(cells):
+                number, line = rows[min(k + 1, len(rows) - 1)]
+                problem = f"'{quote(line.strip())}' is between the titles and the numbers"
+                raise self.error(number, problem, "a row with a value in every column")
         if not found:
-            return [], []
+            if rows:
+                self.check_text(*rows[-1])
+            return 0, [], []
         *below, names = found
         units = [[row[k] for row in reversed(below) if row[k]] for k in range(len(names))]
-        return names, [
-            " ".join([name, *[_bracketed(text) for text in texts]])
+        titles = [
+            " ".join(filter(None, [name, *map(_bracketed, texts)]))
             for name, texts in zip(names, units, strict=True)
         ]
+        return rows[len(rows) - len(found)][0], names, titles
 
     def _of_width(self, line: str) -> list[str]:
-        """Return the cells of a line that has one for each column but blank ones at the end."""
-        cells, width = self._cells(line), len(self.cells)
-        is_whole = len(cells) == width or (cells and not any(self.cells[len(cells) :]))
-        return cells if is_whole and len(cells) <= width else []
+        """Return the titles of the columns in a line, which may lack blank ones at the end."""
+        least, most = len(_trimmed(self.cells)), len(self.cells)
+        return next(filter(None, (self.titles_in(line, k) for k in range(most, least - 1, -1))), [])
 
-    def _refuses(self, row: NumberedLine) -> bool:
-        cells = self._cells(row[1]) if self.delimiter else []
-        is_text = not any(is_number(cell) or self.is_start(cell) for cell in cells)
-        return len(cells) > 1 and is_text and self.are_titles(cells)
+    def titles_in(self, line: str, width: int) -> list[str]:
+        """Return so many titles in a line, of several words if blanks divide them; else []."""
+        cells = self.cells_of(line)
+        splits = [cells if any(cells[width:]) else cells[:width]]
+        if not self.delimiter:
+            splits += [re.split(r"\s{2,}|\t", line.strip()), TITLE.findall(line)]
+        return next((one for one in splits if len(one) == width), [])
+
+
+def _trimmed(cells: Sequence[str]) -> list[str]:
+    """Return cells without blank ones at the end, but at least two."""
+    trimmed = [*cells]
+    while len(trimmed) > 2 and not trimmed[-1]:
+        trimmed.pop()
+    return trimmed
 
 
 def is_number(cell: str) -> bool:
@@ -171,11 +210,10 @@ def is_number(cell: str) -> bool:
 
 def _is_below(cells: Sequence[str]) -> bool:
     """Return whether a row has the units of the titles above it, or how they were sampled."""
-    texts = [cell.strip("()[] ") for cell in cells if cell]
-    known = [text.lower() in SAMPLED or unit_of(text) is not None for text in texts]
-    bracketed = [cell[:1] in "([" for cell in cells if cell]
-    quotients = [unit_of(text) is not None and "/" in text for text in texts]
-    return all(known) or all(bracketed) or any(quotients)
+    units = {cell: unit_of(cell.strip("()[] ")) for cell in cells if cell}
+    others = [cell for cell, unit in units.items() if not unit and cell.lower() not in SAMPLED]
+    has_quotient = any(unit and "/" in cell for cell, unit in units.items())
+    return has_quotient or all(cell[0] in "([" for cell in others)
 
 
 def _bracketed(text: str) -> str:

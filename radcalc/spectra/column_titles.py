@@ -1,7 +1,7 @@
 """The titles of a file's columns: the unit of its wavelengths, and the meaning of its values."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from radcalc.errors import ConditionError, UnitError, option, quote
@@ -139,10 +139,7 @@ def wavelengths(
     for text in own_titles:
         if AXES.search(text) and not DECLARED.search(text):
             raise ConditionError(f"'{quote(typed[text])}' is not a wavelength", "wavelengths in nm")
-    for text in typed:
-        if (stated := X_UNITS.match(text)) and not is_of_wavelengths(stated[1].strip()):
-            problem = f"'{quote(typed[text])}' is not a unit of wavelengths"
-            raise ConditionError(problem, "wavelengths in nm")
+    _refuse_other_axis(typed)
     for text in typed:
         match = DECLARED.search(text)
         word = match.group(1) if match else ""
@@ -166,6 +163,14 @@ def wavelengths(
             return factor, f"the wavelengths are taken as {unit}, from their size"
     problem = f"the unit of the wavelengths from {low:g} to {high:g} is missing"
     raise ConditionError(problem, "a header such as: wavelength (nm), value")
+
+
+def _refuse_other_axis(typed: Mapping[str, str]) -> None:
+    """Raise for a preamble with another unit of the axis: XUNITS= 1/CM."""
+    for text in typed:
+        if (stated := X_UNITS.match(text)) and not is_of_wavelengths(stated[1].strip()):
+            problem = f"'{quote(typed[text])}' is not a unit of wavelengths"
+            raise ConditionError(problem, "wavelengths in nm")
 
 
 def _typed(text: str, word: str) -> str:

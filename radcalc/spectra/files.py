@@ -6,13 +6,15 @@ Unambiguous files are read, with notes; anything else is an error with its line.
 import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from io import BytesIO
-from itertools import chain, islice, pairwise
+from itertools import chain, pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc.errors import ConditionError, UsageError, call, listed, option, quote
+from radcalc.errors import ConditionError, Hint, UsageError, call, listed, option, quote
 from radcalc.files import columns, signatures
+from radcalc.files.head import SEARCHED, Head, first_lines, is_number
 from radcalc.files.table import Table as TextTable
 from radcalc.files.text import Lines, Text, reading, refusal
 from radcalc.quantities.column_titles import find
@@ -20,7 +22,6 @@ from radcalc.spectra import cgats, column_titles, contents, meters, oceanview, s
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAKEST, Table
-from radcalc.units.table import unit_of
 
 FORMATS = (spdx, cgats, meters)
 NOISE = 0.05  # of the peak, or of the total: smaller negative values are noise of a spectrometer
@@ -31,10 +32,9 @@ MANY = 10_000  # with this number of rows, NumPy is loaded
 MOST = 20_000_000  # rows
 MOST_BEFORE = 1000  # lines before a table, and comments
 MOST_OF_FORMAT = 1 << 24  # characters of a file that is not a plain table
-TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
-BRACKETED = re.compile(r"\[[^\[\]]*\]|\([^()]*\)")
 COUNT = re.compile(r":\s*\d+\s*")  # the last line of SpectraWiz
 INDICES = ("#", "pixel", "pixels", "index", "no", "no.", "nr", "nr.", "row", "line", "point")
+DIGIT = re.compile(r"\d")
 WORDS = 2  # after a number, between blanks, that make a line a sentence: 100 scans averaged
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
@@ -69,22 +69,19 @@ def is_spectrum(lines: Lines) -> bool:
         return form is not spdx or any(spdx.ROOT in line.upper() for line in lines[:MOST_BEFORE])
     if any(line.startswith(oceanview.MARK) for line in lines[:MOST_BEFORE]):
         return True
-    reader = _Reader("", lambda _: b"", "", None)
-    rows = list(islice(reader.rows(lines, 1), MOST_BEFORE))
-    begin = _before(rows)
-    if begin == len(rows):
-        return False
-    if len(columns.cells(rows[begin][1], columns.dialect(rows[begin][1])[0])) < 2:
-        return False
-    for _, line in (*rows[max(begin - 2, 0) : begin], *[(0, text) for text in reader.comments]):
-        cells = columns.cells(line, columns.dialect(line)[0])
-        if any(map(_is_of_wavelengths, (*cells, line))):
-            return True
+    rows = [*enumerate(lines, 1)][: 2 * MOST_BEFORE]
     try:
-        table = reader.find_table(rows)
-        if table.titles:
-            return False
-        grid = [table.number(table.cells(*row)[0], row[0], is_value=False) for row in rows]
+        head = SpectrumHead(partial(refusal, ""), rows)
+    except ConditionError:  # of doubtful titles, which the reader reports
+        return any(map(_has_wavelengths, lines[:MOST_BEFORE]))
+    table = head.table
+    above = [*[line for _, line in head.preamble[-1:]], *head.comments]
+    is_titled = any(map(_is_of_wavelengths, table.titles)) or any(map(_has_wavelengths, above))
+    if table.width < 2 or table.titles or is_titled:
+        return table.width > 1 and is_titled
+    below = [row for row in rows if row[0] >= head.begin and not columns.is_remark(row[1])]
+    try:
+        grid = [table.number(table.cells(*row)[0], row[0], is_value=False) for row in below]
     except ConditionError:
         return False
     low, high = min(grid), max(grid)
@@ -92,6 +89,12 @@ def is_spectrum(lines: Lines) -> bool:
     is_even = len(grid) >= LIKELY_ROWS and (min(steps) > 0 or max(steps) < 0)
     is_likely = is_even and (high - low) <= LIKELY_STEP * len(steps)
     return is_likely and VISIBLE[0] / 2 < low < VISIBLE[1] < 4 * VISIBLE[1] and high > VISIBLE[0]
+
+
+def _has_wavelengths(line: str) -> bool:
+    """Return whether a line is a title of wavelengths, or has one."""
+    cells = columns.cells(line, columns.dialect(line)[0])
+    return any(map(_is_of_wavelengths, (*cells, line)))
 
 
 def _is_of_wavelengths(title: str) -> bool:
@@ -103,11 +106,97 @@ def _is_of_wavelengths(title: str) -> bool:
     return column_titles.is_of_wavelengths(plain) or plain in column_titles.NAMES
 
 
+class SpectrumHead(Head):
+    """The head of a table whose rows begin with a number, and are no sentences."""
+
+    def __init__(
+        self,
+        refuse: Callable[[int, str, str], ConditionError],
+        lines: Sequence[tuple[int, str]],
+    ) -> None:
+        self.refuse = refuse
+        super().__init__([row for row in lines if not COUNT.fullmatch(row[1])])
+        if self.preamble:
+            self.assumptions.append(f"the table begins in line {self.begin}")
+
+    def error(self, number: int, problem: str, hint: Hint) -> ConditionError:
+        return self.refuse(number, problem, str(hint))
+
+    def no_data(self, rows: Sequence[tuple[int, str]]) -> ConditionError:
+        if not rows:
+            return self.error(0, "there is no data", "two columns: wavelength and value")
+        where = f" in its first {SEARCHED} lines" if len(rows) == SEARCHED else ""
+        hint = "rows of a wavelength and a value, as text"
+        return self.error(0, f"there is no row of numbers{where}", hint)
+
+    def is_row(self, line: str, is_named: bool) -> bool:
+        delimiter, _ = columns.dialect(line)
+        first, *others = columns.cells(line, delimiter)
+        words = sum(not is_number(cell) for cell in others)
+        return is_number(first) and (bool(delimiter) or words < WORDS)
+
+    def skipped(self, rows: Sequence[tuple[int, str]]) -> int:
+        """Return where titles of wavelengths are below another table, as of a meter's results."""
+        count = next((k for k, row in enumerate(rows) if self.is_row(row[1], False)), len(rows))
+
+        def titles(k: int) -> list[str]:
+            return columns.cells(rows[k][1], columns.dialect(rows[min(k + 1, len(rows) - 1)][1])[0])
+
+        if not 0 < count < len(rows) or column_titles.is_of_wavelengths(
+            columns.plain(titles(count - 1)[0])
+        ):
+            return 0
+        places = range(count + 1, len(rows) - 1)
+        later = next((k for k in places if len(titles(k)) > 1 and self.are_titles(titles(k))), 0)
+        if later:
+            problem = f"the table of wavelengths is read, not that of line {rows[count][0]}"
+            self.assumptions.append(problem)
+        return later
+
+    def are_names(self, cells: Sequence[str]) -> bool:
+        """Return whether cells may be titles, which may be numbers except the first."""
+        return not is_number(cells[0]) and not self._is_of_row(cells)
+
+    def is_bad(self, *lines: str) -> bool:
+        above, cells = map(self.cells_of, (lines[0], lines[-1]))
+        is_below = len(lines) > 1 and len(above) == len(cells) and self.are_titles(above)
+        has_number = any(map(is_number, cells[1:])) and len(cells) == len(self.cells)
+        return self._is_of_row(cells) or (is_below and has_number)
+
+    def _is_of_row(self, cells: Sequence[str]) -> bool:
+        """Return whether cells are those of a row whose wavelength is not a number: 38O,1."""
+        first = columns.plain(cells[0])
+        has_number = any(map(is_number, cells[1:])) and len(cells) == len(self.cells)
+        return has_number and not column_titles.is_wavelength(first) and bool(DIGIT.search(first))
+
+    def are_titles(self, cells: Sequence[str]) -> bool:
+        """Return whether cells are plainly titles of wavelengths and of values.
+
+        A preamble may have a line such as `wavelength range,380-780` or `wavelength unit,nm`.
+        """
+        return column_titles.is_wavelength(columns.plain(cells[0])) and not any(
+            cell[:1].isdigit() or columns.plain(cell) in column_titles.NANOMETRES
+            for cell in cells[1:]
+        )
+
+    def check_text(self, number: int, line: str) -> None:
+        """Raise for a line before a table with too few or many titles, or of other data."""
+        if line.startswith(oceanview.MARK):
+            return
+        text = columns.plain(line)
+        is_sentence = self.delimiter is None and not column_titles.is_wavelength(text)
+        if not is_sentence and sum(map(bool, self.cells_of(line))) > 1:
+            raise self.unlike(number, line)
+        if column_titles.NO_LIGHT.search(text) and ":" not in line:
+            raise self.error(number, f"'{quote(line.strip())}' is not light", column_titles.KNOWN)
+
+
 class _Layout(NamedTuple):
     table: TextTable
     axis: int  # the column of the wavelengths
     place: int  # the column of the values
     title: str
+    begin: int  # the line of the first row
 
     @property
     def header(self) -> list[str]:
@@ -185,28 +274,18 @@ class _Reader:
                 yield number, line
 
     def plain_table(self, blocks: Iterable[tuple[int, Lines]]) -> Table:
-        """Read rows of numbers; the first rows determine the delimiter and the columns."""
-        layout = None
-        first: list[tuple[int, str]] = []  # the rows that determine the layout
-        for number, lines in blocks:
+        """Read rows of numbers; the first lines determine the delimiter and the columns."""
+        blocks = iter(blocks)
+        lines = first_lines(blocks)
+        layout = self.layout(lines)
+        begin = layout.begin
+        for number, block in chain([(begin, [line for k, line in lines if k >= begin])], blocks):
             if len(self.grid) > MOST:
                 raise self.error(number, f"more than {MOST} rows", "fewer of them")
-            if layout and self.take_plain(lines, number, layout):
-                continue
-            rows = self.rows(lines, number)
-            if not layout:
-                first += rows
-                if len(first) - _before(first) < 2 and len(first) <= MOST_BEFORE:
-                    continue
-                layout, rows = self.layout(first), iter(first)
-                if self.take_first(first, layout):
-                    continue
-            self.take(rows, layout)
+            if not self.take_plain(block, number, layout):
+                self.take(self.rows(block, number), layout)
             if self.is_over:
                 break
-        if not layout:
-            layout = self.layout(first)
-            self.take(iter(first), layout)
         layout.table.finish()
         count = len(self.grid)
         if self.count and count != self.count:
@@ -214,99 +293,26 @@ class _Reader:
             raise self.error(self.lines[-1], problem, "the whole file")
         return self.finish_columns(layout)
 
-    def layout(self, rows: list[tuple[int, str]]) -> _Layout:
-        """Return the table and its columns; remove the rows before it."""
-        table = self.find_table(rows)
-        header = list(table.titles)
-        axes = self.axes(header)
-        place, title = self.value_column(header or [""] * table.width, axes, rows[0][0])
-        axis = max((k for k in axes if k < place), default=axes[0])  # of several, the one before
-        if axis:
-            self.notes.append(f"the wavelengths are in column {axis + 1} {quote(header[axis])}")
-        return _Layout(table, axis, place, title)
-
-    def find_table(self, rows: list[tuple[int, str]]) -> TextTable:
-        """Return the table with its titles; remove the rows before it."""
-        if not rows:
-            raise self.error(0, "there is no data", "two columns: wavelength and value")
-        count = _before(rows)
-        if later := _titled_later(rows, count):
-            self.notes.append(
-                f"the table of wavelengths is read, not that of line {rows[count][0]}"
-            )
-            count = later
-        before, rows[:] = rows[:count], rows[count:]
-        if not rows:
-            where = f" in its first {MOST_BEFORE} lines" if count > MOST_BEFORE else ""
-            hint = "rows of a wavelength and a value, as text"
-            raise self.error(0, f"there is no row of numbers{where}", hint)
-        delimiter, _ = columns.dialect(rows[min(1, len(rows) - 1)][1])
-        width = len(_trimmed(columns.cells(rows[0][1], delimiter), 2))
-        table = TextTable(self.error, delimiter, width, preamble=before)
-        header = self.header(before, table) if before else []
-        self.preamble = [line[: column_titles.LONGEST] for _, line in before]
+    def layout(self, lines: Sequence[tuple[int, str]]) -> _Layout:
+        """Return the table and its columns, with the meaning of the lines before it."""
+        head = SpectrumHead(self.error, lines)
+        self.notes += head.assumptions
+        self.preamble = [line[: column_titles.LONGEST] for _, line in head.preamble]
+        self.comments = [text[: column_titles.LONGEST] for text in head.comments[:MOST_BEFORE]]
         self.is_marked = any(line.startswith(oceanview.MARK) for line in self.preamble)
-        if before:
-            self.notes.append(f"the table begins in line {rows[0][0]}")
         try:
             self.count = oceanview.declared_rows(self.preamble)
             self.notes += oceanview.notes(self.preamble)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
-        header = header or columns.titles_in_comments(self.comments, width)
-        table.titles = table.names = header
-        return table
-
-    def header(self, before: list[tuple[int, str]], table: TextTable) -> list[str]:
-        """Return the titles from the lines before a table, with units from a row of their own.
-
-        A line of text has no titles, nor has a line of many words between blanks.
-        """
-        delimiter, width = table.delimiter, table.width
-        while before and not any(map(str.isalnum, before[-1][1])):  # a rule below the titles
-            before.pop()
-        if not before:
-            return []
-        number, last = before[-1]
-        titles = _titles(last, delimiter, width)
-        if not _is_of_units(titles) and any(
-            _are_titles(_titles(line, delimiter, width), width) for _, line in before[:-1]
-        ):
-            if len(titles) == width:
-                table.number(titles[0], number)
-            problem = f"'{quote(last.strip())}' is between the titles and the numbers"
-            raise self.error(number, problem, "a row with a value in every column")
-        if len(titles) != width:
-            if not last.startswith(oceanview.MARK):
-                self.check_text(number, last, delimiter, width)
-            return []
-        before.pop()
-        above = _titles(before[-1][1], delimiter, width) if before else []
-        if _is_bad_row(titles, above):
-            table.number(titles[0], number)
-        if len(above) == width and _is_of_units(titles):
-            before.pop()
-            titles = [
-                f"{title} {unit if BRACKETED.fullmatch(unit) else f'[{unit}]'}" if unit else title
-                for title, unit in zip(above, titles, strict=True)
-            ]
-        return titles
-
-    def check_text(self, number: int, line: str, delimiter: str | None, width: int) -> None:
-        """Raise for a line before a table with too few or many titles, or of other data."""
-        titles, text = _titles(line, delimiter, width), columns.plain(line)
-        is_sentence = delimiter is None and not column_titles.is_wavelength(text)
-        if not is_sentence and sum(map(bool, titles)) > 1:
-            problem = f"{len(titles)} titles for {width} columns"
-            raise self.error(number, problem, "a title for each column, or no titles")
-        if column_titles.NO_LIGHT.search(text) and ":" not in line:
-            raise self.error(number, f"'{quote(line.strip())}' is not light", column_titles.KNOWN)
-
-    def take_first(self, rows: Sequence[tuple[int, str]], layout: _Layout) -> bool:
-        """Read the rows that determine the layout at once, if they are successive lines."""
-        start = rows[0][0]
-        is_whole = rows[-1][0] - start == len(rows) - 1
-        return is_whole and self.take_plain([line for _, line in rows], start, layout)
+        table = head.table
+        header = list(table.titles)
+        axes = self.axes(header)
+        place, title = self.value_column(header or [""] * table.width, axes, head.begin)
+        axis = max((k for k in axes if k < place), default=axes[0])  # of several, the one before
+        if axis:
+            self.notes.append(f"the wavelengths are in column {axis + 1} {quote(header[axis])}")
+        return _Layout(table, axis, place, title, head.begin)
 
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
         """Read rows of plain numbers; return whether they are."""
@@ -558,39 +564,6 @@ def _cell(line: str, layout: _Layout) -> str:
     return line.split(layout.table.delimiter, layout.place + 1)[layout.place].strip()
 
 
-def _before(rows: Sequence[tuple[int, str]]) -> int:
-    """Return the number of rows before the first that begins with a number and is no sentence."""
-    for count, (_, line) in enumerate(rows):
-        delimiter, _ = columns.dialect(line)
-        first, *others = columns.cells(line, delimiter)
-        if columns.is_number(first, True):
-            words = sum(not columns.is_number(cell, True) for cell in others)
-            if delimiter or words < WORDS:
-                return count
-    return len(rows)
-
-
-def _titled_later(rows: Sequence[tuple[int, str]], count: int) -> int:
-    """Return where the rows begin below titles of wavelengths, after a table without any; else 0.
-
-    A meter's results may be such a table.
-    """
-
-    def titles(k: int) -> list[str]:
-        return columns.cells(rows[k][1], columns.dialect(rows[min(k + 1, len(rows) - 1)][1])[0])
-
-    def are_of_wavelengths(k: int) -> bool:
-        cells = titles(k)
-        return _are_titles(cells, len(cells)) and len(cells) > 1
-
-    if not 0 < count < len(rows) or column_titles.is_of_wavelengths(
-        columns.plain(titles(count - 1)[0])
-    ):
-        return 0
-    places = range(count + 1, len(rows) - 1)
-    return next((k + 1 for k in places if are_of_wavelengths(k)), 0)
-
-
 def _gaps(grid: Sequence[float]) -> list[str]:
     """Return a note if nearly all steps are the same and some are at least twice as long."""
     steps = sorted(b - a for a, b in pairwise(grid))
@@ -601,60 +574,6 @@ def _gaps(grid: Sequence[float]) -> list[str]:
         return []
     place = next(a for a, b in pairwise(grid) if b - a == longest)
     return [f"a step of {longest:g} at {place:g}, while most are {usual:g}: a row may be missing"]
-
-
-def _trimmed(cells: list[str], width: int) -> list[str]:
-    while len(cells) > width and not cells[-1]:
-        cells.pop()
-    return cells
-
-
-def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
-    """Return the titles of columns in a line, of several words if necessary."""
-    titles = _trimmed(columns.cells(line, delimiter), width)
-    if delimiter or len(titles) == width:
-        return titles
-    for parts in (re.split(r"\s{2,}|\t", line.strip()), TITLE.findall(line)):
-        if len(parts) == width:
-            return [part.strip() for part in parts]
-    return titles
-
-
-def _are_titles(cells: Sequence[str], width: int) -> bool:
-    """Return whether the cells of a line are plainly titles of wavelengths and of values.
-
-    A preamble may have a line such as `wavelength range,380-780` or `wavelength unit,nm`.
-    """
-    return (
-        len(cells) == width
-        and column_titles.is_wavelength(columns.plain(cells[0]))
-        and not any(
-            cell[:1].isdigit() or columns.plain(cell) in column_titles.NANOMETRES
-            for cell in cells[1:]
-        )
-    )
-
-
-def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
-    """Return whether the line above a table is a row without a wavelength, not a row of titles.
-
-    Titles may be numbers except the first; the first cell of a row has digits or is below titles.
-    """
-    if not any(columns.is_number(cell, True) for cell in cells[1:]):
-        return False
-    first = columns.plain(cells[0])
-    is_below = len(above) == len(cells) and column_titles.is_wavelength(columns.plain(above[0]))
-    return is_below or (
-        not column_titles.is_wavelength(first) and re.search(r"\d", first) is not None
-    )
-
-
-def _is_of_units(cells: Sequence[str]) -> bool:
-    inner = [cell[1:-1].strip() if BRACKETED.fullmatch(cell) else cell for cell in cells]
-    return any(inner) and all(
-        not text or cell != text or columns.plain(text) in column_titles.NANOMETRES or unit_of(text)
-        for cell, text in zip(cells, inner, strict=True)
-    )
 
 
 def _table(

@@ -195,10 +195,10 @@ class FirstRows(Head):
     def error(self, number: int, problem: str, hint: errors.Hint) -> errors.LineError:
         return error(self.name, number, problem, hint, self.settings.row)
 
-    def no_data(self, has_rows: bool) -> errors.LineError:
+    def no_data(self, rows: Sequence[NumberedLine]) -> errors.LineError:
         problem = f"no time and value in the first {SEARCHED} lines"
         hint = "lines with a time and a value: 2024-06-01T12:35,812"
-        return self.error(0, problem if has_rows else "the data are missing", hint)
+        return self.error(0, problem if rows else "the data are missing", hint)
 
     def is_start(self, cell: str) -> bool:
         return looks_like_stamp(cell, self.settings.clock.format)
@@ -317,7 +317,7 @@ class LogHead(FirstRows):
         stamps = (
             " ".join([cells[k] for k in times])
             for line in chain.from_iterable(blocks)
-            if not columns.is_remark(line) and len(cells := self._cells(line)) > max(times)
+            if not columns.is_remark(line) and len(cells := self.cells_of(line)) > max(times)
         )
         try:
             settings = self.settings.clock._replace(title="" if form else title)

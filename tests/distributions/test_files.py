@@ -157,7 +157,7 @@ def test_anything_else_is_refused(data, message, written):
         ),
         ("lamp.ldt", "\n".join(LDT.split("\n")[1:]), "line 4: '0' is not a valid number Mc"),
         ("lamp.csv", "gamma\n0\n9\n", "there is only one column"),
-        ("lamp.csv", "gamma,I\nx,1\n0,1\n", "line 2: 'x' in column 1 is not an angle"),
+        ("lamp.csv", "gamma,I\nx,1\n0,1\n", "line 2: 'x,1' is between the titles and the numbers"),
     ],
 )
 def test_the_extension_selects_the_reader_that_reports_the_error(name, text, message, written):

@@ -285,7 +285,7 @@ BROKEN = {
     ),
     "two bad first rows": (
         "wavelength;E\nOVER,5\nx;7\n500;2\n600;3\n",
-        "line 3: 'x' is not a number",
+        "line 2: 'OVER,5' is between the titles and the numbers",
     ),
     "no first wavelength": ("wavelength,E\n,1\n500,2\n600,3\n", "line 2: a value is missing"),
     "a long title": ("nm,E " + "1" * 20_000 + "\n400,1\n500,2\n", "a title of 20002 characters"),

@@ -124,7 +124,7 @@ def test_a_byte_order_mark_declares_the_encoding(encoding, end):
         ("t_s,E_lx\n0,1\n", {"column": "1"}, "one column has the times and the values"),
         ("t_s,E\n0,1\n", {}, "the unit of the values is missing"),
         ("t_s,E_lx\n0,1\n", {"unit": "W/m2"}, "contradicts the unit lx of the title 'E_lx'"),
-        ("t_s,E_lx,\n0,1\n1,2\n", {"column": "E_lx"}, "3 titles for 2 columns"),
+        ("t_s,E_lx,F\n0,1\n1,2\n", {"column": "E_lx"}, "3 titles for 2 columns"),
         ("t [s] x1000,E [lx]\n0,1\n1,2\n", {}, "'t [s] x1000' scales its numbers"),
         ("t [s],E [lx] x1000\n0,1\n1,2\n", {}, "'E [lx] x1000' scales its numbers"),
         ("t [s],log E\n0,1\n1,2\n", {"unit": "lx"}, "has a function of its numbers"),
