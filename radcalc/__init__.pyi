@@ -195,7 +195,7 @@ def dose(
     time_unit: str = "",
     time_zone: str = "",
     time_format: str = "",
-    samples: Samples = "points",
+    samples: Samples | None = None,
     invalid: Invalid = "abort",
     by: None = None,
 ) -> Result: ...
@@ -218,7 +218,7 @@ def dose(
     time_unit: str = "",
     time_zone: str = "",
     time_format: str = "",
-    samples: Samples = "points",
+    samples: Samples | None = None,
     invalid: Invalid = "abort",
     by: Period,
 ) -> dict[str, Result]: ...

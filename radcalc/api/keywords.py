@@ -81,6 +81,6 @@ Readings: TypeAlias = Path | Quantity | Column | Sequence[str] | Sequence[float]
 Times: TypeAlias = (
     Quantity | Column | Sequence[str] | Sequence[date] | Sequence[float] | Array | None
 )
-Samples: TypeAlias = Literal["points", "means"]
+Samples: TypeAlias = Literal["points", "means", "means-before", "means-centred"]
 Invalid: TypeAlias = Literal["abort", "warn", "ignore"]
 Period: TypeAlias = Literal["day", "hour"]

@@ -19,7 +19,7 @@ from radcalc.api.functions import calculate, of_page
 from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_words
-from radcalc.calculators.dose import MEANS_OF_STEPS, READINGS
+from radcalc.calculators.dose import READINGS
 from radcalc.calculators.page import PERIODS
 from radcalc.errors import ConditionError, LineError, MissingInput, mention
 from radcalc.files.text import reading as opened
@@ -90,7 +90,7 @@ def dose(
     time_unit: str = "",
     time_zone: str = "",
     time_format: str = "",
-    samples: Samples = "points",
+    samples: Samples | None = None,
     invalid: Invalid = "abort",
     by: Period | None = None,
     **given: Any,
@@ -117,8 +117,10 @@ def dose(
         default that of the times.
     time_format : str, optional
         The format of dates in texts, as in strptime: ``"%d/%m/%Y %H:%M"``.
-    samples : {"points", "means"}, optional
-        Points with straight lines between them, or means from each time to the next.
+    samples : {"points", "means", "means-before", "means-centred"}, optional
+        Points with straight lines between them (the default), or means from each time to the next,
+        from the time before to each, or centred on each.  A public format of the sun has its own
+        default.
     invalid : {"abort", "warn", "ignore"}, optional
         Refuse the log at a reading that is missing or invalid (the default), or skip it, which is a
         gap, with a warning or without.
@@ -137,7 +139,8 @@ def dose(
     >>> print(dose([0, 500, 0], hours, unit="umol/m2/s").exposure)
     10.8 mole / metre ** 2
     """
-    means = arguments.one_of(samples, READINGS, "kind of samples") == MEANS_OF_STEPS
+    if samples is not None:
+        arguments.one_of(samples, READINGS, "kind of samples")
     arguments.one_of(invalid, SKIPPING, "treatment of an invalid reading")
     period = "" if by is None else arguments.one_of(by, PERIODS, "period")
     arguments.require_texts(
@@ -158,7 +161,7 @@ def dose(
     with source as (name, read):
         skipped: list[LineError] = []
         log = LogDose(
-            Log(name, read, settings, skipped.append), longest_step(inputs), period, means
+            Log(name, read, settings, skipped.append), longest_step(inputs), period, samples or ""
         )
     for error in skipped:
         warn(in_words(error.message), stacklevel=4)  # in the caller's line
@@ -171,7 +174,7 @@ def dose(
         "time-zone": time_zone,
         "time-format": time_format,
         "time-unit": time_unit,
-        "samples": samples if means else "",
+        "samples": samples or "",
     }
     if not period:
         return calculate("dose", given, log.answer, operands, waits=False, samples=log.samples)

@@ -1,6 +1,7 @@
 """Exposure or energy of samples of light over time.
 
-Samples are points, with straight lines between them, or means over the steps that they begin.
+Samples are points, with straight lines between them, or means over the steps that they begin or
+end, or over a half of both.
 A step that is longer than `max-gap`, or that lacks a sample, is a gap: it adds nothing, and a note
 reports it.
 """
@@ -10,7 +11,16 @@ from math import ceil, floor, inf, log10
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Value
-from radcalc.calculators.dose_sums import WITHIN, Dose, Period, SampleStep
+from radcalc.calculators.dose_sums import (
+    MEANS,
+    MEANS_BEFORE,
+    MEANS_CENTRED,
+    POINTS,
+    WITHIN,
+    Dose,
+    Period,
+    SampleStep,
+)
 from radcalc.calculators.page import FILE, PERIODS, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
@@ -33,11 +43,14 @@ PPFD = light_dimension(PHOTON, IRRADIANCE, "")
 DAY = 86400  # s
 WHOLE = (3600, DAY)  # seconds of an hour, and of a day without a clock change
 NOISE = 0.05  # of the peak: smaller negative readings are a meter's offset
-POINTS, MEANS_OF_STEPS = "points", "means"  # what samples are
-READINGS = {
+READINGS = {  # what samples are
     POINTS: "values between samples are interpolated linearly (trapezoidal rule)",
-    MEANS_OF_STEPS: "each sample is the mean from its time to that of the next; the last one, or "
+    MEANS: "each sample is the mean from its time to that of the next; the last one, or "
     "one before a gap, lasts as long as the step before it",
+    MEANS_BEFORE: "each sample is the mean from the time of the one before to its own; the first "
+    "one lasts as long as the step after it, one after a gap as long as the step before the gap",
+    MEANS_CENTRED: "each sample is the mean around its time, from the middle of the step before "
+    "it to that of the step after it; at the ends and at gaps both halves are alike",
 }
 SHORT = 3600  # s: a log that is shown in seconds, and not in hours
 LONG = 10  # times the mean of the others: longer steps are noted
@@ -48,24 +61,22 @@ MEAN = {
     FLUX: law("mean flux", "{energy} = {mean-flux} {covered-time}"),
 }
 RECEIVED = law("received energy", "{energy} = {exposure} {receiver-area}", "ISO 80000-7")
-SUM_OF_MEANS = {
-    IRRADIANCE: Formula("exposure of means", "{exposure} = sum of E_i (t_i+1 - t_i)"),
-    FLUX: Formula("energy of means", "{energy} = sum of Phi_i (t_i+1 - t_i)"),
-}
-SUM = {
-    IRRADIANCE: Formula("exposure of samples", "{exposure} = sum of (E_i + E_i+1)/2 (t_i+1 - t_i)"),
-    FLUX: Formula("energy of samples", "{energy} = sum of (Phi_i + Phi_i+1)/2 (t_i+1 - t_i)"),
+TERMS = {  # of the sum, with E for an irradiance
+    POINTS: "(E_i + E_i+1)/2 (t_i+1 - t_i)",
+    MEANS: "E_i (t_i+1 - t_i)",
+    MEANS_BEFORE: "E_i (t_i - t_i-1)",
+    MEANS_CENTRED: "E_i (t_i+1 - t_i-1)/2",
 }
 OF = {IRRADIANCE: ("exposure", "maximum-irradiance"),
       FLUX: ("energy", "maximum-flux")}  # fmt: skip
-MEANS, PEAKS = ("mean-irradiance", "mean-flux"), ("maximum-irradiance", "maximum-flux")
-OF_SAMPLES = (*MEANS, *PEAKS)
+AVERAGES, PEAKS = ("mean-irradiance", "mean-flux"), ("maximum-irradiance", "maximum-flux")
+OF_SAMPLES = (*AVERAGES, *PEAKS)
 # Problem and hint for a period without samples.
 EMPTY = "no time is covered", mention("a longer {max-gap}, or all results (it is empty there)")
 PAGE = Page(
     "a dose",
     ("receiver-area",),
-    ("exposure", "energy", *MEANS, *PEAKS),
+    ("exposure", "energy", *AVERAGES, *PEAKS),
     about="Add up samples of light over time: exposure, energy, daily light integral.",
     operand=Operand("file", "FILE|-", FILE, ENDINGS),
     sections={
@@ -110,8 +121,8 @@ PAGE = Page(
                 "samples",
                 READINGS,
                 "Samples at points in time, with straight lines between them (the default), or "
-                "means from each time to the next.",
-                default=POINTS,
+                "means: from each time to the next, from the time before to each, or centred on "
+                "each.  A public format of the sun has its own default.",
             ),
             "max-gap",
             choice("by", PERIODS, "Give an answer for each local day or hour."),
@@ -307,10 +318,13 @@ class SummedLog(NamedTuple):
             placed.add(peak, _exact(period.peak, factor))
         unit = coherent_unit_of(amount, reading.kind)
         sum_text = f"{format_value(size, unit)}, of {period.count} samples"
-        formulas, reading_of = (
-            (SUM_OF_MEANS, MEANS_OF_STEPS) if self.dose.of_means else (SUM, POINTS)
+        reading_of = self.dose.reading
+        term = (
+            TERMS[reading_of] if geometry == IRRADIANCE else TERMS[reading_of].replace("E", "Phi")
         )
-        placed.steps.append(formulas[geometry].with_numbers(f"{letter_of(amount)} = {sum_text}"))
+        name = f"{amount} of {'means' if self.dose.of_means else 'samples'}"
+        formula = Formula(name, f"{{{amount}}} = sum of {term}")
+        placed.steps.append(formula.with_numbers(f"{letter_of(amount)} = {sum_text}"))
         placed.assume(READINGS[reading_of])
         laws = [MEAN[geometry], RECEIVED] if covered else [RECEIVED]
         answer = solve(sheet, laws, placed).answer()
@@ -325,7 +339,7 @@ class SummedLog(NamedTuple):
             value("coverage", covered / duration, label="covered share of the time"),
             value("samples", float(period.count)),
         ]
-        lacking = () if covered else MEANS if period.count else (*MEANS, *PEAKS)
+        lacking = () if covered else AVERAGES if period.count else (*AVERAGES, *PEAKS)
         results = [
             absent(row.name, *EMPTY)._replace(also=row.also)
             if row.name in lacking

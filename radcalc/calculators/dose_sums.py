@@ -14,6 +14,9 @@ ENOUGH = 100  # steps that show the usual one
 MOST = 100_000  # periods: 11 years of hours
 ROUNDED = 1e-3  # of a gap's limit: times in a log are rounded, as 600.05 s for 10 min in days
 Spans = Callable[[float], tuple[float, float, str]]  # a time's period: start, end and name
+POINTS, MEANS, MEANS_BEFORE, MEANS_CENTRED = "points", "means", "means-before", "means-centred"
+# Means over time, by the halves of the step before a sample that are in its mean.
+HALVES = {MEANS: 0, MEANS_CENTRED: 1, MEANS_BEFORE: 2}
 
 
 class SampleStep(NamedTuple):
@@ -120,14 +123,18 @@ class Dose:
         longest: float = inf,
         bridges: bool = False,
         spans: Spans | None = None,
-        of_means: bool = False,
+        reading: str = POINTS,
     ) -> None:
         """Take the longest step to bridge [ticks], and the periods.
 
-        With `bridges`, a missing sample does not make a gap by itself; with `of_means`, a sample is
-        the mean from its time to that of the next one.
+        With `bridges`, a missing sample does not make a gap by itself; `reading` is what samples
+        are.  A mean lasts from its `edge` to that of the next sample, which for means of the step
+        after their time is that time itself.
         """
-        self.of_means = of_means
+        self.reading = reading
+        self.of_means = reading in HALVES
+        self.halves = HALVES.get(reading, 0)
+        self.edge: Any = None  # of the last sample; None before the first step
         self.usual = 0.0  # the last bridged step
         self.longest = longest * (1 + ROUNDED)
         self.bridges = bridges
@@ -157,7 +164,8 @@ class Dose:
         elif self.is_broken or times[0] - self.time > self.longest:
             self._gap(self.time, times[0], self.value)
         else:
-            times, values, counted = [self.time, *times], [self.value, *values], 1
+            counted = int(not self.halves or self.edge is not None)
+            times, values = [self.time, *times], [self.value, *values]
         self.time, self.value, self.is_broken = times[-1], values[-1], False
         steps = list(map(sub, times[1:], times))
         start = 0
@@ -184,7 +192,8 @@ class Dose:
         """End the last mean, and the search for the usual step."""
         self.steps.settle()
         if self.of_means and self.usual:
-            self.time = self._hold(self.value, self.time, self.time + self.usual)
+            self.time += self.usual - self._before(self.usual)
+            self._hold(self.value, self.edge, self.time)
 
     def _hold(self, value: float, start: Any, end: Any) -> Any:
         """Add a value that lasts from one time to another; return the latter."""
@@ -195,9 +204,29 @@ class Dose:
             start = stop
         return start
 
+    def _before(self, step: Any) -> Any:
+        """Return the part of a step that the mean at its end has."""
+        size = step * self.halves
+        return size // 2 if isinstance(size, int) else size / 2
+
+    def _starts(self, times: list[Any], steps: list[Any]) -> list[Any]:
+        """Return when the means of samples start; without a first step this is not known."""
+        if self.edge is None and (steps or not self.halves):
+            self.first = self.edge = times[0] - (self._before(steps[0]) if steps else 0)
+        ends = zip(times[1:], steps, strict=True)
+        starts = [self.edge, *[time - self._before(step) for time, step in ends]]
+        self.edge = starts[-1]
+        return starts
+
     def _gap(self, start: Any, end: Any, value: float) -> None:
+        """Count a gap between two samples, without what their means have of it."""
         if self.of_means:
-            start = self._hold(value, start, min(start + self.usual, end))
+            if self.edge is None:  # a first sample without a step: how long it lasts is unknown
+                self.edge = start
+                self._run([start], [value], [], 0)
+            before = self._before(self.usual)
+            start = self._hold(value, self.edge, min(start + self.usual - before, end))
+            self.edge = end = max(end - before, start)
         self.gaps += 1
         self.gap_time += end - start
         self.widest = max(self.widest, SampleStep(end - start, start, end))
@@ -217,6 +246,12 @@ class Dose:
             if longest > self.step.length:
                 at = steps.index(longest)
                 self.step = SampleStep(longest, times[at], times[at + 1])
+        if self.of_means:
+            times = self._starts(times, steps)
+            if self.edge is None:
+                return
+            steps = list(map(sub, times[1:], times))
+        if steps:
             if min(values) < 0:
                 ends = values if self.of_means else values[1:]
                 self.below += fsum(map(_area_below, values, ends, steps))

@@ -57,7 +57,9 @@ Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the t
 have 23 or 25 hours.  Ambiguous dates are an error: use --time-format.
 
 Values between samples are interpolated linearly; with --samples means, each sample is the mean
-from its time to that of the next sample.  A step is a gap if it is more than 0.1 % longer than
+from its time to that of the next sample, with means-before from the time of the one before, and
+with means-centred from half-way before it to half-way after it; the time of the maximum is then
+the start of the mean.  A step is a gap if it is more than 0.1 % longer than
 --max-gap.  The 0.1 % allows for rounded times in the file.  Without --max-gap, only a step that
 contains a line skipped by --invalid is a gap.  A note lists the gaps, and coverage is the part
 of the time without them.  A day or hour within a gap has an exposure of 0, no mean,
@@ -71,7 +73,7 @@ def command(
     typed: dict[str, str],
     time_column: tuple[str, ...],
     invalid: str,
-    samples: str,
+    samples: str | None,
     request: Request,
     output: Output,
     **others: str | None,
@@ -94,7 +96,7 @@ def command(
     settings = LogSettings(time_column, column, unit, cut, invalid, clock)
     with reading(path, EXPECTED) as (name, read):
         log = Log(name, read, settings, complain)
-        summed = LogDose(log, gap, by, samples == page.MEANS_OF_STEPS)
+        summed = LogDose(log, gap, by, samples or "")
     if by != PER_DAY and _asks_for_dli(request):
         summed.summed.refuse_dli(by, request.check is not None)
     typed_here = {
@@ -107,7 +109,7 @@ def command(
         "time-zone": clock.zone,
         "time-format": clock.format,
         "time-unit": clock.unit,
-        "samples": samples if samples != page.POINTS else "",
+        "samples": samples or "",
     }
     operands = texts_of(typed_here)
     if by and request.check is None:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Answer
 from radcalc.calculators import dose as page
-from radcalc.calculators.dose_sums import Dose
+from radcalc.calculators.dose_sums import POINTS, Dose
 from radcalc.errors import (
     LineError,
     MissingInput,
@@ -272,11 +272,11 @@ EXPECTED = "a file with a time and a value in each line"
 class LogDose:
     """The dose of the samples of a log, for any light that the inputs describe."""
 
-    def __init__(self, log: Log, longest: float, by: str = "", of_means: bool = False) -> None:
+    def __init__(self, log: Log, longest: float, by: str = "", reading: str = "") -> None:
         """Read all samples, without bridging a step longer than `longest` seconds.
 
-        `by` is a period, or '' for the whole log; with `of_means`, a sample is the mean from its
-        time to that of the next one.
+        `by` is a period, or '' for the whole log; `reading` is what samples are, by default what
+        the format of the log says, or points.
         """
         clock = log.clock
         page.check_unit(log.layout.unit)
@@ -285,7 +285,7 @@ class LogDose:
             longest * bottom / top,
             longest < inf,
             (lambda time: clock.period(time, by)) if by else None,
-            of_means,
+            reading or POINTS,
         )
         for samples in log.samples():
             if samples:

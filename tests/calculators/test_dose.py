@@ -10,8 +10,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from radcalc.calculators import dose_sums
-from radcalc.calculators.dose import SummedLog, check_unit
-from radcalc.calculators.dose_sums import Dose
+from radcalc.calculators.dose import READINGS, SummedLog, check_unit
+from radcalc.calculators.dose_sums import HALVES, POINTS, Dose
 from radcalc.errors import RadcalcError
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
@@ -217,53 +217,66 @@ def test_a_long_log_needs_no_more_memory_than_a_short_one():
 
 
 @given(
-    st.lists(st.tuples(st.integers(1, 30), st.integers(0, 100)), min_size=2, max_size=40),
+    st.lists(st.tuples(st.integers(1, 15), st.integers(0, 100)), min_size=2, max_size=40),
     st.integers(1, 40),
     st.integers(5, 60),
     st.booleans(),
+    st.sampled_from(sorted(HALVES)),
 )
-def test_a_mean_lasts_until_the_next_sample(rows, size, day, has_limit):
-    """The sum over single ticks, each with the value of the last sample that lasts so long."""
+def test_a_mean_lasts_over_its_steps(rows, size, day, has_limit, reading):
+    """The sum over single ticks, each with the value of the sample whose mean includes it."""
     longest = 15 if has_limit else inf
-    times = list(accumulate(step for step, _ in rows))
+    times = list(accumulate(2 * step for step, _ in rows))
     values = [float(value) for _, value in rows]
     dose = Dose(
-        longest, True, lambda t: (t // day * day, t // day * day + day, str(t // day)), True
+        longest, True, lambda t: (t // day * day, t // day * day + day, str(t // day)), reading
     )
     for start in range(0, len(rows), size):
         dose.add(times[start : start + size], values[start : start + size])
     dose.finish()
-    expected: dict[int, float] = {}
+    before = {"means": 0, "means-centred": 1 / 2, "means-before": 1}[reading]
+    step = times[1] - times[0]
+    starts = [times[0] - before * step if step <= longest * 1.001 else times[0]]
+    ends = []
     usual = 0
-    for k, (time, value) in enumerate(zip(times, values, strict=True)):
-        step = times[k + 1] - time if k + 1 < len(times) else None
-        is_bridged = step is not None and step <= longest * 1.001
-        length = step if is_bridged else min(usual, step if step is not None else usual)
-        usual = step if is_bridged else usual
-        for tick in range(time, time + length):
+    for time, after in pairwise(times):
+        step = after - time
+        if step <= longest * 1.001:
+            usual = step
+            ends.append(after - before * step)
+            starts.append(ends[-1])
+        else:
+            ends.append(min(time + (1 - before) * usual, after))
+            starts.append(max(after - before * usual, ends[-1]))
+    ends.append(times[-1] + (1 - before) * usual)
+    expected: dict[int, float] = {}
+    for start, end, value in zip(starts, ends, values, strict=True):
+        for tick in range(int(start), int(end)):
             expected[tick // day] = expected.get(tick // day, 0) + value
     sums = {int(period.label): period.total + period.low for period in dose.periods}
     assert {k: v for k, v in sums.items() if v} == {k: v for k, v in expected.items() if v}
     assert sum(period.count for period in dose.periods) == len(rows)
+    assert dose.time - dose.first == ends[-1] - starts[0]
+    assert sum(period.covered for period in dose.periods) + dose.gap_time == ends[-1] - starts[0]
 
 
-def notes_of(times, values, size=1 << 20, of_means=False, **told):
-    dose = summed(times, values, size, of_means=of_means, **told)
+def notes_of(times, values, size=1 << 20, reading=POINTS, **told):
+    dose = summed(times, values, size, reading=reading, **told)
     dose.finish()
     return " ".join(SummedLog(dose, resolve("lx"), (1, 1), str).remarks())
 
 
 # Rows that are taken out of a regular log, and the steps that then lack samples.
 @pytest.mark.parametrize("size", [1, 7, 1000])
-@pytest.mark.parametrize("of_means", [False, True])
+@pytest.mark.parametrize("reading", READINGS)
 @pytest.mark.parametrize(
     ("out", "count", "longest"),
     [({10}, 1, 120), ({10, 50, 51}, 2, 180), ({3, 5, 70, 71, 72}, 3, 240), ({1}, 1, 120)],
 )
-def test_missing_rows_of_a_regular_log_are_noted(out, count, longest, of_means, size):
+def test_missing_rows_of_a_regular_log_are_noted(out, count, longest, reading, size):
     rows = [(60 * k + k % 3, 100.0) for k in range(300) if k not in out]  # the times jitter
     times, values = map(list, zip(*rows, strict=True))
-    notes = notes_of(times, values, size, of_means)
+    notes = notes_of(times, values, size, reading)
     assert (f"{count} long steps" if count > 1 else "a step of ") in notes
     steps = [b - a for a, b in pairwise(times)]
     assert max(steps) == pytest.approx(longest, abs=3)
