@@ -2,14 +2,14 @@
 
 import re
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
-from typing import NamedTuple
+from itertools import chain, pairwise
+from typing import TYPE_CHECKING, NamedTuple
 
 from radcalc import errors
 from radcalc.errors import listed, option, quote
-from radcalc.files import columns
+from radcalc.files import columns, signatures
 from radcalc.files.table import Table
-from radcalc.files.text import where
+from radcalc.files.text import Text, where
 from radcalc.quantities.column_titles import (
     SPELLINGS,
     find,
@@ -32,6 +32,9 @@ from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
+if TYPE_CHECKING:
+    from radcalc.streams.solar import SunTable
+
 # Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
 OF_OTHER_LIGHT = """
     melanopic rhodopic cyanopic chloropic erythropic scotopic medi edi uva uvb uvc uv uvi erythemal
@@ -51,6 +54,7 @@ OF_HOURS = ("hour", "hours", "hr", "hh", "hhmm", "hora", "stunde", "heure", "hod
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b|^t$")
 
 NumberedLine = tuple[int, str]
+Blocks = Iterable[tuple[int, list[str]]]
 
 
 class LogSettings(NamedTuple):
@@ -87,7 +91,20 @@ def error(name: str, number: int, problem: str, hint: str, row: str) -> errors.L
     return errors.LineError(f"{where(name, number, row)}: {problem}", hint)
 
 
-def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
+def blocks_of(text: Text) -> tuple[Blocks, "SunTable | None"]:
+    """Return the lines of a text in blocks; of a public format of the sun, those of its table."""
+    blocks = text.blocks()
+    number, lines = next(blocks, (text.first, []))
+    kind = signatures.of_sun(lines)
+    if not kind:
+        return chain([(number, lines)], blocks), None
+    from radcalc.streams import solar  # which needs pvlib
+
+    table = solar.read(kind, text.name, [*lines, *(line for _, more in blocks for line in more)])
+    return [(number, table.lines)], table
+
+
+def first_lines(blocks: Blocks) -> list[NumberedLine]:
     """Return the lines that show the layout of a log, and the rest of their block."""
     head: list[NumberedLine] = []
     count = 0

@@ -77,10 +77,17 @@ class Log:
         self.waiting: list[Sample | None] = []
         self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
         self.text = Text(name, read, "a time and a value", inf, settings.first)
-        self._blocks = self.text.blocks()
+        blocks, of_sun = log_layout.blocks_of(self.text)
+        self.of_samples = of_sun.samples if of_sun else POINTS
+        if of_sun:
+            self.settings = settings._replace(row="row", first=0, delimiter="\t")
+            blocks = [(0, of_sun.lines)]
+        self._blocks = iter(blocks)
         lines = log_layout.first_lines(self._blocks)
-        head = Head(name, lines, settings)
+        head = Head(name, lines, self.settings)
         self.layout, self.assumptions = head.layout, head.assumptions
+        if of_sun:
+            self.assumptions.insert(0, of_sun.assumption)
         self._pending = [(head.begin, [text for k, text in lines if k >= head.begin])]
 
     @property
@@ -280,12 +287,14 @@ class LogDose:
         """
         clock = log.clock
         page.check_unit(log.layout.unit)
+        if reading and log.of_samples not in (POINTS, reading):
+            log.assumptions.append(f"{option('samples', reading)} replaces the format's own")
         top, bottom = clock.tick
         dose = Dose(
             longest * bottom / top,
             longest < inf,
             (lambda time: clock.period(time, by)) if by else None,
-            reading or POINTS,
+            reading or log.of_samples,
         )
         for samples in log.samples():
             if samples:
