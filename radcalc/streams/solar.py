@@ -92,10 +92,13 @@ def read(kind: str, name: str, lines: Sequence[str]) -> SunTable:
             assumption = _in_one_year(frame)
             of_format = FORMATS[kind]
             if offset := OFFSET.search(text):
-                # The EPW of PVGIS counts from the end of its hour, which pvlib labels at its start.
-                hours = float(offset[1]) + (kind == signatures.EPW)
+                of_format, hours = SATELLITE, float(offset[1])
+                if kind == signatures.EPW:
+                    # PVGIS counts from the end of an hour, which pvlib labels at its start, and
+                    # from UTC, whatever zone its first line has.
+                    hours += 1
+                    frame.index = frame.index.tz_localize(None).tz_localize("UTC")
                 frame.index += pandas.to_timedelta(round(3600 * hours), unit="s")
-                of_format = SATELLITE
             table = _lines(frame)
     except RadcalcError:
         raise

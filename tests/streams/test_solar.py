@@ -316,11 +316,15 @@ def test_solrad_of_madison_is_known_by_its_columns_and_not_by_its_name(tmp_path)
 
 
 def test_an_epw_of_pvgis_has_values_at_the_times_of_the_satellite(tmp_path):
-    """The hour 11 ends at 11:00, and its value is of 0.75 h before that."""
+    """The hour 11 ends at 11:00, and its value is of 0.75 h before that, in UTC.
+
+    The typical year of PVGIS for 45 N, 8 E has the same rows as EPW, with the zone 1, and as CSV,
+    in UTC; its light has its centre at 11.5, and noon at 8 E is 11.47 in UTC.
+    """
     text = EPW.replace("COMMENTS 2,", "COMMENTS 2,Irradiance Time Offset (h):-0.75")
     done = run("dose", written(tmp_path, text), "--column", "ghi", "-g", "exposure:Wh/m2")
     assert float(done.stdout) == 450  # (100 + 300)/2 + (300 + 200)/2
-    assert "2021-07-01 10:15:00+02:00" in done.stderr
+    assert "2021-07-01 10:15:00+00:00" in done.stderr
     assert "assumed: EPW: values at the times of satellite pictures" in done.stderr
 
 
@@ -388,6 +392,8 @@ def test_without_pvlib_the_format_and_the_extra_are_named(kind, tmp_path, monkey
         assert "pip install 'radcalc[solar]'" in done.stderr
     with pytest.raises(ConditionError, match="pvlib"):
         radcalc.dose(path)
+    ordinary = written(tmp_path, "time,E_lx\n2024-06-01T12:00,1\n2024-06-01T13:00,1\n")
+    assert run("dose", ordinary, "-g", "exposure:lx.h").stdout == "1\n"
 
 
 def test_readers_give_no_warnings(tmp_path):
