@@ -701,6 +701,8 @@ def sky(
     photon_irradiance: Amount = None,
     sun_elevation: Amount = None,
     sun_azimuth: Amount = None,
+    place: Text = None,
+    when: Text = None,
     sun_irradiance: Amount = None,
     sun_illuminance: Amount = None,
     sun_photon_irradiance: Amount = None,

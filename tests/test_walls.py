@@ -35,6 +35,8 @@ KEEPERS = {
     "plotille": ("radcalc.plots.sheet",),
     "matplotlib": ("radcalc.plots.figure",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),
+    "pvlib": ("radcalc.streams.solar", "radcalc.inputs.sun"),
+    "pandas": ("radcalc.streams.solar", "radcalc.inputs.sun"),
     "uncertainties": ("radcalc.units.uncertain",),
     "numpy": (
         "radcalc.maths",

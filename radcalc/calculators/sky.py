@@ -94,6 +94,8 @@ PAGE = Page(
         "Sun": (
             "sun-elevation",
             "sun-azimuth",
+            "place",
+            "when",
             "sun-irradiance",
             "global-irradiance",
             "sun-radiance",
@@ -126,6 +128,7 @@ PAGE = Page(
         "clear sun-elevation=40deg horizontal-illuminance=12klx",
         "clear sun-elevation=40deg sun-azimuth=200deg horizontal-illuminance=12klx "
         "sun-illuminance=80klx tilt=30deg azimuth=180deg",
+        "clear place=50.1N,14.4E when=2026-06-21T12:00+02:00 horizontal-illuminance=12klx",
         "12 sun-elevation=10deg:80deg:10deg zenith-luminance=3000cd/m2 "
         "get=horizontal-illuminance:klx",
         "13 sun-elevation=35deg global-irradiance=600W/m2 sun-irradiance=750W/m2",
@@ -152,12 +155,19 @@ PAGE = Page(
     the disc) or {global-irradiance} adds it.  Give any light quantity; the others are calculated.
     Radiances and irradiances may be in watts, lumens or photons: the unit decides.
 
+    {place} and {when} give the position of the sun instead of its angles (with the package pvlib).
+    All azimuths are then clockwise from north; with X,Y,Z, +x is north and +y is east.
+
     Only differences of azimuths matter, so they may be measured from any direction, for example
     clockwise from north; with {normal} X,Y,Z or {toward} X,Y,Z they are measured from +x towards
     +y.  The ground reflects no light: only half of the sky lights a wall.  daylight-share is the
     irradiance on the plane from the sky alone, divided by that on the ground.
     """,
     mistakes=("sky",),
+)
+SEEN = (  # the sun at a place and a time
+    "the sun is where it is seen, with refraction at 1013.25 hPa and 12 deg C (SPA, pvlib); "
+    "azimuths are clockwise from north (+x is north, and +y east)"
 )
 BRIGHT = errors.mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
 NO_PLANE = "no plane is given", errors.mention("{tilt=90deg} or {normal}")
@@ -197,7 +207,15 @@ class _Sky:
         self, name: str, given: Inputs, for_map: bool = False, is_drawn: bool = False
     ) -> None:
         self.name, self.type = name, sky_type(name)
-        self.is_sunlit = any(item.symbol.generic in OF_SUN for item in given.values())
+        self.is_located = "place" in given or "when" in given
+        if self.is_located and not (self.type.follows_sun or _is_sunlit(given)):
+            useless = [item for item in ("place", "when") if item in given]
+            raise errors.Unused(useless, IS_EVEN.format(errors.quote(name)))
+        if self.is_located:
+            from radcalc.inputs.sun import located  # which needs pvlib
+
+            given = located(given)
+        self.is_sunlit = _is_sunlit(given)
         self.has_plane = "normal" in given or "tilt" in given
         self.laws = self._laws(with_direction="toward" in given)
         names = {name for law in self.laws for name in law.names}
@@ -331,7 +349,8 @@ class _Sky:
         is_off_zenith = self.type.follows_sun and "toward" in given and given["toward"].value[0] > 0
         # one plane of a list may be level, and one direction the zenith
         needs_azimuth = self.has_plane or (self.type.follows_sun and "toward" in given)
-        if "sun-azimuth" in given and not (needs_azimuth or for_map or is_drawn):
+        needs_none = not (needs_azimuth or for_map or is_drawn or self.is_located)
+        if "sun-azimuth" in given and needs_none:
             hint = errors.mention("add {tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}")
             raise errors.Unused(("sun-azimuth",), "without a plane or a direction", hint)
         if "sun-azimuth" not in given and (turned or is_off_zenith or for_map):
@@ -408,7 +427,9 @@ class _Sky:
             solved.assume("no light comes from below the horizon", of=ON_SKY[1:])
         if self.has_plane and self.is_sunlit:
             solved.assume("the daylight share is for the sky alone", of=["daylight-share"])
-        if "sun-azimuth" in given:
+        if self.is_located:
+            solved.assume(SEEN, of=[*ON_SKY, "sun-elevation", "sun-azimuth", "sun-height"])
+        elif "sun-azimuth" in given:
             is_vector = "normal" in given or (
                 "toward" in given and given["toward"].text.count(",") == 2
             )
@@ -442,6 +463,10 @@ class _Sky:
                 "the horizon or the plane cuts the sun's disc, which is treated as a point at its "
                 "centre"
             )
+
+
+def _is_sunlit(given: Inputs) -> bool:
+    return any(item.symbol.generic in OF_SUN for item in given.values())
 
 
 def place_of_sun(given: Inputs) -> tuple[Number, Number]:

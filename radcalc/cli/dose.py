@@ -44,12 +44,14 @@ Examples:
   radcalc dose gallery.csv -g exposure:lx.h
   radcalc dose - --unit W/m2 --time-unit s < samples.txt
   radcalc dose ghi.csv --samples means --by day
+  radcalc dose prague.epw --column ghi
   radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
 
 FILE has a time and a value in each line; - is standard input.  Irradiances, illuminances and
 photon flux densities (PPFD) add up to an exposure (with --receiver-area also to an energy),
 fluxes to an energy.
-The unit is in the title of the values (E [lx], PAR_umol/m2/s) or in --unit.
+The unit is in the title of the values (E [lx], PAR_umol/m2/s) or in --unit.  Weather files (EPW,
+TMY3, NSRDB, BSRN, SURFRAD, SOLRAD, MIDC, CRN, PVGIS, CAMS) are read with pvlib.
 
 Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the title or in
 --time-unit.  --time-zone is the zone of times without an offset; days on which the clocks change
@@ -181,14 +183,16 @@ def columns_command(words: tuple[str, ...], output: Output) -> None:
         problem = f"{quote_path(path)} is {NAMES[found.kind]}, not a table"
         raise ConditionError(problem, proposed(found.kind, path))
     listed = listing(path, found.rows)
-    rows = [_row(path, found.rows, column, output.format) for column in listed.columns]
+    rows = [_row(path, found.rows, column, listed.rows, output.format) for column in listed.columns]
     table = [{key: str(cell) for key, cell in row.items()} for row in rows]
     notes = (f"{listed.rows} rows", *listed.notes)
     right = ("numbers", "from", "to", "mean")
     output.records(Records(rows, notes, table, right, texts_of({"file": path})), (JSON, TABLE))
 
 
-def _row(path: str, rows: FirstRows, column: ColumnSummary, form: str) -> dict[str, Any]:
+def _row(
+    path: str, rows: FirstRows, column: ColumnSummary, count: int, form: str
+) -> dict[str, Any]:
     """Return the record of a column, with all digits of its numbers or a few."""
     is_exact = form in (JSON, CSV)
     low: Any = column.first
@@ -205,16 +209,17 @@ def _row(path: str, rows: FirstRows, column: ColumnSummary, form: str) -> dict[s
         "from": low,
         "to": high,
         "mean": "" if mean is None and form != JSON else mean,
-        "command": _command(path, rows, column),
+        "command": _command(path, rows, column, column.count < count),
     }
 
 
-def _command(path: str, rows: FirstRows, column: ColumnSummary) -> str:
+def _command(path: str, rows: FirstRows, column: ColumnSummary, has_gaps: bool) -> str:
     """Return the command that converts a column, or adds up its dose; "" without a unit."""
     if column.unit is None or not column.count:
         return ""
     if _has_dose(rows, column):
-        return f"radcalc dose {quoted(path)} --column {quoted(column.name)}"
+        skip = " --invalid ignore" if has_gaps else ""
+        return f"radcalc dose {quoted(path)} --column {quoted(column.name)}{skip}"
     target = _another(column.unit)
     if not target or not rows.names:
         return ""

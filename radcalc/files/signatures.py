@@ -27,6 +27,15 @@ OTHERS = {
 IES, EULUMDAT = "ies", "eulumdat"
 IES_LINE = re.compile(r"\s*(?:TILT\s*=|IES(?:NA)?\s*(?::|\d))", re.IGNORECASE)
 EULUMDAT_HEAD = 26  # lines; the names of the luminaire are text
+# Public formats of the sun, which radcalc.streams.solar reads.
+EPW, TMY3, NSRDB, BSRN, CRN, CAMS = "EPW", "TMY3", "NSRDB PSM", "BSRN", "CRN", "CAMS"
+SURFRAD, SOLRAD, MIDC, MIDC_RAW = "SURFRAD", "SOLRAD", "MIDC", "MIDC (raw)"
+PVGIS, PVGIS_TMY = "PVGIS hourly", "PVGIS TMY"
+OF_NOAA = re.compile(r" *-?\d[\d.]*(?: +-?\d[\d.]*){2} +(m|-?\d+) +version +\d+ *")
+OF_CRN = re.compile(r"\d{5} (?:\d{8} \d{4} ){2}[ .\w]{6} .{7} .{7} .{7} .{7} .{6} ")
+OF_MIDC = re.compile(r"DATE \(MM/DD/YYYY\),[A-Z]{3,4},")
+OF_MIDC_RAW = re.compile(r"[^,]*,Year,DOY,[A-Z]{3,4},")
+SUN_HEAD = 100  # lines of a header
 
 
 def of_picture(head: bytes) -> str:
@@ -40,6 +49,36 @@ def of_luminaire(lines: Sequence[str]) -> str:
     if _has_eulumdat_head(lines):
         return EULUMDAT
     return IES if any(map(IES_LINE.match, lines[:HEAD])) else ""
+
+
+def of_sun(lines: Sequence[str]) -> str:
+    """Return the public format of the sun of a file with these first lines, or ""."""
+    first, second, third = (*lines[:3], "", "", "")[:3]
+    if first.startswith("LOCATION,") and second.startswith("DESIGN CONDITIONS"):
+        return EPW
+    if second.startswith("Date (MM/DD/YYYY),Time (HH:MM),"):
+        return TMY3
+    if first.startswith("Source,Location ID,") and third.startswith("Year,Month,Day,Hour,Minute,"):
+        return NSRDB if "Local Time Zone" in first and ",w/m2," in second else ""
+    if first.startswith(("*U0001", "*C0001")):
+        return BSRN
+    if first.startswith(("# ", "Latitude (decimal degrees):")):
+        return _of_header(lines[:SUN_HEAD])
+    if of_noaa := OF_NOAA.fullmatch(second):
+        return SURFRAD if of_noaa[1] == "m" else SOLRAD
+    forms = {MIDC: OF_MIDC, MIDC_RAW: OF_MIDC_RAW, CRN: OF_CRN}
+    return next((name for name, form in forms.items() if form.match(first)), "")
+
+
+def _of_header(lines: Sequence[str]) -> str:
+    """Return which format with a long header has its titles, too: CAMS, or one of PVGIS."""
+    if lines[0].startswith("# "):
+        is_cams = any("Title: CAMS " in line for line in lines[:10])
+        is_whole = any(line.startswith("# Observation period;") for line in lines)
+        return CAMS if is_cams and is_whole else ""
+    if "month,year" in lines:
+        return PVGIS_TMY
+    return PVGIS if any(line.startswith("time,") for line in lines) else ""
 
 
 def _has_eulumdat_head(lines: Sequence[str]) -> bool:

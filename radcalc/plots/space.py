@@ -23,6 +23,7 @@ from radcalc.geometry import directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.sky import sky_type
 from radcalc.inputs.places import AS_GRID
+from radcalc.inputs.sun import located
 from radcalc.maths import is_uncertain
 from radcalc.plots import data
 from radcalc.plots.curves import Solved, without_band
@@ -101,7 +102,7 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> data.Polar:
 
 def of_sky(name: str, solved: Solved) -> data.Disc:
     """Return a sky as seen by an observer who looks up, in the unit of its zenith luminance."""
-    given = solved.given
+    given = located(solved.given)
     kind = sky_type(name)
     sun = place_of_sun(given) if "sun-elevation" in given else None
     values = solved.answer.values

@@ -17,7 +17,7 @@ from radcalc.files.text import Text
 from radcalc.quantities.column_titles import read_title
 from radcalc.quantities.light import read as read_light
 from radcalc.spectra.files import is_spectrum
-from radcalc.streams.log_layout import MISSING, FirstRows, LogHead, LogSettings
+from radcalc.streams.log_layout import MISSING, FirstRows, LogHead, LogSettings, blocks_of
 from radcalc.streams.samples import LEAST, MARKED
 from radcalc.units.unit import Unit
 
@@ -98,8 +98,15 @@ def contents_of(path: str) -> Contents:
     by_ending = ENDINGS.get(os.path.splitext(path)[1].lower(), "")
     found: Contents | None = None
     if not signatures.foreign(head):
+        lines: list[str] = []
         with suppress(ConditionError):  # not text
-            found = _of_text(_lines(head, is_whole, name), name)
+            lines = _lines(head, is_whole, name)
+        if signatures.of_sun(lines):
+            with contents.opened(path, sys.maxsize, KNOWN) as file:
+                blocks, _ = blocks_of(Text(name, file.read, "a time and a value", inf))
+                lines = [line for _, block in blocks for line in block]
+        with suppress(ConditionError):
+            found = _of_text(lines, name)
     if found and not (by_ending and found.kind == TABLE):
         return found
     if by_ending:
@@ -287,7 +294,7 @@ def listing(path: str, rows: FirstRows) -> Listing:
     )
     with contents.opened(path, sys.maxsize, "a table") as file:
         text = Text(rows.name, _bounded(file.read), "a value", inf)
-        for number, lines in text.blocks():
+        for number, lines in blocks_of(text)[0]:
             start = max(rows.begin - number, 0)
             for k in range(start, len(lines), BLOCK):
                 reader.add(lines[k : k + BLOCK], number + k)

@@ -84,6 +84,11 @@ def is_spectrum(lines: Lines) -> bool:
         grid = [table.number(table.cells(*row)[0], row[0], is_value=False) for row in below]
     except ConditionError:
         return False
+    return _are_likely(grid)
+
+
+def _are_likely(grid: Sequence[float]) -> bool:
+    """Return whether numbers rise or fall over the visible range like wavelengths in nm."""
     low, high = min(grid), max(grid)
     steps = [b - a for a, b in pairwise(grid)]
     is_even = len(grid) >= LIKELY_ROWS and (min(steps) > 0 or max(steps) < 0)

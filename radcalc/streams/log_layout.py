@@ -3,14 +3,14 @@
 import re
 from collections.abc import Iterable, Sequence
 from itertools import chain, pairwise
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from radcalc import errors
 from radcalc.errors import listed, option, quote
-from radcalc.files import columns
+from radcalc.files import columns, signatures
 from radcalc.files.head import SEARCHED, Head, is_number
 from radcalc.files.table import NumberedLine, Table
-from radcalc.files.text import where
+from radcalc.files.text import Text, where
 from radcalc.quantities.column_titles import (
     SPELLINGS,
     find,
@@ -32,6 +32,9 @@ from radcalc.units.dimensions import TIME
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
+
+if TYPE_CHECKING:
+    from radcalc.streams.solar import SunTable
 
 # Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
 OF_OTHER_LIGHT = """
@@ -78,6 +81,8 @@ OF_HOURS = ("hour", "hours", "hr", "hh", "hhmm", "hora", "stunde", "heure", "hod
 OF_TIME = re.compile(
     r"\b(?:time|date|datetime|elapsed|timestamp|unix|epoch|zeit|datum|čas|время|дата)\b|^t$"
 )
+
+Blocks = Iterable[tuple[int, list[str]]]
 
 
 class LogSettings(NamedTuple):
@@ -148,6 +153,19 @@ def rows_where(texts: Iterable[str]) -> tuple[tuple[str, str], ...]:
 def error(name: str, number: int, problem: str, hint: errors.Hint, row: str) -> errors.LineError:
     """Return the error of a log in a row (0: in none)."""
     return errors.LineError(f"{where(name, number, row)}: {problem}", hint)
+
+
+def blocks_of(text: Text) -> tuple[Blocks, "SunTable | None"]:
+    """Return the lines of a text in blocks; of a public format of the sun, those of its table."""
+    blocks = text.blocks()
+    number, lines = next(blocks, (text.first, []))
+    kind = signatures.of_sun(lines)
+    if not kind:
+        return chain([(number, lines)], blocks), None
+    from radcalc.streams import solar  # which needs pvlib
+
+    table = solar.read(kind, text.name, [*lines, *(line for _, more in blocks for line in more)])
+    return [(number, table.lines)], table
 
 
 class FirstRows(Head):

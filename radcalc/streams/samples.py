@@ -97,11 +97,18 @@ class Log:
         self.waiting: list[Sample | None] = []
         self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
         self.text = Text(name, read, "a time and a value", inf, settings.first)
-        self._blocks = self.text.blocks()
+        blocks, of_sun = log_layout.blocks_of(self.text)
+        self.of_samples = of_sun.samples if of_sun else POINTS
+        if of_sun:
+            self.settings = settings = settings._replace(row="row", first=0, delimiter="\t")
+            blocks = [(0, of_sun.lines)]
+        self._blocks = iter(blocks)
         self._pending: list[tuple[int, list[str]]] = []
         lines = first_lines(self._blocks)
         head = LogHead(name, lines, settings, self._ahead())
         self.layout, self.assumptions = head.layout, head.assumptions
+        if of_sun:
+            self.assumptions.insert(0, of_sun.assumption)
         self._pending.insert(0, (head.begin, [text for k, text in lines if k >= head.begin]))
         self.dark = _dark(settings.dark, head.layout.unit) if settings.dark else 0.0
         self.marks = {*map(_mark, settings.missing)}
@@ -391,6 +398,8 @@ class LogDose:
         """
         clock = log.clock
         page.check_unit(log.layout.unit)
+        if reading and log.of_samples not in (POINTS, reading):
+            log.assumptions.append(f"{option('samples', reading)} replaces the format's own")
         top, bottom = clock.tick
         is_daily = not reading and _is_daily(log)
         if is_daily:
@@ -400,7 +409,7 @@ class LogDose:
             longest * bottom / top,
             longest < inf and not is_daily,
             (lambda time: clock.period(time, by)) if by else None,
-            reading or POINTS,
+            reading or log.of_samples,
         )
         dose.usual = page.DAY * bottom // top if is_daily else 0.0
         for times, values, lines in log.samples():

@@ -186,7 +186,7 @@ REFUSED = {
     "a flux": (["gamma,power (W)", *ROWS], "line 1: the values are in radiant flux (W)"),
     "a radiance": (["gamma,radiance", *ROWS], "'radiance' is not an intensity"),
     "per lamp flux": (["gamma,C0 (cd/klm)", *ROWS], "relative to the flux of lamps"),
-    "two rows of titles": (["gamma,I", "a,b", *ROWS], "line 2: 'a,b' is between the titles and the numbers"),
+    "two rows of titles": (["gamma,I", "a,b", *ROWS], "line 2: 'a,b' is between the titles"),
     "no unit": (["gamma,I (candles)", *ROWS], "'candles' is not a unit of intensity"),
     "the wrong case": (["gamma,I (Cd)", *ROWS], "unknown unit in the title"),
     "thousands of candelas": (["gamma,I x 1000 cd", *ROWS], "scales its numbers"),
