@@ -46,6 +46,7 @@ Examples:
   radcalc dose ghi.csv --samples means --by day
   radcalc dose prague.epw --column ghi
   radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
+  radcalc dose house.csv --where entity_id=sensor.desk --missing -99.9
 
 FILE has a time and a value in each line; - is standard input.  Irradiances, illuminances and
 photon flux densities (PPFD) add up to an exposure (with --receiver-area also to an energy),
@@ -53,9 +54,13 @@ fluxes to an energy.
 The unit is in the title of the values (E [lx], PAR_umol/m2/s) or in --unit.  Weather files (EPW,
 TMY3, NSRDB, BSRN, SURFRAD, SOLRAD, MIDC, CRN, PVGIS, CAMS) are read with pvlib.
 
-Times are ISO 8601 with T or a blank, Unix time, or numbers with a unit in the title or in
---time-unit.  --time-zone is the zone of times without an offset; days on which the clocks change
-have 23 or 25 hours.  Ambiguous dates are an error: use --time-format.
+Times are ISO 8601 with T or a blank, numbers with a unit in the title or in --time-unit, or Unix
+time, which the title (unix, epoch, timestamp) or --time-unit says.  --time-zone is the zone of times without an offset; days on which the clocks change
+have 23 or 25 hours.  Dates whose day and month no line shows are an error: use --time-format.
+
+A column of texts that differ tells series apart: choose one with --where.  Light below 0 is an
+error: --missing names a mark of missing values, --dark is what the meter shows in the dark, and
+--invalid skips lines.  A rate per day (mol/m2/d, kWh/m2/day) on dates is the sum of each day.
 
 Values between samples are interpolated linearly; with --samples means, each sample is the mean
 from its time to that of the next sample, with means-before from the time of the one before, and

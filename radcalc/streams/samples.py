@@ -182,18 +182,7 @@ class Log:
                 numbers = [*compress(numbers, chosen)]
             if not numbers:
                 return [], [], numbers
-            for place in layout.series:
-                if len(self.seen[place] | {*cells[place]} - BLANK) > 1:
-                    return None
-            if layout.units is not None and {*cells[layout.units]} != {layout.unit.text}:
-                return None
-            values = columns.finite_numbers(table.pointed(cells[layout.place], number))
-            if not self.marks.isdisjoint(values):
-                return None
-            if self.dark:
-                values = [value - self.dark for value in values]
-            if min(values) < min(0.0, -self.dark):
-                return None
+            values = self._values_of(cells, number)
             stamps = cells[layout.times[0]]
             if layout.clock.has_numbers:
                 stamps = table.pointed(stamps, number, are_values=False)
@@ -205,9 +194,23 @@ class Log:
         if not all(map(lt, times, times[1:])) or (self.last is not None and times[0] <= self.last):
             return None
         for place in layout.series:
-            self.seen[place] |= {cells[place][0]} - BLANK
+            self.seen[place] |= {*cells[place]} - BLANK
         self.last, self.last_line = times[-1], numbers[-1]
         return times, values, numbers
+
+    def _values_of(self, cells: list[list[str]], number: int) -> list[float]:
+        """Return the values of many rows of one series and unit; raise ValueError for others."""
+        layout = self.layout
+        is_one = all(len(self.seen[place] | {*cells[place]} - BLANK) < 2 for place in layout.series)
+        if layout.units is not None:
+            is_one = is_one and {*cells[layout.units]} == {layout.unit.text}
+        values = columns.finite_numbers(layout.table.pointed(cells[layout.place], number))
+        is_marked = bool(self.marks) and not self.marks.isdisjoint(values)
+        if self.dark:
+            values = [value - self.dark for value in values]
+        if not is_one or is_marked or min(values) < min(0.0, -self.dark):
+            raise ValueError
+        return values
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples]:
         rows = [row for row in enumerate(lines, number) if not columns.is_remark(row[1])]
