@@ -135,7 +135,7 @@ class Dose:
         self.of_means = reading in HALVES
         self.halves = HALVES.get(reading, 0)
         self.edge: Any = None  # of the last sample; None before the first step
-        self.usual = 0.0  # the last bridged step
+        self.usual: float = 0  # the last bridged step, a whole number of ticks of a date
         self.longest = longest * (1 + ROUNDED)
         self.bridges = bridges
         self.spans = spans

@@ -55,8 +55,9 @@ The unit is in the title of the values (E [lx], PAR_umol/m2/s) or in --unit.  We
 TMY3, NSRDB, BSRN, SURFRAD, SOLRAD, MIDC, CRN, PVGIS, CAMS) are read with pvlib.
 
 Times are ISO 8601 with T or a blank, numbers with a unit in the title or in --time-unit, or Unix
-time, which the title (unix, epoch, timestamp) or --time-unit says.  --time-zone is the zone of times without an offset; days on which the clocks change
-have 23 or 25 hours.  Dates whose day and month no line shows are an error: use --time-format.
+time, which the title (unix, epoch, timestamp) or --time-unit says.  --time-zone is the zone of
+times without an offset; days on which the clocks change have 23 or 25 hours.  Dates whose day and
+month no line shows are an error: use --time-format.
 
 A column of texts that differ tells series apart: choose one with --where.  Light below 0 is an
 error: --missing names a mark of missing values, --dark is what the meter shows in the dark, and

@@ -60,7 +60,7 @@ FUNCTION = re.compile(
     r"(?<![^\W\d_])(?:(?i:log)(?:10|2|e)?|lg|ln|lb|dB[a-zA-Z]{0,3}|(?i:sqrt|squared|square root"
     r"|cumul\w*|integral|integrated|(?<![^\W\d_])(?:sum|delta|std|stdev|errors?|uncertainty)"
     r"|inverse|reciprocal|exp(?=\s?\()))(?=(?:[A-ZΑ-Ω][a-z]{0,3})?(?![^\W\d_]))"
-    r"|(?<!\d)1\s?/\s?(?:[^\W\d_]|\()|(?<![^\W_])d\w+\s?/\s?dt(?![^\W_])"
+    r"|(?<!\d)1\s?/\s?(?:[^\W\d_]|\()|(?<![^\W_])d[\w ()]+/\s?dt(?![^\W_])|±|\+/?-"
     r"|[√∛∫∂^²³⁻⁴-⁹]|\*\*"
 )
 IN = re.compile(r"(?:^|[\s_])(?:in|unit)$", re.IGNORECASE)
@@ -90,6 +90,9 @@ QUALIFIER = re.compile(
 )
 OF_DETECTOR = re.compile(
     r"(?<![^\W\d_])(?:counts?|cts|adu|raw|bits?|volts?|voltage)(?![^\W\d_])", re.IGNORECASE
+)
+RELATIVE = re.compile(
+    r"(?<![^\W_])(?:rel(?:ative)?|a\.?u\.?|arb|norm(?:ali[sz]ed)?)(?![^\W_])", re.I
 )
 PER_AREA = re.compile(r"(?<![^\W_])[^\W\d_]+/(?:[cm]?m|ft)\^?[2²](?![^\W_])")
 # Spellings of meters that are not units of radcalc, without case and punctuation.
@@ -250,6 +253,17 @@ def refuse_unknown(title: Title, typed: Unit | None = None) -> None:
                 f"unknown unit '{quote(word)}' in the title '{quote(text)}'",
                 usual or "a title with a unit of radcalc units, or without one",
             )
+
+
+def refuse_uncalibrated(title: Title) -> None:
+    """Raise for a title with a unit or a name of light beside words of a detector, or of a share.
+
+    Examples are `lux raw counts` and `PAR [a.u.]`; a unit in brackets is that of the numbers.
+    """
+    word = OF_DETECTOR.search(title.text) or RELATIVE.search(title.text)
+    if (word and not title.in_brackets) or (word and title.unit is None):
+        problem = f"'{quote(word[0])}' in the title '{quote(title.text)}' is no unit of light"
+        raise UnitError(problem, "another column, or calibrated values")
 
 
 def unit_of_meter(text: str) -> Unit | None:

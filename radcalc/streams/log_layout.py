@@ -18,6 +18,7 @@ from radcalc.quantities.column_titles import (
     read_title,
     refuse_altered,
     refuse_misnamed,
+    refuse_uncalibrated,
     refuse_unknown,
     unit_in,
     unit_of_meter,
@@ -277,10 +278,11 @@ class FirstRows(Head):
         try:
             parsed = read_title(title)
             unit = parsed.unit if parsed.unit and read_light(parsed.unit) else None
+            refuse_uncalibrated(parsed)
             if unit:
                 refuse_misnamed(parsed, unit)
-            elif parsed.unit and unit_of_name(title):  # PAR (mV)
-                refuse_unknown(parsed)
+            elif parsed.unit and (usual := unit_of_name(title)):  # PAR (mV), PPFD [%]
+                refuse_unknown(parsed, resolve(usual))
             else:
                 refuse_altered(parsed)
         except errors.UnitError as error:

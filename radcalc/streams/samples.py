@@ -414,7 +414,7 @@ class LogDose:
             (lambda time: clock.period(time, by)) if by else None,
             reading or log.of_samples,
         )
-        dose.usual = page.DAY * bottom // top if is_daily else 0.0
+        dose.usual = page.DAY * bottom // top if is_daily else 0
         for times, values, lines in log.samples():
             if values:
                 dose.add(times, values)

@@ -39,7 +39,8 @@ OFFSET = r"(?P<z>[Zz]|UTC|GMT|[-+\u2212]\d\d(?::?\d\d)?)"
 CLOCK = re.compile(rf"(?:{TIME_OF_DAY}) ?{OFFSET}?", re.ASCII)  # only ASCII digits
 # begins with a date
 STAMP = re.compile(
-    r"\d{1,4}([-/.]) ?(?:\d\d?|[A-Za-z]{3,9})\1 ?\d{1,4}(?![\d.])|\d{8}(?=T\d)|\d{4}-?W\d\d",
+    r"\d{1,4}([-/.]) ?(?:\d\d?|[A-Za-z]{3,9})\1 ?\d{1,4}(?![\d.])"
+    r"|\d{8}(?=T\d| \d{4}(?:\d\d)?(?!\d))|\d{4}-?W\d\d",
     re.ASCII,
 )
 TIME_ALONE = re.compile(r"\d\d?:\d\d(:\d\d)?([.,]\d+)?( ?[AaPp]\.?[Mm]\.?)?", re.ASCII)
