@@ -205,6 +205,7 @@ class Log:
         if layout.units is not None:
             is_one = is_one and {*cells[layout.units]} == {layout.unit.text}
         values = columns.finite_numbers(layout.table.pointed(cells[layout.place], number))
+        is_one = is_one and not self.settings.thousands  # 1.000 may be a thousand
         is_marked = bool(self.marks) and not self.marks.isdisjoint(values)
         if self.dark:
             values = [value - self.dark for value in values]
@@ -290,7 +291,7 @@ class Log:
             raise
         except RadcalcError as error:
             raise self.error(number, error.message, error.hint) from None
-        text = cells[layout.place]
+        text = self._without_thousands(cells[layout.place], number)
         value = self._value(text, number)
         if layout.clock.has_numbers:
             layout.table.check_marks([stamp], number, are_values=False)
@@ -303,6 +304,15 @@ class Log:
             raise self.error(number, f"light below 0: '{quote(text)}'", ways)
         return Sample(time, value, number, stamp)
 
+    def _without_thousands(self, text: str, number: int) -> str:
+        mark = self.settings.thousands
+        if not mark or mark not in text:
+            return text
+        if not re.fullmatch(rf"[-+]?\d{{1,3}}(?:{re.escape(mark)}\d{{3}})+(?:[.,]\d*)?", text):
+            problem = f"'{quote(text)}' has no groups of three digits"
+            raise self.error(number, problem, leave_out("thousands"))
+        return text.replace(mark, "")
+
     def _value(self, text: str, number: int) -> float:
         """Return the number of a cell; raise for one that is missing or malformed."""
         row = self.settings.row
@@ -310,11 +320,6 @@ class Log:
             to_skip = mention(f"{{invalid=ignore}}, to skip the {row}")
             error = self.error(number, f"a value is missing: '{quote(text)}'", to_skip)
             raise Missing(error.message, to_skip) if _mark(text) in self.marks else error
-        if (mark := self.settings.thousands) and mark in text:
-            if not re.fullmatch(rf"[-+]?\d{{1,3}}(?:{re.escape(mark)}\d{{3}})+(?:[.,]\d*)?", text):
-                problem = f"'{quote(text)}' has no groups of three digits"
-                raise self.error(number, problem, leave_out("thousands"))
-            text = text.replace(mark, "")
         value = columns.finite(text, True)
         if value is not None:
             return value
