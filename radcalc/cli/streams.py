@@ -151,6 +151,7 @@ class _Conversion(_Work):
             column,
             layout.name,
             layout.adds,
+            given=[item.name for item in self.given],
         )
         return self.titles
 

@@ -5,16 +5,27 @@ A unit is in brackets (`E [lx]`), after a slash as in ISO 80000 (`E / lx`), a wo
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
-from radcalc.errors import UnitError, UsageError, listed, nearest, quote
+from radcalc.errors import (
+    MissingInput,
+    UnitError,
+    UsageError,
+    add,
+    leave_out,
+    listed,
+    nearest,
+    option,
+    quote,
+)
 from radcalc.files.columns import IN_BRACKETS, plain
 from radcalc.quantities.light import NONE, PHOTON, RADIANT, Reading, describe, read
 from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity
 from radcalc.quantities.search import comparable, index
-from radcalc.quantities.symbols import light_unit
+from radcalc.quantities.symbols import LINKS, light_unit
 from radcalc.quantities.targets import GENERIC
+from radcalc.units.horticulture import PAR_RANGE
 from radcalc.units.scales import find as find_scale
 from radcalc.units.scales import scale_of
 from radcalc.units.table import PARTS, resolve, suggest, unit_of
@@ -112,6 +123,33 @@ NUMBERED = re.compile(r"([^\W\d_]{2,})\d+")  # the second of several meters, lux
 # Names of photon quantities: PPFD, but PAR may also be in watts; PPF was once a name of PPFD.
 PHOTON_IRRADIANCES = ("pfd", "spfd", "sppfd", *[name for name in PPFD if name != "par"])
 PHOTONS = ("photon", "photons", "quanta", *PPF)
+# Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
+OTHER_LIGHT = frozenset(
+    [
+        "melanopic",
+        "rhodopic",
+        "cyanopic",
+        "chloropic",
+        "erythropic",
+        "scotopic",
+        "medi",
+        "edi",
+        "uva",
+        "uvb",
+        "uvc",
+        "uv",
+        "uvi",
+        "erythemal",
+        "ery",
+        "longwave",
+        "lw",
+        "lwin",
+        "lwout",
+        "infrared",
+        "nir",
+    ]
+)
+NAMES_OF_PAR = ("par", "qpar", "фар")
 COMPARED = 1000  # titles to search for names similar to an unknown one
 
 
@@ -264,6 +302,31 @@ def refuse_uncalibrated(title: Title) -> None:
     if (word and not title.in_brackets) or (word and title.unit is None):
         problem = f"'{quote(word[0])}' in the title '{quote(title.text)}' is no unit of light"
         raise UnitError(problem, "another column, or calibrated values")
+
+
+def words_of(title: str) -> list[str]:
+    """Return the words of a title in lower case, also those between underscores."""
+    return plain(title).replace("_", " ").split()
+
+
+def refuse_linked(title: str, unit: Unit, given: Collection[str]) -> None:
+    """Raise for inputs that link kinds of light, if the light of a title is another one.
+
+    That of a spectrum is no UVA; PAR in watts needs the range that it is counted over.
+    """
+    links = [name for name in LINKS if name in given]
+    words = words_of(title)
+    if links and (band := next((word for word in words if word in OTHER_LIGHT), "")):
+        problem = f"the values are of another light by their title ({band})"
+        problem = f"{problem}, which {option(links[0])} does not convert"
+        raise UsageError(problem, leave_out(links[0]))
+    light = read(unit)
+    is_par = not {word.rstrip("0123456789") for word in words}.isdisjoint(NAMES_OF_PAR)
+    is_par = is_par or "photosynthetic" in title.lower()
+    is_of_watts = light is not None and light.kind == RADIANT
+    if is_par and is_of_watts and "spectrum" in given and "range" not in given:
+        problem = "the values are PAR in watts, which are counted from 400 nm to 700 nm"
+        raise MissingInput(problem, add("range", PAR_RANGE))
 
 
 def unit_of_meter(text: str) -> Unit | None:
@@ -518,7 +581,7 @@ def _is_light(unit: Unit) -> bool:
 
 def unit_of_name(title: str) -> str:
     """Return the unit that goes without a word with the name in a title: PPFD, GHI; else ''."""
-    words = {*plain(title).replace("_", " ").split()}
+    words = {*words_of(title)}
     names = ((PPFD, light_unit("irradiance", PHOTON)), (SOLAR, light_unit("irradiance", RADIANT)))
     return next((unit for known, unit in names if not words.isdisjoint(known)), "")
 

@@ -3,7 +3,7 @@
 The unit in the header is compared with the unit of the numbers, and replaced in the output.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from radcalc import errors
 from radcalc.errors import option, quote
@@ -15,7 +15,9 @@ from radcalc.quantities.column_titles import (
     other_quantity,
     read_title,
     refuse_altered,
+    refuse_linked,
     refuse_misnamed,
+    refuse_uncalibrated,
     refuse_unknown,
     unit_of_meter,
     unit_of_name,
@@ -46,8 +48,11 @@ class Header:
         adds: bool = False,
         call: Callable[[str], str] | None = None,
         is_bare: bool = False,
+        given: Collection[str] = (),
     ) -> None:
+        """Take the source and the target, and the names of the inputs that link them."""
         self.cut = cut
+        self.given = given
         self.source = source
         self.target = target or resolve("1")
         self.is_known = target is not None
@@ -80,6 +85,9 @@ class Header:
             names = self._names_above(above, len(titles))
             if self.cut and self.cut.delimiter and len(places) == 1:
                 self.units = unit_column(titles, places[0])
+            for title in read:
+                if title.unit:
+                    refuse_uncalibrated(title)
             if self.cut:  # not a line of text
                 self._refuse(read, [read_title(names[place]) for place in places if names])
         except (errors.NumberError, errors.UnitError) as error:
@@ -108,6 +116,7 @@ class Header:
             refuse_altered(title)
         if self.source and read_light(self.source):
             for title in read:
+                refuse_linked(title.text, self.source, self.given)
                 refuse_unknown(title, self.source)
                 if not title.unit:
                     refuse_misnamed(title, self.source)

@@ -23,6 +23,7 @@ from radcalc.quantities.column_titles import (
     unit_in,
     unit_of_meter,
     unit_of_name,
+    words_of,
 )
 from radcalc.quantities.light import PHOTON, RADIANT
 from radcalc.quantities.light import read as read_light
@@ -37,13 +38,6 @@ from radcalc.units.unit import Unit
 if TYPE_CHECKING:
     from radcalc.streams.solar import SunTable
 
-# Light of other weights and bands, which the lumens and the watts of a spectrum do not measure.
-OF_OTHER_LIGHT = """
-    melanopic rhodopic cyanopic chloropic erythropic scotopic medi edi uva uvb uvc uv uvi erythemal
-    ery longwave lw lwin lwout infrared nir
-"""
-OTHER_LIGHT = frozenset(OF_OTHER_LIGHT.split())
-NAMES_OF_PAR = ("par", "qpar", "фар")
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 SECONDS = resolve("s")
 # The parts of a format by the titles of columns that have one part of a time each.
@@ -61,22 +55,7 @@ PARTS = {
     }.items()
     for name in names.split()
 }
-OF_SERIES = frozenset(
-    [
-        *[
-            "id",
-            "device",
-            "sensor",
-            "channel",
-            "station",
-            "logger",
-            "node",
-            "serial",
-            "meter",
-            "probe",
-        ]
-    ]
-)
+OF_SERIES = ("id", "device", "sensor", "channel", "station", "logger", "node", "serial", "probe")
 PAR_ALSO = " (some meters give PAR in W/m2; a unit in the title decides: PAR [W/m2])"
 OF_HOURS = ("hour", "hours", "hr", "hh", "hhmm", "hora", "stunde", "heure", "hodina", "час")
 OF_TIME = re.compile(
@@ -135,8 +114,7 @@ class LogLayout(NamedTuple):
     clock: Clock
     unit: Unit
     units: int | None = None  # the column with the unit of each value
-    is_par: bool = False  # of watts from 400 nm to 700 nm, by the title
-    band: str = ""  # by the title: melanopic, UVA; no spectrum of visible light links these
+    title: str = ""
     series: tuple[int, ...] = ()  # the columns whose texts may tell series apart
     where: tuple[tuple[int, str], ...] = ()  # the columns that choose rows, and their texts
 
@@ -190,7 +168,7 @@ class FirstRows(Head):
         if stamps := [k for k, cell in enumerate(self.cells) if self.is_start(cell)]:
             return stamps
         titled = [k for k, title in enumerate(self.table.titles) if _is_of_time(title)]
-        dates = [k for k in titled if "date" in _words(self.names[k]) and len(self.cells[k]) == 8]
+        dates = [k for k in titled if "date" in words_of(self.names[k]) and len(self.cells[k]) == 8]
         return dates if len(dates) == 1 < len(titled) else titled
 
     @property
@@ -288,7 +266,7 @@ class FirstRows(Head):
         except errors.UnitError as error:
             raise self.error(0, error.message, error.hint) from None
         if unit is None and (usual := unit_of_name(title)):
-            also = PAR_ALSO if "par" in _words(title) else ""
+            also = PAR_ALSO if "par" in words_of(title) else ""
             if not self.settings.unit:
                 self.assumptions.append(f"'{quote(title)}' is in {usual}{also}")
             return resolve(usual)
@@ -324,12 +302,9 @@ class LogHead(FirstRows):
             title += f" [{stated}]"
         unit = self._unit(title, None if units is None else cells[units])
         clock = self._clock(times, form, chain([lines], (block for _, block in more)))
-        light = read_light(unit)
-        is_par = light is not None and light.kind == RADIANT and _is_par(title)
-        band = next((word for word in _words(title) if word in OTHER_LIGHT), "")
         known = {*times, place, units, *[k for k, _ in where]}
         series = tuple([k for k in range(len(cells)) if k not in known and self._is_series(k)])
-        return LogLayout(table, times, place, clock, unit, units, is_par, band, series, where)
+        return LogLayout(table, times, place, clock, unit, units, title, series, where)
 
     def _clock(self, times: tuple[int, ...], form: str, blocks: Iterable[Sequence[str]]) -> Clock:
         """Return the reader of the times in some columns, which have that format if it is given."""
@@ -357,7 +332,7 @@ class LogHead(FirstRows):
         if _is_of_time(title) or self.is_start(cell) or looks_like_clock(cell):
             return False
         is_text = not is_number(cell) and cell.lower() not in MISSING
-        return is_text or not cell or not _words(title).isdisjoint(OF_SERIES)
+        return is_text or not cell or not {*words_of(title)}.isdisjoint(OF_SERIES)
 
     def _title(self, place: int) -> str:
         return self.table.titles[place] if self.table.titles else ""
@@ -452,7 +427,7 @@ class LogHead(FirstRows):
                 raise self.error(0, problem, "titles that fit the units of the lines")
             self.assumptions.append("each value is in the unit of its line")
         elif declared and not is_same(declared, unit):
-            self._override(unit, declared, where, "par" in _words(title))
+            self._override(unit, declared, where, "par" in words_of(title))
         elif where == "the preamble" and declared:
             self.assumptions.append(f"the values are in {quote(unit.text)}, as {where} says")
         return unit
@@ -534,13 +509,3 @@ def _may_be_light(title: str) -> bool:
     except errors.UnitError:
         return True
     return bool(unit_of_name(title))
-
-
-def _is_par(title: str) -> bool:
-    """Return whether a title names photosynthetically active radiation: PAR, PAR1, QPAR, ФАР."""
-    words = {word.rstrip("0123456789") for word in _words(title)}
-    return not words.isdisjoint(NAMES_OF_PAR) or "photosynthetic" in title.lower()
-
-
-def _words(title: str) -> set[str]:
-    return {*columns.plain(title).replace("_", " ").split()}

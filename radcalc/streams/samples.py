@@ -17,7 +17,6 @@ from radcalc.derivation import format_number
 from radcalc.errors import (
     Hint,
     LineError,
-    MissingInput,
     NumberError,
     RadcalcError,
     UsageError,
@@ -32,14 +31,12 @@ from radcalc.files.head import first_lines
 from radcalc.files.text import Text
 from radcalc.floats import divide
 from radcalc.inputs.given import Inputs
-from radcalc.quantities.column_titles import unit_of_meter
+from radcalc.quantities.column_titles import refuse_linked, unit_of_meter
 from radcalc.quantities.light import describe
-from radcalc.quantities.symbols import LINKS
 from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, LogHead, LogSettings
 from radcalc.terminal import ABORT, FAIL, IGNORE
-from radcalc.units import horticulture
 from radcalc.units.numbers import parse_number
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
@@ -454,17 +451,8 @@ class LogDose:
             yield label, self._with_remarks(answer)
 
     def _light(self, given: Inputs) -> Inputs:
-        """Return the inputs for the light of the samples, without those for the times.
-
-        A spectrum of PAR needs its range: the watts are those from 400 nm to 700 nm.
-        """
-        if self.log.layout.is_par and "spectrum" in given and "range" not in given:
-            problem = "the values are PAR in watts, which are counted from 400 nm to 700 nm"
-            raise MissingInput(problem, add("range", horticulture.PAR_RANGE))
-        if (band := self.log.layout.band) and (links := [name for name in LINKS if name in given]):
-            problem = f"the values are of another light by their title ({band})"
-            problem = f"{problem}, which {option(links[0])} does not convert"
-            raise UsageError(problem, leave_out(links[0]))
+        """Return the inputs for the light of the samples, without those for the times."""
+        refuse_linked(self.log.layout.title, self.log.layout.unit, given)
         return {name: condition for name, condition in given.items() if name != "max-gap"}
 
     def _with_remarks(self, answer: Answer) -> Answer:
