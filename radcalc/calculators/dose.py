@@ -228,7 +228,7 @@ class SummedLog(NamedTuple):
             below = format_number(_exact(dose.below, self.tick))
             count = "a sample" if dose.negative == 1 else f"{dose.negative} samples"
             notes.append(
-                f"kept as noise of the dark meter: {count} below 0, down to "
+                f"kept as a meter's noise in the dark: {count} below 0, down to "
                 f"{format_number(dose.least)} {unit}, together {below} {unit} s"
             )
         return notes

@@ -309,7 +309,7 @@ def words_of(title: str) -> list[str]:
     return plain(title).replace("_", " ").split()
 
 
-def refuse_linked(title: str, unit: Unit, given: Collection[str]) -> None:
+def refuse_linked(title: str, unit: Unit, given: Collection[str], hint: str = "") -> None:
     """Raise for inputs that link kinds of light, if the light of a title is another one.
 
     That of a spectrum is no UVA; PAR in watts needs the range that it is counted over.
@@ -319,7 +319,7 @@ def refuse_linked(title: str, unit: Unit, given: Collection[str]) -> None:
     if links and (band := next((word for word in words if word in OTHER_LIGHT), "")):
         problem = f"the values are of another light by their title ({band})"
         problem = f"{problem}, which {option(links[0])} does not convert"
-        raise UsageError(problem, leave_out(links[0]))
+        raise UsageError(problem, hint or leave_out(links[0]))
     light = read(unit)
     is_par = not {word.rstrip("0123456789") for word in words}.isdisjoint(NAMES_OF_PAR)
     is_par = is_par or "photosynthetic" in title.lower()

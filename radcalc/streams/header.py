@@ -116,7 +116,7 @@ class Header:
             refuse_altered(title)
         if self.source and read_light(self.source):
             for title in read:
-                refuse_linked(title.text, self.source, self.given)
+                refuse_linked(title.text, self.source, self.given, "another column")
                 refuse_unknown(title, self.source)
                 if not title.unit:
                     refuse_misnamed(title, self.source)

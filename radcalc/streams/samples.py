@@ -108,6 +108,7 @@ class Log:
             self.assumptions.insert(0, of_sun.assumption)
         self._pending.insert(0, (head.begin, [text for k, text in lines if k >= head.begin]))
         self.dark = _dark(settings.dark, head.layout.unit) if settings.dark else 0.0
+        self.least = min(-self.dark, of_sun.least if of_sun else 0.0)  # of noise below 0
         self.marks = {*map(_mark, settings.missing)}
         self.seen: dict[int, set[str]] = {place: set() for place in head.layout.series}
 
@@ -206,7 +207,7 @@ class Log:
         is_marked = bool(self.marks) and not self.marks.isdisjoint(values)
         if self.dark:
             values = [value - self.dark for value in values]
-        if not is_one or is_marked or min(values) < min(0.0, -self.dark):
+        if not is_one or is_marked or min(values) < self.least:
             raise ValueError
         return values
 
@@ -296,7 +297,7 @@ class Log:
         if layout.units is not None:
             value *= self._factor(cells[layout.units], number)
         value -= self.dark
-        if value < min(0.0, -self.dark):
+        if value < self.least:
             ways = [add("missing", text), add("dark", text), add("invalid", IGNORE)]
             raise self.error(number, f"light below 0: '{quote(text)}'", ways)
         return Sample(time, value, number, stamp)

@@ -38,6 +38,17 @@ NO_LIGHT = re.compile(r"\bnet\b|temp|\bstd", re.IGNORECASE)  # MIDC has temperat
 # -99999, -7999 and the like of others.
 LEAST, MOST, MOST_LUX = -900.0, 9999.0, 999900.0
 BAD_FLAGS = (1, 3)  # of the network: of SURFRAD and SOLRAD, and of CRN
+# Networks of pyranometers, whose zero at night is as low as -4 W/m2: the physically possible limits
+# of BSRN (C. N. Long and E. G. Dutton, recommended QC tests V2.0).
+OF_PYRANOMETERS = (
+    signatures.BSRN,
+    signatures.SURFRAD,
+    signatures.SOLRAD,
+    signatures.MIDC,
+    signatures.MIDC_RAW,
+    signatures.CRN,
+)
+ZERO_OF_PYRANOMETERS = -4.0
 OFFSET = re.compile(r"Irradiance Time Offset \(h\):\s*(-?\d+(?:\.\d+)?)")  # of PVGIS
 PER_HOUR = re.compile(r"^DATA PERIODS,\d+,(?!1,)(\d+)", re.MULTILINE)
 COMMON_YEAR, LEAP_YEAR = 2001, 2000  # of the months of several years
@@ -69,11 +80,12 @@ FORMATS = {
 
 
 class SunTable(NamedTuple):
-    """The lines of a table, what its samples are, and what that assumes."""
+    """The lines of a table, what its samples are, what that assumes, and the least zero."""
 
     lines: list[str]
     samples: str
     assumption: str
+    least: float = 0.0
 
 
 def read(kind: str, name: str, lines: Sequence[str]) -> SunTable:
@@ -109,7 +121,8 @@ def read(kind: str, name: str, lines: Sequence[str]) -> SunTable:
         ) from None
     if len(table[0].split("\t")) < 2:
         raise ConditionError(f"{name} is {kind} without a column of light", AS_DOWNLOADED)
-    return SunTable(table, of_format.samples, f"{kind}: {of_format.words}{assumption}")
+    least = ZERO_OF_PYRANOMETERS if kind in OF_PYRANOMETERS else 0.0
+    return SunTable(table, of_format.samples, f"{kind}: {of_format.words}{assumption}", least)
 
 
 def _lines(frame: Any) -> list[str]:

@@ -415,3 +415,15 @@ def test_readers_give_no_warnings(tmp_path):
 )
 def test_other_files_are_not_taken_for_a_format(text):
     assert of_sun(text.splitlines()) == ""
+
+
+def test_the_zero_of_a_pyranometer_is_kept_in_a_network(tmp_path):
+    # means of minutes: (-1.2 + 61.2) W/m2 for a minute each are 1 Wh/m2
+    path = tmp_path / "midc.csv"
+    head = "DATE (MM/DD/YYYY),MST,Global [W/m^2]\n06/01/2024,05:01,"
+    path.write_text(f"{head}-1.2\n06/01/2024,05:02,61.2\n")
+    done = run("dose", str(path), "-g", "exposure:Wh/m2")
+    assert done.stdout == "1\n"
+    assert "noise in the dark: a sample below 0, down to -1.2" in done.stderr
+    path.write_text(f"{head}-4.5\n06/01/2024,05:02,61.2\n")
+    assert "light below 0: '-4.5'" in run("dose", str(path)).stderr
