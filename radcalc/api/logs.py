@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from datetime import date, timedelta
 from io import BytesIO
@@ -26,7 +26,7 @@ from radcalc.files.text import reading as opened
 from radcalc.inputs.given import refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import article
 from radcalc.streams.clocks import TimeSettings
-from radcalc.streams.log_layout import LogSettings
+from radcalc.streams.log_layout import LogSettings, rows_where
 from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
 from radcalc.terminal import ABORT, IGNORE, WARN
 
@@ -99,7 +99,7 @@ def dose(
     time_zone: str = "",
     time_format: str = "",
     samples: Samples | None = None,
-    where: Mapping[str, str] | None = None,
+    where: str | Sequence[str] = (),
     missing: str | float | Sequence[str | float] = (),
     dark: str | float = "",
     thousands: str = "",
@@ -133,8 +133,8 @@ def dose(
         Points with straight lines between them (the default), or means from each time to the next,
         from the time before to each, or centred on each.  A public format of the sun has its own
         default.
-    where : dict, optional
-        The rows of a file that are read, by the text in a column: ``{"sensor": "A"}``.
+    where : str or sequence, optional
+        The rows of a file that are read, by the text in a column: ``"sensor=A"`` (``*`` is any).
     missing : str, number or sequence, optional
         The marks of missing values, whose rows are gaps: ``-99.9``.
     dark : str or number, optional
@@ -174,7 +174,7 @@ def dose(
         unit,
         invalid=invalid,
         clock=TimeSettings(time_zone, time_unit, time_format),
-        where=tuple((where or {}).items()),
+        where=rows_where([where] if isinstance(where, str) else where),
         missing=tuple(map(str, _listed(missing))),
         dark=str(dark),
         thousands=thousands,

@@ -122,10 +122,10 @@ class LogLayout(NamedTuple):
 def rows_where(texts: Iterable[str]) -> tuple[tuple[str, str], ...]:
     """Return the columns and values of texts COLUMN=VALUE."""
     pairs = [text.rpartition("=") for text in texts]
-    for text, (name, _, _) in zip(texts, pairs, strict=True):
+    for name, _, value in pairs:
         if not name.strip():
-            problem = f"{option('where', quote(text))} is not COLUMN=VALUE"
-            raise errors.UsageError(problem, option("where", "sensor=A"))
+            problem = f"{option('where', quote(value))} is not COLUMN=VALUE"
+            raise errors.UsageError(problem, "a column, = and the text of its rows")
     return tuple([(name.strip(), value.strip()) for name, _, value in pairs])
 
 

@@ -22,6 +22,7 @@ from radcalc.errors import (
     UsageError,
     add,
     leave_out,
+    listed,
     mention,
     option,
     quote,
@@ -48,6 +49,7 @@ LEAST = -999.0  # such marks are not greater
 THOUSANDS = re.compile(r"[-+]?\d{1,3}(?:,\d{3})+(?:\.\d*)?")
 ANY = "*"  # of a column that chooses rows
 BLANK = frozenset(MISSING)
+MOST_OTHERS = 10  # texts that are listed
 MOST_AHEAD = 16  # blocks, of 1 MiB, that are read to find the order of day and month
 
 # Above the illuminance and the irradiance that the sun gives, in coherent units, also by clouds.
@@ -87,6 +89,7 @@ class Log:
         self.is_good = True
         self.left_out, self.first_left_out = 0, ""
         self.is_bright = False
+        self.others: set[str] = set()  # texts of rows that are not chosen
         self.last: Any = None  # tick
         self.tick: Any = None  # of the line that is read, once it is known
         self.last_line = 0
@@ -132,6 +135,10 @@ class Log:
         for number, lines in self._blocks:
             yield from self._of(lines, number)
         yield from _runs(self.waiting)
+        if self.settings.where and self.last is None:
+            wanted = listed([f"{name}={text}" for name, text in self.settings.where])
+            others = listed(sorted(self.others)[:MOST_OTHERS])
+            raise self.error(0, f"no row has {quote(wanted)}", f"one of its texts: {others}")
         self.layout.table.finish()
         if self.text.note:
             self.notes.append(self.text.note)
@@ -175,6 +182,7 @@ class Log:
         try:
             cells = table.at_once(lines)
             for place, text in layout.where:
+                self.others |= {*cells[place][:MOST_OTHERS]}
                 chosen = [text in (ANY, cell) for cell in cells[place]]
                 cells = [[*compress(column, chosen)] for column in cells]
                 numbers = [*compress(numbers, chosen)]
@@ -224,6 +232,7 @@ class Log:
         try:
             cells = self.layout.table.cells(number, line)
             if not all(text in (ANY, cells[place]) for place, text in self.layout.where):
+                self.others |= {cells[place] for place, _ in self.layout.where}
                 return
             try:
                 sample = self._sample(cells, number)

@@ -128,15 +128,17 @@ TOLD = [
     (rows("time", "2019071710", "2019071711"), {"time_unit": "s"}, 100),
     (
         "time,device,lux\n2024-06-01T06:00,A,0\n2024-06-01T06:30,B,5\n2024-06-01T07:00,B,5\n",
-        {"where": {"device": "B"}},
+        {"where": "device=B"},
         9000,
     ),
     (
         "time,device,lux\n2024-06-01T06:00,A,0\n2024-06-01T06:30,B,5\n2024-06-01T07:00,B,5\n",
-        {"where": {"device": "*"}},
+        {"where": ["device=*"]},
         4500 + 9000,
     ),
-    (of("E [lx]"), {"where": {"device": "B"}}, "no column 'device'"),
+    (of("E [lx]"), {"where": "device=B"}, "no column 'device'"),
+    (of("E [lx]"), {"where": "device"}, "is not COLUMN=VALUE"),
+    ("time,id,lux\n2024-06-01T06:00,A,0\n", {"where": "id=C"}, "no row has id=C"),
     (of("E [lx]"), {"time_zone": "Europe/Prague"}, 3.6e5),
     (
         "date,DLI [mol/m2/d]\n2024-06-01,20\n2024-06-02,30\n",
