@@ -182,7 +182,8 @@ class Log:
         try:
             cells = table.at_once(lines)
             for place, text in layout.where:
-                self.others |= {*cells[place][:MOST_OTHERS]}
+                if len(self.others) < MOST_OTHERS:
+                    self.others |= {*cells[place][:MOST_OTHERS]}
                 chosen = [text in (ANY, cell) for cell in cells[place]]
                 cells = [[*compress(column, chosen)] for column in cells]
                 numbers = [*compress(numbers, chosen)]
@@ -232,7 +233,8 @@ class Log:
         try:
             cells = self.layout.table.cells(number, line)
             if not all(text in (ANY, cells[place]) for place, text in self.layout.where):
-                self.others |= {cells[place] for place, _ in self.layout.where}
+                if len(self.others) < MOST_OTHERS:
+                    self.others |= {cells[place] for place, _ in self.layout.where}
                 return
             try:
                 sample = self._sample(cells, number)
