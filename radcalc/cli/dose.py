@@ -1,6 +1,7 @@
 """`radcalc dose FILE|-` and `radcalc columns FILE`."""
 
 from collections.abc import Sequence
+from math import inf
 from typing import Any
 
 from radcalc import terminal
@@ -30,7 +31,7 @@ from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where
 from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
-from radcalc.terminal import CSV, JSON, TABLE
+from radcalc.terminal import ABORT, CSV, IGNORE, JSON, TABLE
 from radcalc.units.table import resolve
 from radcalc.units.unit import Unit
 
@@ -166,6 +167,7 @@ def _gap(all_cases: Sequence[Case]) -> float:
 
 
 DIGITS = 6
+MOST_TRIED = 200_000  # rows of a table whose dose is tried before it is proposed
 
 
 @define("columns", page_of("columns"))
@@ -215,21 +217,22 @@ def _row(
         "from": low,
         "to": high,
         "mean": "" if mean is None and form != JSON else mean,
-        "command": _command(path, rows, column, column.count < count),
+        "command": _command(path, rows, column, count),
     }
 
 
-def _command(path: str, rows: FirstRows, column: ColumnSummary, has_gaps: bool) -> str:
+def _command(path: str, rows: FirstRows, column: ColumnSummary, count: int) -> str:
     """Return the command that converts a column, or adds up its dose; "" without a unit."""
     if column.unit is None or not column.count:
         return ""
-    if _has_dose(rows, column):
-        skip = " --invalid ignore" if has_gaps else ""
+    skip = " --invalid ignore" if column.count < count else ""
+    if _has_dose(path, rows, column, count):
         return f"radcalc dose {quoted(path)} --column {quoted(column.name)}{skip}"
     target = _another(column.unit)
     if not target or not rows.names:
         return ""
-    name = column.name if rows.names == rows.table.titles else str(column.place + 1)
+    is_whole = rows.names == rows.table.titles  # without a row of units
+    name = column.name if is_whole else str(column.place + 1)
     words = [
         "radcalc convert -",
         quoted(column.unit.text),
@@ -243,18 +246,24 @@ def _command(path: str, rows: FirstRows, column: ColumnSummary, has_gaps: bool) 
         )
     if rows.table.decimals.comma:
         words.append("--decimal ,")
-    if rows.begin > 2:
-        words.append(f"--header={rows.begin - 1}")
-    return " ".join([*words, "<", quoted(path)])
+    last = rows.title_line if is_whole and rows.title_line else rows.begin - 1
+    if last > 1:
+        words.append(f"--header={last}")
+    return " ".join([*words, *skip.split(), "<", quoted(path)])
 
 
-def _has_dose(rows: FirstRows, column: ColumnSummary) -> bool:
-    """Return whether the samples of a column add up: light above 0, at times that can be read."""
-    if not (rows.times or rows.parts[0]) or column.least < 0 or column.odd:
+def _has_dose(path: str, rows: FirstRows, column: ColumnSummary, count: int) -> bool:
+    """Return whether the samples of a column add up: the call is made, but for a long table."""
+    is_long = count > MOST_TRIED
+    if not (rows.times or rows.parts[0]) or (is_long and (column.least < 0 or column.odd)):
         return False
+    settings = LogSettings(column=column.name, invalid=IGNORE if column.count < count else ABORT)
     try:
-        head = LogHead(rows.name, rows.lines, LogSettings(column=column.name))
-        page.check_unit(head.layout.unit)
+        if is_long:
+            page.check_unit(LogHead(rows.name, rows.lines, settings).layout.unit)
+            return True
+        with reading(path, EXPECTED) as (name, read):
+            LogDose(Log(name, read, settings, lambda error: None), inf)
     except RadcalcError:
         return False
     return True

@@ -14,7 +14,7 @@ from radcalc.files import columns, signatures
 from radcalc.files.head import first_lines, is_number
 from radcalc.files.text import ENDINGS as OF_COLUMNS
 from radcalc.files.text import Text
-from radcalc.quantities.column_titles import read_title
+from radcalc.quantities.column_titles import read_title, refuse_uncalibrated
 from radcalc.quantities.light import read as read_light
 from radcalc.spectra.files import is_spectrum
 from radcalc.streams.log_layout import MISSING, FirstRows, LogHead, LogSettings, blocks_of
@@ -271,7 +271,9 @@ class Listing(NamedTuple):
 def unit_of(rows: FirstRows, place: int) -> Unit | None:
     """Return the unit in the title of a column, or None."""
     with suppress(RadcalcError):
-        return read_title(rows.table.titles[place]).unit if rows.table.titles else None
+        title = read_title(rows.table.titles[place] if rows.table.titles else "")
+        refuse_uncalibrated(title)
+        return title.unit
     return None
 
 

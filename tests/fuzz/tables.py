@@ -5,12 +5,15 @@ delimiters, decimals, notations of times, gaps, marks, further columns and lines
 """
 
 import random
+import shlex
 import tempfile
 from collections import Counter
 from datetime import UTC, datetime, timedelta
 from itertools import pairwise
 from math import isclose
 from pathlib import Path
+
+from conftest import run
 
 from radcalc import dose
 from radcalc.errors import RadcalcError
@@ -164,8 +167,19 @@ def answer(path: Path, text: str) -> float | str:
     )
 
 
+def proposed(path: Path) -> int:
+    """Run the calls that `columns` proposes for a table; return their number."""
+    listed = run("columns", str(path)).stdout.splitlines()
+    calls = [shlex.split(line.split("\t")[-1])[1:] for line in listed if "\tradcalc " in line]
+    for words in calls:
+        kept = words[: words.index("<")] if "<" in words else words
+        done = run(*kept, input=path.read_text("utf-8") if "<" in words else "")
+        assert not done.returncode, f"{words}: {done.stderr}\n{path.read_text('utf-8')}"
+    return len(calls)
+
+
 def sweep(count: int, seed: int) -> str:
-    """Read generated logs; each is right or refused."""
+    """Read generated logs; each is right or refused, and what `columns` proposes answers."""
     draw = random.Random(seed)
     counts: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as folder:
@@ -173,6 +187,8 @@ def sweep(count: int, seed: int) -> str:
         for _ in range(count):
             text, right, faults = table(draw)
             found = answer(path, text)
+            if draw.random() < 0.1:
+                counts["proposed"] += proposed(path)
             if isinstance(found, str):
                 counts["refused" if right is None else "needlessly refused"] += 1
                 continue
