@@ -232,7 +232,8 @@ def _command(path: str, rows: FirstRows, column: ColumnSummary, count: int) -> s
     if not target or not rows.names:
         return ""
     is_whole = rows.names == rows.table.titles  # without a row of units
-    name = column.name if is_whole else str(column.place + 1)
+    is_own = is_whole and rows.names.count(column.name) == 1
+    name = column.name if is_own else str(column.place + 1)
     words = [
         "radcalc convert -",
         quoted(column.unit.text),
