@@ -309,7 +309,8 @@ class Log:
             value *= self._factor(cells[layout.units], number)
         value -= self.dark
         if value < self.least:
-            ways = [add("missing", text), add("dark", text), add("invalid", IGNORE)]
+            ways = f"{{missing={text}}}, {{invalid={IGNORE}}}, or {option('dark')} VALUE: "
+            ways = mention(f"{ways}what the meter shows in the dark")
             raise self.error(number, f"light below 0: '{quote(text)}'", ways)
         return Sample(time, value, number, stamp)
 
