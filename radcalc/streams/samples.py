@@ -309,9 +309,8 @@ class Log:
             value *= self._factor(cells[layout.units], number)
         value -= self.dark
         if value < self.least:
-            ways = f"{{missing={text}}}, {{invalid={IGNORE}}}, or {option('dark')} VALUE: "
-            ways = mention(f"{ways}what the meter shows in the dark")
-            raise self.error(number, f"light below 0: '{quote(text)}'", ways)
+            problem = f"light below 0, and not {option('dark')}: '{quote(text)}'"
+            raise self.error(number, problem, [add("missing", text), add("invalid", IGNORE)])
         return Sample(time, value, number, stamp)
 
     def _without_thousands(self, text: str, number: int) -> str:

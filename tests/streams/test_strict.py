@@ -93,7 +93,7 @@ ROWS = {
     "t_s,E [lx]\n0,1\n1,1\nMax,1\n": "line 4: 'Max' is not a number",
     "Name:,E [lx]\nMode:,Sum\nBins:,0\n2024-06-01 19:00,26\n": "between the titles and the",
     # light below 0, and marks
-    of("E [lx]") + "2024-06-01T14:00,-99.9\n": "line 4: light below 0: '-99.9'",
+    of("E [lx]") + "2024-06-01T14:00,-99.9\n": "line 4: light below 0",
     of("E [W/m2]") + "2024-06-01T14:00,-1.2\n": "line 4: light below 0",
     of("PPFD") + "2024-06-01T14:00,-0.01\n": "line 4: light below 0",
     of("E [lx]") + "2024-06-01T14:00,-9999\n": "line 4: a value is missing",
