@@ -309,7 +309,8 @@ class Log:
             value *= self._factor(cells[layout.units], number)
         value -= self.dark
         if value < self.least:
-            problem = f"light below 0, and not {option('dark')}: '{quote(text)}'"
+            limit = "the noise of" if self.dark else "0 without"
+            problem = f"light below {limit} {option('dark')}: '{quote(text)}'"
             raise self.error(number, problem, [add("missing", text), add("invalid", IGNORE)])
         return Sample(time, value, number, stamp)
 

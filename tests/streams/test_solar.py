@@ -426,4 +426,4 @@ def test_the_zero_of_a_pyranometer_is_kept_in_a_network(tmp_path):
     assert done.stdout == "1\n"
     assert "noise in the dark: a sample below 0, down to -1.2" in done.stderr
     path.write_text(f"{head}-4.5\n06/01/2024,05:02,61.2\n")
-    assert "light below 0, and not --dark: '-4.5'" in run("dose", str(path)).stderr
+    assert "light below 0 without --dark: '-4.5'" in run("dose", str(path)).stderr
