@@ -68,9 +68,9 @@ from radcalc.sentences.phrases import (
 )
 from radcalc.sentences.tasks import CALL
 from radcalc.terminal import HANGING, fold
+from radcalc.units import Unit
 from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
 from radcalc.units.scale_table import SCALES
-from radcalc.units.unit import Unit
 
 # -----------------------------------------------------------------------------------------------
 # Text in mdoc(7): escapes, filled lines, displays, and marked-up options.

@@ -28,7 +28,7 @@ MODULES = {
 KEEPERS = {
     "click": ("radcalc.cli",),
     "rich": ("radcalc.render.table", "radcalc.render.progress"),
-    "pint": ("radcalc.units.registry", "radcalc.units.compile"),
+    "pint": ("radcalc.units.registry",),
     "colour": ("radcalc.spectra.rendition",),
     "prompt_toolkit": ("radcalc.cli.prompt",),
     "dask": ("radcalc.api.lazy",),

@@ -18,6 +18,7 @@ from radcalc.maths import LARGEST, frozen, is_array, is_column
 from radcalc.quantities import symbols
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import article
+from radcalc.units import Unit
 from radcalc.units.dimensions import COHERENT, LENGTH
 from radcalc.units.ranges import real, refuse_masked
 from radcalc.units.registry import (
@@ -28,7 +29,6 @@ from radcalc.units.registry import (
 )
 from radcalc.units.scales import ScaleUnit
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 if TYPE_CHECKING:
     import pint

@@ -16,9 +16,9 @@ from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.quantities.column_titles import is_same, read_title, refuse_misnamed
 from radcalc.quantities.symbols import QUANTITY, SPECTRUM, SYMBOLS
+from radcalc.units import NUMBER, Unit
 from radcalc.units.ranges import floats
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit
 
 PANDAS, POLARS, XARRAY = arguments.LIBRARIES
 COLUMNS = {PANDAS: "Series", POLARS: "Series", XARRAY: "DataArray"}

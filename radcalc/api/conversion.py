@@ -13,20 +13,20 @@ from radcalc.api.functions import of_page
 from radcalc.api.keywords import Number
 from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_words, keyword
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.conversion.plan import result_of_plan as answer_of
 from radcalc.errors import ConditionError, ConversionError, NumberError, option, quote
 from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe, result_name
-from radcalc.units.amount import Amount as ReadAmount
+from radcalc.units import Unit
+from radcalc.units.numbers import Amount as ReadAmount
 from radcalc.units.ranges import real
 from radcalc.units.reading import read_amount, read_for
 from radcalc.units.registry import light_registry
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 ONE_EACH = "one value of each, or without the uncertainty"
 WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'

@@ -59,11 +59,11 @@ from radcalc.quantities.symbols import (
     specific_name,
 )
 from radcalc.sentences.frames import inputs_of
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.ranges import read_values
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit
 
 
 class Unnamed(NamedTuple):

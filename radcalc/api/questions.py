@@ -24,8 +24,8 @@ from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read
 from radcalc.sentences.tasks import Task
 from radcalc.sentences.tasks import search as tasks_for
+from radcalc.units import unit_behind
 from radcalc.units.numbers import is_sentence
-from radcalc.units.unit import unit_behind
 
 
 @in_python

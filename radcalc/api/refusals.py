@@ -14,7 +14,7 @@ from radcalc.calculators.missing import on_page
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.errors import MOST, RadcalcError, Try, input_of, spell, with_correction
 from radcalc.quantities.symbols import FLAG, SYMBOLS
-from radcalc.units import horticulture
+from radcalc.units import table
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -131,7 +131,7 @@ def _result(found: Any, wanted: str) -> Any:
     quantity = getattr(found, keyword(name), None)
     if quantity is None:
         raise LookupError(f"the function has no result {keyword(name)}")
-    unit, *_ = horticulture.WORDS.get(unit.lower(), (unit,))  # of ppfd and dli, which are names
+    unit, *_ = table.GROWERS_WORDS.get(unit.lower(), (unit,))  # of ppfd and dli, which are names
     return quantity.to(unit) if unit else quantity
 
 

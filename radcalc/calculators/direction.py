@@ -5,12 +5,20 @@ from collections.abc import Sequence
 from typing import Any
 
 from radcalc import errors
-from radcalc.answer import Answer, Remark, Step, Value, texts_of
+from radcalc.answer import (
+    Answer,
+    Formula,
+    Remark,
+    Step,
+    Value,
+    format_angle,
+    format_number,
+    texts_of,
+)
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Task, Wants, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, refuse_foreign, worksheet
-from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import option, quote
 from radcalc.geometry import directions
 from radcalc.geometry.directions import length, unit
@@ -19,10 +27,10 @@ from radcalc.inputs.given import Input, Inputs, any_of, one_of
 from radcalc.inputs.places import read_coordinates
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin, sqrt
 from radcalc.quantities.symbols import MIRROR_BALL
+from radcalc.units import NUMBER
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import ANGLE, LENGTH
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER
 
 ANGLES, MIRRORS = ("polar", "elevation", "azimuth"), ("reflect-at", "reflect-to")
 ON_BALL = ("mirror-ball-u", "mirror-ball-v", "mirror-ball-w")

@@ -3,13 +3,12 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Answer, Remark, Step, Value
+from radcalc.answer import Answer, Remark, Step, Value, format_number, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import ENVIRONMENT, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import RenderedMap
 from radcalc.calculators.worksheet import refuse_foreign
-from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, option, options
 from radcalc.geometry.directions import UP, Vector
 from radcalc.geometry.sky import NAMES
@@ -20,9 +19,9 @@ from radcalc.maths import is_array
 from radcalc.quantities import symbols
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import LATLONG, LINKS
+from radcalc.units import NUMBER
 from radcalc.units.dimensions import SOLID_ANGLE
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.distributions.distribution import Peak

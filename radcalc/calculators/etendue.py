@@ -3,12 +3,11 @@
 from typing import Any
 
 from radcalc import errors
-from radcalc.answer import Answer
+from radcalc.answer import Answer, format_number
 from radcalc.calculators.page import Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, facing, place, worksheet
-from radcalc.derivation import format_number
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
 from radcalc.laws import solid_angles as laws_of

@@ -4,11 +4,10 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 
-from radcalc.answer import FRACTION, Answer
+from radcalc.answer import FRACTION, Answer, coherent_unit_of, format_number, format_value
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, worksheet
-from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, Try, mention, option, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.laws.exposure import (

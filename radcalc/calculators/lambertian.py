@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from radcalc import errors
-from radcalc.answer import Answer, Remark, texts_of
+from radcalc.answer import Answer, Remark, format_number, texts_of
 from radcalc.calculators.kinds import LightInputs
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.shapes import (
@@ -22,7 +22,6 @@ from radcalc.calculators.shapes import (
 )
 from radcalc.calculators.solved import Solved, Task, Wants, solve_all
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
-from radcalc.derivation import format_number
 from radcalc.errors import command, option, quote
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, angle_of, offset_of, split_by_light

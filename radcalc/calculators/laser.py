@@ -2,12 +2,11 @@
 
 import math
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, format_number
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.conversion import spectral
-from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, mention, option, options, quote
 from radcalc.inputs.given import Inputs
 from radcalc.laws.laser import DISTANCE, HAZARD, laws_of

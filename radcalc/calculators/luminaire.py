@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import errors
-from radcalc.answer import Answer, Step, Value
+from radcalc.answer import Answer, Step, Value, format_angle, format_number, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
 from radcalc.calculators.point_laws import (
@@ -35,7 +35,6 @@ from radcalc.calculators.point_laws import (
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, absent, value
 from radcalc.calculators.solved import Solved, contradiction, remarks_on
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
-from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import option, quote
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs, angle_of, offset_of

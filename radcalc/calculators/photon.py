@@ -3,11 +3,10 @@
 from functools import reduce
 from typing import Any
 
-from radcalc.answer import Answer, Remark, Value
+from radcalc.answer import Answer, Remark, Value, format_number
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
-from radcalc.derivation import format_number
 from radcalc.inputs.given import Input, Inputs
 from radcalc.laws.optics import PHOTON_LAWS
 from radcalc.laws.solver import Derivation, Known, solve

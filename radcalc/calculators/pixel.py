@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from radcalc import errors
-from radcalc.answer import Answer, Remark, Step, Value
+from radcalc.answer import Answer, Formula, Remark, Step, Value, format_angle, format_number
 from radcalc.calculators.direction import CONVENTION
 from radcalc.calculators.results import absent, of_directions, value
 from radcalc.calculators.solved import Solved, solve
@@ -14,7 +14,6 @@ from radcalc.calculators.worksheet import (
     place,
     refuse_foreign,
 )
-from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, add, mention, option, options, quote
 from radcalc.geometry import cones
 from radcalc.geometry.directions import spherical
@@ -166,7 +165,6 @@ def contour(flat: Any) -> Step:
 
 def patch(sheet: Worksheet) -> Placed:
     """Return the values and laws of a small patch at a distance."""
-    from radcalc.geometry import cones
     from radcalc.laws.solid_angles import PATCH
 
     given = sheet.given
@@ -224,7 +222,6 @@ def _on_sphere(sheet: Worksheet) -> Placed:
 
 def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
     """Refuse a patch that is too near for A cos(theta) / d^2."""
-    from radcalc.geometry import cones
 
     size = cones.size(area)
     if cones.is_near(away, size):

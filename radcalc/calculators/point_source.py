@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from functools import partial
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, coherent_unit_of, format_number, format_value
 from radcalc.calculators.page import Page
 from radcalc.calculators.point_laws import (
     ASSUMED,
@@ -33,7 +33,6 @@ from radcalc.calculators.point_laws import (
 )
 from radcalc.calculators.solved import Solved, Task, Wants, solve
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
-from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs

@@ -6,9 +6,8 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
 from radcalc import errors
-from radcalc.answer import Answer, Row, Value
-from radcalc.conversion.linear import exact_ratio
-from radcalc.derivation import letter_of
+from radcalc.answer import Answer, Row, Value, letter_of
+from radcalc.conversion import exact_ratio
 from radcalc.errors import quote
 from radcalc.floats import SMALLEST
 from radcalc.inputs.given import Input, Inputs
@@ -19,9 +18,9 @@ from radcalc.quantities.language import names_meant
 from radcalc.quantities.light import GRID
 from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import NUMBER, Dimension, Unit
 
 if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit

@@ -7,6 +7,7 @@ from numbers import Real
 from typing import Any, NamedTuple
 
 from radcalc import errors
+from radcalc.answer import coherent_unit_of, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.point_laws import SHAPED
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
@@ -23,7 +24,6 @@ from radcalc.calculators.scene_rows import (
     is_bare,
     typed,
 )
-from radcalc.derivation import coherent_unit_of, format_value
 from radcalc.distributions.distribution import DOWN, Distribution, Photometry, Pose
 from radcalc.distributions.formula import Cone, Isotropic, Lobe
 from radcalc.distributions.scene import Emitter, Panel, Source

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from functools import reduce
 from typing import Any
 
+from radcalc.answer import Formula, format_number
 from radcalc.calculators.worksheet import (
     OFFSETS,
     Placed,
@@ -12,7 +13,6 @@ from radcalc.calculators.worksheet import (
     facing,
     refuse_slant_for_height,
 )
-from radcalc.derivation import Formula, format_number
 from radcalc.errors import Exclusive, HorizonCuts, MissingInput, add, leave_out, mention, option
 from radcalc.geometry import cones, projected, solid
 from radcalc.inputs.given import (

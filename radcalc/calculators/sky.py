@@ -8,13 +8,12 @@ import math
 from typing import TYPE_CHECKING
 
 from radcalc import errors
-from radcalc.answer import Answer, Step
+from radcalc.answer import Answer, Step, format_angle, format_number, format_value
 from radcalc.calculators.kinds import kind_of
 from radcalc.calculators.page import Operand, Page, text
 from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
-from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import option
 from radcalc.geometry.directions import UP, Vector, cartesian, dot, unit
 from radcalc.geometry.projections import USUAL_SIZE

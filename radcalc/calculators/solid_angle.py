@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from radcalc import errors
-from radcalc.answer import Answer, texts_of
+from radcalc.answer import Answer, Formula, format_angle, format_number, texts_of
 from radcalc.calculators.page import Operand, Page, words_of
 from radcalc.calculators.pixel import ROUND, contour, enter, onto, patch, sr
 from radcalc.calculators.results import of_directions
@@ -21,7 +21,6 @@ from radcalc.calculators.worksheet import (
     refuse_slant_for_height,
     worksheet,
 )
-from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import options, quote
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, any_of, offset_of, one_of, radius_of

@@ -5,12 +5,21 @@ from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Answer, Remark, ShownInput, Value, itself
+from radcalc.answer import (
+    Answer,
+    Remark,
+    ShownInput,
+    Value,
+    coherent_unit_of,
+    digits_apart,
+    format_number,
+    format_value,
+    itself,
+)
 from radcalc.calculators import kinds
 from radcalc.calculators.missing import Search
 from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Placed, Remarks, Worksheet, without_one
-from radcalc.derivation import coherent_unit_of, digits_apart, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
 from radcalc.inputs.given import Inputs, any_uncertain
 from radcalc.laws import solver

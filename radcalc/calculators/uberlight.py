@@ -7,12 +7,11 @@ attenuation a and the fall-off distance L, where it equals that of an inverse sq
 from functools import partial
 from typing import Any
 
-from radcalc.answer import Answer, Step
+from radcalc.answer import Answer, Formula, Step, format_number, format_value
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import FARTHEST, Placed, Worksheet, place, worksheet
-from radcalc.derivation import Formula, format_number, format_value
 from radcalc.errors import ConditionError, Exclusive, Idle, Unused, mention, option, options, quote
 from radcalc.geometry import uberlight as attenuations
 from radcalc.geometry.directions import cross, dot, length, times, unit

@@ -14,12 +14,11 @@ from radcalc.errors import call, quote
 from radcalc.inputs.given import Input, any_uncertain, shown_inputs
 from radcalc.quantities.light import read as read_light
 from radcalc.tuples import NamedTuple
-from radcalc.units.amount import Amount
+from radcalc.units import Unit
 from radcalc.units.compiled import PREFIX_SYMBOLS
-from radcalc.units.numbers import read_number, split_quantity
+from radcalc.units.numbers import Amount, read_number, split_quantity
 from radcalc.units.ranges import note_of, refuse_many
 from radcalc.units.table import unit_of
-from radcalc.units.unit import Unit
 
 
 class Conversion(NamedTuple):

@@ -31,8 +31,8 @@ from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where
 from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
 from radcalc.terminal import CSV, JSON, TABLE
+from radcalc.units import Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 HELP = """\
 \b

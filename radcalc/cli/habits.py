@@ -9,9 +9,9 @@ from itertools import pairwise
 from radcalc.calculators.pages import COMMANDS
 from radcalc.cli.files import say
 from radcalc.errors import RadcalcError, UsageError, call, quote
-from radcalc.units.connectives import ALSO_UNITS, TO
+from radcalc.units import Unit
+from radcalc.units.grammar import ALSO_UNITS, TO
 from radcalc.units.numbers import is_sentence
-from radcalc.units.unit import Unit
 
 ENDS = ("--from", "--to")
 BETWEEN = (*TO, *ALSO_UNITS)

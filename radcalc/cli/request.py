@@ -19,8 +19,8 @@ from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import DISTRIBUTION, QUANTITY, SPECTRUM, SYMBOLS
 from radcalc.tuples import NamedTuple
+from radcalc.units import NUMBER, Unit
 from radcalc.units.ranges import MOST, MOST_IN_ARRAY, grid, note_of, with_larger_step
-from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
     from radcalc.cli.output import Output

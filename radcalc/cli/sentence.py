@@ -28,8 +28,8 @@ from radcalc.sentences.frames import one_word
 from radcalc.sentences.reader import Fact, Sentence, read
 from radcalc.sentences.used import assumptions_of
 from radcalc.terminal import JSON, PLAIN
+from radcalc.units import NUMBER
 from radcalc.units.numbers import is_sentence
-from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.cli.output import Listener

@@ -28,14 +28,12 @@ from radcalc.quantities.light import LUMINOUS
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
 from radcalc.sentences.words import ENDS
-from radcalc.units import scales
-from radcalc.units.amount import Amount
-from radcalc.units.connectives import ALSO_UNITS, TO
-from radcalc.units.numbers import FUNCTIONS, is_sentence, read_number
+from radcalc.units import scales, unit_behind
+from radcalc.units.grammar import ALSO_UNITS, TO
+from radcalc.units.numbers import FUNCTIONS, Amount, is_sentence, read_number
 from radcalc.units.reading import read_amount
 from radcalc.units.table import unit_of
 from radcalc.units.uncertain import SIGN
-from radcalc.units.unit import unit_behind
 
 if TYPE_CHECKING:
     from radcalc.homework.question import Question

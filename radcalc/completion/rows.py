@@ -31,10 +31,10 @@ from radcalc.quantities.light import GEOMETRIES
 from radcalc.quantities.targets import GENERIC, names_with_units
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra import listing
+from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.scales import on
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Dimension, Unit
 
 ENDINGS = {
     symbols.SPECTRUM: (*COLUMNS, ".spd", ".asc", ".sp", ".xls", ".spdx"),

@@ -3,7 +3,7 @@
 from radcalc.completion.table import NAMES
 from radcalc.completion.table import UNITS as MEASURES
 from radcalc.completion.words import Completion, split_number
-from radcalc.conversion.conditions import CONDITIONS
+from radcalc.conversion.geometric import CONDITIONS
 from radcalc.conversion.operands import read_lists, read_value, sides
 from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
@@ -12,13 +12,13 @@ from radcalc.inputs.reading import read, split_values
 from radcalc.quantities.light import is_per_length, name_of
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS
 from radcalc.quantities.units import full_name, offered
+from radcalc.units import Exitance, Unit
 from radcalc.units.compiled import NAMES as SPELLINGS
 from radcalc.units.compiled import UNITS
 from radcalc.units.reading import with_unit
 from radcalc.units.scale_table import SCALES
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import Exitance, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:

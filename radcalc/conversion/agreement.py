@@ -3,9 +3,9 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from radcalc.answer import digits_apart, format_value
 from radcalc.conversion import geometric
-from radcalc.conversion.conditions import LINK, slot_of
-from radcalc.derivation import digits_apart, format_value
+from radcalc.conversion.geometric import LINK, slot_of
 from radcalc.errors import ConditionError, Contradiction, Exclusive, option, options, quote
 from radcalc.inputs.given import Input, Inputs
 from radcalc.laws.law import same

@@ -8,15 +8,15 @@ from collections.abc import Sequence
 from typing import Any
 
 from radcalc.answer import Step
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.errors import ConditionError, ConversionError, Unused, option
 from radcalc.floats import LARGEST, divide
 from radcalc.inputs.given import Input
 from radcalc.maths import any_true, is_lost, sqrt
 from radcalc.quantities.light import NONE, PHOTON_NAMES, RADIANT, describe, light_dimension
 from radcalc.tuples import NamedTuple
+from radcalc.units import WAVELENGTH_UNITS, Exitance, Unit
 from radcalc.units.dimensions import ENERGY, LENGTH, PHOTON_ENERGY, TEMPERATURE
-from radcalc.units.unit import WAVELENGTH_UNITS, Exitance, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:

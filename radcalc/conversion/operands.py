@@ -7,11 +7,11 @@ links them.  An amount alone fits if its unit is one word, a quotient, or that o
 
 from radcalc import errors
 from radcalc.errors import quote
-from radcalc.units.amount import Amount
+from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import EXAMPLE, OPERATORS, STREAM_EXAMPLE
 from radcalc.units.compiled import NAMES
-from radcalc.units.connectives import ALSO, DIVIDERS, TO
-from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY
+from radcalc.units.grammar import ALSO, DIVIDERS, TO
+from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, Amount
 from radcalc.units.reading import (
     dimensions_of,
     read_amount,
@@ -20,14 +20,13 @@ from radcalc.units.reading import (
     with_unit,
 )
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from radcalc.errors import Try
-    from radcalc.units.unit import Dimension
+    from radcalc.units import Dimension
 
 OF_LISTS = ",:"  # characters of a list or a range
 PER = "per"
@@ -227,10 +226,10 @@ def _target(text: str) -> Unit | None:
         return unit_of(text) if DIVIDERS.keys() & {*others} else None
     if unit := unit_of(text):
         return unit
-    from radcalc.units import horticulture
+    from radcalc.units import table
     from radcalc.units.scales import find
 
-    return find(text) or (horticulture.find(text) if text.lower() in horticulture.WORDS else None)
+    return find(text) or (table.growers_unit(text) if text.lower() in table.GROWERS_WORDS else None)
 
 
 def _amount(text: str, target: str = "") -> Amount | None:

@@ -5,10 +5,10 @@ Several conversions may have common conditions, of which each may use only some.
 
 from itertools import combinations
 
-from radcalc.conversion.linear import Plan, are_reciprocal, between, is_function
+from radcalc.conversion import Plan, are_reciprocal, between, is_function
 from radcalc.errors import MissingCondition, RadcalcError, Unused
+from radcalc.units import TEMPERATURE_ALONE, Unit
 from radcalc.units.table import unit_of
-from radcalc.units.unit import TEMPERATURE_ALONE, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from radcalc.answer import Result, ShownInput
     from radcalc.inputs.given import Input
-    from radcalc.units.amount import Amount
+    from radcalc.units.numbers import Amount
 
 Request = tuple[Unit, Unit, "Sequence[Input]", str]  # the arguments of `plan`
 Planned = tuple[Plan, "Sequence[Input]"]
@@ -51,7 +51,7 @@ def source_of(amount: "Amount", target: Unit, given: "Sequence[Input]" = ()) -> 
     source = amount.typed[1]
     if source is None or amount.rounding is None:
         return source
-    from radcalc.units.constants import fit
+    from radcalc.units.values import fit
 
     if source.dimension == TEMPERATURE_ALONE and (
         target.is_scale or are_reciprocal(source, target)

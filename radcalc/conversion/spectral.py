@@ -3,9 +3,8 @@
 from typing import TYPE_CHECKING, Any
 
 from radcalc import errors, maths
-from radcalc.answer import Step
-from radcalc.conversion.conditions import BAND, LINK, Factor
-from radcalc.derivation import Formula, format_number
+from radcalc.answer import Formula, Step, format_number
+from radcalc.conversion.geometric import BAND, LINK, Factor
 from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, Inputs, require
 from radcalc.quantities.light import (
@@ -35,8 +34,8 @@ from radcalc.spectra.observers import (
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.tuples import NamedTuple
+from radcalc.units import Photosynthetic
 from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER
-from radcalc.units.unit import Photosynthetic
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -21,8 +21,8 @@ from radcalc.maths import Number
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import FISHEYE, LATLONG, WHOLE_SPHERE, light_unit
+from radcalc.units import NUMBER, Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
     from radcalc.distributions.maps.pictures import Picture

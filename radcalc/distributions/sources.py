@@ -11,8 +11,8 @@ from radcalc.errors import ConditionError, RadcalcError, correct, corrections, n
 from radcalc.quantities.light import KINDS, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import DISTRIBUTIONS, light_unit
+from radcalc.units import Dimension, Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import Dimension, Unit
 
 EXAMPLE = "a file (IES, EULUMDAT, CSV), or an expression such as '300*cos(theta)^4 cd'"
 

@@ -10,11 +10,11 @@ from radcalc.homework.wording import Translatable
 from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
 from radcalc.quantities.symbols import ANY, Symbol
+from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import read_number, typed_digits
 from radcalc.units.scales import find, refuse_product
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 DIGITS_OF_EXACT = 15
 LEAST_MEANT = 2  # digits of a number that count in any case, even if they are zeros

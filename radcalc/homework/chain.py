@@ -11,20 +11,20 @@ from contextlib import suppress
 from itertools import combinations
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer, Value
-from radcalc.calculators.kinds import Ratio
-from radcalc.conversion import spectral
-from radcalc.conversion.conditions import Factor
-from radcalc.conversion.linear import Plan
-from radcalc.conversion.natural import LawPlan
-from radcalc.derivation import (
+from radcalc.answer import (
+    Answer,
     Formula,
+    Value,
     coherent_unit_of,
     format_number,
     format_value,
     letter_of,
     with_unit,
 )
+from radcalc.calculators.kinds import Ratio
+from radcalc.conversion import Plan, spectral
+from radcalc.conversion.geometric import Factor
+from radcalc.conversion.natural import LawPlan
 from radcalc.errors import RadcalcError
 from radcalc.inputs.given import Inputs
 from radcalc.laws.common import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE
@@ -250,7 +250,6 @@ def between_kinds(
     start: str, end: str, given: Inputs, values: dict[str, float], steps: Steps
 ) -> Powers:
     """Return the factors between two kinds and their powers; add their values and laws."""
-    from radcalc.conversion import spectral  # with the tables of the observers
 
     powers: Powers = []
     if "wavelength" in given:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
-from radcalc.derivation import format_number
+from radcalc.answer import format_number
 from radcalc.geometry import cones
 from radcalc.geometry.numerics.integrals import integral
 from radcalc.homework.chain import FAILURES, Worked

@@ -9,7 +9,7 @@ from radcalc.answer import Answer, Step, Value
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task
 from radcalc.calculators.uncertainty import value_of, with_uncertainties
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
 from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
 from radcalc.homework.wording import USUAL, Translatable
@@ -19,8 +19,8 @@ from radcalc.laws.surface import LAMBERTIAN
 from radcalc.quantities.light import GRID, Reading
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.spectra.spectrum import BlackBody
-from radcalc.units.amount import Amount
-from radcalc.units.unit import Unit
+from radcalc.units import Unit
+from radcalc.units.numbers import Amount
 
 HOT_BODY = {  # the laws of the results of a black body's spectrum
     "exitance": [EXITANCE],

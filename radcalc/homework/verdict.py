@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from itertools import repeat
 from typing import TYPE_CHECKING, NamedTuple, cast
 
-from radcalc.answer import Step, Value
+from radcalc.answer import Step, Value, format_number, with_unit
 from radcalc.calculators.result_names import results_meant
 from radcalc.calculators.results import (
     in_unit,
@@ -16,7 +16,6 @@ from radcalc.calculators.results import (
     pick,
     right_names,
 )
-from radcalc.derivation import format_number, with_unit
 from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework import diagnosis
 from radcalc.homework.answer import (
@@ -32,9 +31,9 @@ from radcalc.homework.question import Question
 from radcalc.homework.wording import Translatable
 from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities.light import describe
+from radcalc.units import NUMBER, Unit
 from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
 from radcalc.units.scales import ScaleUnit
-from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
     from radcalc.homework.question import Candidate

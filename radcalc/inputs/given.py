@@ -5,17 +5,16 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from radcalc import maths
-from radcalc.answer import ShownInput
-from radcalc.derivation import format_number
+from radcalc.answer import ShownInput, format_number
 from radcalc.errors import ConditionError, Exclusive, Impossible, MissingInput, option, quote
 from radcalc.maths import SLACK
 from radcalc.quantities import symbols
 from radcalc.tuples import NamedTuple
+from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.numbers import rounding
-from radcalc.units.unit import NUMBER, Dimension, Unit
 
 if TYPE_CHECKING:
-    from radcalc.units.slopes import Part
+    from radcalc.units.functions import Part
 
 
 class DigitsMatter(Exception):

@@ -13,11 +13,11 @@ from radcalc.inputs.quantities import is_number_with_unit
 from radcalc.maths import LARGEST, SLACK
 from radcalc.quantities import symbols
 from radcalc.quantities.light import describe
+from radcalc.units import Unit
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import ANGLE, LENGTH
 from radcalc.units.numbers import parse_number
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 Point = tuple[float, float, float]
 

@@ -4,7 +4,7 @@ import math
 from typing import TYPE_CHECKING, Any, cast
 
 from radcalc import errors, maths
-from radcalc.derivation import format_number
+from radcalc.answer import format_number
 from radcalc.errors import option, quote
 from radcalc.floats import divide
 from radcalc.inputs.given import DigitsMatter, Input, check_limits
@@ -12,13 +12,12 @@ from radcalc.maths import LARGEST
 from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
-from radcalc.units.amount import Amount
+from radcalc.units import NUMBER, Unit, is_own
 from radcalc.units.dimensions import ANGLE, ENERGY, SOLID_ANGLE, TIME
-from radcalc.units.numbers import parse_number, relative_rounding
+from radcalc.units.numbers import Amount, parse_number, relative_rounding
 from radcalc.units.ranges import real, with_list
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit, is_own
 
 LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that can be in OD, stops or dB
 if TYPE_CHECKING:

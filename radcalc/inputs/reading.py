@@ -9,10 +9,10 @@ from radcalc.errors import option, quote
 from radcalc.inputs.given import Input, runs_backwards
 from radcalc.inputs.quantities import MARKED, quantity_input, with_likely_unit
 from radcalc.quantities import symbols
+from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import split_value
 from radcalc.units.ranges import read_array, read_values
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit
 
 
 def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:

@@ -14,7 +14,7 @@ and irradiance.  Watts and joules only: the heat of lumens and photons depends o
 from collections.abc import Container
 from typing import Any
 
-from radcalc.derivation import format_number
+from radcalc.answer import format_number
 from radcalc.geometry import cones
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import acos, piecewise, sqrt, square

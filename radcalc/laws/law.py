@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from radcalc.derivation import Formula
+from radcalc.answer import Formula
 from radcalc.errors import ConditionError
 from radcalc.maths import any_true, is_array, power
 from radcalc.tuples import NamedTuple

@@ -18,7 +18,7 @@ from collections.abc import Callable
 from typing import Any
 
 from radcalc import maths
-from radcalc.derivation import format_number
+from radcalc.answer import format_number
 from radcalc.errors import add, leave_out, option
 from radcalc.geometry import cones
 from radcalc.laws.common import APEX, CONE, COSINE, ENERGY, EXPOSURE

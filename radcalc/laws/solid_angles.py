@@ -10,7 +10,7 @@ at infinity, with an f-number of at least 0.5.  The law of two discs (parallel, 
 exact at any distance; patches are small against their distance.
 """
 
-from radcalc.derivation import Formula
+from radcalc.answer import Formula
 from radcalc.geometry import cones, projected, solid
 from radcalc.laws.law import HOWELL, Relation, law, relation
 from radcalc.maths import asin, sin, tan

@@ -8,8 +8,7 @@ from functools import cached_property, partial
 from itertools import product
 from typing import Any
 
-from radcalc.answer import Step
-from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
+from radcalc.answer import Step, coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
 from radcalc.laws.law import AnyLaw, At, Law, Relation, Several
 from radcalc.maths import any_true, is_array, is_lost, larger, limit, piecewise, smaller

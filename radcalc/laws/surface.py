@@ -8,7 +8,7 @@ at least five times its size, and the inverse square law, which is an estimate. 
 import math
 from typing import Any
 
-from radcalc.derivation import Formula
+from radcalc.answer import Formula
 from radcalc.geometry import cones, projected
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.sky import (

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from radcalc.derivation import in_ascii
+from radcalc.answer import in_ascii
 from radcalc.errors import printable
 from radcalc.plots import data
 from radcalc.plots.data import levels, limits, log_ticks, rings, span, texts, ticks

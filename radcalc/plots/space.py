@@ -6,13 +6,12 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, format_angle
 from radcalc.calculators.environment import Source, surroundings
 from radcalc.calculators.point_laws import spread
 from radcalc.calculators.results import name_of, pick
 from radcalc.calculators.sky import place_of_sun
 from radcalc.calculators.uncertainty import STANDARD
-from radcalc.derivation import format_angle
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
 from radcalc.distributions.environments import Radiances, Sky
 from radcalc.distributions.formula import of_shape

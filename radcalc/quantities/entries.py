@@ -10,14 +10,14 @@ from radcalc.errors import UnitError, command, corrections, quote
 from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.light import EXITANCES, describe, is_per_length, name_of, read
 from radcalc.quantities.units import composed, named
+from radcalc.units import Unit
 from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.catalogue import CONSTANTS as CATALOGUE_OF_CONSTANTS
 from radcalc.units.compiled import CONSTANTS, NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
-from radcalc.units.constants import unit as unit_of_constants
 from radcalc.units.scale_table import SCALES, Scale, usual
 from radcalc.units.scales import find, on
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
+from radcalc.units.values import unit as unit_of_constants
 
 
 class Entry(NamedTuple):

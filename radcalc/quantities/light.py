@@ -8,8 +8,7 @@ from operator import sub
 
 from radcalc.errors import quote
 from radcalc.tuples import NamedTuple
-from radcalc.units import dimensions
-from radcalc.units.unit import FIELD_STRENGTH, NUMBER, Dimension, Unit
+from radcalc.units import FIELD_STRENGTH, NUMBER, Dimension, Unit, dimensions
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
 NONE, PER_WAVELENGTH, PER_FREQUENCY, PER_WAVENUMBER = "", "lambda", "nu", "sigma"

@@ -18,11 +18,11 @@ from radcalc.quantities.names import (
     QUANTITIES,
     Quantity,
 )
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.languages import bare
 from radcalc.units.scales import find
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
 GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}

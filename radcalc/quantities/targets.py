@@ -13,11 +13,10 @@ from radcalc.quantities.search import Other, called, comparable, index
 from radcalc.quantities.search import near as names_like
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.quantities.units import composed
-from radcalc.units import horticulture
+from radcalc.units import Exitance, Unit, table
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve, suggest, unit_of
-from radcalc.units.unit import Exitance, Unit
 
 # Names for every kind of light; the source determines the kind.
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
@@ -49,7 +48,7 @@ def named(text: str, source: Unit | None = None) -> Unit:
 
     A known `source` determines the kind of a name for every kind.
     """
-    horticulture.refuse(text)
+    table.refuse_par(text)
     for names in (PPFD, PPF, DLI):
         if comparable(text) in names:
             return resolve_any(names[0])
@@ -80,10 +79,10 @@ def names_with_units() -> list[tuple[str, str]]:
 def _meanings(text: str, source: Unit | None) -> list[Target]:
     """Return the quantities that the text can name, none if it names no quantity."""
     folded = comparable(text)
-    if len(folded) < SHORTEST or folded in horticulture.AMBIGUOUS:
+    if len(folded) < SHORTEST or folded in table.PAR:
         return []
     if folded in DLI:
-        return [Target("photon exposure", horticulture.WORDS["dli"][0], horticulture.DLI)]
+        return [Target("photon exposure", table.GROWERS_WORDS["dli"][0], table.DLI)]
     if folded in GENERIC:
         return _of_kinds(folded, source)
     if exact := index().names.get(folded):

@@ -13,10 +13,10 @@ from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import name_of
 from radcalc.quantities.names import QUANTITIES, data_rows
 from radcalc.quantities.search import called, comparable, matching
-from radcalc.units.amount import Amount
+from radcalc.units import Unit
+from radcalc.units.numbers import Amount
 from radcalc.units.reading import read_amount
 from radcalc.units.scales import ScaleUnit, resolve_any
-from radcalc.units.unit import Unit
 
 THINGS = (
     *("sun", "sky", "overcast", "shade", "twilight", "moon", "starlight", "cloud", "UV"),

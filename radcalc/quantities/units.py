@@ -1,9 +1,9 @@
 """The units of a quantity, for `convert` without a target, `units`, and completion."""
 
 from radcalc.quantities import light
+from radcalc.units import Dimension, Unit
 from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
-from radcalc.units.unit import Dimension, Unit
 
 # Derived units without a name are products: a head for kind and time, and divisors.  The candela
 # is already per steradian.

@@ -21,7 +21,7 @@ from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
 from radcalc.terminal import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
-from radcalc.units.unit import unit_behind
+from radcalc.units import unit_behind
 
 # Terminal columns between two columns of a table: an empty column with a blank on each side, or a
 # single blank if words would be divided otherwise.
@@ -144,7 +144,7 @@ def _letter(row: Row) -> str:
     """Return the symbol of a row, in characters that standard output can encode."""
     if can_show(row.symbol):
         return row.symbol
-    from radcalc.derivation import in_ascii
+    from radcalc.answer import in_ascii
 
     return in_ascii(row.symbol)
 

@@ -19,7 +19,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.spectra.files import is_spectrum
 from radcalc.streams.log_layout import MISSING, FirstRows, LogHead, LogSettings, blocks_of
 from radcalc.streams.samples import LEAST, MARKED
-from radcalc.units.unit import Unit
+from radcalc.units import Unit
 
 LUMINAIRE, MAP, SPECTRUM, LOG, SCENE, TABLE = (
     "luminaire",

@@ -36,12 +36,12 @@ from radcalc.sentences.products import moved_either_way, moved_in_distance, quot
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.used import is_idle, refuse_unused
 from radcalc.sentences.words import near_words, size_of
+from radcalc.units import Daily
 from radcalc.units.dimensions import (
     TEMPERATURE,
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest
-from radcalc.units.unit import Daily
 
 SHORTEST = 4  # letters of a word with a misspelling
 OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}

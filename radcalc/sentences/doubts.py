@@ -13,8 +13,8 @@ from radcalc.sentences.phrases import FILTER, LAMP, LIGHT, SUN
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import amount_of
 from radcalc.tuples import NamedTuple
+from radcalc.units import NUMBER
 from radcalc.units.dimensions import ANGLE, POWER, SOLID_ANGLE
-from radcalc.units.unit import NUMBER
 
 ELECTRICAL = ("flux", "input-power")  # of `60 W led`
 PLAIN_FLUX = ((), ("flux",))

@@ -7,8 +7,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.sentences.reader import Fact
 from radcalc.sentences.words import Amount
-from radcalc.units import dimensions
-from radcalc.units.unit import NUMBER
+from radcalc.units import NUMBER, dimensions
 
 VALUE = "value"  # the amount that is converted
 LIGHT = ("flux", "intensity", "exitance", "irradiance", "radiance", "exposure", "energy")

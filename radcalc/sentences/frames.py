@@ -24,6 +24,7 @@ from radcalc.sentences.phrases import BESIDE, COMMAND, FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import (
     ANGLE,
     LENGTH,
@@ -32,7 +33,6 @@ from radcalc.units.dimensions import (
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 
 class Frame(NamedTuple):

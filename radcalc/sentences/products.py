@@ -14,6 +14,7 @@ from radcalc.sentences.facts import generic, is_number
 from radcalc.sentences.frames import is_irradiance
 from radcalc.sentences.reader import Fact, Goal
 from radcalc.sentences.words import Amount, size_of
+from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import (
     ANGLE,
     LENGTH,
@@ -22,7 +23,6 @@ from radcalc.units.dimensions import (
     times,
 )
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Dimension, Unit
 
 DISTANCE = ("distance",)
 OF_EFFICACY = ("lm/W", "umol/J")  # light per power, or its photons

@@ -45,11 +45,10 @@ from radcalc.sentences.words import (
     words_of,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units import horticulture
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import AREA, ENERGY, LENGTH
 from radcalc.units.reading import read_amount
-from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit
+from radcalc.units.table import PAR, PAR_RANGE, unit_of
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -407,8 +406,8 @@ class _Reading:
 
     def _range(self, at: int) -> list[Found]:
         """Find a range of wavelengths: `380-780 nm`, `400 nm to 500 nm`, PAR next to watts."""
-        if self.words[at].folded in horticulture.AMBIGUOUS and self._has_watts:
-            return [(at + 1, Fact(("range",), horticulture.PAR_RANGE, self.words[at].text))]
+        if self.words[at].folded in PAR and self._has_watts:
+            return [(at + 1, Fact(("range",), PAR_RANGE, self.words[at].text))]
         for end in range(min(len(self.words), at + LONGEST_RANGE), at, -1):
             if match := RANGE.fullmatch(self.text(at, end)):
                 low, unit, high, last = match.groups()

@@ -19,12 +19,11 @@ from radcalc.sentences.phrases import (
     Phrase,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units import horticulture
+from radcalc.units import LENGTH_ALONE, NUMBER, WAVELENGTH_UNITS, Dimension, Unit, table
 from radcalc.units.dimensions import TIME
 from radcalc.units.reading import read_amount
 from radcalc.units.scales import find
 from radcalc.units.table import unit_of
-from radcalc.units.unit import LENGTH_ALONE, NUMBER, WAVELENGTH_UNITS, Dimension, Unit
 
 ENGLISH_ALONE = (ENGLISH,)
 
@@ -224,7 +223,7 @@ def _adds_nothing(text: str, words: Sequence[Word]) -> bool:
     unit = unit_in([words[-1].text]) if has_number else None
     light = read_light(unit) if unit else None
     is_of_photons = light is not None and light.kind == PHOTON
-    nothing = (*OF_AMOUNTS, *horticulture.AMBIGUOUS * is_of_photons)
+    nothing = (*OF_AMOUNTS, *table.PAR * is_of_photons)
     return text.lower() == ANSI or (text.lower() in nothing and unit is not None)
 
 
@@ -300,7 +299,7 @@ def amount_at(words: "list[Word]", start: int) -> Amount | None:
 
 def _in_arithmetic(text: str) -> str:
     """Return a word of an expression: the unit that ppfd stands for."""
-    return horticulture.WORDS.get(text.lower(), (text,))[0]
+    return table.GROWERS_WORDS.get(text.lower(), (text,))[0]
 
 
 def _operand(words: "list[Word]", start: int) -> Amount | None:
@@ -331,8 +330,8 @@ def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
     text = " ".join(parts)
     if not text:
         return None
-    is_par = text.lower() in horticulture.AMBIGUOUS
-    unit = unit_of(text) or find(text) or (None if is_par else horticulture.find(text))
+    is_par = text.lower() in table.PAR
+    unit = unit_of(text) or find(text) or (None if is_par else table.growers_unit(text))
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
         return None
     is_share = "per" in parts and unit.dimension == NUMBER  # 16 h per day of light

@@ -6,8 +6,8 @@ The constants h, c and k are exact (the SI of 2019).  Temperatures in kelvin, wa
 import math
 from collections.abc import Sequence
 
-from radcalc.units.constants import value
 from radcalc.units.table import resolve
+from radcalc.units.values import value
 
 PLANCK = value("planck_constant")  # J s
 LIGHT = value("speed_of_light")  # m/s

@@ -22,14 +22,14 @@ from radcalc.spectra.spectrum import (
     Table,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units.amount import Amount
+from radcalc.units import Dimension
 from radcalc.units.amounts import UNCERTAIN, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
+from radcalc.units.numbers import Amount
 from radcalc.units.ranges import MOST, read_series
 from radcalc.units.reading import read_amount
 from radcalc.units.scales import find
 from radcalc.units.table import resolve
-from radcalc.units.unit import Dimension
 
 SERIES = ("blackbody", "daylight")  # kinds for which lists and ranges give several spectra
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}

@@ -7,7 +7,7 @@ from radcalc.tuples import NamedTuple
 
 if TYPE_CHECKING:
     from radcalc.inputs.given import Input
-    from radcalc.units.unit import Unit
+    from radcalc.units import Unit
 
 
 class Source(NamedTuple):

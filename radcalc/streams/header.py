@@ -24,9 +24,9 @@ from radcalc.quantities.light import describe, name_of
 from radcalc.quantities.light import read as read_light
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
 from radcalc.streams.readers import UTF_8, Texts
+from radcalc.units import Unit
 from radcalc.units.numbers import parse_number
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 WHERE = "the header of stdin"
 

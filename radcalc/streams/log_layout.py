@@ -28,10 +28,10 @@ from radcalc.quantities.light import read as read_light
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import DIGITS_IN_TITLE, looks_like_clock, looks_like_stamp
 from radcalc.terminal import ABORT
+from radcalc.units import Unit
 from radcalc.units.dimensions import TIME
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 if TYPE_CHECKING:
     from radcalc.streams.solar import SunTable

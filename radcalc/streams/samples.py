@@ -10,10 +10,9 @@ from math import inf, isnan, nan
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, format_number
 from radcalc.calculators import dose as page
 from radcalc.calculators.dose_sums import MEANS, POINTS, Dose
-from radcalc.derivation import format_number
 from radcalc.errors import (
     Hint,
     LineError,
@@ -39,11 +38,10 @@ from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, LogHead, LogSettings
 from radcalc.terminal import ABORT, FAIL, IGNORE
-from radcalc.units import horticulture
+from radcalc.units import Unit
 from radcalc.units.numbers import parse_number
 from radcalc.units.reading import read_amount
-from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
+from radcalc.units.table import PAR_RANGE, resolve
 
 FEW = 32  # lines read one by one
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # loggers mark missing values so: -9999.9
@@ -452,7 +450,7 @@ class LogDose:
         """
         if self.log.layout.is_par and "spectrum" in given and "range" not in given:
             problem = "the values are PAR in watts, which are counted from 400 nm to 700 nm"
-            raise MissingInput(problem, add("range", horticulture.PAR_RANGE))
+            raise MissingInput(problem, add("range", PAR_RANGE))
         if (band := self.log.layout.band) and (links := [name for name in LINKS if name in given]):
             problem = f"the values are of another light by their title ({band})"
             problem = f"{problem}, which {option(links[0])} does not convert"

@@ -9,16 +9,15 @@ import re
 import unicodedata
 
 from radcalc.errors import nearest
+from radcalc.units import takes
 from radcalc.units.compiled import PREFIX_SYMBOLS, SYMBOLS
-from radcalc.units.connectives import DIVIDERS, divides
-from radcalc.units.grammar import plain
-from radcalc.units.unit import takes
+from radcalc.units.grammar import DIVIDERS, divides, plain
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from radcalc.units.unit import Unit
+    from radcalc.units import Unit
 
 # The endings of a declension, singular and plural; _ is an empty ending.
 CZECH_ENDINGS = {

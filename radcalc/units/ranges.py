@@ -8,10 +8,10 @@ from typing import Any, TypeVar
 from radcalc import errors
 from radcalc.errors import quote
 from radcalc.floats import divide
+from radcalc.units import Unit
 from radcalc.units.amounts import nominal, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
 from radcalc.units.reading import read_amount
-from radcalc.units.unit import Unit
 
 T = TypeVar("T")
 MOST = 10_000

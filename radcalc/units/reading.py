@@ -2,7 +2,7 @@
 
 from radcalc import errors
 from radcalc.errors import quote
-from radcalc.units.amount import Amount
+from radcalc.units import Dimension
 from radcalc.units.amounts import (
     LONGEST_SUM,
     UNCERTAIN,
@@ -12,9 +12,8 @@ from radcalc.units.amounts import (
     read_plain,
     read_sum,
 )
-from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, split_quantity
+from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, Amount, split_quantity
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import Dimension
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:

@@ -15,12 +15,11 @@ from typing import Any
 from radcalc import maths
 from radcalc.errors import ConversionError, NumberError, RadcalcError, correct, quote
 from radcalc.floats import SMALLEST
-from radcalc.units.amount import Amount
+from radcalc.units import TEMPERATURE_ALONE, Dimension, Unit
 from radcalc.units.grammar import plain
-from radcalc.units.numbers import read_number
+from radcalc.units.numbers import Amount, read_number
 from radcalc.units.scale_table import SCALES, SIZES, Scale, named, usual
 from radcalc.units.table import CELSIUS, FAHRENHEIT, resolve, unit_of
-from radcalc.units.unit import TEMPERATURE_ALONE, Dimension, Unit
 
 RECIPROCAL = next(scale for scale in SCALES if not scale.steps)
 
@@ -116,9 +115,9 @@ def resolve_any(text: str) -> Unit:
     """Return the unit of a text, a scale or a word of growers; raise UnitError for other texts."""
     if unit := find(text) or unit_of(text):
         return unit
-    from radcalc.units import horticulture
+    from radcalc.units import table
 
-    return horticulture.find(text) or resolve(text)
+    return table.growers_unit(text) or resolve(text)
 
 
 def refuse_product(text: str, scale: str) -> None:
@@ -148,7 +147,7 @@ def amount_on(
     assumptions = (scale.assumption,)
     if not uncertainty:
         return Amount(text, quantity, scale.unit, 0.0, assumptions, scale, reading)
-    from radcalc.units.slopes import Part, check_uncertainty
+    from radcalc.units.functions import Part, check_uncertainty
 
     def at(times: float) -> float | None:
         try:

@@ -6,8 +6,7 @@ from helpers import for_each
 
 import radcalc
 from radcalc.errors import ConditionError, MissingCondition, RadcalcError, UnitError
-from radcalc.units.horticulture import WORDS
-from radcalc.units.table import unit_of
+from radcalc.units.table import WORDS, unit_of
 
 # micromoles per second times the seconds of light in a day
 DAYS = [

@@ -22,10 +22,9 @@ from radcalc.errors import RadcalcError
 from radcalc.homework import Question, check
 from radcalc.homework.verdict import RELATIVES, REMARKS
 from radcalc.inputs.quantities import takes_scale
-from radcalc.units import scale_table
+from radcalc.units import Dimension, scale_table
 from radcalc.units.scales import find
 from radcalc.units.table import spellings, unit_of
-from radcalc.units.unit import Dimension
 
 SHORT, LONG = 200, 40_000
 LINKS = ("", "--spectrum D65", "--wavelength 555nm", "--efficacy 200lm/W")

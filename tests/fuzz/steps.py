@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from functools import cache
 from itertools import combinations, permutations, product
 
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError
 from radcalc.inputs.reading import read
