@@ -26,7 +26,7 @@ from radcalc.answer import coherent_unit_of
 from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import AnyLaw
 
 PACKAGE = str(Path(radcalc.__file__).parent)
 Q = radcalc.Quantity

@@ -161,7 +161,7 @@ def test_the_helpers_of_these_tests_find_functions_and_errors():
     from radcalc.geometry import cones, directions, projected, solid
 
     assert len(FUNCTIONS) > 60
-    assert {"radcalc.laws.law.law", "radcalc.laws.solver.solve"} <= FUNCTIONS.keys()
+    assert {"radcalc.laws.law", "radcalc.laws.solver.solve"} <= FUNCTIONS.keys()
     assert errors_of(directions.spherical) == {"ConditionError"}  # directly
     assert errors_of(cones.cone) == {"ConditionError"}  # through `refuse`
     assert errors_of(projected.sphere) == {"ConditionError"}  # through another module

@@ -6,7 +6,7 @@ from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.inputs.given import Inputs
-from radcalc.laws.common import HEAT_LAWS
+from radcalc.laws import HEAT_LAWS
 from radcalc.quantities.light import RADIANT
 
 QUANTITIES = ("flux", "energy", "irradiance")

@@ -37,7 +37,7 @@ from radcalc.errors import ConditionError, NumberError, Try, mention, option, qu
 from radcalc.files.text import ENDINGS
 from radcalc.floats import divide
 from radcalc.inputs.given import Inputs
-from radcalc.laws.law import law
+from radcalc.laws import law
 from radcalc.quantities.light import PHOTON, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import LINKS, REFINEMENTS

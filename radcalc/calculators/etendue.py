@@ -10,9 +10,8 @@ from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, facing, place, worksheet
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
-from radcalc.laws import solid_angles as laws_of
-from radcalc.laws.common import APEX, CIRCLE, CONFIGURATION_FACTOR, RECTANGLE, round_sizes
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import APEX, CIRCLE, CONFIGURATION_FACTOR, RECTANGLE, AnyLaw, round_sizes
+from radcalc.laws import beams as laws_of
 from radcalc.maths import FAINTEST, any_true, larger
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
@@ -80,7 +79,7 @@ def etendue(given: Inputs) -> Answer:
     results = (*RESULTS, *(name for name in takes if name != "etendue"))
     sheet = worksheet(PAGE._replace(title=named, takes=takes, others=results), given)
     placed = place(sheet, _with_receiver if has_receiver else _with_cone)
-    laws = [*placed.laws, laws_of.FLUX, laws_of.PER_AREA, CONFIGURATION_FACTOR]
+    laws = [*placed.laws, laws_of.RADIANCE_FLUX, laws_of.PER_AREA, CONFIGURATION_FACTOR]
     solved = solve(sheet, laws, placed)
     if has_receiver:
         _refuse_near(solved)

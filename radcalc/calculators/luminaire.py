@@ -38,9 +38,8 @@ from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.errors import option, quote
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs, angle_of, offset_of
-from radcalc.laws import luminaire as laws_of
-from radcalc.laws.common import OFFSET
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import OFFSET, AnyLaw
+from radcalc.laws import beams as laws_of
 from radcalc.laws.point import CONICAL, COSINE_BELOW, ISOTROPIC, LAWS, LOBED
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
@@ -150,7 +149,7 @@ class _Luminaire:
         )
         hints = (*SCALING, *shaped, *POSITION, *RECEIVER)
         self.sheet = worksheet(page, given, preferred=kind, hints=hints, defaults=("incidence",))
-        self.placed = Placed(*laws_of.LAWS)
+        self.placed = Placed(*laws_of.DISTRIBUTION_LAWS)
         refuse_light_of_surfaces(self.sheet.lit, SCALING)
         place_hemisphere(given, self.placed)
         self.photometry: Photometry = self._make_shape(shape) if self.of_shape else chosen

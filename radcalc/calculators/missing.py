@@ -9,7 +9,7 @@ from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.calculators.worksheet import OFFSETS, Worksheet
 from radcalc.errors import option
 from radcalc.inputs.quantities import with_likely_unit
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import AnyLaw
 from radcalc.laws.solver import reached
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS, light_unit, names_of_kinds

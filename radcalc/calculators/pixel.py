@@ -26,9 +26,8 @@ from radcalc.geometry.projections import (
     pixel_solid_angle,
 )
 from radcalc.inputs.given import Input, Inputs, angle_of, any_of, one_of
-from radcalc.laws.common import CIRCLE, round_sizes
-from radcalc.laws.law import AnyLaw
-from radcalc.laws.solid_angles import CONTOUR
+from radcalc.laws import CIRCLE, AnyLaw, round_sizes
+from radcalc.laws.beams import CONTOUR
 from radcalc.maths import SLACK, any_true, cos, sin
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, WHOLE_SPHERE
 
@@ -165,7 +164,7 @@ def contour(flat: Any) -> Step:
 
 def patch(sheet: Worksheet) -> Placed:
     """Return the values and laws of a small patch at a distance."""
-    from radcalc.laws.solid_angles import PATCH
+    from radcalc.laws.beams import PATCH
 
     given = sheet.given
     if "area" in given and set(ROUND) & set(given):
@@ -201,7 +200,7 @@ def _tilted(sheet: Worksheet) -> Placed:
 
 def _on_sphere(sheet: Worksheet) -> Placed:
     """Place a patch of a sphere, seen from the sphere's centre."""
-    from radcalc.laws.solid_angles import ON_SPHERE
+    from radcalc.laws.beams import ON_SPHERE
 
     given = sheet.given
     any_of(given, "the size of the sphere", *ROUND)

@@ -12,7 +12,7 @@ from radcalc.calculators.solved import Solved, solve, solve_all
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet
 from radcalc.errors import option
 from radcalc.inputs.given import Inputs, angle_of, require
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import AnyLaw
 from radcalc.laws.point import ASIDE, CONICAL, ISOTROPIC, LOBED
 from radcalc.maths import any_true, hypot, is_array
 

@@ -36,8 +36,7 @@ from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs
-from radcalc.laws.common import OFFSET
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import OFFSET, AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,
     AXIS,

@@ -9,8 +9,7 @@ from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs
-from radcalc.laws.common import RECTANGLE
-from radcalc.laws.law import AnyLaw, law, relation
+from radcalc.laws import RECTANGLE, AnyLaw, law, relation
 from radcalc.maths import any_true, sqrt
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.units.numbers import EXACT

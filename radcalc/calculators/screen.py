@@ -9,8 +9,7 @@ from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import MissingInput, mention
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs
-from radcalc.laws.common import ASPECT
-from radcalc.laws.law import AnyLaw, law, relation
+from radcalc.laws import ASPECT, AnyLaw, law, relation
 from radcalc.laws.solver import reached
 from radcalc.maths import hypot, power, sqrt, square
 from radcalc.quantities.symbols import LINKS, REFINEMENTS

@@ -11,8 +11,7 @@ from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import MissingInput, mention, option
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, angle_of
-from radcalc.laws.common import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, law, relation
+from radcalc.laws import ENERGY, EXPOSURE, AnyLaw, At, law, relation
 from radcalc.maths import cos, sqrt, square
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS

@@ -24,8 +24,16 @@ from radcalc.inputs.given import (
     one_of,
     radius_of,
 )
-from radcalc.laws.common import CIRCLE, CONE, OFFSET, PROJECTED_CONE, RECTANGLE, round_sizes
-from radcalc.laws.law import HOWELL, AnyLaw
+from radcalc.laws import (
+    CIRCLE,
+    CONE,
+    HOWELL,
+    OFFSET,
+    PROJECTED_CONE,
+    RECTANGLE,
+    AnyLaw,
+    round_sizes,
+)
 from radcalc.laws.solver import reached
 from radcalc.laws.surface import (
     CUT_DISC,

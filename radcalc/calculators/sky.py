@@ -29,7 +29,7 @@ from radcalc.geometry.sky import (
 )
 from radcalc.inputs.given import Inputs
 from radcalc.inputs.places import require_azimuth
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import AnyLaw
 from radcalc.laws.surface import (
     BOTH,
     DIFFUSE,

@@ -25,14 +25,8 @@ from radcalc.errors import options, quote
 from radcalc.geometry import cones
 from radcalc.inputs.given import Input, Inputs, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
-from radcalc.laws.common import APEX, CONE, PROJECTED_CONE, round_sizes
-from radcalc.laws.solid_angles import (
-    DISC_ASIDE,
-    PROJECTED_DISC,
-    PROJECTED_ZONE,
-    TRIANGLES,
-    ZONE,
-)
+from radcalc.laws import APEX, CONE, PROJECTED_CONE, round_sizes
+from radcalc.laws.beams import DISC_ASIDE, PROJECTED_DISC, PROJECTED_ZONE, TRIANGLES, ZONE
 from radcalc.maths import FAINTEST, SLACK, any_true, hypot, smaller
 from radcalc.quantities.symbols import CHOICE
 from radcalc.tuples import NamedTuple
@@ -217,7 +211,7 @@ def _span(interval: Input) -> str:
 
 
 def _sphere(sheet: Worksheet) -> Placed:
-    from radcalc.laws.solid_angles import SPHERE
+    from radcalc.laws.beams import SPHERE
 
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
     if len(sizes) < 2:
@@ -239,7 +233,7 @@ def _height_above(given: Inputs) -> Input:
 def _disc(sheet: Worksheet) -> Placed:
     """Place a disc, seen from its axis or aside; on the axis its solid angle may be given."""
     from radcalc.geometry import projected, solid
-    from radcalc.laws.solid_angles import disc
+    from radcalc.laws.beams import disc
 
     given = sheet.given
     offset = offset_of(given)
@@ -306,7 +300,7 @@ def _rectangle(sheet: Worksheet) -> Placed:
 def _pyramid(sheet: Worksheet) -> Placed:
     """Place a pyramid by two of its horizontal angle, vertical angle and solid angle."""
     from radcalc.geometry import projected
-    from radcalc.laws.solid_angles import PYRAMID
+    from radcalc.laws.beams import PYRAMID
 
     given = sheet.given
     placed = onto("a plane whose normal is the pyramid's axis", PYRAMID)

@@ -22,8 +22,7 @@ from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Placed, Remarks, Worksheet, without_one
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
 from radcalc.inputs.given import Inputs, any_uncertain
-from radcalc.laws import solver
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import AnyLaw, solver
 from radcalc.laws.solver import TO_DIGITS, Derivation, Disagreement, Solution
 from radcalc.maths import any_true, is_array
 from radcalc.quantities import symbols

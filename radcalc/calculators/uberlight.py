@@ -17,8 +17,7 @@ from radcalc.geometry import uberlight as attenuations
 from radcalc.geometry.directions import cross, dot, length, times, unit
 from radcalc.inputs.given import Inputs, angle_of
 from radcalc.inputs.places import IN_METRES
-from radcalc.laws.common import COSINE
-from radcalc.laws.law import AnyLaw, law
+from radcalc.laws import COSINE, AnyLaw, law
 from radcalc.maths import Number, any_true, atan2, hypot, is_array, log, square
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.units.dimensions import LENGTH

@@ -8,7 +8,7 @@ from radcalc.conversion import geometric
 from radcalc.conversion.geometric import LINK, slot_of
 from radcalc.errors import ConditionError, Contradiction, Exclusive, option, options, quote
 from radcalc.inputs.given import Input, Inputs
-from radcalc.laws.law import same
+from radcalc.laws import same
 from radcalc.laws.solver import TO_DIGITS, Disagreement, Known, solve
 from radcalc.maths import larger
 from radcalc.quantities.light import RATIOS

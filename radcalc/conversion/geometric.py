@@ -129,7 +129,7 @@ def area(given: Input) -> Factor:
     """Return the area of a source or a receiver [m2]."""
     if given.name == "area":
         return Factor("A", given.value, "m2", f"uniform over {given.text}")
-    from radcalc.laws.common import CIRCLE
+    from radcalc.laws import CIRCLE
 
     radius = radius_of(given)
     value = CIRCLE.solve("area", lambda _: radius)
@@ -159,7 +159,7 @@ def solid_angle(given: Input) -> Factor:
         return Factor("Omega", given.value, "sr", f"uniform over {given.text}")
     if given.name in ("exponent", "beam-angle"):
         return _lobe(given)
-    from radcalc.laws.common import CONE
+    from radcalc.laws import CONE
 
     half = half_angle_of(given)
     omega = cones.cone(half)
@@ -207,7 +207,7 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
             f"{option(given.name)} does not link a radiance: it needs the projected solid angle",
             hint,
         )
-    from radcalc.laws.common import PROJECTED_CONE
+    from radcalc.laws import PROJECTED_CONE
 
     half = _half_angle_at_most_right(given)
     omega = cones.projected_cone(half)

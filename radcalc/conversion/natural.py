@@ -20,7 +20,7 @@ from radcalc.units.dimensions import ENERGY, LENGTH, PHOTON_ENERGY, TEMPERATURE
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from radcalc.laws.law import Law
+    from radcalc.laws import Law
 
 HOT = {  # what a temperature determines
     LENGTH: "peak-wavelength",

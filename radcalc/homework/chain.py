@@ -27,8 +27,7 @@ from radcalc.conversion.geometric import Factor
 from radcalc.conversion.natural import LawPlan
 from radcalc.errors import RadcalcError
 from radcalc.inputs.given import Inputs
-from radcalc.laws.common import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE
-from radcalc.laws.law import AnyLaw, Law, Several, law
+from radcalc.laws import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE, AnyLaw, Law, Several, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.solver import Derivation, Known, solve, step_of
 from radcalc.laws.surface import disc_on_axis

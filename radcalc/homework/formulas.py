@@ -10,7 +10,7 @@ from radcalc.geometry.numerics.integrals import integral
 from radcalc.homework.chain import FAILURES, Worked
 from radcalc.homework.edits import text_of
 from radcalc.homework.question import Candidate, Problem, usual
-from radcalc.laws.law import AnyLaw, At
+from radcalc.laws import AnyLaw, At
 from radcalc.maths import cos, sin
 
 PI = math.pi

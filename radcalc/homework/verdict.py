@@ -330,7 +330,7 @@ def _is_marked(question: Question, claim: Claim, reading: Reading) -> bool:
     """
     if question.command != "ev" or reading.unit.is_scale:
         return False
-    from radcalc.laws.exposure import exact
+    from radcalc.laws.photometry import exact
 
     factor = reading.unit.factor
     results_meant = exact(reading.target.name, claim.value * factor) / factor

@@ -21,8 +21,20 @@ from radcalc import maths
 from radcalc.answer import format_number
 from radcalc.errors import add, leave_out, option
 from radcalc.geometry import cones
-from radcalc.laws.common import APEX, CONE, COSINE, ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
+from radcalc.laws import (
+    APEX,
+    CONE,
+    COSINE,
+    ENERGY,
+    EXPOSURE,
+    AnyLaw,
+    At,
+    Relation,
+    Several,
+    law,
+    refuse_arrays,
+    relation,
+)
 from radcalc.quantities.symbols import DISTRIBUTIONS
 
 ISOTROPIC, CONICAL, LOBED = DISTRIBUTIONS

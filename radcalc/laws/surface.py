@@ -14,8 +14,19 @@ from radcalc.geometry.cones import refuse
 from radcalc.geometry.sky import (
     CIE,
 )
-from radcalc.laws.common import CONFIGURATION_FACTOR, ENERGY, EXPOSURE
-from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, refuse_arrays, relation
+from radcalc.laws import (
+    CONFIGURATION_FACTOR,
+    ENERGY,
+    EXPOSURE,
+    HOWELL,
+    AnyLaw,
+    At,
+    Relation,
+    Several,
+    law,
+    refuse_arrays,
+    relation,
+)
 from radcalc.maths import SLACK, Number, each, limit, piecewise, sin, sqrt, square
 from radcalc.units.numbers import EXACT
 

@@ -9,7 +9,7 @@ from helpers import by_law, for_each
 from radcalc.errors import ConditionError
 from radcalc.geometry import cones, directions, projected, solid
 from radcalc.geometry.numerics import integrals
-from radcalc.laws.solid_angles import APERTURE, LENS, PATCHES
+from radcalc.laws.beams import APERTURE, LENS, PATCHES
 from radcalc.maths import CHUNK, in_chunks
 
 REFUSED = [

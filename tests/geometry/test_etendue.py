@@ -10,7 +10,7 @@ from mpmath import mpf
 
 from radcalc.errors import ConditionError
 from radcalc.geometry import cones, projected, solid
-from radcalc.laws.solid_angles import APERTURE, LENS, PATCHES
+from radcalc.laws.beams import APERTURE, LENS, PATCHES
 
 
 @pytest.mark.parametrize("radius", [1e-9, 0.3, 1.0, 2.0, 1e9])
