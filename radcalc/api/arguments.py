@@ -11,7 +11,7 @@ from radcalc import errors
 from radcalc.answer import Row, in_short
 from radcalc.api.spelling import is_absent, symbol_name
 from radcalc.errors import option, quote
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.places import TOO_FAR, read_place
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import LARGEST, frozen, is_array, is_column

@@ -39,7 +39,7 @@ from radcalc.calculators.solid_angle import ALIASES, NAMES
 from radcalc.distributions.environments import picture_of
 from radcalc.distributions.scene import blocks
 from radcalc.errors import ConditionError, MissingInput, mention
-from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
+from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import IN_METRES, read_coordinates, read_point
 from radcalc.inputs.reading import read
 from radcalc.spectra.files import read_text

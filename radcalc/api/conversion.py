@@ -17,7 +17,7 @@ from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.conversion.plan import result_of_plan as answer_of
 from radcalc.errors import ConditionError, ConversionError, NumberError, option, quote
-from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
+from radcalc.inputs import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe, result_name
 from radcalc.units import Unit

@@ -36,7 +36,7 @@ from radcalc.calculators.page import NOTHING, Page, words_of
 from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task, requesting
 from radcalc.errors import RadcalcError, UsageError, manual, mention, options, quote, spell
-from radcalc.inputs.given import Input, Inputs, shown_inputs
+from radcalc.inputs import Input, Inputs, shown_inputs
 from radcalc.maths import is_column
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import (

@@ -15,7 +15,7 @@ from radcalc.api.spelling import in_words, keyword, symbol_name
 from radcalc.calculators.page import NOTHING
 from radcalc.calculators.results import in_unit, name_in, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, quote
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.maths import frozen, is_column
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve

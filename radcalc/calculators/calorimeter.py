@@ -5,7 +5,7 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.laws import HEAT_LAWS
 from radcalc.quantities.light import RADIANT
 

@@ -36,7 +36,7 @@ from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, NumberError, Try, mention, option, quote
 from radcalc.files.text import ENDINGS
 from radcalc.floats import divide
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.laws import law
 from radcalc.quantities.light import PHOTON, describe, light_dimension
 from radcalc.quantities.light import read as read_light

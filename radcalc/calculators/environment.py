@@ -10,9 +10,9 @@ from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import RenderedMap
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.errors import ConditionError, MissingInput, Unused, option, options
-from radcalc.geometry.directions import UP, Vector
-from radcalc.geometry.sky import NAMES
-from radcalc.inputs.given import Inputs, at_most_one, split_by_light
+from radcalc.geometry.models import NAMES
+from radcalc.geometry.projections import UP, Vector
+from radcalc.inputs import Inputs, at_most_one, split_by_light
 from radcalc.inputs.places import require_azimuth
 from radcalc.inputs.reading import read
 from radcalc.maths import is_array
@@ -26,9 +26,9 @@ from radcalc.units.table import resolve
 if TYPE_CHECKING:
     from radcalc.distributions.distribution import Peak
     from radcalc.distributions.environments import Environment, Radiances
+    from radcalc.distributions.maps import RadianceMap
     from radcalc.distributions.maps.light_sums import Progress
     from radcalc.distributions.maps.pictures import Picture
-    from radcalc.distributions.maps.radiance_map import RadianceMap
     from radcalc.geometry.numerics.cubature import Integral
 
 SKY = "sky:"  # before the type of a sky
@@ -189,7 +189,7 @@ def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
     """Return a sky by the name of its type, bright by `SCALES` or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment, Sky
-    from radcalc.geometry.sky import IS_EVEN, MISSING_AZIMUTH, sky_type
+    from radcalc.geometry.models import IS_EVEN, MISSING_AZIMUTH, sky_type
 
     sun: Any = None
     useless = [symbol_name for symbol_name in OF_SKY if symbol_name in settings]
@@ -345,8 +345,8 @@ class _Surroundings:
     def _size(self) -> tuple[int, int]:
         """Return the size of the irradiance map [pixels]."""
         from radcalc.calculators.pixel import refuse_shape
+        from radcalc.distributions.maps import check_shape
         from radcalc.distributions.maps.pictures import check_size
-        from radcalc.distributions.maps.radiance_map import check_shape
 
         if "size" not in self.given:
             return SMALL
@@ -358,7 +358,7 @@ class _Surroundings:
 
     def _map(self) -> "RadianceMap":
         from radcalc.distributions import environments
-        from radcalc.distributions.maps.radiance_map import RadianceMap
+        from radcalc.distributions.maps import RadianceMap
         from radcalc.geometry.projections import USUAL_SIZE
 
         if isinstance(self.environment.radiances, RadianceMap):

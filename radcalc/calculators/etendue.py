@@ -9,7 +9,7 @@ from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, facing, place, worksheet
 from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
+from radcalc.inputs import Inputs, angle_of, any_of, half_angle_of, one_of
 from radcalc.laws import APEX, CIRCLE, CONFIGURATION_FACTOR, RECTANGLE, AnyLaw, round_sizes
 from radcalc.laws import beams as laws_of
 from radcalc.maths import FAINTEST, any_true, larger

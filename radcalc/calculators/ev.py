@@ -9,7 +9,7 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, worksheet
 from radcalc.errors import ConditionError, Contradiction, MissingInput, Try, mention, option, quote
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.laws import AnyLaw
 from radcalc.laws.photometry import (
     EXPOSURE_LAWS,

@@ -8,11 +8,11 @@ from radcalc.answer import Answer, Formula, format_angle, format_number
 from radcalc.calculators.page import Operand, Page, text
 from radcalc.calculators.results import value
 from radcalc.errors import ConditionError, MissingInput, add, listed, mention, one_of, quote
-from radcalc.geometry.directions import TURN
 from radcalc.geometry.numerics.cubature import POINTS, narrowest, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
+from radcalc.geometry.projections import TURN
 from radcalc.geometry.solid import check_zone, zone
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.quantities.light import NONE, PHOTON, coherent_unit, describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.units import composed

@@ -12,7 +12,7 @@ from radcalc import errors
 from radcalc.answer import Remark, Step, Value, format_number, format_value, letter_of
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
 from radcalc.errors import option, options
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.laws import Law, law, same
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.maths import is_lost, larger

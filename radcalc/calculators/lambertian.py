@@ -24,7 +24,7 @@ from radcalc.calculators.solved import Solved, Task, Wants, solve_all
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import command, option, quote
 from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, angle_of, offset_of, split_by_light
+from radcalc.inputs import Input, Inputs, angle_of, offset_of, split_by_light
 from radcalc.inputs.reading import read
 from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
 from radcalc.maths import Number, acos, any_true, chosen, is_array, piecewise

@@ -8,7 +8,7 @@ from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.conversion import spectral
 from radcalc.errors import ConditionError, MissingInput, mention, option, options, quote
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.laws.beams import DISTANCE, HAZARD, laser_laws
 from radcalc.laws.solver import reached
 from radcalc.maths import any_true

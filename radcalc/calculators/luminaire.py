@@ -37,7 +37,7 @@ from radcalc.calculators.solved import Solved, contradiction, remarks_on
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.errors import option, quote
 from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs, angle_of, offset_of
+from radcalc.inputs import Inputs, angle_of, offset_of
 from radcalc.laws import OFFSET, AnyLaw
 from radcalc.laws import beams as laws_of
 from radcalc.laws.point import CONICAL, COSINE_BELOW, ISOTROPIC, LAWS, LOBED
@@ -124,7 +124,7 @@ def _upward(
 ) -> float:
     """Return the flux above the horizon, in units of the distribution."""
     from radcalc.distributions.distribution import Pose
-    from radcalc.distributions.places import upward_flux
+    from radcalc.distributions.scene import upward_flux
 
     return upward_flux(distribution, Pose(aim, rotate), flux).value
 
@@ -165,11 +165,11 @@ class _Luminaire:
 
     def _make_shape(self, shape: str) -> "Photometry":
         """Return the photometry of a shape; refuse a width that is missing or an array."""
-        from radcalc.distributions import formula
+        from radcalc.distributions import sources
         from radcalc.distributions.distribution import Photometry
 
         if shape not in (CONICAL, LOBED):
-            return Photometry(formula.Isotropic(), shape)
+            return Photometry(sources.Isotropic(), shape)
         name = "half-angle" if shape == CONICAL else "exponent"
         known = self.sheet.known_with(self.placed)
         if "peak-intensity" in known:
@@ -192,7 +192,7 @@ class _Luminaire:
         self.placed.use(*SHAPED[shape])
         if is_array(width):
             raise _one_at_a_time(next(n for n in SHAPED[shape] if n in self.given))
-        return Photometry(formula.of_shape(shape, width), shape)
+        return Photometry(sources.of_shape(shape, width), shape)
 
     def answer(self) -> Answer:
         self._place_figures()
@@ -444,7 +444,7 @@ class _Luminaire:
 
     def _refuse_uneven(self, solved: Solved) -> None:
         """Refuse uneven light on a receiver that is turned around an unknown axis."""
-        from radcalc.distributions.places import unevenness
+        from radcalc.distributions.scene import unevenness
         from radcalc.geometry.receivers import UNEVEN
 
         radius = power(solved.value("receiver-area") / math.pi, 0.5)

@@ -5,7 +5,7 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, quote
-from radcalc.inputs.given import Input, Inputs, require
+from radcalc.inputs import Input, Inputs, require
 from radcalc.laws.photometry import MESOPIC_LAWS
 from radcalc.maths import any_true
 from radcalc.spectra.observers import OBSERVERS

@@ -7,7 +7,7 @@ from radcalc.answer import Answer, Remark, Value, format_number
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.laws.optics import PHOTON_LAWS
 from radcalc.laws.solver import Derivation, Known, solve
 from radcalc.maths import any_true, larger

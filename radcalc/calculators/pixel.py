@@ -16,7 +16,6 @@ from radcalc.calculators.worksheet import (
 )
 from radcalc.errors import ConditionError, add, mention, option, options, quote
 from radcalc.geometry import cones
-from radcalc.geometry.directions import spherical
 from radcalc.geometry.projections import (
     direction_at,
     has_shape,
@@ -24,8 +23,9 @@ from radcalc.geometry.projections import (
     middle_of_pixel,
     name_of_map,
     pixel_solid_angle,
+    spherical,
 )
-from radcalc.inputs.given import Input, Inputs, angle_of, any_of, one_of
+from radcalc.inputs import Input, Inputs, angle_of, any_of, one_of
 from radcalc.laws import CIRCLE, AnyLaw, round_sizes
 from radcalc.laws.beams import CONTOUR
 from radcalc.maths import SLACK, any_true, cos, sin

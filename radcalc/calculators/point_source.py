@@ -35,7 +35,7 @@ from radcalc.calculators.solved import Solved, Task, Wants, solve
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention
 from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.laws import OFFSET, AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,

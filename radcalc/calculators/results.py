@@ -10,7 +10,7 @@ from radcalc.answer import Answer, Row, Value, letter_of
 from radcalc.conversion import exact_ratio
 from radcalc.errors import quote
 from radcalc.floats import SMALLEST
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities import symbols

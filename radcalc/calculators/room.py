@@ -8,7 +8,7 @@ from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.laws import RECTANGLE, AnyLaw, law, relation
 from radcalc.maths import any_true, sqrt
 from radcalc.quantities.symbols import LINKS, REFINEMENTS

@@ -12,8 +12,8 @@ from radcalc.calculators.scene_reader import NamedSource, Reader
 from radcalc.calculators.scene_rows import rows_of_dicts, rows_of_file
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
 from radcalc.files.text import ENDINGS
-from radcalc.geometry.directions import UP, Vector
-from radcalc.inputs.given import Inputs
+from radcalc.geometry.projections import UP, Vector
+from radcalc.inputs import Inputs
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.units import NUMBER
 from radcalc.units.dimensions import LENGTH

@@ -25,13 +25,12 @@ from radcalc.calculators.scene_rows import (
     typed,
 )
 from radcalc.distributions.distribution import DOWN, Distribution, Photometry, Pose
-from radcalc.distributions.formula import Cone, Isotropic, Lobe
 from radcalc.distributions.scene import Emitter, Panel, Source
-from radcalc.distributions.sources import PATH, photometry
+from radcalc.distributions.sources import PATH, Cone, Isotropic, Lobe, photometry
 from radcalc.errors import quote
 from radcalc.geometry import cones
-from radcalc.geometry.directions import Vector, minus
-from radcalc.inputs.given import Input, Inputs
+from radcalc.geometry.projections import Vector, minus
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.places import IN_METRES
 from radcalc.inputs.reading import read_as
 from radcalc.laws import surface

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from radcalc import errors
 from radcalc.calculators.point_laws import CONE, LOBE
-from radcalc.distributions.files import read_lines
+from radcalc.distributions.sources import read_lines
 from radcalc.errors import listed, quote
 from radcalc.files import columns, text
 from radcalc.files.table import Table

@@ -8,7 +8,7 @@ from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import MissingInput, mention
 from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.laws import ASPECT, AnyLaw, law, relation
 from radcalc.laws.solver import reached
 from radcalc.maths import hypot, power, sqrt, square

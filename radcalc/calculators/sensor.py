@@ -10,7 +10,7 @@ from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import MissingInput, mention, option
 from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, angle_of
+from radcalc.inputs import Input, Inputs, angle_of
 from radcalc.laws import ENERGY, EXPOSURE, AnyLaw, At, law, relation
 from radcalc.maths import cos, sqrt, square
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS

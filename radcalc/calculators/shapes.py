@@ -14,16 +14,8 @@ from radcalc.calculators.worksheet import (
     refuse_slant_for_height,
 )
 from radcalc.errors import Exclusive, HorizonCuts, MissingInput, add, leave_out, mention, option
-from radcalc.geometry import cones, projected, solid
-from radcalc.inputs.given import (
-    Inputs,
-    angle_of,
-    any_of,
-    half_angle_of,
-    offset_of,
-    one_of,
-    radius_of,
-)
+from radcalc.geometry import cones, solid
+from radcalc.inputs import Inputs, angle_of, any_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws import (
     CIRCLE,
     CONE,
@@ -273,7 +265,7 @@ def _disc_seen(placed: Seen, height: Any) -> None:
     size, offset = _radius(placed.given), offset_of(placed.given)
     tilt = _tilt(placed.given, height, abs(offset))
     placed.centre(height, abs(offset), tilt)
-    flat = projected.disc(size, height, offset, tilt)
+    flat = solid.projected_disc(size, height, offset, tilt)
     shape = f"a disc of {format_number(size)} m radius from {format_number(height)} m above"
     placed.project(flat, shape, offset)
     centre, half = sin(tilt) * abs(offset) + cos(tilt) * height, abs(sin(tilt)) * size
@@ -304,7 +296,7 @@ def _sphere(sheet: Worksheet) -> Placed:
     if _is_sized(given, "area") and "distance" in given:
         size, away = _radius(given, 4), given["distance"].value
         placed.use("radius", "diameter", "distance")
-        flat = projected.sphere(size, away, incidence)
+        flat = solid.projected_sphere(size, away, incidence)
         shape = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
         placed.project(flat, shape)
         placed.add("solid-angle", solid.sphere(size, away))
@@ -364,7 +356,7 @@ def _rectangle_seen(placed: Seen, height: Any) -> None:
         for j in (-1, 1)
     ]
     placed.note_horizon("rectangle", reduce(smaller, heights), reduce(larger, heights))
-    flat = projected.rectangle(width, length, height, x, y, normal)
+    flat = solid.projected_rectangle(width, length, height, x, y, normal)
     shape = f"a rectangle of {format_number(width)} m x {format_number(length)} m"
     placed.project(flat, shape, x)
     placed.add("solid-angle", solid.rectangle(width, length, height, x, y))
@@ -412,7 +404,7 @@ def _plane(sheet: Worksheet) -> Placed:
     placed = Placed()
     placed.use("incidence")
     tilt = angle_of(sheet.given, "incidence")
-    placed.add("projected-solid-angle", projected.cone(math.pi / 2, tilt))
+    placed.add("projected-solid-angle", solid.projected_cone(math.pi / 2, tilt))
     placed.add("solid-angle", cones.HEMISPHERE)
     placed.assume("an infinite plane: the same light at any distance")
     return placed
@@ -424,7 +416,7 @@ def _hemisphere(sheet: Worksheet) -> Placed:
     placed.use("half-angle")
     placed.face()
     half = half_angle_of(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
-    placed.project(projected.cone(half, angle_of(given, "incidence")), "the sky")
+    placed.project(solid.projected_cone(half, angle_of(given, "incidence")), "the sky")
     placed.add("solid-angle", cones.cone(half))
     part = "a cone of it" if "half-angle" in given else "all of it"
     placed.assume(f"a hemisphere of one radiance, {part}")

@@ -23,7 +23,7 @@ from radcalc.calculators.worksheet import (
 )
 from radcalc.errors import options, quote
 from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, any_of, offset_of, one_of, radius_of
+from radcalc.inputs import Input, Inputs, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
 from radcalc.laws import APEX, CONE, PROJECTED_CONE, round_sizes
 from radcalc.laws.beams import DISC_ASIDE, PROJECTED_DISC, PROJECTED_ZONE, TRIANGLES, ZONE
@@ -179,7 +179,7 @@ def _cone(sheet: Worksheet) -> Placed:
 
 def _zone(sheet: Worksheet) -> Placed:
     """Place a zone between two polar angles, of all azimuths or between two of them."""
-    from radcalc.geometry import projected, solid
+    from radcalc.geometry import solid
 
     if "polar" not in sheet.given:
         raise errors.MissingInput(
@@ -189,7 +189,7 @@ def _zone(sheet: Worksheet) -> Placed:
     polar, azimuth = sheet.given["polar"], sheet.given.get("azimuth")
     low, high = polar.value
     width = azimuth.value[1] - azimuth.value[0] if azimuth else 2 * math.pi
-    omega, flat = solid.zone(low, high, width), projected.zone(low, high, width)
+    omega, flat = solid.zone(low, high, width), solid.projected_zone(low, high, width)
     if high > math.pi / 2 * (1 + SLACK):
         placed.note("the part below that plane, past 90 deg, does not count")
     t0, t1 = format_angle(low), format_angle(high)
@@ -232,7 +232,7 @@ def _height_above(given: Inputs) -> Input:
 
 def _disc(sheet: Worksheet) -> Placed:
     """Place a disc, seen from its axis or aside; on the axis its solid angle may be given."""
-    from radcalc.geometry import projected, solid
+    from radcalc.geometry import solid
     from radcalc.laws.beams import disc
 
     given = sheet.given
@@ -252,7 +252,7 @@ def _disc(sheet: Worksheet) -> Placed:
     size = radius_of(any_of(given, "the size of the source", *ROUND))
     height = _height_above(given)
     omega = solid.disc(size, height.value, offset)
-    flat = projected.disc(size, height.value, offset)
+    flat = solid.projected_disc(size, height.value, offset)
     at = {"radius": size, height.name: height.value}
     step = disc(height.name).formula.step(at, sr(omega))
     if is_aside:
@@ -275,7 +275,7 @@ def _compare_distance(placed: Placed, given: Inputs) -> None:
 
 def _rectangle(sheet: Worksheet) -> Placed:
     """Place a rectangle, seen from a height over its centre, an offset or a corner."""
-    from radcalc.geometry import projected, solid
+    from radcalc.geometry import solid
 
     given = sheet.given
     for name in ("width", "length"):
@@ -290,7 +290,7 @@ def _rectangle(sheet: Worksheet) -> Placed:
     if {"height", "distance"} <= given.keys():
         placed.add("distance", hypot(height, hypot(x, y)))
     omega = solid.rectangle(width, length, height, x, y)
-    flat = projected.rectangle(width, length, height, x, y)
+    flat = solid.projected_rectangle(width, length, height, x, y)
     sizes = [f"{format_number(size)} m" for size in (width, length, height, x, y)]
     numbers = "w = {}, l = {}, h = {}, offsets {} and {}".format(*sizes)
     step = TRIANGLES.with_numbers(f"{numbers}; Omega = {sr(omega)}")
@@ -299,7 +299,7 @@ def _rectangle(sheet: Worksheet) -> Placed:
 
 def _pyramid(sheet: Worksheet) -> Placed:
     """Place a pyramid by two of its horizontal angle, vertical angle and solid angle."""
-    from radcalc.geometry import projected
+    from radcalc.geometry import solid
     from radcalc.laws.beams import PYRAMID
 
     given = sheet.given
@@ -310,7 +310,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
             one_of(given, f"the {name} angle", name)
     solved = solve(sheet, placed.laws)
     if solved.has("horizontal") and solved.has("vertical"):
-        flat = projected.pyramid(solved.value("horizontal"), solved.value("vertical"))
+        flat = solid.projected_pyramid(solved.value("horizontal"), solved.value("vertical"))
         placed.add("projected-solid-angle", flat)
         placed.steps.append(contour(flat))
     return placed
@@ -318,7 +318,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     """Place a polygon, seen from the viewpoint and projected onto its plane or a normal's."""
-    from radcalc.geometry import polygons, projected
+    from radcalc.geometry import polygons, solid
     from radcalc.geometry.polygons import polygon
 
     given = sheet.given
@@ -331,7 +331,7 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
         ways = [errors.call(*way.words, *others) if way.words else way for way in error.tries]
         raise error.reworded(tries=ways) from None
     omega = abs(polygon(shape.vertices))
-    flat = projected.polygon(shape.vertices, normal or shape.normal)
+    flat = solid.projected_polygon(shape.vertices, normal or shape.normal)
     plane = "a plane parallel to the polygon"
     if normal:
         plane = f"a plane whose normal is {','.join(map(format_number, normal))}"

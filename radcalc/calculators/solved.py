@@ -21,7 +21,7 @@ from radcalc.calculators.missing import Search
 from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Placed, Remarks, Worksheet, without_one
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
-from radcalc.inputs.given import Inputs, any_uncertain
+from radcalc.inputs import Inputs, any_uncertain
 from radcalc.laws import AnyLaw, solver
 from radcalc.laws.solver import TO_DIGITS, Derivation, Disagreement, Solution
 from radcalc.maths import any_true, is_array

@@ -9,7 +9,7 @@ from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nan
 from radcalc.calculators.page import Operand, Page, flag, text
 from radcalc.calculators.results import absent, on_request, value
 from radcalc.errors import option
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
 from radcalc.spectra.contents import Counts

@@ -13,9 +13,9 @@ from radcalc.calculators.results import value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import FARTHEST, Placed, Worksheet, place, worksheet
 from radcalc.errors import ConditionError, Exclusive, Idle, Unused, mention, option, options, quote
-from radcalc.geometry import uberlight as attenuations
-from radcalc.geometry.directions import cross, dot, length, times, unit
-from radcalc.inputs.given import Inputs, angle_of
+from radcalc.geometry import models as attenuations
+from radcalc.geometry.projections import cross, dot, length, times, unit
+from radcalc.inputs import Inputs, angle_of
 from radcalc.inputs.places import IN_METRES
 from radcalc.laws import COSINE, AnyLaw, law
 from radcalc.maths import Number, any_true, atan2, hypot, is_array, log, square

@@ -17,7 +17,7 @@ from radcalc.calculators.results import in_unit
 from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
 from radcalc.errors import quote
-from radcalc.inputs.given import Input, Inputs, any_uncertain
+from radcalc.inputs import Input, Inputs, any_uncertain
 from radcalc.inputs.quantities import moved
 from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.light import name_of

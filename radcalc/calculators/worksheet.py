@@ -10,7 +10,7 @@ from radcalc.answer import Remark, Step
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
 from radcalc.errors import ConditionError, Try, Unused, leave_out, mention, option, quote
-from radcalc.inputs.given import Input, Inputs, split_by_light
+from radcalc.inputs import Input, Inputs, split_by_light
 from radcalc.laws import AnyLaw, Law, same
 from radcalc.laws.solver import Known, reached
 from radcalc.maths import any_true, is_array, larger

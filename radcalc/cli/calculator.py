@@ -39,7 +39,7 @@ from radcalc.errors import (
     quote,
     spell,
 )
-from radcalc.inputs.given import Inputs, shown_inputs
+from radcalc.inputs import Inputs, shown_inputs
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import QUANTITY
 from radcalc.terminal import CSV

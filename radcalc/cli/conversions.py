@@ -11,7 +11,7 @@ from radcalc.cli.request import Case
 from radcalc.conversion.operands import read_lists, read_operands, sides
 from radcalc.conversion.plan import Planned, plan, plans, result_of_plan, source_of, target_of
 from radcalc.errors import call, quote
-from radcalc.inputs.given import Input, any_uncertain, shown_inputs
+from radcalc.inputs import Input, any_uncertain, shown_inputs
 from radcalc.quantities.light import read as read_light
 from radcalc.tuples import NamedTuple
 from radcalc.units import Unit

@@ -20,7 +20,7 @@ from radcalc.cli.streams import complain
 from radcalc.errors import MINUS, ConditionError, RadcalcError, UsageError, quote_path
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
-from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
+from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
 from radcalc.quantities.names import DLI
 from radcalc.quantities.units import offered
 from radcalc.render.formats import Records

@@ -14,7 +14,7 @@ from radcalc.cli.output import Output
 from radcalc.cli.plot import one_case, write_map
 from radcalc.cli.request import Request, cases
 from radcalc.errors import UsageError, call, leave_out, quote_path
-from radcalc.inputs.given import Inputs, shown_inputs
+from radcalc.inputs import Inputs, shown_inputs
 
 if TYPE_CHECKING:
     pass

@@ -11,7 +11,7 @@ from radcalc.cli.answers import Answered, refuse_bare, result, show, with_steps
 from radcalc.cli.output import Output, height_of_terminal, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request, cases
 from radcalc.errors import UsageError, add, leave_out, one_of, quote_path
-from radcalc.inputs.given import Inputs, refuse_uncertain
+from radcalc.inputs import Inputs, refuse_uncertain
 from radcalc.terminal import CSV, JSON, TABLE
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from radcalc.answer import Answer, Row, ShownInput
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import requesting
 from radcalc.errors import MissingUnit, TooMany, Try, UsageError, add, option, quote
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import DISTRIBUTION, QUANTITY, SPECTRUM, SYMBOLS

@@ -17,7 +17,7 @@ from radcalc.cli.output import Output
 from radcalc.cli.request import Case, Request, cases
 from radcalc.errors import ConditionError, UsageError, leave_out, one_of, quote
 from radcalc.errors import command as call_of
-from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
+from radcalc.inputs import Input, Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render import csv
@@ -142,7 +142,6 @@ def _draw(
 
     A requested result of each point is the one drawn.
     """
-    from radcalc.calculators import scene as page
     from radcalc.plots.space import Surveyed
 
     blocks: list[Answer] = []

@@ -14,7 +14,7 @@ from radcalc.conversion import Plan
 from radcalc.conversion.operands import read_stream_operands
 from radcalc.conversion.plan import note_on_negative, plan, result_of_plan, source_of, target_of
 from radcalc.errors import option, quote
-from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
+from radcalc.inputs import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.streams import Source
 from radcalc.terminal import ABORT, CSV, JSON, TABLE

@@ -7,7 +7,7 @@ from radcalc.conversion.geometric import CONDITIONS
 from radcalc.conversion.operands import read_lists, read_value, sides
 from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.inputs.reading import read, split_values
 from radcalc.quantities.light import is_per_length, name_of
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS

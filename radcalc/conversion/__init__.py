@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from radcalc.answer import Step
     from radcalc.conversion.geometric import Factor
     from radcalc.errors import ConversionError
-    from radcalc.inputs.given import Input
+    from radcalc.inputs import Input
 
 
 RECIPROCALS = {TEMPERATURE_ALONE, INVERSE_TEMPERATURE}

@@ -7,7 +7,7 @@ from radcalc.answer import digits_apart, format_value
 from radcalc.conversion import geometric
 from radcalc.conversion.geometric import LINK, slot_of
 from radcalc.errors import ConditionError, Contradiction, Exclusive, option, options, quote
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.laws import same
 from radcalc.laws.solver import TO_DIGITS, Disagreement, Known, solve
 from radcalc.maths import larger

@@ -11,7 +11,7 @@ from radcalc import maths
 from radcalc.answer import Formula, Step, format_angle, format_number
 from radcalc.errors import ConditionError, Hint, HorizonCuts, TooNear, Try, add, option, quote
 from radcalc.geometry import cones
-from radcalc.inputs.given import Input, half_angle_of, radius_of, require
+from radcalc.inputs import Input, half_angle_of, radius_of, require
 from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
 
@@ -230,7 +230,7 @@ NARROW = math.atan(0.1)  # half angle of a disc seen from five times its diamete
 
 def _slanting(given: Input, turn: Input) -> Factor:
     """Return the projected solid angle of an oblique cone or of a small solid angle [sr]."""
-    from radcalc.geometry import projected
+    from radcalc.geometry import solid
 
     angle, where = abs(turn.value), f"{turn.text} from the normal"
     if given.name == "solid-angle":
@@ -250,7 +250,7 @@ def _slanting(given: Input, turn: Input) -> Factor:
         step = formula.step({"solid-angle": given.value}, f"{format_number(omega)} sr")
         return Factor("Omega_p", omega, "sr", assumption, (step,), notes)
     half = math.pi / 2 if given.name == "hemisphere" else _half_angle_at_most_right(given)
-    omega = projected.cone(half, angle)
+    omega = solid.projected_cone(half, angle)
     omega_text = f"{format_number(omega)} sr"
     assumption = f"uniform over a cone of half angle {format_angle(half)}, its axis {where}"
     notes = ()
@@ -322,7 +322,7 @@ def _cosine(turn: Input | None) -> tuple[Any, str, tuple[str, ...]]:
 
 def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
     """Return the projected solid angle of a uniform disc seen from its axis [sr]."""
-    from radcalc.geometry import projected
+    from radcalc.geometry import solid
     from radcalc.laws.surface import CUT_DISC, disc_on_axis
 
     radius, away = radius_of(source), distance.value
@@ -331,7 +331,7 @@ def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
     notes: tuple[str, ...] = ()
     values = {"radius": radius, "distance": away}
     formula = disc_on_axis("distance").formula
-    omega = projected.disc(radius, away, 0.0, angle)
+    omega = solid.projected_disc(radius, away, 0.0, angle)
     if incidence is not None:
         values["incidence"] = incidence.value
         formula = formula._replace(template=f"{formula.template} cos({{incidence}})")

@@ -35,7 +35,7 @@ from radcalc.conversion.geometric import (
     ways_between,
 )
 from radcalc.errors import command, option, quote
-from radcalc.inputs.given import Input, require
+from radcalc.inputs import Input, require
 from radcalc.maths import any_true, power
 from radcalc.quantities.light import (
     LUMINOUS,

@@ -11,7 +11,7 @@ from radcalc.answer import Step
 from radcalc.conversion import Plan
 from radcalc.errors import ConditionError, ConversionError, Unused, option
 from radcalc.floats import LARGEST, divide
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.maths import any_true, is_lost, sqrt
 from radcalc.quantities.light import NONE, PHOTON_NAMES, RADIANT, describe, light_dimension
 from radcalc.tuples import NamedTuple

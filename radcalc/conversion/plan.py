@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from radcalc.answer import Result, ShownInput
-    from radcalc.inputs.given import Input
+    from radcalc.inputs import Input
     from radcalc.units.numbers import Amount
 
 Request = tuple[Unit, Unit, "Sequence[Input]", str]  # the arguments of `plan`

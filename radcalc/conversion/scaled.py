@@ -17,7 +17,7 @@ from radcalc.answer import Step
 from radcalc.conversion import Plan, are_reciprocal, between
 from radcalc.conversion.natural import by_law
 from radcalc.errors import ConversionError, NumberError, option, quote
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.quantities.light import describe
 from radcalc.units import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit
 from radcalc.units.reading import read_amount

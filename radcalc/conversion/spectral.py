@@ -6,7 +6,7 @@ from radcalc import errors, maths
 from radcalc.answer import Formula, Step, format_number
 from radcalc.conversion.geometric import BAND, LINK, Factor
 from radcalc.errors import option, quote
-from radcalc.inputs.given import Input, Inputs, require
+from radcalc.inputs import Input, Inputs, require
 from radcalc.quantities.light import (
     AXIS,
     DENSITY_NAMES,

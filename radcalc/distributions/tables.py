@@ -27,8 +27,16 @@ from typing import Any, NoReturn
 import numpy
 
 from radcalc.distributions import column_titles
-from radcalc.distributions.distribution import Photometry
-from radcalc.distributions.grid import CLOSEST, SLACK, Grid, closed, end_of, mirrored, without_noise
+from radcalc.distributions.distribution import (
+    CLOSEST,
+    SLACK,
+    Grid,
+    Photometry,
+    closed,
+    end_of,
+    mirrored,
+    without_noise,
+)
 from radcalc.errors import ConditionError, Hint, listed, quote
 from radcalc.files import columns
 from radcalc.files.head import Head, is_number

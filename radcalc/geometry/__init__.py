@@ -1,14 +1,11 @@
 """The geometry under radiometry and photometry.
 
 - `cones`: cones and lobes [sr], the cosine of the light on a surface, and the range checks.
-- `directions`: vectors, spherical and Cartesian coordinates [rad].
-- `solid`: solid angles of shapes [sr], which turn intensity into flux.
-- `projected`: projected solid angles [sr], which turn radiance into irradiance, and
-  etendues of beams [m^2 sr], which turn radiance into flux.
-- `far_field`: error of the inverse square law for small patches.
+- `solid`: solid angles of shapes [sr], which turn intensity into flux, projected ones [sr], which
+  turn radiance into irradiance, and etendues of beams [m^2 sr], which turn radiance into flux.
 - `receivers`: light of a cone, a lobe or an isotropic source on a round receiver of any size.
-- `sky`: the CIE skies; `uberlight`: the attenuations of a cinematographer's light.
-- `projections` and `light_vectors`: maps of the sphere, and the light of their pixels.
+- `models`: the CIE skies, and the attenuations of a cinematographer's light.
+- `projections`: vectors, directions [rad], and maps of the sphere.
 - `polygons`: plane polygons, and the check of their vertices.
 - `numerics`: integrals, special functions and typed expressions.
 

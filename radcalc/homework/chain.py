@@ -26,7 +26,7 @@ from radcalc.conversion import Plan, spectral
 from radcalc.conversion.geometric import Factor
 from radcalc.conversion.natural import LawPlan
 from radcalc.errors import RadcalcError
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.laws import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE, AnyLaw, Law, Several, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.solver import Derivation, Known, solve, step_of

@@ -398,7 +398,7 @@ def _sky(p: Problem) -> Integral | None:
     """Return the integral of the sky's radiance that the ground receives."""
     if not p.lists("sky") or "horizontal-sky" not in p.chain.symbols:
         return None
-    from radcalc.geometry.sky import relative_luminance, sky_type
+    from radcalc.geometry.models import relative_luminance, sky_type
 
     sky = sky_type(p.question.shape or "overcast")
     if sky.follows_sun:

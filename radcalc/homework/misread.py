@@ -8,7 +8,7 @@ from itertools import product
 from radcalc.errors import RadcalcError
 from radcalc.homework.question import Candidate, Problem, both, usual
 from radcalc.homework.wording import Translatable
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.units import COUNT_AT, FIELD_STRENGTH, NUMBER
 from radcalc.units.dimensions import (

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from radcalc.geometry import cones, directions
+from radcalc.geometry import cones, projections
 from radcalc.homework.edits import scaled
 from radcalc.homework.formulas import PROJECTED
 from radcalc.homework.question import PI_FORGOTTEN, Candidate, Problem, usual
@@ -179,7 +179,7 @@ def _direction(p: Problem) -> Found:
     if p.asks("length"):
         yield usual("root-forgotten", p.right**2)
     if p.asks("x", "y", "z") and "reflect-at" in p.given:
-        normal = directions.unit(p.given["reflect-at"].value)
+        normal = projections.unit(p.given["reflect-at"].value)
         yield usual("normal-for-reflection", normal["xyz".index(p.target.name)])
         yield usual("towards-for-away", -p.right)
     if p.asks("x", "y", "z") and "mirror-ball" in p.given:
@@ -197,7 +197,7 @@ def _sky(p: Problem) -> Found:
     if plane:
         tilted = "normal" in p.given
         rise = (
-            directions.unit(p.given["normal"].value)[2]
+            projections.unit(p.given["normal"].value)[2]
             if tilted
             else math.cos(p.amount("tilt") or 0)
         )

@@ -13,7 +13,7 @@ from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
 from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
 from radcalc.homework.wording import USUAL, Translatable
-from radcalc.inputs.given import Input, Inputs, any_uncertain
+from radcalc.inputs import Input, Inputs, any_uncertain
 from radcalc.laws.optics import EXITANCE, PEAK
 from radcalc.laws.surface import LAMBERTIAN
 from radcalc.quantities.light import GRID, Reading

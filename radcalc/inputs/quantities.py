@@ -7,7 +7,7 @@ from radcalc import errors, maths
 from radcalc.answer import format_number
 from radcalc.errors import option, quote
 from radcalc.floats import divide
-from radcalc.inputs.given import DigitsMatter, Input, check_limits
+from radcalc.inputs import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
 from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light

@@ -28,7 +28,7 @@ import operator
 from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import Formula
-from radcalc.geometry import cones, projected, solid
+from radcalc.geometry import cones, solid
 from radcalc.laws import (
     COSINE,
     ENERGY,
@@ -147,7 +147,7 @@ CONE = relation(
     "etendue of a cone",
     "{etendue} = pi Omega0 {area} sin^2({half-angle})",
     {
-        "etendue": lambda at: projected.patch_and_cone(at("area"), at("half-angle")),
+        "etendue": lambda at: solid.patch_and_cone(at("area"), at("half-angle")),
         "area": lambda at: at("etendue") / cones.projected_cone(at("half-angle")),
         "half-angle": lambda at: cones.projected_cone_of(at("etendue") / at("area")),
     },
@@ -176,16 +176,16 @@ DISCS = relation(
     "{etendue} = Omega0 pi^2/2 (S - sqrt(S^2 - 4 {radius}^2 {receiver-radius}^2)), "
     "S = {radius}^2 + {receiver-radius}^2 + {distance}^2",
     {
-        "etendue": lambda at: projected.coaxial_discs(
+        "etendue": lambda at: solid.coaxial_discs(
             at("radius"), at("receiver-radius"), at("distance")
         ),
-        "distance": lambda at: projected.discs_distance(
+        "distance": lambda at: solid.discs_distance(
             at("radius"), at("receiver-radius"), at("etendue")
         ),
-        "radius": lambda at: projected.discs_radius(
+        "radius": lambda at: solid.discs_radius(
             at("receiver-radius"), at("distance"), at("etendue")
         ),
-        "receiver-radius": lambda at: projected.discs_radius(
+        "receiver-radius": lambda at: solid.discs_radius(
             at("radius"), at("distance"), at("etendue")
         ),
     },
@@ -457,7 +457,7 @@ def part(distribution: "Distribution", whole: float) -> Relation:
     --------
     Half of the flux of a Lambertian source is within 45 degrees:
 
-    >>> from radcalc.distributions.formula import Lobe
+    >>> from radcalc.distributions.sources import Lobe
     >>> within = part(Lobe(1.0), math.pi)
     >>> round(within.solve("part", {"within": math.pi / 4}.get), 9)
     0.5
@@ -488,7 +488,7 @@ def relative_intensity(distribution: "Distribution") -> Relation:
 
     Examples
     --------
-    >>> from radcalc.distributions.formula import Lobe
+    >>> from radcalc.distributions.sources import Lobe
     >>> value = relative_intensity(Lobe(2.0))
     >>> round(value.solve("relative-intensity", {"off-axis": math.pi / 4, "azimuth": 0.0}.get), 9)
     0.5
@@ -571,20 +571,20 @@ def floor(distribution: "Distribution", pose: "Pose", bearing: Any) -> Relation:
     Examples
     --------
     >>> from radcalc.distributions.distribution import Pose
-    >>> from radcalc.distributions.formula import Isotropic
+    >>> from radcalc.distributions.sources import Isotropic
     >>> at = {"irradiance": 1.5, "scale": 250.0, "height": 6.0}.get
     >>> [round(x, 6) for x in floor(Isotropic(), Pose(), 0.0).solve("lateral", at)]
     [8.0]
     """
 
     def solve(how: str, known: str, at: At) -> Any:
-        from radcalc.distributions import places
+        from radcalc.distributions import scene
 
         wanted, place = at("irradiance") / at("scale"), at(known)
         refuse_arrays("places", wanted, place, bearing)
         if how == "heights" and place == 0:
-            return sqrt(places.relative_irradiance(distribution, pose, 0.0, 0.0, 1.0) / wanted)
-        return Several(getattr(places, how)(distribution, pose, place, bearing, wanted))
+            return sqrt(scene.relative_irradiance(distribution, pose, 0.0, 0.0, 1.0) / wanted)
+        return Several(getattr(scene, how)(distribution, pose, place, bearing, wanted))
 
     return relation(
         "illuminance of a floor under a distribution",
@@ -616,7 +616,7 @@ def lying_disc(distribution: "Distribution", pose: "Pose", bearing: Any) -> Rela
     A disc with its rim at 45 degrees receives half of the flux of a Lambertian source:
 
     >>> from radcalc.distributions.distribution import Pose
-    >>> from radcalc.distributions.formula import Lobe
+    >>> from radcalc.distributions.sources import Lobe
     >>> at = {"receiver-area": math.pi, "height": 1.0, "lateral": 0.0}.get
     >>> disc = lying_disc(Lobe(1.0), Pose(), 0.0)
     >>> round(disc.solve("received-solid-angle", at) / math.pi, 6)
@@ -624,7 +624,7 @@ def lying_disc(distribution: "Distribution", pose: "Pose", bearing: Any) -> Rela
     """
 
     def on_disc(at: At) -> Any:
-        from radcalc.distributions.places import on_plane
+        from radcalc.distributions.scene import on_plane
 
         x, y = at("lateral") * cos(bearing), at("lateral") * sin(bearing)
         radius = sqrt(at("receiver-area") / math.pi)
@@ -653,14 +653,14 @@ def facing_disc(distribution: "Distribution") -> Relation:
 
     Examples
     --------
-    >>> from radcalc.distributions.formula import Isotropic
+    >>> from radcalc.distributions.sources import Isotropic
     >>> at = {"receiver-area": 3 * math.pi, "distance": 1.0, "off-axis": 1.0, "azimuth": 0.0}.get
     >>> round(facing_disc(Isotropic()).solve("received-solid-angle", at) / math.pi, 5)
     1.0
     """
 
     def on_disc(at: At) -> Any:
-        from radcalc.distributions.places import on_facing_disc
+        from radcalc.distributions.scene import on_facing_disc
 
         radius = sqrt(at("receiver-area") / math.pi)
         place = map(at, ("distance", "off-axis", "azimuth"))

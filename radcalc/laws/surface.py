@@ -9,11 +9,9 @@ import math
 from typing import Any
 
 from radcalc.answer import Formula
-from radcalc.geometry import cones, projected
+from radcalc.geometry import cones, solid
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.sky import (
-    CIE,
-)
+from radcalc.geometry.models import CIE
 from radcalc.laws import (
     CONFIGURATION_FACTOR,
     ENERGY,
@@ -89,7 +87,7 @@ CUT_DISC = relation(
     "{projected-solid-angle} = integral of cos(theta) over the solid angle that the horizon leaves "
     "of the disc, {radius} at {distance}, under {incidence}",
     {
-        "projected-solid-angle": lambda at: projected.disc(
+        "projected-solid-angle": lambda at: solid.projected_disc(
             at("radius"), at("distance"), 0.0, at("incidence")
         )
     },
@@ -152,7 +150,7 @@ def disc_on_axis(away: str) -> Relation:
         "disc on its axis",
         f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{away}}}^2)",
         {
-            "projected-solid-angle": lambda at: projected.disc(at("radius"), at(away)),
+            "projected-solid-angle": lambda at: solid.projected_disc(at("radius"), at(away)),
             away: lambda at: at("radius") * sqrt(_hemisphere_over(at) - 1),
             "radius": lambda at: at(away) / sqrt(_hemisphere_over(at) - 1),
         },
@@ -257,7 +255,7 @@ DISC_ASIDE = relation(
     "{projected-solid-angle} = Omega0 pi/2 (1 - ({height}^2 + {lateral}^2 - {radius}^2) / "
     "sqrt(({height}^2 + {lateral}^2 + {radius}^2)^2 - 4 {radius}^2 {lateral}^2))",
     {
-        "projected-solid-angle": lambda at: projected.disc(
+        "projected-solid-angle": lambda at: solid.projected_disc(
             at("radius"), at("height"), at("lateral")
         ),
         "lateral": _disc_offset,
@@ -276,7 +274,7 @@ def _disc_radii(at: At) -> Any:
 
     def excess(logarithm: float) -> float:
         radius = math.exp(logarithm)
-        return math.log(projected.disc(radius, height, offset) / radius**2 / part)
+        return math.log(solid.projected_disc(radius, height, offset) / radius**2 / part)
 
     away = math.log(math.hypot(height, offset))
     low, high = away - 12, away + 12  # small against the distance; the hemisphere
@@ -356,9 +354,9 @@ def rectangle_on_axis(away: str) -> Relation:
     def height(part: float, width: float, length: float) -> float:
         cones.refuse(part >= math.pi * (1 - SLACK), *TOO_MUCH)
         most = least = math.sqrt(width * length / part)
-        while projected.rectangle(width, length, least) < part:
+        while solid.projected_rectangle(width, length, least) < part:
             least /= 2
-        return limit(lambda h: projected.rectangle(width, length, h) >= part, most, least)
+        return limit(lambda h: solid.projected_rectangle(width, length, h) >= part, most, least)
 
     def side(part: float, other: float, height: float) -> float:
         cones.refuse(
@@ -368,9 +366,9 @@ def rectangle_on_axis(away: str) -> Relation:
         )
         least = part * height**2 / other
         most = 2 * least
-        while projected.rectangle(most, other, height) <= part:
+        while solid.projected_rectangle(most, other, height) <= part:
             most *= 2
-        return limit(lambda w: projected.rectangle(w, other, height) <= part, most, least)
+        return limit(lambda w: solid.projected_rectangle(w, other, height) <= part, most, least)
 
     return relation(
         "rectangle on its axis",
@@ -378,7 +376,7 @@ def rectangle_on_axis(away: str) -> Relation:
         "b / sqrt(1 + b^2) arctan(a / sqrt(1 + b^2))), "
         f"a = {{width}} / (2 {{{away}}}), b = {{length}} / (2 {{{away}}})",
         {
-            "projected-solid-angle": lambda at: projected.rectangle(
+            "projected-solid-angle": lambda at: solid.projected_rectangle(
                 at("width"), at("length"), at(away)
             ),
             away: lambda at: each(height, at("projected-solid-angle"), at("width"), at("length")),
@@ -393,7 +391,7 @@ SPHERE_AT_DISTANCE = relation(
     "sphere, its centre at a distance",
     "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
     {
-        "projected-solid-angle": lambda at: projected.sphere(at("radius"), at("distance")),
+        "projected-solid-angle": lambda at: solid.projected_sphere(at("radius"), at("distance")),
         "distance": lambda at: at("radius") * sqrt(_hemisphere_over(at)),
         "radius": lambda at: at("distance") / sqrt(_hemisphere_over(at)),
     },

@@ -5,7 +5,7 @@ from typing import Any
 
 from radcalc.calculators.results import name_of, pick
 from radcalc.errors import UsageError, mention
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.plots.curves import RANGE, Solved, curves, ranged, varied, without_band
 from radcalc.plots.data import Picture
 from radcalc.spectra.observers import OBSERVERS, Observer

@@ -8,7 +8,7 @@ from radcalc import errors
 from radcalc.answer import Answer, Row
 from radcalc.calculators.results import pick
 from radcalc.errors import listed, option, quote
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.maths import is_array
 from radcalc.plots.data import LINE, POINTS, Axis, Chart, Series
 from radcalc.quantities.symbols import DIRECTION, QUANTITY

@@ -14,13 +14,13 @@ from radcalc.calculators.sky import place_of_sun
 from radcalc.calculators.uncertainty import STANDARD
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
 from radcalc.distributions.environments import Radiances, Sky
-from radcalc.distributions.formula import of_shape
-from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions.maps import RadianceMap
 from radcalc.distributions.scene import Axis as Coordinates
+from radcalc.distributions.sources import of_shape
 from radcalc.errors import UsageError, option
-from radcalc.geometry import directions
+from radcalc.geometry import projections
+from radcalc.geometry.models import sky_type
 from radcalc.geometry.numerics.expression import Expression
-from radcalc.geometry.sky import sky_type
 from radcalc.inputs.places import AS_GRID
 from radcalc.inputs.sun import located
 from radcalc.maths import is_uncertain
@@ -115,7 +115,7 @@ def of_sky(name: str, solved: Solved) -> data.Disc:
         sky,
         row.value,
         data.Axis(row.quantity.removeprefix("zenith "), row.unit),
-        directions.UP,
+        projections.UP,
         title,
         sun,
     )
@@ -127,7 +127,7 @@ def of_environment(source: Source, solved: Solved) -> data.Disc:
     unit = light_unit("radiance", radiances.kind) if radiances.kind else ""
     label = specific_name("radiance", radiances.kind) if unit else "relative radiance"
     factor = 1 / float(resolve(unit).factor) if unit else 1.0
-    normal = solved.given["normal"].value if "normal" in solved.given else directions.UP
+    normal = solved.given["normal"].value if "normal" in solved.given else projections.UP
     title = "" if "normal" not in solved.given else f"toward {solved.given['normal'].text}"
     value = data.Axis(label.replace("-", " "), unit)
     is_image = isinstance(radiances, RadianceMap)
@@ -135,7 +135,7 @@ def of_environment(source: Source, solved: Solved) -> data.Disc:
     return _with_peak(drawn, solved, normal)
 
 
-def _with_peak(disc: data.Disc, solved: Solved, normal: directions.Vector) -> data.Disc:
+def _with_peak(disc: data.Disc, solved: Solved, normal: projections.Vector) -> data.Disc:
     """Mark the direction of the peak, and note its radiance; neither if there is none."""
     values = {value.name: value for value in solved.answer.values}
     if values["peak-polar"].is_absent:
@@ -163,7 +163,7 @@ def fisheye(
     radiances: Radiances,
     factor: float,
     value: data.Axis,
-    normal: directions.Vector = directions.UP,
+    normal: projections.Vector = projections.UP,
     title: str = "",
     sun: tuple[float, float] | None = None,
     is_image: bool = False,
@@ -181,8 +181,8 @@ def fisheye(
     angle = numpy.minimum(away, 1.0) * math.pi / 2
     across = numpy.sin(angle) / numpy.where(away > 0, away, 1.0)
     direction = (x * across, y * across, numpy.cos(angle))
-    theta, phi, _ = directions.spherical(
-        *directions.from_components((right, up, forward), direction)
+    theta, phi, _ = projections.spherical(
+        *projections.from_components((right, up, forward), direction)
     )
     values = numpy.broadcast_to(factor * radiances.radiance(theta, phi), x.shape)
     rim = [("up", 0), ("right", 90), ("down", 180), ("left", 270)]
@@ -196,23 +196,23 @@ def fisheye(
 
 
 def _axes(
-    normal: directions.Vector,
-) -> tuple[directions.Vector, directions.Vector, directions.Vector]:
+    normal: projections.Vector,
+) -> tuple[projections.Vector, projections.Vector, projections.Vector]:
     """Return the directions to the right, up and forward of a view along a normal."""
-    forward, _, up = directions.facing(normal)
+    forward, _, up = projections.facing(normal)
     if not (forward[0] or forward[1]):
         up = (1.0, 0.0, 0.0)
-    return directions.cross(forward, up), up, forward
+    return projections.cross(forward, up), up, forward
 
 
-def _mark(label: str, to: tuple[float, float], normal: directions.Vector) -> list[data.Mark]:
+def _mark(label: str, to: tuple[float, float], normal: projections.Vector) -> list[data.Mark]:
     """Return the mark of a direction (polar angle and azimuth [rad]); none behind the view."""
     right, up, forward = _axes(normal)
-    direction = directions.cartesian(*to)
-    ahead = math.acos(max(-1.0, min(1.0, directions.dot(direction, forward))))
+    direction = projections.cartesian(*to)
+    ahead = math.acos(max(-1.0, min(1.0, projections.dot(direction, forward))))
     if ahead > math.pi / 2:
         return []
-    place = directions.dot(direction, right), directions.dot(direction, up)
+    place = projections.dot(direction, right), projections.dot(direction, up)
     share = ahead / (math.pi / 2) / (math.hypot(*place) or 1.0)
     return [data.Mark(label, place[0] * share, place[1] * share)]
 
@@ -234,7 +234,7 @@ def integrand(
     along, around = numpy.meshgrid(theta, turns)
 
     def values_at(along: Any, around: Any) -> Any:
-        x, y, z = directions.cartesian(along, around)
+        x, y, z = projections.cartesian(along, around)
         with numpy.errstate(all="ignore"):  # at a pole
             values = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
         return numpy.broadcast_to(values, numpy.shape(along)).astype(float)
@@ -269,7 +269,7 @@ class Surveyed(NamedTuple):
 
     axes: Sequence[Coordinates]
     blocks: Iterable[Answer]
-    sources: Sequence[tuple[str, directions.Vector]] = ()
+    sources: Sequence[tuple[str, projections.Vector]] = ()
     wanted: str = "irradiance"
 
 

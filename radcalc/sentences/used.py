@@ -14,7 +14,7 @@ from radcalc.calculators.solved import Task
 from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.errors import RadcalcError, Try, Unused, UsageError, input_of, listed, quote
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.reading import read
 from radcalc.quantities.symbols import FLAG, QUANTITY, SYMBOLS
 from radcalc.sentences.facts import LEDS

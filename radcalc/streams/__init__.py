@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from radcalc.tuples import NamedTuple
 
 if TYPE_CHECKING:
-    from radcalc.inputs.given import Input
+    from radcalc.inputs import Input
     from radcalc.units import Unit
 
 

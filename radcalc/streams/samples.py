@@ -30,7 +30,7 @@ from radcalc.files import columns
 from radcalc.files.head import first_lines
 from radcalc.files.text import Text
 from radcalc.floats import divide
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.quantities.column_titles import unit_of_meter
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import LINKS

@@ -13,9 +13,8 @@ from helpers import Q, number
 from radcalc import point_source
 from radcalc.calculators.point_source import point_source as work_out
 from radcalc.calculators.solved import Task
-from radcalc.distributions.distribution import Photometry
-from radcalc.distributions.formula import Lobe
-from radcalc.distributions.grid import Grid
+from radcalc.distributions.distribution import Grid, Photometry
+from radcalc.distributions.sources import Lobe
 from radcalc.errors import RadcalcError
 from radcalc.homework.question import of_task
 from radcalc.homework.verdict import check

@@ -7,7 +7,7 @@ import pytest
 from geometry.references import DIGITS, close, cone_mp, exact
 from mpmath import mpf
 
-from radcalc.geometry import cones, projected, solid
+from radcalc.geometry import cones, solid
 
 ANGLES = [1e-9, 1e-6, 1e-3, 0.1, 1.0, 1.5, math.pi / 2, 2.0, 3.0, 3.1415926, math.pi]
 SOLID_ANGLES = [1e-18, 1e-9, 1e-3, 0.5, 1.0, 3.0, 6.0]
@@ -25,7 +25,7 @@ def test_a_projected_cone_is_the_integral_of_the_cosine(angle):
         end = min(mpf(angle), mpmath.pi / 2)  # directions behind the plane do not count
         want = 2 * mpmath.pi * mpmath.quad(lambda t: mpmath.cos(t) * mpmath.sin(t), [0, end])
     close(cones.projected_cone(angle), want)
-    assert cones.projected_cone(angle) == pytest.approx(projected.cone(angle), rel=1e-15)
+    assert cones.projected_cone(angle) == pytest.approx(solid.projected_cone(angle), rel=1e-15)
 
 
 @pytest.mark.parametrize("solid_angle", SOLID_ANGLES)

@@ -9,7 +9,7 @@ from typing import Any
 
 from radcalc import calculators, laws
 from radcalc.distributions.distribution import Pose
-from radcalc.distributions.formula import Lobe
+from radcalc.distributions.sources import Lobe
 from radcalc.laws import AnyLaw, Law, Relation, beams
 
 EXPONENT, ROTATE, BEARING = 3.0, 0.3, 1.0

@@ -9,7 +9,7 @@ from helpers import for_each, number
 
 from radcalc import lambertian, point_source, room, screen
 from radcalc.errors import Contradiction
-from radcalc.laws import CIRCLE, CONFIGURATION_FACTOR, beams, photometry, point, surface
+from radcalc.laws import CIRCLE, CONFIGURATION_FACTOR, HEAT_LAWS, beams, photometry, point, surface
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.units.numbers import rounding
 
@@ -35,7 +35,7 @@ def known(**values: float) -> dict[str, Known]:
         (SURFACE, known(exposure=60, time=2, projected_solid_angle=0.3, radius=0.2)),
         (SURFACE, known(energy=60, time=2, radius=0.2, incident_irradiance=900)),
         (photometry.EXPOSURE_LAWS, known(luminance=512, k=12.5, c=250, iso=400, f_number=8)),
-        (common.HEAT_LAWS, known(mass=0.1, specific_heat=385, temperature_rise=2, absorptance=0.9,
+        (HEAT_LAWS, known(mass=0.1, specific_heat=385, temperature_rise=2, absorptance=0.9,
                           time=30, receiver_area=0.01)),
         ([*BEAM, beams.DISCS, beams.RECEIVER_CIRCLE, beams.FAR_FIELD],
          known(flux=3, radiance=2, radius=1, distance=3)),

@@ -14,8 +14,7 @@ import numpy as np
 from radcalc.distributions import contents
 from radcalc.errors import ConditionError, quote, quote_path
 from radcalc.files import signatures
-from radcalc.geometry.directions import Vector
-from radcalc.geometry.projections import View
+from radcalc.geometry.projections import Vector, View
 
 # share of the sum of all values: smaller negative values are due to lossy encoding
 NOISE = 1e-6
