@@ -37,10 +37,10 @@ from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition, RadcalcError
-from radcalc.quantities.entries import Entry, entry
-from radcalc.quantities.entries import scales as scale_entries
 from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.light import GEOMETRIES, KINDS, RADIANT, read
+from radcalc.quantities.lookup import Entry, entry
+from radcalc.quantities.lookup import scales as scale_entries
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
 from radcalc.quantities.symbols import (
     CHOICE,

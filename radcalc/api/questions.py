@@ -15,9 +15,9 @@ from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import target_of
 from radcalc.errors import ConditionError, RadcalcError, SeveralReadings, UsageError, input_of
 from radcalc.homework.verdict import Verdict as Judged
+from radcalc.quantities.lookup import FIELDS, Typical, how_far
+from radcalc.quantities.lookup import search_typical as values_for
 from radcalc.quantities.symbols import article
-from radcalc.quantities.typical import FIELDS, Typical, how_far
-from radcalc.quantities.typical import search as values_for
 from radcalc.render.formats import Judgement, Style
 from radcalc.render.plain import verdict as words_of
 from radcalc.sentences.calls import call_of

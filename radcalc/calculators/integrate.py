@@ -15,7 +15,7 @@ from radcalc.geometry.solid import check_zone, zone
 from radcalc.inputs import Inputs
 from radcalc.quantities.light import NONE, PHOTON, coherent_unit, describe
 from radcalc.quantities.light import read as read_light
-from radcalc.quantities.units import composed
+from radcalc.quantities.names import composed
 from radcalc.units import NUMBER, Dimension
 from radcalc.units.dimensions import SOLID_ANGLE, times
 from radcalc.units.table import resolve

@@ -21,8 +21,7 @@ from radcalc.errors import MINUS, ConditionError, RadcalcError, UsageError, quot
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
-from radcalc.quantities.names import DLI
-from radcalc.quantities.units import offered
+from radcalc.quantities.names import DLI, offered
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
 from radcalc.routes.kinds import NAMES, ColumnSummary, contents_of, listing

@@ -183,14 +183,14 @@ def absent_file(args: list[str]) -> UsageError | None:
 
 def typical_of(text: str) -> Try | None:
     """Return the call that lists typical values of a thing; None if there are none."""
-    from radcalc.quantities.typical import is_seen
+    from radcalc.quantities.lookup import is_seen
 
     return call("typical", *text.split()) if is_seen(text) else None
 
 
 def looked_up(word: str) -> Try | None:
     """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
-    from radcalc.quantities.targets import is_name
+    from radcalc.quantities.search import is_name
     from radcalc.spectra.sources import find_named
     from radcalc.units.scales import find
     from radcalc.units.table import unit_of

@@ -28,7 +28,7 @@ from radcalc.errors import (
     nearest,
     quote,
 )
-from radcalc.quantities import entries, search, typical
+from radcalc.quantities import lookup, search
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import comparable, matching, names_elsewhere
@@ -102,7 +102,7 @@ def _names() -> Iterator[str]:
     yield from (name for q in QUANTITIES for code in LANGUAGES for name in q.names(code))
     yield from UNITS
     yield from TAKEN
-    yield from typical.THINGS
+    yield from lookup.THINGS
 
 
 def _of_commands(text: str) -> Iterable[Finding]:
@@ -232,7 +232,7 @@ def _of_quantities(text: str) -> Iterator[Finding]:
 
 
 def _of_units(text: str) -> Iterator[Finding]:
-    for unit in entries.search(text):
+    for unit in lookup.search_units(text):
         spellings = unit.symbols.partition(" (")[0].split(", ")
         what = ": ".join(filter(None, [unit.quantity, unit.definition]))
         yield Finding("unit", unit.name, what, ("units", unit.name), (unit.name, *spellings))
@@ -258,7 +258,7 @@ def _spectrum(name: str, is_meant: bool = False) -> Finding:
 
 
 def _of_typical_values(text: str) -> Iterator[Finding]:
-    for value in typical.search(text):
+    for value in lookup.search_typical(text):
         what = f"{value.value} {value.unit} ({value.quantity})"
         yield Finding("typical value", value.what, what, ("typical", *text.split()), value.names)
 

@@ -170,6 +170,6 @@ def _unit(word: str) -> Unit | None:
 
 
 def _is_target(word: str) -> bool:
-    from radcalc.quantities.targets import is_name
+    from radcalc.quantities.search import is_name
 
     return bool(word) and (_unit(word) is not None or is_name(word))

@@ -25,9 +25,9 @@ from radcalc.conversion.operands import read_operands
 from radcalc.errors import RadcalcError, UsageError, add, listed, quote
 from radcalc.quantities import symbols
 from radcalc.quantities.light import LUMINOUS
-from radcalc.quantities.targets import is_name
-from radcalc.quantities.units import full_name
-from radcalc.sentences.words import ENDS
+from radcalc.quantities.names import full_name
+from radcalc.quantities.search import is_name
+from radcalc.sentences import ENDS
 from radcalc.units import scales, unit_behind
 from radcalc.units.grammar import ALSO_UNITS, TO
 from radcalc.units.numbers import FUNCTIONS, Amount, is_sentence, read_number

@@ -28,8 +28,8 @@ from radcalc.files.text import ENDINGS as COLUMNS
 from radcalc.plots.figure import FORMATS
 from radcalc.quantities import symbols
 from radcalc.quantities.light import GEOMETRIES
-from radcalc.quantities.targets import GENERIC, names_with_units
-from radcalc.quantities.units import full_name, offered
+from radcalc.quantities.names import full_name, offered
+from radcalc.quantities.search import GENERIC, names_with_units
 from radcalc.spectra import listing
 from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import TEMPERATURE

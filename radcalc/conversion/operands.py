@@ -207,7 +207,7 @@ def _divided_at(parts: "Sequence[str]", at: int) -> list[Reading]:
 
 def _to_name(parts: "Sequence[str]") -> list[Reading]:
     """Return the reading with the name of a quantity as the target: 5 lx luminance."""
-    from radcalc.quantities.targets import is_name
+    from radcalc.quantities.search import is_name
 
     for at in range(len(parts) - 1, 0, -1):
         amount, name = _amount(" ".join(parts[:at])), " ".join(parts[at:])

@@ -78,9 +78,9 @@ def target_of(text: str, source: Unit | None = None) -> Unit:
 
     if scale := find(text):
         return scale
-    from radcalc.quantities import targets
+    from radcalc.quantities import search
 
-    return targets.named(text, source)
+    return search.named(text, source)
 
 
 def result_of_plan(

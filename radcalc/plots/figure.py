@@ -357,7 +357,7 @@ def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
     if diagram.arrows:
         _vectors(diagram, axes)
     else:
-        from radcalc.spectra.rendition import draw_chromaticities
+        from radcalc.spectra.colorimetry import draw_chromaticities
 
         draw_chromaticities(axes)
     for series in diagram.series:
@@ -377,7 +377,7 @@ def _vectors(diagram: ColourDiagram, axes: Any) -> None:
     from matplotlib.image import imread
     from matplotlib.patches import Circle
 
-    from radcalc.spectra.rendition import vector_background
+    from radcalc.spectra.colorimetry import vector_background
 
     (left, right), (low, high) = diagram.limits
     axes.imshow(imread(vector_background()), extent=(left, right, low, high))

@@ -9,10 +9,9 @@ from radcalc.plots import data
 from radcalc.quantities.light import RADIANT
 from radcalc.quantities.symbols import light_unit, specific_name
 from radcalc.spectra import colorimetry, planck
-from radcalc.spectra.colorimetry import START, Y, srgb
+from radcalc.spectra.colorimetry import START, Y, rendition, srgb
 from radcalc.spectra.data.colours import X, Z
 from radcalc.spectra.observers import OBSERVERS, Observer
-from radcalc.spectra.rendition import rendition
 from radcalc.spectra.spectrum import VISIBLE, WHOLE, BlackBody, Lines, Range, Spectrum, Table
 
 WAVELENGTH = data.Axis("wavelength \u03bb", "nm")

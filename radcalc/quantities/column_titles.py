@@ -12,9 +12,8 @@ from radcalc.errors import UnitError, UsageError, listed, nearest, quote
 from radcalc.files.columns import IN_BRACKETS, plain
 from radcalc.quantities.light import NONE, PHOTON, RADIANT, Reading, describe, read
 from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity
-from radcalc.quantities.search import comparable, index
+from radcalc.quantities.search import GENERIC, comparable, index
 from radcalc.quantities.symbols import light_unit
-from radcalc.quantities.targets import GENERIC
 from radcalc.units import NUMBER, Unit
 from radcalc.units.scales import find as find_scale
 from radcalc.units.scales import scale_of

@@ -12,6 +12,22 @@ from radcalc.quantities.light import RADIANT
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
+from radcalc.sentences import (
+    ASPECT,
+    ENGLISH_ALONE,
+    Amount,
+    Word,
+    amount_at,
+    amount_of,
+    joined,
+    literals,
+    names,
+    patterns,
+    size_of,
+    symbols_of,
+    unit_in,
+    words_of,
+)
 from radcalc.sentences.phrases import (
     AIR,
     AMOUNTS,
@@ -27,22 +43,6 @@ from radcalc.sentences.phrases import (
     TARGET,
     THINGS,
     UNKNOWN,
-)
-from radcalc.sentences.words import (
-    ASPECT,
-    ENGLISH_ALONE,
-    Amount,
-    Word,
-    amount_at,
-    amount_of,
-    joined,
-    literals,
-    names,
-    patterns,
-    size_of,
-    symbols_of,
-    unit_in,
-    words_of,
 )
 from radcalc.tuples import NamedTuple
 from radcalc.units import NUMBER, Unit
@@ -252,7 +252,7 @@ def _of_named_number(sentence: Sentence) -> Sentence:
 
 
 def _usual_unit(name: str, amount: Amount) -> Unit | None:
-    from radcalc.quantities.targets import is_name, named
+    from radcalc.quantities.search import is_name, named
 
     try:
         return named(name, amount.unit) if is_name(name) else None

@@ -11,7 +11,7 @@ from radcalc.completion.table import COMMANDS, UNITS
 from radcalc.completion.words import READERS, Completion
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition
-from radcalc.quantities import typical
+from radcalc.quantities import lookup
 from radcalc.quantities.light import name_of
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import unit_of
@@ -248,7 +248,7 @@ def test_the_words_of_typical_values_find_values():
     found = texts("typical ")
     assert {"moon", "illuminance", "jas", "освещённость"} <= set(found)
     assert texts("typical moo") == ["moon"]
-    assert all(typical.search(text) for text in found)
+    assert all(lookup.search_typical(text) for text in found)
 
 
 def test_named_spectra_have_descriptions():
