@@ -17,6 +17,7 @@ from textwrap import dedent
 import click
 
 from radcalc.answer import Row, Step
+from radcalc.calculators import COMMANDS, SUMMARIES, page_of
 from radcalc.calculators.lists import manual_pages
 from radcalc.calculators.page import (
     ALSO,
@@ -29,7 +30,6 @@ from radcalc.calculators.page import (
     Option,
     Page,
 )
-from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.command import command_of, examples_of
 from radcalc.cli.heard import hear
 from radcalc.cli.help import joined, narrowed

@@ -12,8 +12,8 @@ from typing import Any, get_overloads
 
 import radcalc
 from radcalc.api import MODULES, keywords
-from radcalc.api.spelling import keyword
-from radcalc.calculators.pages import SUMMARIES
+from radcalc.api.arguments import keyword
+from radcalc.calculators import SUMMARIES
 
 PACKAGE = Path(radcalc.__file__)
 PATH = PACKAGE.with_suffix(".pyi")

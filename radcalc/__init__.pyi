@@ -17,6 +17,11 @@ from radcalc._version import (
 from radcalc.api.arguments import (
     Quantity,
 )
+from radcalc.api.calculators import (
+    Listing,
+    TypicalValue,
+    Verdict,
+)
 from radcalc.api.keywords import (
     Amount,
     Diffuse,
@@ -45,11 +50,6 @@ from radcalc.api.keywords import (
     Times,
     Unnamed,
     Vector,
-)
-from radcalc.api.questions import (
-    Listing,
-    TypicalValue,
-    Verdict,
 )
 from radcalc.api.result import (
     Result,

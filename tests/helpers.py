@@ -23,7 +23,7 @@ from conftest import entry_point, run
 import radcalc
 from radcalc import lambertian, terminal
 from radcalc.answer import coherent_unit_of
-from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError
 from radcalc.laws import AnyLaw

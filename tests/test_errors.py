@@ -14,9 +14,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from radcalc import errors
-from radcalc.api.refusals import in_python as of_function
+from radcalc.api.result import in_python as of_function
+from radcalc.calculators import COMMANDS
 from radcalc.calculators.integrate import integrate
-from radcalc.calculators.pages import COMMANDS
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick
 from radcalc.calculators.solid_angle import solid_angle

@@ -12,7 +12,7 @@ import pytest
 from conftest import ROOT, python
 from helpers import for_each
 
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.cli.command import OTHERWISE
 from radcalc.completion.rows import module_text
 from radcalc.laws import point
@@ -27,7 +27,7 @@ MODULES = {
 # Only these may import the package on the left.
 KEEPERS = {
     "click": ("radcalc.cli",),
-    "rich": ("radcalc.render.table", "radcalc.render.progress"),
+    "rich": ("radcalc.render.table", "radcalc.render.table"),
     "pint": ("radcalc.units.registry",),
     "colour": ("radcalc.spectra.colorimetry",),
     "prompt_toolkit": ("radcalc.cli.prompt",),

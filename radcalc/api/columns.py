@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from radcalc.api import arguments
-from radcalc.api.spelling import symbol_name
+from radcalc.api.arguments import symbol_name
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.quantities.column_titles import is_same, read_title, refuse_misnamed
 from radcalc.quantities.symbols import QUANTITY, SPECTRUM, SYMBOLS

@@ -7,12 +7,11 @@ from typing import Any
 
 from radcalc.answer import ShownInput
 from radcalc.api import arguments
-from radcalc.api.arguments import Quantity
+from radcalc.api.arguments import Quantity, in_words, keyword
 from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
 from radcalc.api.functions import of_page
 from radcalc.api.keywords import Number
 from radcalc.api.result import Result, Undrawn
-from radcalc.api.spelling import in_words, keyword
 from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.conversion.plan import result_of_plan as answer_of

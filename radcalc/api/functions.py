@@ -18,22 +18,25 @@ from typing import Any, NamedTuple, TypeVar, get_type_hints
 from radcalc.answer import Answer, texts_of
 from radcalc.api import keywords
 from radcalc.api.arguments import (
+    Documented,
+    Python,
     as_text,
     broadcast,
+    is_absent,
     is_lazy,
     is_quantity,
+    keyword,
     library_of,
     magnitude_of,
     read_inputs,
     read_points,
+    symbol_name,
     unit_of,
 )
 from radcalc.api.columns import take_columns
-from radcalc.api.refusals import in_python, with_keywords
-from radcalc.api.result import Result, in_columns, of_answer
-from radcalc.api.spelling import Documented, Python, is_absent, keyword, symbol_name
+from radcalc.api.result import Result, in_columns, in_python, of_answer, with_keywords
+from radcalc.calculators import page_of
 from radcalc.calculators.page import NOTHING, Page, words_of
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task, requesting
 from radcalc.errors import RadcalcError, UsageError, manual, mention, options, quote, spell
 from radcalc.inputs import Input, Inputs, shown_inputs

@@ -10,10 +10,8 @@ from typing import Any, NamedTuple
 import dask.array
 import numpy
 
-from radcalc.api.arguments import Quantity, gathered, is_lazy, magnitude_of, unit_of
-from radcalc.api.refusals import in_python
-from radcalc.api.result import Result, all_of, waiting
-from radcalc.api.spelling import symbol_name
+from radcalc.api.arguments import Quantity, gathered, is_lazy, magnitude_of, symbol_name, unit_of
+from radcalc.api.result import Result, all_of, in_python, waiting
 from radcalc.errors import ConditionError, option
 from radcalc.maths import is_column
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS

@@ -17,9 +17,8 @@ from radcalc.answer import (
     itself,
 )
 from radcalc.calculators import kinds
-from radcalc.calculators.missing import Search
 from radcalc.calculators.results import known, value
-from radcalc.calculators.worksheet import Placed, Remarks, Worksheet, without_one
+from radcalc.calculators.worksheet import Placed, Remarks, Search, Worksheet, without_one
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
 from radcalc.inputs import Inputs, any_uncertain
 from radcalc.laws import AnyLaw, solver

@@ -7,8 +7,8 @@ from typing import Any, TypeVar
 
 from radcalc import terminal
 from radcalc.answer import Answer, ShownInput, texts_of
+from radcalc.calculators import page_of
 from radcalc.calculators.page import words_of
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.results import rows
 from radcalc.calculators.solved import Task
 from radcalc.cli.answers import every_answer, show, with_notes

@@ -6,16 +6,15 @@ from typing import Any
 from radcalc import terminal
 from radcalc.answer import ShownInput, texts_of
 from radcalc.calculators import dose as page
+from radcalc.calculators import page_of
 from radcalc.calculators.page import PER_DAY
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, show
 from radcalc.cli.calculator import run
 from radcalc.cli.command import define
-from radcalc.cli.files import only_file, proposed
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.request import Case, Request, cases, refuse_second_reader, several
-from radcalc.cli.spelling import quoted
+from radcalc.cli.spelling import only_file, proposed, quoted
 from radcalc.cli.streams import complain
 from radcalc.errors import MINUS, ConditionError, RadcalcError, UsageError, quote_path
 from radcalc.errors import command as call_of

@@ -13,8 +13,8 @@ from tempfile import TemporaryDirectory
 import click
 
 from radcalc.answer import texts_of
+from radcalc.calculators import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.calculators.page import RESULT
-from radcalc.calculators.pages import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.cli.command import define, examples_of
 from radcalc.cli.heard import hear
 from radcalc.cli.output import Output, refuse_number_options

@@ -11,9 +11,8 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Result, texts_of
-from radcalc.calculators import lists, page
+from radcalc.calculators import lists, page, page_of
 from radcalc.calculators.lists import MAIN
-from radcalc.calculators.pages import page_of
 from radcalc.cli.command import SectionedCommand, commands, context, define, option_of
 from radcalc.cli.help import is_colored, narrowed, show
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal

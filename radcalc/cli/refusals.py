@@ -5,8 +5,8 @@ from itertools import pairwise
 import click
 
 from radcalc import errors
-from radcalc.calculators.missing import on_page
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
+from radcalc.calculators.worksheet import on_page
 from radcalc.cli.command import called_in, parameters
 from radcalc.errors import quote
 from radcalc.quantities.language import names_meant

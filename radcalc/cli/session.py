@@ -14,8 +14,8 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Result, Row
+from radcalc.calculators import COMMANDS
 from radcalc.calculators.page import DEFAULTS
-from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import boundary
 from radcalc.cli.command import commands, context, protect_negatives
 from radcalc.cli.output import decide

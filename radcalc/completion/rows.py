@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from radcalc.calculators import COMMANDS, page_of
 from radcalc.calculators.page import (
     CLAIM,
     ENVIRONMENT,
@@ -20,7 +21,6 @@ from radcalc.calculators.page import (
     Option,
     Page,
 )
-from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import spell

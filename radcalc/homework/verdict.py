@@ -18,16 +18,16 @@ from radcalc.calculators.results import (
 )
 from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework import diagnosis
-from radcalc.homework.answer import (
+from radcalc.homework.question import (
     Claim,
     Diagnosis,
+    Question,
     Tolerance,
     decimal,
     is_rounded,
     read_claim,
     read_tolerance,
 )
-from radcalc.homework.question import Question
 from radcalc.homework.wording import Translatable
 from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities.light import describe

@@ -13,8 +13,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from radcalc.errors import ConditionError, printable
-from radcalc.plots import figure_style as style
-from radcalc.plots.data import (
+from radcalc.plots import (
     LINE,
     LINES,
     POINTS,
@@ -36,6 +35,7 @@ from radcalc.plots.data import (
     span,
     texts,
 )
+from radcalc.plots import figure_style as style
 from radcalc.plots.figure_style import GREY, NO_LIGHT, axis_title
 from radcalc.terminal import cut, fold
 

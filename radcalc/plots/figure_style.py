@@ -3,7 +3,7 @@
 import math
 import re
 
-from radcalc.plots.data import Axis
+from radcalc.plots import Axis
 
 SIZE = 7.2, 4.5  # inches
 AREA, LONGEST = 20.0, 8.0  # of a plan [square inches, inches]

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from radcalc import errors
-from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.conversion.operands import read_operands, unit_first
 from radcalc.errors import call, listed, quote, quote_path
 from radcalc.quantities import symbols

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from radcalc.calculators import page_of
 from radcalc.calculators.page import Page
-from radcalc.calculators.pages import page_of
 from radcalc.errors import MOST, Try, input_of, mention
 from radcalc.quantities import symbols
 from radcalc.quantities.light import read as read_light

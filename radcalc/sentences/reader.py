@@ -5,7 +5,7 @@ import re
 from functools import cached_property
 from itertools import pairwise
 
-from radcalc.calculators.pages import SUMMARIES
+from radcalc.calculators import SUMMARIES
 from radcalc.errors import RadcalcError, UsageError, input_of
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import RADIANT

@@ -13,7 +13,7 @@ from math import isclose
 from typing import Any
 
 from radcalc.answer import Answer
-from radcalc.calculators.pages import page_of
+from radcalc.calculators import page_of
 from radcalc.calculators.solved import Task
 from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan, source_of, target_of

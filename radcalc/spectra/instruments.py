@@ -216,8 +216,13 @@ def _chosen(
 
 
 SPDX_ROOT = "IESTM2714"
-SPDX_LIGHT = {"flux": "W/nm", "intensity": "W/sr/nm", "irradiance": "W/m2/nm", "exitance": "W/m2/nm",
-         "radiance": "W/m2/sr/nm"}  # fmt: skip
+SPDX_LIGHT = {
+    "flux": "W/nm",
+    "intensity": "W/sr/nm",
+    "irradiance": "W/m2/nm",
+    "exitance": "W/m2/nm",
+    "radiance": "W/m2/sr/nm",
+}
 SPDX_RELATIVE = "relative"
 SPDX_ELEMENTS = ("SpectralData", "SpectralQuantity")  # the elements whose text is read
 SPDX_QUANTITIES = f"{', '.join(SPDX_LIGHT)} or {SPDX_RELATIVE}"

@@ -7,8 +7,8 @@ import pytest
 from conftest import ROOT
 
 from radcalc import __main__, cli
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.calculators.page import words_of
-from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli import boundary, lane
 from radcalc.cli.spelling import Shell
 from radcalc.conversion.operands import read_operands

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 from conftest import run
 
 import radcalc
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.errors import RadcalcError
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import FLAG, SYMBOLS

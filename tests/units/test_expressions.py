@@ -13,7 +13,7 @@ from radcalc.__main__ import run
 from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
 from radcalc.errors import ExpressionError, RadcalcError
-from radcalc.homework.answer import read_claim
+from radcalc.homework.question import read_claim
 from radcalc.inputs.reading import read
 from radcalc.units import values
 from radcalc.units.amounts import split_value
