@@ -37,9 +37,10 @@ from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition, RadcalcError
+from radcalc.quantities import GEOMETRIES, KINDS, RADIANT, read
+from radcalc.quantities import lookup as source
 from radcalc.quantities.language import ENGLISH
-from radcalc.quantities.light import GEOMETRIES, KINDS, RADIANT, read
-from radcalc.quantities.lookup import Entry, entry
+from radcalc.quantities.lookup import CALL, Entry, entry
 from radcalc.quantities.lookup import scales as scale_entries
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
 from radcalc.quantities.symbols import (
@@ -53,7 +54,6 @@ from radcalc.quantities.symbols import (
     names_of_kinds,
     specific_name,
 )
-from radcalc.sentences import tasks as source
 from radcalc.sentences.frames import FRAMES, taken_by
 from radcalc.sentences.phrases import (
     COMMAND,
@@ -66,7 +66,6 @@ from radcalc.sentences.phrases import (
     WORDS,
     Phrase,
 )
-from radcalc.sentences.tasks import CALL
 from radcalc.terminal import HANGING, fold
 from radcalc.units import Unit
 from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS, UNITS

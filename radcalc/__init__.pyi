@@ -62,7 +62,7 @@ from radcalc.errors import (
     UnitError,
     UsageError,
 )
-from radcalc.sentences.tasks import (
+from radcalc.quantities.lookup import (
     Task,
 )
 

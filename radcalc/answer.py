@@ -229,7 +229,7 @@ def shows(row: Row, name: str) -> bool:
     """Return whether a row shows the input of a name, which may be generic."""
     if not row.given:
         return False
-    from radcalc.quantities.light import LUMINOUS  # not for plain conversions
+    from radcalc.quantities import LUMINOUS  # not for plain conversions
     from radcalc.quantities.symbols import in_kind
 
     return name in (row.name, row.quantity.replace(" ", "-")) or in_kind(name, LUMINOUS) == row.name

@@ -13,7 +13,7 @@ from helpers import PLAIN, example_of, for_each
 
 import radcalc
 from radcalc.api.arguments import keyword
-from radcalc.api.lazy import Call, Expected, Place, Rows
+from radcalc.api.columns import Call, Expected, Place, Rows
 from radcalc.errors import ConditionError, RadcalcError
 from radcalc.inputs.reading import read
 

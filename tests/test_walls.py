@@ -31,7 +31,7 @@ KEEPERS = {
     "pint": ("radcalc.units.registry",),
     "colour": ("radcalc.spectra.colorimetry",),
     "prompt_toolkit": ("radcalc.cli.prompt",),
-    "dask": ("radcalc.api.lazy",),
+    "dask": ("radcalc.api.columns",),
     "plotille": ("radcalc.plots.sheet",),
     "matplotlib": ("radcalc.plots.figure",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),

@@ -34,7 +34,7 @@ MODULES = {
     "radcalc.api.conversion": ("convert", "explain", "factor"),
     "radcalc.api.logs": ("dose",),
     "radcalc.api.result": ("Result",),
-    "radcalc.sentences.tasks": ("Task",),
+    "radcalc.quantities.lookup": ("Task",),
     "radcalc.errors": (
         "ConditionError",
         "ConversionError",

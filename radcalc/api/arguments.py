@@ -19,8 +19,7 @@ from radcalc.inputs import Input, Inputs
 from radcalc.inputs.places import TOO_FAR, read_place
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import LARGEST, frozen, is_array, is_column
-from radcalc.quantities import symbols
-from radcalc.quantities.light import describe
+from radcalc.quantities import describe, symbols
 from radcalc.quantities.symbols import FLAG, SYMBOLS, article
 from radcalc.units import Unit
 from radcalc.units.dimensions import COHERENT, LENGTH

@@ -62,19 +62,18 @@ from radcalc.errors import (
     input_of,
     mention,
 )
-from radcalc.homework.verdict import Verdict as Judged
+from radcalc.homework import Verdict as Judged
 from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import IN_METRES, read_coordinates, read_point
 from radcalc.inputs.reading import read
-from radcalc.quantities.lookup import FIELDS, Typical, how_far
+from radcalc.quantities.lookup import FIELDS, Task, Typical, how_far
+from radcalc.quantities.lookup import search_tasks as tasks_for
 from radcalc.quantities.lookup import search_typical as values_for
 from radcalc.quantities.symbols import article
 from radcalc.render.formats import Judgement, Style
 from radcalc.render.plain import verdict as words_of
 from radcalc.sentences.calls import call_of
 from radcalc.sentences.reader import read as read_sentence
-from radcalc.sentences.tasks import Task
-from radcalc.sentences.tasks import search as tasks_for
 from radcalc.spectra.files import read_text
 from radcalc.units import unit_behind
 from radcalc.units.numbers import is_sentence

@@ -18,7 +18,7 @@ from radcalc.conversion.plan import result_of_plan as answer_of
 from radcalc.errors import ConditionError, ConversionError, NumberError, option, quote
 from radcalc.inputs import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
-from radcalc.quantities.light import describe, result_name
+from radcalc.quantities import describe, result_name
 from radcalc.units import Unit
 from radcalc.units.numbers import Amount as ReadAmount
 from radcalc.units.ranges import real
@@ -80,7 +80,7 @@ def convert(value: Number, target: str, to: str | None = None, **conditions: Any
         column: Quantity = of_conversion(columns, convert(target=target, **arrays), unit, name)
         return column
     if any(map(arguments.is_lazy, arrays.values())):
-        from radcalc.api.lazy import blockwise
+        from radcalc.api.columns import blockwise
 
         waiting: Quantity = blockwise("convert", _again, {**arrays, "target": target})
         return waiting

@@ -41,7 +41,7 @@ from radcalc.calculators.solved import Task, requesting
 from radcalc.errors import RadcalcError, UsageError, manual, mention, options, quote, spell
 from radcalc.inputs import Input, Inputs, shown_inputs
 from radcalc.maths import is_column
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import (
     CHOICE,
     DIRECTION,
@@ -180,7 +180,7 @@ def calculate(
     """
     columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
-        from radcalc.api.lazy import blockwise
+        from radcalc.api.columns import blockwise
 
         operand_texts = dict(operands)  # pickle takes it, unlike a proxy
         call = partial(calculate, command, work_out=work_out, operands=operand_texts, adapt=adapt)

@@ -7,7 +7,7 @@ from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.inputs import Inputs
 from radcalc.laws import HEAT_LAWS
-from radcalc.quantities.light import RADIANT
+from radcalc.quantities import RADIANT
 
 QUANTITIES = ("flux", "energy", "irradiance")
 BODY = ("mass", "specific-heat", "temperature-rise")

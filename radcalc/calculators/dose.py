@@ -38,8 +38,8 @@ from radcalc.files.text import ENDINGS
 from radcalc.floats import divide
 from radcalc.inputs import Inputs
 from radcalc.laws import law
-from radcalc.quantities.light import PHOTON, describe, light_dimension
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import PHOTON, describe, light_dimension
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.terminal import ABORT, INVALID
 from radcalc.units import Unit

@@ -16,8 +16,7 @@ from radcalc.inputs import Inputs, at_most_one, split_by_light
 from radcalc.inputs.places import require_azimuth
 from radcalc.inputs.reading import read
 from radcalc.maths import is_array
-from radcalc.quantities import symbols
-from radcalc.quantities.light import KINDS
+from radcalc.quantities import KINDS, symbols
 from radcalc.quantities.symbols import LATLONG, LINKS
 from radcalc.units import NUMBER
 from radcalc.units.dimensions import SOLID_ANGLE

@@ -13,8 +13,8 @@ from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.projections import TURN
 from radcalc.geometry.solid import check_zone, zone
 from radcalc.inputs import Inputs
-from radcalc.quantities.light import NONE, PHOTON, coherent_unit, describe
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import NONE, PHOTON, coherent_unit, describe
+from radcalc.quantities import read as read_light
 from radcalc.quantities.names import composed
 from radcalc.units import NUMBER, Dimension
 from radcalc.units.dimensions import SOLID_ANGLE, times

@@ -16,8 +16,7 @@ from radcalc.inputs import Input, Inputs
 from radcalc.laws import Law, law, same
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.maths import is_lost, larger
-from radcalc.quantities import symbols
-from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
+from radcalc.quantities import KIND_NAMES, KINDS, LUMINOUS, RADIANT, symbols
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
 from radcalc.units import Dimension

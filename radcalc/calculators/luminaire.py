@@ -44,7 +44,7 @@ from radcalc.laws.point import CONICAL, COSINE_BELOW, ISOTROPIC, LAWS, LOBED
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, atan2, is_array, power
-from radcalc.quantities.light import LUMINOUS
+from radcalc.quantities import LUMINOUS
 from radcalc.quantities.symbols import generic_name, light_unit
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from radcalc.inputs import Input, Inputs
 from radcalc.laws.optics import PHOTON_LAWS
 from radcalc.laws.solver import Derivation, Known, solve
 from radcalc.maths import any_true, larger
-from radcalc.quantities.light import PHOTON_NAMES
+from radcalc.quantities import PHOTON_NAMES
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import LENGTH

@@ -13,10 +13,9 @@ from radcalc.floats import SMALLEST
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities import symbols
+from radcalc.quantities import GRID, symbols
+from radcalc.quantities import name_of as unit_name
 from radcalc.quantities.language import names_meant
-from radcalc.quantities.light import GRID
-from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import COHERENT

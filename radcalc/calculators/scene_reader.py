@@ -37,7 +37,7 @@ from radcalc.laws import surface
 from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED, WIDTHS
 from radcalc.laws.solver import TO_DIGITS, Disagreement, Known
 from radcalc.laws.solver import solve as follow
-from radcalc.quantities.light import KIND_NAMES
+from radcalc.quantities import KIND_NAMES
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import resolve
 

@@ -15,8 +15,8 @@ from radcalc.distributions.sources import read_lines
 from radcalc.errors import listed, quote
 from radcalc.files import columns, text
 from radcalc.files.table import Table
+from radcalc.quantities import describe
 from radcalc.quantities.column_titles import read_title
-from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
 from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import split_value

@@ -13,7 +13,7 @@ from radcalc.geometry import cones
 from radcalc.inputs import Input, Inputs, angle_of
 from radcalc.laws import ENERGY, EXPOSURE, AnyLaw, At, law, relation
 from radcalc.maths import cos, sqrt, square
-from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS
+from radcalc.quantities import LUMINOUS, PHOTON, RADIANT, RATIOS
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.spectra.spectrum import range_text
 from radcalc.units.table import resolve

@@ -10,11 +10,10 @@ from radcalc.calculators.page import Operand, Page, flag, text
 from radcalc.calculators.results import absent, on_request, value
 from radcalc.errors import option
 from radcalc.inputs import Inputs
-from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
+from radcalc.quantities import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
 from radcalc.spectra.contents import Counts
-from radcalc.spectra.observers import OBSERVERS, TRAPEZOIDS
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.observers import LIGHT, OBSERVERS, PLANCK, TRAPEZOIDS
 from radcalc.spectra.spectrum import PAR, WHOLE, BlackBody, Lines, Spectrum, range_text
 
 PAGE = Page(

@@ -20,7 +20,7 @@ from radcalc.errors import quote
 from radcalc.inputs import Input, Inputs, any_uncertain
 from radcalc.inputs.quantities import moved
 from radcalc.maths import is_array, is_uncertain
-from radcalc.quantities.light import name_of
+from radcalc.quantities import name_of
 from radcalc.quantities.symbols import ANY, QUANTITY, Symbol, generic_name
 from radcalc.units.functions import check_uncertainty, sharpest, slopes
 from radcalc.units.numbers import Amount

@@ -19,7 +19,7 @@ from radcalc.inputs.quantities import with_likely_unit
 from radcalc.laws import AnyLaw, Law, same
 from radcalc.laws.solver import Known, reached
 from radcalc.maths import any_true, is_array, larger
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS, light_unit, names_of_kinds
 from radcalc.tuples import NamedTuple
 from radcalc.units.dimensions import AREA, LENGTH

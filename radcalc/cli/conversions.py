@@ -12,7 +12,7 @@ from radcalc.conversion.operands import read_lists, read_operands, sides
 from radcalc.conversion.plan import Planned, plan, plans, result_of_plan, source_of, target_of
 from radcalc.errors import call, quote
 from radcalc.inputs import Input, any_uncertain, shown_inputs
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import read as read_light
 from radcalc.tuples import NamedTuple
 from radcalc.units import Unit
 from radcalc.units.compiled import PREFIX_SYMBOLS
@@ -133,7 +133,7 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
 
 def _with_source(words: list[str]) -> errors.Hint:
     """Propose a unit of the target's quantity for a bare number: `5 lx to fc` for `5 to fc`."""
-    from radcalc.quantities.light import result_name
+    from radcalc.quantities import result_name
     from radcalc.quantities.names import units_of
     from radcalc.quantities.search import named
 
@@ -212,7 +212,7 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     if is_bare:
         raise errors.UsageError("-n needs a unit to convert to", errors.leave_out("number"))
     from radcalc.calculators import uncertainty
-    from radcalc.quantities.light import name_of, result_name, symbol_of
+    from radcalc.quantities import name_of, result_name, symbol_of
     from radcalc.quantities.names import units_of
     from radcalc.units.scales import ScaleUnit, names_of, resolve_any
 

@@ -34,7 +34,6 @@ from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import comparable, matching, names_elsewhere
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import Records
-from radcalc.sentences import tasks
 from radcalc.spectra import FORMS, listing
 from radcalc.spectra.sources import MEANT as INSTEAD
 from radcalc.spectra.sources import WORDS as TAKEN
@@ -358,6 +357,6 @@ def _more(text: str, found: Sequence[Finding], shown: Sequence[Finding]) -> Iter
 
 def _tasks(text: str) -> Iterator[str]:
     with suppress(UsageError):  # no task has the words
-        count = len(tasks.search(text))
+        count = len(lookup.search_tasks(text))
         mention = "1 example mentions" if count == 1 else f"{count} examples mention"
         yield f"{mention} it: {pasted(('examples', *text.split()))}"

@@ -23,8 +23,7 @@ from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
 from radcalc.conversion.operands import read_operands
 from radcalc.errors import RadcalcError, UsageError, add, listed, quote
-from radcalc.quantities import symbols
-from radcalc.quantities.light import LUMINOUS
+from radcalc.quantities import LUMINOUS, symbols
 from radcalc.quantities.names import full_name
 from radcalc.quantities.search import is_name
 from radcalc.sentences import ENDS

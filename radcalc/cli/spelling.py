@@ -106,7 +106,7 @@ class Shell:
     @staticmethod
     def measured(unit: str) -> str:
         """Return `illuminance (lx)`."""
-        from radcalc.quantities.light import describe
+        from radcalc.quantities import describe
         from radcalc.units.table import resolve
 
         return describe(resolve(unit))

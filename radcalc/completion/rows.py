@@ -26,8 +26,7 @@ from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import spell
 from radcalc.files.text import ENDINGS as COLUMNS
 from radcalc.plots.figure import FORMATS
-from radcalc.quantities import symbols
-from radcalc.quantities.light import GEOMETRIES
+from radcalc.quantities import GEOMETRIES, symbols
 from radcalc.quantities.names import full_name, offered
 from radcalc.quantities.search import GENERIC, names_with_units
 from radcalc.spectra import listing

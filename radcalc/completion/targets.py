@@ -9,7 +9,7 @@ from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
 from radcalc.inputs import Input
 from radcalc.inputs.reading import read, split_values
-from radcalc.quantities.light import is_per_length, name_of
+from radcalc.quantities import is_per_length, name_of
 from radcalc.quantities.names import full_name, offered
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS
 from radcalc.units import Exitance, Unit

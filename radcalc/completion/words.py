@@ -200,9 +200,9 @@ def _typical_values(values: "Sequence[str]", incomplete: str) -> list[Completion
 
 
 def _tasks(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    from radcalc.sentences.tasks import words
+    from radcalc.quantities.lookup import words_of_tasks
 
-    return starting(words(), incomplete)
+    return starting(words_of_tasks(), incomplete)
 
 
 def _pages(values: "Sequence[str]", incomplete: str) -> list[Completion]:

@@ -85,7 +85,7 @@ class Plan:
     @property
     def result(self) -> tuple[str, str, str]:
         """Return the quantity of the result, its symbol, and its name in `--get`."""
-        from radcalc.quantities.light import name_of, result_name, symbol_of
+        from radcalc.quantities import name_of, result_name, symbol_of
 
         return name_of(self.target), symbol_of(self.target), result_name(self.target)
 
@@ -106,7 +106,7 @@ class Plan:
 
         if any_true(value < 0):
             from radcalc.errors import ConditionError
-            from radcalc.quantities.light import describe, name_of
+            from radcalc.quantities import describe, name_of
 
             raise ConditionError(
                 f"a negative {name_of(self.source)} is a difference, which cannot "
@@ -182,7 +182,7 @@ def _beyond(source: Unit, target: Unit) -> "ConversionError":
 def derive(made: Plan, value: float) -> "list[Step]":
     """Return the derivation: the steps of every condition, then the conversion, in SI units."""
     from radcalc.answer import Step
-    from radcalc.quantities.light import coherent_unit, symbol_of
+    from radcalc.quantities import coherent_unit, symbol_of
 
     source, target = made.source, made.target
     result = f"{made.apply(value):.6g} {target.text}"

@@ -11,7 +11,7 @@ from radcalc.inputs import Input, Inputs
 from radcalc.laws import same
 from radcalc.laws.solver import TO_DIGITS, Disagreement, Known, solve
 from radcalc.maths import larger
-from radcalc.quantities.light import RATIOS
+from radcalc.quantities import RATIOS
 from radcalc.quantities.symbols import LINKS, QUANTITY
 from radcalc.tuples import NamedTuple
 

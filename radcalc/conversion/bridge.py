@@ -26,7 +26,7 @@ from radcalc.conversion.geometric import (
     Way,
 )
 from radcalc.errors import manual, option, quote
-from radcalc.quantities.light import PHOTON, Reading, coherent_text, describe, read
+from radcalc.quantities import PHOTON, Reading, coherent_text, describe, read
 from radcalc.tuples import NamedTuple
 from radcalc.units import Daily, Unit
 from radcalc.units.table import resolve

@@ -37,7 +37,7 @@ from radcalc.conversion.geometric import (
 from radcalc.errors import command, option, quote
 from radcalc.inputs import Input, require
 from radcalc.maths import any_true, power
-from radcalc.quantities.light import (
+from radcalc.quantities import (
     LUMINOUS,
     NONE,
     PHOTON,

@@ -13,7 +13,7 @@ from radcalc.errors import ConditionError, ConversionError, Unused, option
 from radcalc.floats import LARGEST, divide
 from radcalc.inputs import Input
 from radcalc.maths import any_true, is_lost, sqrt
-from radcalc.quantities.light import NONE, PHOTON_NAMES, RADIANT, describe, light_dimension
+from radcalc.quantities import NONE, PHOTON_NAMES, RADIANT, describe, light_dimension
 from radcalc.tuples import NamedTuple
 from radcalc.units import WAVELENGTH_UNITS, Exitance, Unit
 from radcalc.units.dimensions import ENERGY, LENGTH, PHOTON_ENERGY, TEMPERATURE
@@ -137,7 +137,7 @@ def _refuse(source: Unit, target: Unit, unused: Sequence[str]) -> None:
 def _of_photon(source: Unit, target: Unit) -> LawPlan:
     """Return the plan between two quantities of a photon."""
     from radcalc.laws.optics import PHOTON_LAWS
-    from radcalc.spectra.planck import AVOGADRO
+    from radcalc.spectra.observers import AVOGADRO
 
     names = PHOTON_NAMES[source.dimension], PHOTON_NAMES[target.dimension]
     laws = [law for law in PHOTON_LAWS if law.result in names]  # each of the wavelength

@@ -164,7 +164,7 @@ def _ratio(parts: "Sequence[str]") -> list[Reading]:
     )  # has this reading alone
     if whole is None:
         return []
-    from radcalc.quantities.light import name_of
+    from radcalc.quantities import name_of
 
     unit = whole.typed[1]
     return [Reading(whole)] if unit is None or name_of(unit) else []
@@ -249,7 +249,7 @@ def _alone(parts: "Sequence[str]") -> Reading | None:
     if " " in unit.text and unit.is_scale:  # dBu W
         return None
     if " " in _without_per(unit.text):
-        from radcalc.quantities.light import name_of
+        from radcalc.quantities import name_of
 
         if unit.dimension == NUMBER or not name_of(unit):
             return None

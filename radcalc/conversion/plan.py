@@ -106,7 +106,7 @@ def result_of_plan(
 
 def note_on_negative(made: Plan) -> tuple[str, ...]:
     """Return the note on a negative amount of light that is converted."""
-    from radcalc.quantities.light import name_of, read
+    from radcalc.quantities import name_of, read
 
     if made.source.is_scale or not read(made.source):
         return ()

@@ -18,7 +18,7 @@ from radcalc.conversion import Plan, are_reciprocal, between
 from radcalc.conversion.natural import by_law
 from radcalc.errors import ConversionError, NumberError, option, quote
 from radcalc.inputs import Input
-from radcalc.quantities.light import describe
+from radcalc.quantities import describe
 from radcalc.units import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit
 from radcalc.units.reading import read_amount
 from radcalc.units.scale_table import CONSTANTS, Scale

@@ -7,7 +7,7 @@ from radcalc.answer import Formula, Step, format_number
 from radcalc.conversion.geometric import BAND, LINK, Factor
 from radcalc.errors import option, quote
 from radcalc.inputs import Input, Inputs, require
-from radcalc.quantities.light import (
+from radcalc.quantities import (
     AXIS,
     DENSITY_NAMES,
     KIND_NAMES,
@@ -25,14 +25,16 @@ from radcalc.quantities.light import (
 )
 from radcalc.quantities.symbols import EFFICACIES
 from radcalc.spectra.observers import (
+    AVOGADRO,
+    LIGHT,
     OBSERVERS,
+    PLANCK,
     TRAPEZOIDS,
     Observer,
     luminous_efficacy,
     most_lumens_per_photon,
     standard_air_wavelength,
 )
-from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.tuples import NamedTuple
 from radcalc.units import Photosynthetic
 from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER

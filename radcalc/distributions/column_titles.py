@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from radcalc.errors import ConditionError, UnitError, quote
 from radcalc.files.columns import IN_BRACKETS, plain, units_in
+from radcalc.quantities import NONE, describe, read
 from radcalc.quantities.column_titles import Title, read_title, refuse_altered
-from radcalc.quantities.light import NONE, describe, read
 from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import ANGLE
 from radcalc.units.table import resolve, unit_of

@@ -32,8 +32,8 @@ from radcalc.geometry.projections import (
     view_of_field,
 )
 from radcalc.maths import Number
-from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import KINDS, LUMINOUS, RADIANT, describe, light_dimension
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import FISHEYE, LATLONG, WHOLE_SPHERE, light_unit
 from radcalc.units import NUMBER, Unit
 from radcalc.units.table import resolve

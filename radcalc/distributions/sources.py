@@ -36,8 +36,8 @@ from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.projections import TURN, cartesian
 from radcalc.geometry.solid import zone
 from radcalc.maths import Number
-from radcalc.quantities.light import KINDS, describe, light_dimension
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import KINDS, describe, light_dimension
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import DISTRIBUTIONS, light_unit
 from radcalc.units import Dimension, Unit
 from radcalc.units.table import resolve

@@ -42,7 +42,7 @@ from radcalc.files import columns
 from radcalc.files.head import Head, is_number
 from radcalc.files.table import NumberedLine, Table
 from radcalc.files.text import refusal
-from radcalc.quantities.light import read as facts_of
+from radcalc.quantities import read as facts_of
 
 FLAT = 180.0  # [deg]
 AS_RADIANS = 3.15  # up to this, angles without a unit may be in radians

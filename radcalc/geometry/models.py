@@ -34,7 +34,7 @@ from typing import Any, NamedTuple
 from radcalc.errors import ConditionError, corrections, mention, nearest, quote
 from radcalc.geometry import cones
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.numerics.integrals import gauss
+from radcalc.geometry.numerics import gauss
 from radcalc.geometry.projections import NO_NORMAL, Vector, dot, unit
 from radcalc.maths import (
     Number,

@@ -41,7 +41,7 @@ from typing import Any, NamedTuple
 from radcalc import maths
 from radcalc.errors import ConditionError, option
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.numerics.integrals import gauss
+from radcalc.geometry.numerics import gauss
 from radcalc.quantities import symbols
 
 Vector = tuple[maths.Number, maths.Number, maths.Number]

@@ -16,7 +16,7 @@ from collections.abc import Callable
 
 from radcalc.errors import ConditionError, mention
 from radcalc.geometry import cones, solid
-from radcalc.geometry.numerics.integrals import adaptive
+from radcalc.geometry.numerics import adaptive
 from radcalc.maths import Number, each
 
 UNEVEN = 0.01  # [1] largest variation of a lobe over a tilted receiver

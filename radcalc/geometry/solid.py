@@ -55,7 +55,7 @@ from radcalc.geometry.cones import (
     facing,
     refuse,
 )
-from radcalc.geometry.numerics.integrals import adaptive, cel, integral, less_arctangent
+from radcalc.geometry.numerics import adaptive, cel, integral, less_arctangent
 from radcalc.geometry.projections import NO_NORMAL, UP, dot, unit, vector
 
 

@@ -31,7 +31,7 @@ from radcalc.laws import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE, AnyLaw, L
 from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.solver import Derivation, Known, solve, step_of
 from radcalc.laws.surface import disc_on_axis
-from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT, read, symbol_of
+from radcalc.quantities import GRID, LUMINOUS, PHOTON, RADIANT, read, symbol_of
 from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 
 Steps = list[tuple[AnyLaw, str]]

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import format_number
 from radcalc.geometry import cones
-from radcalc.geometry.numerics.integrals import integral
+from radcalc.geometry.numerics import integral
 from radcalc.homework.chain import FAILURES, Worked
 from radcalc.homework.edits import text_of
 from radcalc.homework.question import Candidate, Problem, usual

@@ -11,8 +11,8 @@ from radcalc.errors import listed, option, quote
 from radcalc.files import columns
 from radcalc.files.table import Table
 from radcalc.files.text import Text, reading, refusal, where
+from radcalc.homework import ROUNDED, Verdict, check
 from radcalc.homework.question import Claim, Question, is_rounded, of_conversion, read_claim
-from radcalc.homework.verdict import ROUNDED, Verdict, check
 from radcalc.units import NUMBER, unit_behind
 from radcalc.units.numbers import read_number
 from radcalc.units.reading import read_amount

@@ -9,7 +9,7 @@ from radcalc.errors import RadcalcError
 from radcalc.homework.question import Candidate, Problem, both, usual
 from radcalc.homework.wording import Translatable
 from radcalc.inputs import Input
-from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.observers import AVOGADRO
 from radcalc.units import COUNT_AT, FIELD_STRENGTH, NUMBER
 from radcalc.units.dimensions import (
     ANGLE,

@@ -14,7 +14,7 @@ from radcalc.homework.formulas import PROJECTED
 from radcalc.homework.question import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.homework.wording import Translatable
 from radcalc.quantities.symbols import EFFICACIES, UNIFORM
-from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.observers import AVOGADRO
 from radcalc.units.dimensions import SOLID_ANGLE, times
 
 if TYPE_CHECKING:

@@ -24,7 +24,7 @@ from radcalc.inputs.quantities import MARKED
 from radcalc.inputs.reading import read_as
 from radcalc.laws.optics import EXITANCE, PEAK
 from radcalc.laws.surface import LAMBERTIAN
-from radcalc.quantities.light import GRID, Reading
+from radcalc.quantities import GRID, Reading
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol
 from radcalc.spectra.spectrum import BlackBody
 from radcalc.units import NUMBER, Unit

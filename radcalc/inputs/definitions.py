@@ -17,11 +17,11 @@ from typing import Any
 from radcalc.errors import ConditionError, Hint, RadcalcError, quote, quote_path
 from radcalc.files.text import readable
 from radcalc.units import OWN, compiled, lookup, scale_table, table
-from radcalc.units.numbers import FUNCTIONS, OTHER_FUNCTIONS
+from radcalc.units.languages import definition
+from radcalc.units.numbers import FUNCTIONS, OTHER_FUNCTIONS, find_constant
 from radcalc.units.ranges import refuse_list
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.words import definition, find
 
 MOST_BYTES = 1 << 18  # of a file of definitions
 EXPECTED = "a text file of definitions such as: mylamp = 54 lm/W"
@@ -142,7 +142,7 @@ class _Line:
         if self.kind == "spectrum":
             return
         entry = lookup(spelling)
-        owner = "".join(entry) if entry else find(spelling)
+        owner = "".join(entry) if entry else find_constant(spelling)
         owner = owner or "".join(row.name for row in scale_table.named(spelling)[:1])
         if owner:
             raise self.error(f"'{quote(spelling)}' is {owner} already", spelling, "another name")

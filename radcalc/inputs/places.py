@@ -12,8 +12,7 @@ from radcalc.floats import divide
 from radcalc.inputs import Input, runs_backwards
 from radcalc.inputs.quantities import is_number_with_unit, quantity_input
 from radcalc.maths import LARGEST, SLACK
-from radcalc.quantities import symbols
-from radcalc.quantities.light import describe
+from radcalc.quantities import describe, symbols
 from radcalc.quantities.symbols import SYMBOLS, Symbol
 from radcalc.units import Unit
 from radcalc.units.amounts import split_value

@@ -9,8 +9,8 @@ from radcalc.errors import option, quote
 from radcalc.floats import divide
 from radcalc.inputs import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
-from radcalc.quantities.light import describe
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import describe
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
 from radcalc.units import NUMBER, Unit, is_own
 from radcalc.units.dimensions import ANGLE, ENERGY, SOLID_ANGLE, TIME
@@ -167,7 +167,7 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> errors.Condit
         return errors.MissingUnit(name, quote(text), with_likely_unit(symbol, number), number)
     example, is_array = symbol.example, maths.is_array(amount.number)
     if name == "bandwidth" and unit.dimension == ENERGY and not is_array:
-        from radcalc.spectra.planck import PLANCK
+        from radcalc.spectra.observers import PLANCK
 
         example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
     problem = f"{option(name)} takes {symbol.takes}, not {describe(unit)}"

@@ -15,9 +15,9 @@ from radcalc.errors import ConditionError, UsageError, listed, option, quote
 from radcalc.inputs import Input, Inputs
 from radcalc.maths import is_array
 from radcalc.plots import LINE, POINTS, Axis, Chart, Series
-from radcalc.quantities.light import RADIANT
+from radcalc.quantities import RADIANT
 from radcalc.quantities.symbols import DIRECTION, QUANTITY, light_unit, specific_name
-from radcalc.spectra import colorimetry, planck
+from radcalc.spectra import colorimetry, observers
 from radcalc.spectra.colorimetry import START, Y, rendition, srgb
 from radcalc.spectra.data.colours import X, Z
 from radcalc.spectra.observers import OBSERVERS, Observer
@@ -341,7 +341,7 @@ def _points(source: Spectrum, limits: Range) -> tuple[list[float], list[float]]:
     low, high = limits
     if isinstance(source, BlackBody):
         x = [low + (high - low) * k / STEPS_OF_BLACK_BODY for k in range(STEPS_OF_BLACK_BODY + 1)]
-        exitances = planck.spectral_exitances([nm * 1e-9 for nm in x], source.temperature)
+        exitances = observers.spectral_exitances([nm * 1e-9 for nm in x], source.temperature)
         return x, [1e-9 * value for value in exitances]
     part = source if limits == WHOLE else source.part(limits)
     if isinstance(part, Lines):

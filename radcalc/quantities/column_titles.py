@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from radcalc.errors import UnitError, UsageError, listed, nearest, quote
 from radcalc.files.columns import IN_BRACKETS, plain
-from radcalc.quantities.light import NONE, PHOTON, RADIANT, Reading, describe, read
+from radcalc.quantities import NONE, PHOTON, RADIANT, Reading, describe, read
 from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity
 from radcalc.quantities.search import GENERIC, comparable, index
 from radcalc.quantities.symbols import light_unit

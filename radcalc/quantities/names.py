@@ -15,7 +15,18 @@ The units of a quantity are those for `convert` without a target, for `units` an
 import os
 from typing import NamedTuple
 
-from radcalc.quantities import light
+from radcalc.quantities import (
+    LUMINOUS,
+    NONE,
+    PER_FREQUENCY,
+    PER_WAVELENGTH,
+    PER_WAVENUMBER,
+    PHOTON,
+    RADIANT,
+    is_per_length,
+    name_of,
+    read,
+)
 from radcalc.units import Dimension, Unit
 from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
 
@@ -119,21 +130,21 @@ MISNOMERS = tuple([(tuple(row[0].split(" | ")), row[1], row[2]) for row in data_
 # Derived units without a name are products: a head for kind and time, and divisors.  The candela
 # is already per steradian.
 HEADS = {
-    (light.RADIANT, 0): ("W", "kW", "mW", "uW"),
-    (light.RADIANT, 1): ("J", "kJ", "mJ", "uJ"),
-    (light.LUMINOUS, 0): ("lm", "klm"),
-    (light.LUMINOUS, 1): ("lm.s", "lm.h"),
-    (light.PHOTON, 0): ("umol", "mol", "photon"),
-    (light.PHOTON, 1): ("umol", "mol", "photon"),
+    (RADIANT, 0): ("W", "kW", "mW", "uW"),
+    (RADIANT, 1): ("J", "kJ", "mJ", "uJ"),
+    (LUMINOUS, 0): ("lm", "klm"),
+    (LUMINOUS, 1): ("lm.s", "lm.h"),
+    (PHOTON, 0): ("umol", "mol", "photon"),
+    (PHOTON, 1): ("umol", "mol", "photon"),
 }
 CANDELAS = {0: ("cd", "kcd", "mcd"), 1: ("cd.s",)}
 AREAS = {0: ("",), 1: ("/m2", "/cm2")}
 CUSTOMARY_AREAS = {0: (), 1: ("/ft2", "/in2")}
 AXES = {
-    light.NONE: ("",),
-    light.PER_WAVELENGTH: ("/nm", "/um"),
-    light.PER_FREQUENCY: ("/Hz", "/THz"),
-    light.PER_WAVENUMBER: ("/cm-1",),
+    NONE: ("",),
+    PER_WAVELENGTH: ("/nm", "/um"),
+    PER_FREQUENCY: ("/Hz", "/THz"),
+    PER_WAVENUMBER: ("/cm-1",),
 }
 PER_LENGTH = ("/m", "/cm", "/ft")
 PREFIXES = "km"
@@ -154,17 +165,17 @@ COMPOSED = {
 
 def composed(unit: Unit) -> list[str]:
     """Return products of units that measure the quantity of `unit`."""
-    reading = light.read(unit)
+    reading = read(unit)
     if reading is None or reading.retinal:
-        return list(COMPOSED.get(light.name_of(unit), ()))
+        return list(COMPOSED.get(name_of(unit), ()))
     heads: tuple[str, ...] = HEADS[reading.kind, reading.time]
     per_angle = "/sr" if reading.solid_angle else ""
-    per_time = "/s" if reading.kind == light.PHOTON and not reading.time else ""
-    if reading.kind == light.LUMINOUS and reading.solid_angle:
+    per_time = "/s" if reading.kind == PHOTON and not reading.time else ""
+    if reading.kind == LUMINOUS and reading.solid_angle:
         heads, per_angle = CANDELAS[reading.time], ""
     areas = [(head, area) for head in heads for area in AREAS[reading.area]]
     areas += [(heads[0], area) for area in CUSTOMARY_AREAS[reading.area]]
-    axes = PER_LENGTH if light.is_per_length(unit) else AXES[reading.axis]
+    axes = PER_LENGTH if is_per_length(unit) else AXES[reading.axis]
     return [head + area + per_angle + per_time + axis for head, area in areas for axis in axes]
 
 
@@ -197,4 +208,4 @@ def full_name(unit: Unit) -> str:
     """Return the name of a unit (footcandle), or the quantity of a product (irradiance)."""
     if len(unit.atoms) == 1 and unit.atoms[0][1] == 1:
         return unit.atoms[0][0].replace("_", " ")
-    return light.name_of(unit)
+    return name_of(unit)

@@ -11,9 +11,21 @@ from itertools import product
 from typing import NamedTuple, TypeVar
 
 from radcalc.errors import UnitError, UsageError, command, corrections, manual, nearest, quote
-from radcalc.quantities import light
+from radcalc.quantities import (
+    EXITANCES,
+    GEOMETRIES,
+    KIND_NAMES,
+    KINDS,
+    NONE,
+    OTHERS,
+    PER_WAVELENGTH,
+    Reading,
+    is_per_length,
+    light_dimension,
+    name_of,
+    read,
+)
 from radcalc.quantities.language import ENGLISH, LANGUAGES
-from radcalc.quantities.light import EXITANCES, KINDS, name_of, read
 from radcalc.quantities.names import (
     DLI,
     ELSEWHERE,
@@ -144,13 +156,13 @@ def index() -> Index:
 
 def _other_quantities() -> Iterator[Other]:
     """Return the quantities of `name_of` that are not in the vocabulary, and the wavelength."""
-    for dimension, (name, _) in light.OTHERS.items():
+    for dimension, (name, _) in OTHERS.items():
         if dimension != NUMBER:
             yield Other((name, *names_elsewhere(name)), Unit("", 1, 1, dimension, ()))
-    for kind, geometry in product(light.KIND_NAMES, light.GEOMETRIES):
-        for axis, below in ((light.NONE, ()), (light.PER_WAVELENGTH, (("nanometre", -1),))):
-            name = light.Reading(kind, *geometry, axis).name.partition(" (")[0]
-            yield Other((name,), Unit("", 1, 1, light.light_dimension(kind, geometry, axis), below))
+    for kind, geometry in product(KIND_NAMES, GEOMETRIES):
+        for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
+            name = Reading(kind, *geometry, axis).name.partition(" (")[0]
+            yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
     yield Other(("wavelength", *names_elsewhere("wavelength")), Unit("", 1, 1, LENGTH, ()))
 
 
@@ -178,8 +190,8 @@ def called(text: str) -> list[Found]:
 
 def _is_plain(quantity: Quantity) -> bool:
     """Return whether a quantity is light itself, not a ratio or a spectral density."""
-    reading = light.read(resolve(quantity.unit))
-    return reading is not None and reading.axis == light.NONE
+    reading = read(resolve(quantity.unit))
+    return reading is not None and reading.axis == NONE
 
 
 def label_of(text: str) -> str:
@@ -268,7 +280,7 @@ def _by_unit(unit: Unit | None) -> list[Found]:
     """Return the quantities of a unit; for an unlisted density, the quantity without its axis."""
     if unit is None:
         return []
-    if light.is_per_length(unit):
+    if is_per_length(unit):
         return _per_length(unit)
     measured = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
     if unit.is_exitance:
@@ -278,20 +290,20 @@ def _by_unit(unit: Unit | None) -> list[Found]:
         measured = [q for q in measured if not q.symbol.startswith("M")]
     if measured:
         return [Found(q) for q in measured]
-    reading = light.read(unit)
-    if reading is None or reading.axis == light.NONE:
+    reading = read(unit)
+    if reading is None or reading.axis == NONE:
         return []
     return _without_axis(reading, f"{quote(unit.text)} measures {name_of(unit)}")
 
 
-def _without_axis(reading: light.Reading, note: str) -> list[Found]:
-    name = reading._replace(axis=light.NONE).name
+def _without_axis(reading: Reading, note: str) -> list[Found]:
+    name = reading._replace(axis=NONE).name
     return [Found(q, note) for q in QUANTITIES if name in q.names("en")]
 
 
 def _per_length(unit: Unit) -> list[Found]:
     """Return both readings of W/m: of a strip, and of a spectrum."""
-    reading = light.read(unit)
+    reading = read(unit)
     if reading is None:
         return []
     of_strip = f"{quote(unit.text)} measures {name_of(unit)}, as of a strip of lamps"

@@ -7,7 +7,7 @@ own way.
 
 import math
 
-from radcalc.quantities.light import (
+from radcalc.quantities import (
     EXITANCES,
     GEOMETRIES,
     KIND_NAMES,

@@ -12,9 +12,9 @@ from contextlib import suppress
 from functools import cache, lru_cache
 
 from radcalc.errors import RadcalcError, UsageError, ambiguous, call, nearest, quote
+from radcalc.quantities import PHOTON
+from radcalc.quantities import read as read_light
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
-from radcalc.quantities.light import PHOTON
-from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI, LABELS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS

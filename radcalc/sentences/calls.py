@@ -6,8 +6,8 @@ from radcalc import errors
 from radcalc.calculators import SUMMARIES, page_of
 from radcalc.conversion.operands import read_operands, unit_first
 from radcalc.errors import call, listed, quote, quote_path
+from radcalc.quantities import read as read_light
 from radcalc.quantities import symbols
-from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
 from radcalc.sentences import doubts, near_words, size_of

@@ -8,9 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 
 from radcalc import errors
 from radcalc.errors import quote
-from radcalc.quantities import symbols
-from radcalc.quantities.light import LUMINOUS, PHOTON, Reading
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import LUMINOUS, PHOTON, Reading, symbols
+from radcalc.quantities import read as read_light
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.sentences import Amount, amount_of

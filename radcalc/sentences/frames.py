@@ -5,9 +5,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from radcalc.calculators import page_of
 from radcalc.calculators.page import Page
 from radcalc.errors import MOST, Try, input_of, mention
-from radcalc.quantities import symbols
-from radcalc.quantities.light import read as read_light
-from radcalc.quantities.light import result_name
+from radcalc.quantities import read as read_light
+from radcalc.quantities import result_name, symbols
 from radcalc.quantities.search import is_name
 from radcalc.quantities.symbols import SYMBOLS, generic_name, in_kind
 from radcalc.sentences import Amount

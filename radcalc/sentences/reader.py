@@ -7,9 +7,9 @@ from itertools import pairwise
 
 from radcalc.calculators import SUMMARIES
 from radcalc.errors import RadcalcError, UsageError, input_of
+from radcalc.quantities import RADIANT
+from radcalc.quantities import read as read_light
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import RADIANT
-from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
 from radcalc.sentences import (

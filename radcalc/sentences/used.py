@@ -20,7 +20,7 @@ from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.errors import RadcalcError, Try, Unused, UsageError, input_of, listed, quote
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.reading import read
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import FLAG, QUANTITY, SYMBOLS, light_unit
 from radcalc.sentences import Amount, size_of
 from radcalc.sentences.doubts import LEDS, generic, is_number

@@ -16,7 +16,7 @@ from typing import Any
 from radcalc.errors import ConditionError
 from radcalc.spectra.data.colours import SAMPLES, X, Z
 from radcalc.spectra.data.observers import PHOTOPIC
-from radcalc.spectra.planck import C2
+from radcalc.spectra.observers import C2
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Spectrum, Table
 from radcalc.tuples import NamedTuple
 

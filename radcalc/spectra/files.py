@@ -29,7 +29,7 @@ from radcalc.spectra.instruments import (
     notes_on_reference,
     processed_column,
 )
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.observers import LIGHT, PLANCK
 from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAKEST, Table
 
 NOISE = 0.05  # of the peak, or of the total: smaller negative values are noise of a spectrometer

@@ -39,7 +39,7 @@ from radcalc.files.columns import plain
 from radcalc.files.text import refusal
 from radcalc.spectra.column_titles import KNOWN, PROPERTY, RELATIVE_WATTS, Meaning
 from radcalc.spectra.contents import Contents, Figure, Row
-from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.observers import AVOGADRO
 
 SEARCHED = 500  # lines that are searched for the spectrum
 BAND_ROW = re.compile(

@@ -8,8 +8,7 @@ from radcalc import errors
 from radcalc.errors import command, option, quote
 from radcalc.files.text import ENDINGS
 from radcalc.spectra import FORMS, example
-from radcalc.spectra.observers import standard_air_wavelength
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.observers import LIGHT, PLANCK, standard_air_wavelength
 from radcalc.spectra.spectrum import (
     LONGEST,
     SHORTEST,

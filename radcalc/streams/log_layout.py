@@ -11,6 +11,8 @@ from radcalc.files import columns, signatures
 from radcalc.files.head import SEARCHED, Head, is_number
 from radcalc.files.table import NumberedLine, Table
 from radcalc.files.text import Text, where
+from radcalc.quantities import PHOTON, RADIANT
+from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import (
     SPELLINGS,
     find,
@@ -23,8 +25,6 @@ from radcalc.quantities.column_titles import (
     unit_of_meter,
     unit_of_name,
 )
-from radcalc.quantities.light import PHOTON, RADIANT
-from radcalc.quantities.light import read as read_light
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import DIGITS_IN_TITLE, looks_like_clock, looks_like_stamp
 from radcalc.terminal import ABORT

@@ -31,8 +31,8 @@ from radcalc.files.head import first_lines
 from radcalc.files.text import Text
 from radcalc.floats import divide
 from radcalc.inputs import Inputs
+from radcalc.quantities import describe
 from radcalc.quantities.column_titles import unit_of_meter
-from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import LINKS
 from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided

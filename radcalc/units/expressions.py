@@ -33,15 +33,17 @@ from radcalc.units.numbers import (
     MINUSES,
     OTHER_FUNCTIONS,
     SIGNS,
+    are_run_together,
+    find_constant,
     parse_number,
     read_term,
     refuse_lookalikes,
     relative_rounding,
     typed_digits,
+    word_at,
 )
 from radcalc.units.table import resolve, unit_of
 from radcalc.units.values import KEPT, Term, Value, is_part
-from radcalc.units.words import are_run_together, find, word_at
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -376,7 +378,7 @@ class Calculator(Scanner):
         alone.
         """
         word = word_at(self.text, self.at)
-        name = find(word)
+        name = find_constant(word)
         if len(word) == 1 and follows in (BESIDE, BESIDE_UNIT):
             is_number = self.text[: self.at].rstrip()[-1:] in (".", *DIGITS)
             name = "" if is_number or follows == BESIDE_UNIT else name
@@ -398,7 +400,7 @@ class Calculator(Scanner):
 
             top, bottom, _ = functions.of_number("exp", 1, 1, 0.0)
             return Value(top, bottom, blur=KEPT / 1e6)
-        name = find(word)
+        name = find_constant(word)
         top, bottom, dimension = CONSTANTS[name]
         return Value(top, bottom, dimension, {name: 1})
 
@@ -802,7 +804,7 @@ class _Reading:
 
     def meaning(self, word: str) -> str:
         if word not in self.units:
-            return values.plain_spelling(find(word))
+            return values.plain_spelling(find_constant(word))
         entry = lookup(word)
         return "exp(1)" if entry is None else entry[1]
 
@@ -857,7 +859,7 @@ def _begins_with_constant(text: str) -> bool:
     if are_run_together(word) and not lookup(word):
         problem = f"'{quote(word)}' is not the name of a constant"
         raise errors.ExpressionError(problem, errors.correct(text, f"{word[0]}*{text[1:]}"))
-    return bool(find(word))
+    return bool(find_constant(word))
 
 
 def evaluate(

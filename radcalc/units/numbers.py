@@ -1,4 +1,4 @@
-"""The grammar of numbers, a text to a float; and amounts, a number with a unit.
+"""The grammar of numbers, a text to a float; names of constants in it; amounts with a unit.
 
 The text is read in one pass, one character at a time, bounded in length; nothing is evaluated.
 
@@ -12,6 +12,7 @@ import math
 from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, correct, corrections, quote
 from radcalc.floats import INFINITE, SMALLEST, Typed
 from radcalc.units import Unit
+from radcalc.units.compiled import SPELLINGS_OF_CONSTANTS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -19,6 +20,37 @@ if TYPE_CHECKING:
     from typing import Any
 
     from radcalc.units.functions import Part
+
+LONGEST_SYMBOL = 3  # full names match in any case
+
+
+def find_constant(word: str) -> str:
+    """Return the name of the constant with a spelling, '' if there is none."""
+    name = SPELLINGS_OF_CONSTANTS.get(word, "")
+    if name or len(word) <= LONGEST_SYMBOL:
+        return name
+    return SPELLINGS_OF_CONSTANTS.get(word.lower(), "")
+
+
+def word_at(text: str, at: int) -> str:
+    """Return the word of letters, digits and underscores that begins at a place."""
+    end = at
+    if text[at : at + 1].isalpha():
+        while text[end : end + 1].isalpha() or text[end : end + 1] in tuple("_0123456789"):
+            end += 1
+    return text[at:end]
+
+
+def are_run_together(word: str) -> bool:
+    """Return whether a word is two constants without a sign: hc."""
+    return len(word) == 2 and all(map(find_constant, word))
+
+
+def begins_formula(text: str) -> bool:
+    """Return whether a text begins with a constant, or with two without a sign."""
+    word = word_at(text, 0)
+    return bool(find_constant(word)) or are_run_together(word)
+
 
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
@@ -94,7 +126,6 @@ def is_sentence(words: list[str]) -> bool:
         return True
     if first.isascii() and OF_EXPRESSIONS.isdisjoint(first):
         return False
-    from radcalc.units.words import begins_formula
 
     return begins_formula(first[start:])
 

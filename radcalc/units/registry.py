@@ -15,9 +15,9 @@ from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError, quote
 from radcalc.units import BASES, MASS_AT, Unit, table
+from radcalc.units.languages import Definition, definition
 from radcalc.units.reading import read_amount
 from radcalc.units.uncertain import variable
-from radcalc.units.words import Definition, definition
 
 DEFINITIONS = Path(__file__).with_name("light.txt")
 

@@ -25,9 +25,8 @@ from radcalc.units import (
 )
 from radcalc.units.compiled import CONSTANTS, NOTES, SPELLINGS_OF_CONSTANTS
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.numbers import DIGITS
+from radcalc.units.numbers import DIGITS, word_at
 from radcalc.units.table import PARTS, resolve
-from radcalc.units.words import word_at
 
 ANGLE_AT = BASES.index("angle")
 LIGHT, PLANCK, REDUCED = "speed_of_light", "planck_constant", "reduced_planck_constant"

@@ -16,8 +16,8 @@ from radcalc.calculators.solved import Task
 from radcalc.distributions.distribution import Grid, Photometry
 from radcalc.distributions.sources import Lobe
 from radcalc.errors import RadcalcError
+from radcalc.homework import check
 from radcalc.homework.question import of_task
-from radcalc.homework.verdict import check
 from radcalc.inputs.reading import read
 
 LOBE = "max(cos(theta), 0)^{n}"

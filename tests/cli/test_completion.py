@@ -11,8 +11,7 @@ from radcalc.completion.table import COMMANDS, UNITS
 from radcalc.completion.words import READERS, Completion
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition
-from radcalc.quantities import lookup
-from radcalc.quantities.light import name_of
+from radcalc.quantities import lookup, name_of
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import unit_of
 

@@ -24,7 +24,7 @@ from radcalc.calculators.results import pick
 from radcalc.cli import answers
 from radcalc.cli.command import command_of
 from radcalc.errors import RadcalcError
-from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
+from radcalc.quantities import GRID, KINDS, Reading, coherent_text
 from radcalc.quantities.symbols import (
     EFFICACIES,
     NUMBERS_ALONE,

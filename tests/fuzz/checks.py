@@ -19,8 +19,7 @@ from radcalc.answer import Value
 from radcalc.calculators.results import in_unit
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError
-from radcalc.homework import Question, check
-from radcalc.homework.verdict import RELATIVES, REMARKS
+from radcalc.homework import RELATIVES, REMARKS, Question, check
 from radcalc.inputs.quantities import takes_scale
 from radcalc.units import Dimension, scale_table
 from radcalc.units.scales import find

@@ -7,8 +7,7 @@ import pytest
 from helpers import by_law, for_each
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import cones, projections, solid
-from radcalc.geometry.numerics import integrals
+from radcalc.geometry import cones, numerics, projections, solid
 from radcalc.laws.beams import APERTURE, LENS, PATCHES
 from radcalc.maths import CHUNK, in_chunks
 
@@ -78,9 +77,9 @@ ARRAYS = [
     (solid.discs_distance, [0.5, 1.0], [0.7, 2.0], [1e-3, 1.0, 2.4]),
     (solid.discs_radius, [0.7, 2.0], [1e-3, 1.0, 1e6], [1e-3, 1.0, 4.0]),
     (solid.coaxial_discs, [0.1, 1.0], [0.2, 1.0], [1e-3, 1.0, 1e6]),
-    (integrals.cel, [1e-3, 1.0], [0.5, 1.0], [1.0], [0.0, 1.0]),
-    (integrals.less_arctangent, [0.0, 0.1, 0.25, 2.0]),
-    (integrals.arc_excess, [0.0, 0.1, 0.25, 1.0]),
+    (numerics.cel, [1e-3, 1.0], [0.5, 1.0], [1.0], [0.0, 1.0]),
+    (numerics.less_arctangent, [0.0, 0.1, 0.25, 2.0]),
+    (numerics.arc_excess, [0.0, 0.1, 0.25, 1.0]),
 ]
 
 

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.geometry.numerics.integrals import gauss
+from radcalc.geometry.numerics import gauss
 from radcalc.geometry.projections import (
     ROUND,
     Vector,

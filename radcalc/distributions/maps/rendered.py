@@ -12,7 +12,7 @@ from radcalc.distributions.maps.light_sums import Progress, half_edges, light_ve
 from radcalc.distributions.maps.pictures import Picture, Y, as_floats, check_size
 from radcalc.errors import ConditionError
 from radcalc.geometry.models import angle_between
-from radcalc.geometry.numerics.integrals import gauss
+from radcalc.geometry.numerics import gauss
 from radcalc.geometry.projections import (
     cartesian,
     direction_at,
