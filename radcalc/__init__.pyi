@@ -22,7 +22,7 @@ from radcalc.api.calculators import (
     TypicalValue,
     Verdict,
 )
-from radcalc.api.keywords import (
+from radcalc.api.columns import (
     Amount,
     Diffuse,
     Direction,

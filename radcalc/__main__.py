@@ -35,9 +35,9 @@ def main() -> None:
 def run(words: list[str]) -> int:
     """Answer the words of a command line, or a shell's Tab; return the exit status."""
     if asked := os.environ.get("_RADCALC_COMPLETE"):
-        from radcalc.completion import shells
+        from radcalc import completion
 
-        return shells.answer_shell(asked)
+        return completion.answer_shell(asked)
     answered = quick_lane(words)
     if answered is None:
         from radcalc import cli

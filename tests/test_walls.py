@@ -27,7 +27,7 @@ MODULES = {
 # Only these may import the package on the left.
 KEEPERS = {
     "click": ("radcalc.cli",),
-    "rich": ("radcalc.render.table", "radcalc.render.table"),
+    "rich": ("radcalc.render.table",),
     "pint": ("radcalc.units.registry",),
     "colour": ("radcalc.spectra.colorimetry",),
     "prompt_toolkit": ("radcalc.cli.prompt",),

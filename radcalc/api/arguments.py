@@ -31,8 +31,8 @@ from radcalc.units.registry import (
     from_container,
     light_registry,
 )
-from radcalc.units.scales import ScaleUnit
 from radcalc.units.table import resolve
+from radcalc.units.values import ScaleUnit
 
 OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords differ
 # Commands that are not functions.

@@ -24,8 +24,7 @@ from radcalc.api.arguments import (
     quantity,
     require_texts,
 )
-from radcalc.api.functions import calculate, function_of_page, of_page
-from radcalc.api.keywords import (
+from radcalc.api.columns import (
     Amount,
     Diffuse,
     Pair,
@@ -37,6 +36,7 @@ from radcalc.api.keywords import (
     Surroundings,
     Vector,
 )
+from radcalc.api.functions import calculate, function_of_page, of_page
 from radcalc.api.result import Result, Undrawn, call_function, in_python, of_answer, question_of
 from radcalc.calculators import environment as page
 from radcalc.calculators import page_of

@@ -8,9 +8,8 @@ from typing import Any
 from radcalc.answer import ShownInput
 from radcalc.api import arguments
 from radcalc.api.arguments import Quantity, in_words, keyword
-from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
+from radcalc.api.columns import Number, is_spectrum, of_conversion, take_columns, with_unit
 from radcalc.api.functions import of_page
-from radcalc.api.keywords import Number
 from radcalc.api.result import Result, Undrawn
 from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan, source_of, target_of
@@ -24,8 +23,8 @@ from radcalc.units.numbers import Amount as ReadAmount
 from radcalc.units.ranges import real
 from radcalc.units.reading import read_amount, read_for
 from radcalc.units.registry import light_registry
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 ONE_EACH = "one value of each, or without the uncertainty"
 WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'

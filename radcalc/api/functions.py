@@ -16,7 +16,7 @@ from itertools import groupby
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from radcalc.answer import Answer, texts_of
-from radcalc.api import keywords
+from radcalc.api import columns
 from radcalc.api.arguments import (
     Documented,
     Python,
@@ -356,7 +356,7 @@ def of_page(
 
         call.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
         call.__annotations__["return"] = signature.return_annotation
-        call.__annotations__ = get_type_hints(call, {**vars(keywords), **function.__globals__})
+        call.__annotations__ = get_type_hints(call, {**vars(columns), **function.__globals__})
         own_text = inspect.cleandoc(function.__doc__ or "")
         call.__doc__ = _docstring(
             own_text, command, page, [one.name for one in (*operands, *unnamed)], page_keywords

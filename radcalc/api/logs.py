@@ -15,9 +15,9 @@ import numpy
 from radcalc.answer import ShownInput, texts_of
 from radcalc.api import arguments
 from radcalc.api.arguments import in_words
+from radcalc.api.columns import Invalid, Period, Readings, Samples, Times
 from radcalc.api.conversion import as_array
 from radcalc.api.functions import calculate, of_page
-from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.calculators.dose import READINGS
 from radcalc.calculators.page import PERIODS

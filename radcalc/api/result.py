@@ -14,7 +14,7 @@ from inspect import Parameter, signature
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, TypeVar
 
-from radcalc import answer
+from radcalc import answer, errors
 from radcalc.answer import Answer, Row, ShownInput, Step, in_short
 from radcalc.api.arguments import (
     Python,
@@ -37,22 +37,13 @@ from radcalc.calculators import SUMMARIES, page_of
 from radcalc.calculators.page import NOTHING
 from radcalc.calculators.results import in_unit, name_in, name_of, rows
 from radcalc.calculators.worksheet import on_page
-from radcalc.errors import (
-    MOST,
-    ConditionError,
-    RadcalcError,
-    Try,
-    input_of,
-    quote,
-    spell,
-    with_correction,
-)
+from radcalc.errors import ConditionError, RadcalcError, Try, quote
 from radcalc.inputs import Inputs
 from radcalc.maths import frozen, is_column
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.units import table
-from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
+from radcalc.units.values import in_which
 
 if TYPE_CHECKING:
     from radcalc.api.columns import Columns
@@ -83,7 +74,7 @@ def with_keywords(
 ) -> RadcalcError:
     """Return the error of a call with keywords, and with the calls that its hint proposes."""
     error = on_page(error, symbol_name(function.__name__))
-    message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
+    message, hint = errors.spell(error.message, Python), errors.spell(error.hint, PythonHint)
     if error.tries:
         hint = proposals(error, function, given) or hint
     return error.reworded(message, hint).with_traceback(error.__traceback__)
@@ -95,10 +86,10 @@ def proposals(error: RadcalcError, function: Callable[..., Any], given: Mapping[
     Return '' if all are refused.  A call with an array is neither made nor shown.
     """
     lines = []
-    for proposal in error.tries[:MOST]:
+    for proposal in error.tries[: errors.MOST]:
         with suppress(*REFUSED):
             words = proposal.words or _changed(proposal, function, given)
-            results = _results(call_function(words), spell(proposal.remark, PythonHint))
+            results = _results(call_function(words), errors.spell(proposal.remark, PythonHint))
             lines.append(f"{Python.command(*words)}\n     {results}")
     text = "\nor:  ".join(lines)
     if text and (others := error.others):
@@ -128,7 +119,7 @@ def _changed(
     if proposal.instead:
         part, *correction = proposal.instead
         (name,) = [name for name, text in arguments.items() if part in text]
-        arguments[name] = with_correction(arguments[name], part, " ".join(correction))
+        arguments[name] = errors.with_correction(arguments[name], part, " ".join(correction))
     for symbol in proposal.without:
         arguments.pop(keyword(symbol), None)
     for symbol, text in proposal.inputs:
@@ -150,7 +141,7 @@ def call_function(words: Sequence[str], in_core: bool = True) -> Any:
     Its error is that of the core, or that of Python with the calls that its hint proposes.
     """
     command, *others = words
-    pairs = [input_of(word) for word in others]
+    pairs = [errors.input_of(word) for word in others]
     operands = [text for name, text in pairs if not name]
     inputs = {name: text for name, text in pairs if name}
     wanted = inputs.pop("get", "")

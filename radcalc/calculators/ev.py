@@ -27,7 +27,7 @@ from radcalc.laws.solver import TO_DIGITS
 from radcalc.maths import any_true
 from radcalc.quantities.symbols import METER_UNITS
 from radcalc.units.scale_table import C, K, usual
-from radcalc.units.scales import ScaleUnit
+from radcalc.units.values import ScaleUnit
 
 LIGHT = ("ev100", "luminance", "illuminance")
 FILTER = ("nd", "stops", "unfiltered-time")

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from radcalc import errors
+from radcalc import errors, geometry
 from radcalc.answer import Answer, Step, Value, format_angle, format_number, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
@@ -36,7 +36,6 @@ from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, absent, value
 from radcalc.calculators.solved import Solved, contradiction, remarks_on
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.errors import option, quote
-from radcalc.geometry import cones
 from radcalc.inputs import Inputs, angle_of, offset_of
 from radcalc.laws import OFFSET, AnyLaw
 from radcalc.laws import beams as laws_of
@@ -397,7 +396,7 @@ class _Luminaire:
         if solved.has("received-flux"):
             self._judge_receiver(solved)
         size = self.photometry.size
-        if size and solved.has("distance") and cones.is_near(solved.value("distance"), size):
+        if size and solved.has("distance") and geometry.is_near(solved.value("distance"), size):
             solved.note(
                 f"the luminous part is {format_value(size, 'm')} long: at less than five times "
                 "that distance the inverse square law does not hold"

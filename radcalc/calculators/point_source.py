@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from functools import partial
 
+from radcalc import geometry
 from radcalc.answer import Answer, coherent_unit_of, format_number, format_value
 from radcalc.calculators.page import Page
 from radcalc.calculators.point_laws import (
@@ -34,7 +35,6 @@ from radcalc.calculators.point_laws import (
 from radcalc.calculators.solved import Solved, Task, Wants, solve
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention
-from radcalc.geometry import cones
 from radcalc.inputs import Inputs
 from radcalc.laws import OFFSET, AnyLaw
 from radcalc.laws.point import (
@@ -337,7 +337,7 @@ def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
 
 def _compare_cone(solved: Solved) -> None:
     """Note the result for a uniform cone, which is often meant by a beam angle."""
-    omega = cones.cone(solved.value("beam-angle") / 2)
+    omega = geometry.cone(solved.value("beam-angle") / 2)
     name = "intensity" if "flux" in solved.lit.values else "flux"
     other = (
         solved.value("flux") / omega if name == "intensity" else solved.value("intensity") * omega

@@ -22,7 +22,7 @@ from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
 
 if TYPE_CHECKING:
-    from radcalc.units.scales import ScaleUnit
+    from radcalc.units.values import ScaleUnit
 
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
 LIKE = 4  # letters at the start of related words
@@ -141,7 +141,7 @@ def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
 def measured_in(text: str, *names: str) -> Unit:
     """Return the unit or the scale of results; a difference may be in degrees Celsius."""
     is_difference = any(name in DIFFERENCES for name in names)
-    from radcalc.units.scales import degree, resolve_any
+    from radcalc.units.values import degree, resolve_any
 
     return (degree(text) if is_difference else None) or resolve_any(text)
 
@@ -162,9 +162,9 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
     for name, _, text in [result.partition(":") for result in wanted]:
         if not text or text in COHERENT.values():  # not a scale
             continue
-        from radcalc.units.scales import find
+        from radcalc.units.values import find_scale
 
-        if not find(text):
+        if not find_scale(text):
             continue
         unit = _unit_of(text, name, values)
         for value in values:
@@ -349,9 +349,9 @@ def names_of(values: Sequence[Value]) -> list[str]:
 
 def _results_in(text: str, values: Sequence[Value]) -> list[str]:
     """Return the results that can be in a unit or on a scale, with it; given ones if no others."""
-    from radcalc.units.scales import find
+    from radcalc.units.values import find_scale
 
-    scale = find(text)
+    scale = find_scale(text)
     units = (scale, *scale.others) if scale else (unit_of(text),)
     read = {unit.dimension for unit in units if unit}
     suitable = [v for v in values if not v.is_absent and read & {*v.dimensions, *v.reach}]

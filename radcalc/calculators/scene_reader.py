@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from numbers import Real
 from typing import Any, NamedTuple
 
-from radcalc import errors
+from radcalc import errors, geometry
 from radcalc.answer import coherent_unit_of, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.point_laws import SHAPED
@@ -28,7 +28,6 @@ from radcalc.distributions.distribution import DOWN, Distribution, Photometry, P
 from radcalc.distributions.scene import Emitter, Panel, Source
 from radcalc.distributions.sources import PATH, Cone, Isotropic, Lobe, photometry
 from radcalc.errors import quote
-from radcalc.geometry import cones
 from radcalc.geometry.projections import Vector, minus
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.places import IN_METRES
@@ -310,5 +309,5 @@ class Reader:
             return Panel(label, place, pose, float(sides[0]), float(sides[1]), radiance)
         self.assumptions["a patch given by its area is small compared to its distance"] = None
         return Emitter(
-            label, place, pose, Lobe(1.0), radiance * area, cones.size(area), is_patch=True
+            label, place, pose, Lobe(1.0), radiance * area, geometry.size(area), is_patch=True
         )

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from radcalc import geometry
 from radcalc.answer import FRACTION, Answer
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
@@ -9,7 +10,6 @@ from radcalc.calculators.results import LINKS_HINT, NEEDS_LINK
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import MissingInput, mention, option
-from radcalc.geometry import cones
 from radcalc.inputs import Input, Inputs, angle_of
 from radcalc.laws import ENERGY, EXPOSURE, AnyLaw, At, law, relation
 from radcalc.maths import cos, sqrt, square
@@ -27,7 +27,7 @@ ON_SENSOR = ("irradiance", "exposure", "flux", "energy")
 
 
 def _magnification(at: At) -> Any:
-    cones.refuse(
+    geometry.refuse(
         at("working-f-number") < at("f-number"),
         "the working f-number must not be below the lens's",
         "a working f-number of that or more",

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from radcalc import errors
+from radcalc import errors, geometry
 from radcalc.answer import Answer, Formula, format_angle, format_number, texts_of
 from radcalc.calculators.page import Operand, Page, words_of
 from radcalc.calculators.pixel import ROUND, contour, enter, onto, patch, sr
@@ -22,7 +22,6 @@ from radcalc.calculators.worksheet import (
     worksheet,
 )
 from radcalc.errors import options, quote
-from radcalc.geometry import cones
 from radcalc.inputs import Input, Inputs, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
 from radcalc.laws import APEX, CONE, PROJECTED_CONE, round_sizes
@@ -111,8 +110,8 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     omega, flat = solved.value("solid-angle"), solved.value("projected-solid-angle")
     if not solved.notes and any_true(smaller(omega, flat) < FAINTEST):
         raise errors.NumberError("the solid angle is too small for a number", "less extreme sizes")
-    half = solved.value("half-angle") if solved.has("half-angle") else cones.cone_of(omega)
-    sizes = (omega, flat, omega / cones.FULL, half, 2 * half)
+    half = solved.value("half-angle") if solved.has("half-angle") else geometry.cone_of(omega)
+    sizes = (omega, flat, omega / geometry.FULL, half, 2 * half)
     results = [of_directions(given, name, size) for name, size in zip(RESULTS, sizes, strict=True)]
     for result in results:
         solved.derived.setdefault(result.name, ["solid-angle"])
@@ -151,8 +150,8 @@ def _full(sheet: Worksheet) -> Placed:
     placed = onto("a plane of any normal, from its front")
     placed.add("half-angle", math.pi)
     placed.note("a surface faces only half of the sphere: the projected solid angle is pi")
-    step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, sr(cones.FULL))
-    return enter(sheet, placed, cones.FULL, math.pi, step)
+    step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, sr(geometry.FULL))
+    return enter(sheet, placed, geometry.FULL, math.pi, step)
 
 
 def _hemisphere(sheet: Worksheet) -> Placed:
@@ -161,9 +160,9 @@ def _hemisphere(sheet: Worksheet) -> Placed:
     return enter(
         sheet,
         placed,
-        cones.HEMISPHERE,
+        geometry.HEMISPHERE,
         math.pi,
-        Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, sr(cones.HEMISPHERE)),
+        Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, sr(geometry.HEMISPHERE)),
         Formula("projected", "{projected-solid-angle} = pi Omega0").with_numbers("Omega_p = pi sr"),
     )
 

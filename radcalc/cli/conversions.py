@@ -214,7 +214,7 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     from radcalc.calculators import uncertainty
     from radcalc.quantities import name_of, result_name, symbol_of
     from radcalc.quantities.names import units_of
-    from radcalc.units.scales import ScaleUnit, names_of, resolve_any
+    from radcalc.units.values import ScaleUnit, names_of, resolve_any
 
     readings = (source, *source.others) if isinstance(source, ScaleUnit) else (source,)
     texts = [

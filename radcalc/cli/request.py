@@ -328,7 +328,7 @@ def _stream(
             read(name, f"1 {unit.text}")  # its error names the units that fit
 
     if unit:
-        from radcalc.units.scales import resolve_given
+        from radcalc.units.values import resolve_given
 
         check(resolve_given(unit))
     is_bare = bool(unit) or name in bare or NUMBER in SYMBOLS[name].dimensions

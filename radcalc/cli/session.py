@@ -27,7 +27,7 @@ from radcalc.quantities import LUMINOUS, symbols
 from radcalc.quantities.names import full_name
 from radcalc.quantities.search import is_name
 from radcalc.sentences import ENDS
-from radcalc.units import scales, unit_behind
+from radcalc.units import unit_behind, values
 from radcalc.units.grammar import ALSO_UNITS, TO
 from radcalc.units.numbers import FUNCTIONS, Amount, is_sentence, read_number
 from radcalc.units.reading import read_amount
@@ -300,7 +300,7 @@ def refuse_name(name: str, text: str) -> None:
     """Refuse a name that already has a meaning."""
     if name in RESERVED:
         what = "a word of radcalc"
-    elif scales.find(name):
+    elif values.find_scale(name):
         what = "a scale"
     elif unit := unit_of(name):
         what = " ".join(["the unit", full_name(unit)]).rstrip()

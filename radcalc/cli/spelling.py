@@ -328,10 +328,10 @@ def looked_up(word: str) -> Try | None:
     """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
     from radcalc.quantities.search import is_name
     from radcalc.spectra.sources import find_named
-    from radcalc.units.scales import find
     from radcalc.units.table import unit_of
+    from radcalc.units.values import find_scale
 
-    if unit_of(word) or find(word):
+    if unit_of(word) or find_scale(word):
         return call("units", word)
     if is_name(word):
         return call("quantities", word)
@@ -486,7 +486,7 @@ def _is_operand(word: str) -> bool:
 
 
 def _unit(word: str) -> Unit | None:
-    from radcalc.units.scales import resolve_any
+    from radcalc.units.values import resolve_any
 
     try:
         return resolve_any(word)

@@ -19,8 +19,8 @@ from radcalc.quantities.symbols import SYMBOLS
 from radcalc.streams import Source
 from radcalc.terminal import ABORT, CSV, JSON, TABLE
 from radcalc.units import Unit
-from radcalc.units.scales import resolve_any, resolve_given
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any, resolve_given
 
 if TYPE_CHECKING:
     from radcalc.streams.calculated import Calculated, LineAnswer

@@ -32,8 +32,8 @@ from radcalc.quantities.search import GENERIC, names_with_units
 from radcalc.spectra import listing
 from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import TEMPERATURE
-from radcalc.units.scales import on
 from radcalc.units.table import resolve
+from radcalc.units.values import on
 
 ENDINGS = {
     symbols.SPECTRUM: (*COLUMNS, ".spd", ".asc", ".sp", ".xls", ".spdx"),

@@ -17,8 +17,8 @@ from radcalc.units.compiled import NAMES as SPELLINGS
 from radcalc.units.compiled import UNITS
 from radcalc.units.reading import with_unit
 from radcalc.units.scale_table import SCALES
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve, unit_of
+from radcalc.units.values import resolve_any
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:

@@ -7,10 +7,9 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from radcalc import maths
+from radcalc import geometry, maths
 from radcalc.answer import Formula, Step, format_angle, format_number
 from radcalc.errors import ConditionError, Hint, HorizonCuts, TooNear, Try, add, option, quote
-from radcalc.geometry import cones
 from radcalc.inputs import Input, half_angle_of, radius_of, require
 from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
@@ -152,9 +151,9 @@ def duration(given: Input, is_daily: bool = False) -> Factor:
 def solid_angle(given: Input) -> Factor:
     """Return the solid angle between flux and intensity [sr]."""
     if given.name == "isotropic":
-        return Factor("Omega", cones.FULL, "sr", "uniform over 4 pi sr (isotropic)")
+        return Factor("Omega", geometry.FULL, "sr", "uniform over 4 pi sr (isotropic)")
     if given.name == "hemisphere":
-        return Factor("Omega", cones.HEMISPHERE, "sr", "uniform over 2 pi sr (a hemisphere)")
+        return Factor("Omega", geometry.HEMISPHERE, "sr", "uniform over 2 pi sr (a hemisphere)")
     if given.name == "solid-angle":
         return Factor("Omega", given.value, "sr", f"uniform over {given.text}")
     if given.name in ("exponent", "beam-angle"):
@@ -162,7 +161,7 @@ def solid_angle(given: Input) -> Factor:
     from radcalc.laws import CONE
 
     half = half_angle_of(given)
-    omega = cones.cone(half)
+    omega = geometry.cone(half)
     omega_text = f"{format_number(omega)} sr"
     step = CONE.formula.step({"half-angle": half}, omega_text)
     assumption = f"uniform over a cone of half angle {format_angle(half)}, {omega_text}"
@@ -176,9 +175,9 @@ def _lobe(given: Input) -> Factor:
     exponent = given.value
     steps: tuple[Step, ...] = ()
     if given.name == "beam-angle":
-        exponent = cones.lobe_exponent(given.value, 0.5)
+        exponent = geometry.lobe_exponent(given.value, 0.5)
         steps = (BEAM_ANGLE.formula.step({"beam-angle": given.value}, format_number(exponent)),)
-    omega = cones.lobe(exponent)
+    omega = geometry.lobe(exponent)
     step = LOBE.formula.step({"exponent": exponent}, f"{format_number(omega)} sr")
     assumption = f"intensity I0 cos^n(theta) with n = {format_number(exponent)}; I0 is the peak"
     return Factor("Omega", omega, "sr", assumption, (*steps, step))
@@ -210,7 +209,7 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
     from radcalc.laws import PROJECTED_CONE
 
     half = _half_angle_at_most_right(given)
-    omega = cones.projected_cone(half)
+    omega = geometry.projected_cone(half)
     omega_text = f"{format_number(omega)} sr"
     step = PROJECTED_CONE.formula.step({"half-angle": half}, omega_text)
     assumption = f"uniform over a cone of half angle {format_angle(half)} about the normal"
@@ -235,7 +234,7 @@ def _slanting(given: Input, turn: Input) -> Factor:
     angle, where = abs(turn.value), f"{turn.text} from the normal"
     if given.name == "solid-angle":
         cosine, _, notes = _cosine(turn)
-        half = cones.cone_of(given.value)
+        half = geometry.cone_of(given.value)
         if maths.any_true(half > NARROW * (1 + maths.SLACK)):
             size = "ANGLE" if maths.is_array(half) else f"{half * (180 / math.pi):.6g}deg"
             raise ConditionError(
@@ -244,7 +243,7 @@ def _slanting(given: Input, turn: Input) -> Factor:
                 Try((("half-angle", size),), ("solid-angle",), remark="a cone"),
             )
         omega = given.value * cosine
-        good = cones.percent(maths.square(maths.tan(half / 2)))
+        good = geometry.percent(maths.square(maths.tan(half / 2)))
         assumption = f"a small solid angle of {given.text}, {where} (Omega cos(theta) {good})"
         formula = Formula("small solid angle", "{projected-solid-angle} = {solid-angle} cos(theta)")
         step = formula.step({"solid-angle": given.value}, f"{format_number(omega)} sr")
@@ -277,9 +276,9 @@ def turned(turn: Input) -> Factor:
 def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
     """Return an area lit by a distant small source [m2]; raise if it is too near."""
     factor = area(given)
-    size = cones.size(factor.value)
-    if cones.is_near(distance.value, size):
-        hint: Hint = cones.MORE_ROOM
+    size = geometry.size(factor.value)
+    if geometry.is_near(distance.value, size):
+        hint: Hint = geometry.MORE_ROOM
         if incidence is None and not maths.is_array(size) and not maths.is_array(distance.value):
             half = math.degrees(math.atan(size / 2 / distance.value))
             hint = Try(
@@ -290,7 +289,7 @@ def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "receiver", format_number(size), hint, "A / d^2")
     angle = abs(incidence.value) if incidence else 0.0
-    good = cones.percent(cones.error(size, distance.value, angle))
+    good = geometry.percent(geometry.error(size, distance.value, angle))
     return factor._replace(assumption=f"{factor.assumption} of a receiver (A / d^2 {good})")
 
 
@@ -311,7 +310,7 @@ def _cosine(turn: Input | None) -> tuple[Any, str, tuple[str, ...]]:
     """Return the cosine of an incidence or a tilt, 0 and a note for light from behind."""
     if turn is None:
         return 1.0, "light along the receiver's normal", ()
-    cosine = cones.facing(turn.value)
+    cosine = geometry.facing(turn.value)
     notes: tuple[str, ...] = ()
     if maths.any_true(cosine == 0):
         option_text = option(turn.name, quote(turn.text))
@@ -348,18 +347,18 @@ def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
 def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Input | None) -> Factor:
     """Return an area seen from a distance [m2]; raise if it is too near or below the horizon."""
     factor = area(source)
-    size, reach = cones.size(factor.value), cones.reach(factor.value)
+    size, reach = geometry.size(factor.value), geometry.reach(factor.value)
     angle, slope = (abs(turn.value) if turn else 0.0 for turn in (incidence, tilt))
-    hint: Hint = cones.MORE_ROOM
+    hint: Hint = geometry.MORE_ROOM
     if tilt is None:
         radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
         hint = Try((("radius", radius),), (source.name,), remark="exact for a disc")
-    if cones.is_near(distance.value, size):
+    if geometry.is_near(distance.value, size):
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "source", format_number(size), hint)
-    if incidence and maths.any_true(cones.is_cut(reach, distance.value, angle)):
+    if incidence and maths.any_true(geometry.is_cut(reach, distance.value, angle)):
         raise HorizonCuts("incidence", incidence.text, "", hint)
-    good = cones.percent(cones.error(size, distance.value, slope, angle))
+    good = geometry.percent(geometry.error(size, distance.value, slope, angle))
     facing = "" if tilt else ", which faces the receiver"
     return factor._replace(assumption=f"{factor.assumption}{facing} (A / d^2 {good})")
 

@@ -227,9 +227,11 @@ def _target(text: str) -> Unit | None:
     if unit := unit_of(text):
         return unit
     from radcalc.units import table
-    from radcalc.units.scales import find
+    from radcalc.units.values import find_scale
 
-    return find(text) or (table.growers_unit(text) if text.lower() in table.GROWERS_WORDS else None)
+    return find_scale(text) or (
+        table.growers_unit(text) if text.lower() in table.GROWERS_WORDS else None
+    )
 
 
 def _amount(text: str, target: str = "") -> Amount | None:
@@ -376,9 +378,9 @@ def _is_of_numbers(text: str) -> bool:
     """Return whether a unit or a scale is of bare numbers: 1, % or dB."""
     unit = unit_of(text)
     if unit is None:
-        from radcalc.units.scales import find
+        from radcalc.units.values import find_scale
 
-        unit = find(text)
+        unit = find_scale(text)
     return unit is not None and unit.dimension == NUMBER
 
 

@@ -74,9 +74,9 @@ def target_of(text: str, source: Unit | None = None) -> Unit:
     """
     if unit := unit_of(text):
         return unit
-    from radcalc.units.scales import find
+    from radcalc.units.values import find_scale
 
-    if scale := find(text):
+    if scale := find_scale(text):
         return scale
     from radcalc.quantities import search
 

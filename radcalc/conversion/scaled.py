@@ -22,7 +22,7 @@ from radcalc.quantities import describe
 from radcalc.units import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit
 from radcalc.units.reading import read_amount
 from radcalc.units.scale_table import CONSTANTS, Scale
-from radcalc.units.scales import ScaleUnit, reciprocal
+from radcalc.units.values import ScaleUnit, reciprocal
 
 IMPEDANCE = 376.730313412  # ohm, CODATA 2022
 PEAK, RMS = "peak", "rms"

@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 
 import numpy
 
+from radcalc import geometry
 from radcalc.distributions.distribution import DOWN, Distribution, Pose, integrated, last_where
 from radcalc.errors import ConditionError, option, quote
-from radcalc.geometry import cones, projections, solid
+from radcalc.geometry import projections, solid
 from radcalc.geometry.numerics.cubature import Integral
 from radcalc.geometry.projections import Vector, cartesian, cross, dot, length, minus, spherical
 from radcalc.maths import Number, each
@@ -443,7 +444,7 @@ class Emitter:
         _refuse(distance <= NEAREST, points, f"is at the position of {self.name}", "another point")
         if self.is_patch:
             _refuse(
-                cones.nearer(distance, self.size),
+                geometry.nearer(distance, self.size),
                 points,
                 f"is nearer than five times its size ({self.size:.3g} m) to {self.name}",
                 "its width and length in place of its area, which holds at any distance",
@@ -461,7 +462,7 @@ class Emitter:
 
     def near(self, points: Vector) -> Any:
         """Return which points are nearer than five times the size."""
-        return cones.nearer(length(minus(points, self.place)), self.size)
+        return geometry.nearer(length(minus(points, self.place)), self.size)
 
 
 class Panel:

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy
 
+from radcalc import geometry
 from radcalc.distributions import contents
 from radcalc.distributions.distribution import (
     ALL_AZIMUTHS,
@@ -30,7 +31,6 @@ from radcalc.distributions.distribution import (
 )
 from radcalc.errors import ConditionError, Hint, RadcalcError, correct, corrections, nearest, quote
 from radcalc.files import columns, signatures
-from radcalc.geometry import cones
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral, Steps, narrowest
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.projections import TURN, cartesian
@@ -324,7 +324,7 @@ class Cone(_Axial):
     """
 
     def __init__(self, half_angle: float) -> None:
-        cones.cone(half_angle)  # raises an error if it is out of range
+        geometry.cone(half_angle)  # raises an error if it is out of range
         self.half_angle = self.finest = half_angle
 
     def intensity(self, theta: Number, phi: Number) -> Number:
@@ -345,18 +345,18 @@ class Lobe(_Axial):
     """
 
     def __init__(self, exponent: float) -> None:
-        cones.lobe(exponent)  # raises an error if it is out of range
+        geometry.lobe(exponent)  # raises an error if it is out of range
         self.exponent = exponent
-        self.finest = cones.lobe_angle(exponent, 0.5) / 2
+        self.finest = geometry.lobe_angle(exponent, 0.5) / 2
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         ahead = numpy.asarray(theta) <= math.pi / 2
         return numpy.maximum(numpy.cos(theta), 0.0) ** self.exponent * ahead + 0.0 * phi
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
-        inner, outer = (cones.lobe_part(self.exponent, angle) for angle in polar)
+        inner, outer = (geometry.lobe_part(self.exponent, angle) for angle in polar)
         turn = (azimuth[1] - azimuth[0]) / (2 * math.pi)
-        return _exactly(cones.lobe(self.exponent) * (outer - inner) * turn)
+        return _exactly(geometry.lobe(self.exponent) * (outer - inner) * turn)
 
 
 def _exactly(value: float) -> Integral:

@@ -31,9 +31,9 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+from radcalc import geometry
 from radcalc.errors import ConditionError, corrections, mention, nearest, quote
-from radcalc.geometry import cones
-from radcalc.geometry.cones import refuse
+from radcalc.geometry import refuse
 from radcalc.geometry.numerics import gauss
 from radcalc.geometry.projections import NO_NORMAL, Vector, dot, unit
 from radcalc.maths import (
@@ -818,7 +818,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
     refuse(exponent < 0, "the beam exponent is out of range", "0 or more")
     return piecewise(
         z > 0,
-        lambda z, off, n: exp(n * cones.ln_cos(atan2(off, z))),
+        lambda z, off, n: exp(n * geometry.ln_cos(atan2(off, z))),
         lambda z, off, n: 0.0 * (abs(z) + off + n),
         z,
         hypot(x, y),

@@ -27,7 +27,7 @@ from typing import Any
 
 from radcalc import maths
 from radcalc.errors import ConditionError, call, correct, leave_out
-from radcalc.geometry.cones import refuse
+from radcalc.geometry import refuse
 from radcalc.geometry.numerics import adaptive, arc_excess, integral
 from radcalc.geometry.projections import Vector, cross, dot, length, minus, plus, times, vector
 

@@ -40,7 +40,7 @@ from typing import Any, NamedTuple
 
 from radcalc import maths
 from radcalc.errors import ConditionError, option
-from radcalc.geometry.cones import refuse
+from radcalc.geometry import refuse
 from radcalc.geometry.numerics import gauss
 from radcalc.quantities import symbols
 

@@ -26,8 +26,8 @@ A uniform radiance (or luminance) L sends the flux Phi = L G.  For a small patch
 times the projected solid angle of the other surface.  Lengths in another unit than metres give G in
 its square times sr.  All beams are in a medium of refractive index 1 (refraction conserves n^2 G).
 
-Other shapes are in `cones` and `polygons`.  A sphere fills the cone that touches it.  The
-functions whose names start with `check` refuse arguments out of range.
+Cones are in `radcalc.geometry`, polygons in `polygons`.  A sphere fills the cone that touches it.
+Functions whose names start with `check` refuse arguments out of range.
 
 Angles are in radians, solid angles in steradians, the lengths of one call in any one unit.
 Arguments are floats or NumPy arrays, broadcast together; the result has their shape.  NaN gives
@@ -42,19 +42,9 @@ import math
 from functools import reduce
 from typing import Any
 
-from radcalc import maths
+from radcalc import geometry, maths
 from radcalc.errors import ConditionError, Try, add
-from radcalc.geometry import cones
-from radcalc.geometry.cones import (
-    FULL,
-    HEMISPHERE,
-    bounded,
-    check_tilt,
-    cone,
-    cone_of,
-    facing,
-    refuse,
-)
+from radcalc.geometry import FULL, HEMISPHERE, bounded, check_tilt, cone, cone_of, facing, refuse
 from radcalc.geometry.numerics import adaptive, cel, integral, less_arctangent
 from radcalc.geometry.projections import NO_NORMAL, UP, dot, unit, vector
 
@@ -710,8 +700,8 @@ def sphere_distance(radius: maths.Number, solid_angle: maths.Number) -> maths.Nu
     Examples
     --------
     >>> import math
-    >>> from radcalc.geometry import cones
-    >>> round(sphere_distance(1.0, cones.cone(math.radians(30))), 12)
+    >>> from radcalc import geometry
+    >>> round(sphere_distance(1.0, geometry.cone(math.radians(30))), 12)
     2.0
     """
     return radius / _sine(solid_angle)
@@ -748,8 +738,8 @@ def sphere_radius(distance: maths.Number, solid_angle: maths.Number) -> maths.Nu
     Examples
     --------
     >>> import math
-    >>> from radcalc.geometry import cones
-    >>> round(sphere_radius(2.0, cones.cone(math.radians(30))), 12)
+    >>> from radcalc import geometry
+    >>> round(sphere_radius(2.0, geometry.cone(math.radians(30))), 12)
     1.0
     """
     return distance * _sine(solid_angle)
@@ -758,7 +748,7 @@ def sphere_radius(distance: maths.Number, solid_angle: maths.Number) -> maths.Nu
 RIGHT = math.pi / 2  # [rad] a right angle
 
 
-@cones.bounded
+@geometry.bounded
 def projected_cone(half_angle: maths.Number, tilt: maths.Number = 0.0) -> maths.Number:
     """Return the projected solid angle of a circular cone tilted from the receiver's normal.
 
@@ -802,8 +792,8 @@ def projected_cone(half_angle: maths.Number, tilt: maths.Number = 0.0) -> maths.
     >>> round(projected_cone(math.pi / 2, math.radians(60)) / math.pi, 12)
     0.75
     """
-    cones.cone(half_angle)  # checks the half angle
-    cones.check_tilt(tilt)
+    geometry.cone(half_angle)  # checks the half angle
+    geometry.check_tilt(tilt)
     return maths.each(_cone, half_angle, abs(tilt))
 
 
@@ -849,7 +839,7 @@ def _crescent(half_angle: float, tilt: float) -> float:
     return integral(zone, 0.0, 1.0)
 
 
-@cones.bounded
+@geometry.bounded
 def projected_zone(
     lower: maths.Number, upper: maths.Number, azimuth: maths.Number = 2 * math.pi
 ) -> maths.Number:
@@ -893,7 +883,7 @@ def projected_zone(
     return azimuth / 2 * sum_ * maths.sin(upper - lower)
 
 
-@cones.bounded
+@geometry.bounded
 def projected_sphere(
     radius: maths.Number, distance: maths.Number, tilt: maths.Number = 0.0
 ) -> maths.Number:
@@ -933,7 +923,7 @@ def projected_sphere(
     return projected_cone(angular_radius(radius, distance), tilt)
 
 
-@cones.bounded
+@geometry.bounded
 def projected_disc(
     radius: maths.Number, height: maths.Number, offset: maths.Number = 0.0, tilt: maths.Number = 0.0
 ) -> maths.Number:
@@ -984,9 +974,9 @@ def projected_disc(
     >>> round(projected_disc(1.0, 1.0, 1.0), 6), round(math.pi / 2 * (1 - 1 / math.sqrt(5)), 6)
     (0.868315, 0.868315)
     """
-    cones.refuse(radius < 0, "the radius is out of range", "0 or more")
+    geometry.refuse(radius < 0, "the radius is out of range", "0 or more")
     check_height(height)
-    cones.check_tilt(tilt)
+    geometry.check_tilt(tilt)
     scale = maths.power_of_two(maths.larger(maths.larger(radius, height), abs(offset)))
     radius, height, offset = radius / scale, height / scale, abs(offset) / scale
     if not maths.is_array(tilt) and tilt == 0:
@@ -1059,7 +1049,7 @@ def _cut_disc(radius: float, height: float, offset: float, sine: float, cosine: 
     return adaptive(strip, low, high)
 
 
-@cones.bounded
+@geometry.bounded
 def projected_rectangle(
     width: maths.Number,
     length: maths.Number,
@@ -1209,7 +1199,7 @@ def _clipped(first: Any, sides: Any, normal: Any) -> maths.Number:
 
     n = vector(normal)
     is_none = (n[0] == 0) & (n[1] == 0) & (n[2] == 0)
-    cones.refuse(is_none, *NO_NORMAL)
+    geometry.refuse(is_none, *NO_NORMAL)
     axis = unit(n)
     coordinates = [*first, *axis, *(x for side in sides for x in side)]
 

@@ -36,7 +36,7 @@ from radcalc.inputs.quantities import takes_scale
 from radcalc.quantities import describe
 from radcalc.units import NUMBER, Unit
 from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
-from radcalc.units.scales import ScaleUnit
+from radcalc.units.values import ScaleUnit
 
 if TYPE_CHECKING:
     from radcalc.homework.question import Candidate

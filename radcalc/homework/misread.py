@@ -21,8 +21,8 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     TIME,
 )
-from radcalc.units.scales import ScaleUnit
 from radcalc.units.table import resolve
+from radcalc.units.values import ScaleUnit
 
 LN10, LN2, LB10 = math.log(10), math.log(2), math.log2(10)
 READINGS = (  # mistakes of a reading on a scale, and the factors of the reading

@@ -30,8 +30,8 @@ from radcalc.spectra.spectrum import BlackBody
 from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import Amount, read_number, typed_digits
-from radcalc.units.scales import find, refuse_product
 from radcalc.units.table import unit_of
+from radcalc.units.values import find_scale, refuse_product
 
 HOT_BODY = {  # the laws of the results of a black body's spectrum
     "exitance": [EXITANCE],
@@ -346,7 +346,7 @@ def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
         unit_text = text[end:].strip()
         if unit_of(unit_text or "1"):
             return None
-        if find(unit_text):
+        if find_scale(unit_text):
             refuse_product(text, unit_text)
             return None
     except NumberError:

@@ -21,7 +21,7 @@ from radcalc.units.table import resolve
 
 LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that can be in OD, stops or dB
 if TYPE_CHECKING:
-    from radcalc.units.scales import ScaleUnit
+    from radcalc.units.values import ScaleUnit
 
 MARKED = {"f-number": "f/", "nd": "nd"}  # prefixes of numbers: f/8,f/11 is a list, not 8.11
 MARKS_OF_STOPS = range(101, 114)  # marks of filters for 1 to 13 stops
@@ -217,7 +217,7 @@ def _read_amount(symbol: Symbol, text: str) -> Amount:
 def _difference(text: str) -> Amount | None:
     """Read a temperature difference in degrees of another scale (°C); None for other texts."""
     unit_text = text[max(map(text.rfind, "0123456789.)%")) + 1 :].strip()
-    from radcalc.units.scales import degree
+    from radcalc.units.values import degree
 
     unit = degree(unit_text)
     without_unit = text.replace(unit_text, "") if unit else ""

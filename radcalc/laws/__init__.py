@@ -22,9 +22,9 @@ import math
 from collections.abc import Callable, Container
 from typing import Any
 
+from radcalc import geometry
 from radcalc.answer import Formula, format_number
 from radcalc.errors import ConditionError
-from radcalc.geometry import cones
 from radcalc.maths import acos, any_true, is_array, piecewise, power, sqrt, square
 from radcalc.tuples import NamedTuple
 
@@ -362,7 +362,7 @@ OFFSET = law("offset", "{offset} = {lateral}")
 
 def _aspect(ratio: Any) -> Any:
     """Return the aspect a >= 1 with a + 1/a equal to a ratio."""
-    cones.refuse(
+    geometry.refuse(
         ratio < 2, "the diagonal is too short for that area", "more diagonal, or less area"
     )
     return (ratio + sqrt((ratio - 2) * (ratio + 2))) / 2
@@ -397,19 +397,19 @@ def round_sizes(given: Container[str]) -> list[AnyLaw]:
 
 
 def _half_angle_of(solid_angle: Any) -> Any:
-    cones.refuse(
-        solid_angle > cones.FULL * (1 + 1e-9),
+    geometry.refuse(
+        solid_angle > geometry.FULL * (1 + 1e-9),
         f"no cone has a solid angle of {format_number(solid_angle)} sr: a sphere has 4 pi sr",
         "less flux, or more intensity",
     )
-    return cones.cone_of(solid_angle)
+    return geometry.cone_of(solid_angle)
 
 
 CONE = relation(
     "solid angle of a cone",
     "{solid-angle} = 4 pi Omega0 sin^2({half-angle}/2)",
     {
-        "solid-angle": lambda at: cones.cone(at("half-angle")),
+        "solid-angle": lambda at: geometry.cone(at("half-angle")),
         "half-angle": lambda at: _half_angle_of(at("solid-angle")),
     },
     "ISO 80000-3, solid angle",
@@ -418,8 +418,8 @@ PROJECTED_CONE = relation(
     "projected solid angle of a cone",
     "{projected-solid-angle} = pi Omega0 sin^2({half-angle})",
     {
-        "projected-solid-angle": lambda at: cones.projected_cone(at("half-angle")),
-        "half-angle": lambda at: cones.projected_cone_of(at("projected-solid-angle")),
+        "projected-solid-angle": lambda at: geometry.projected_cone(at("half-angle")),
+        "half-angle": lambda at: geometry.projected_cone_of(at("projected-solid-angle")),
     },
     "ISO 80000-7, radiance and irradiance",
 )
@@ -430,7 +430,7 @@ CONFIGURATION_FACTOR = law(
 
 
 def _incidence_of(cosine: Any) -> Any:
-    cones.refuse(
+    geometry.refuse(
         cosine > 1 + 1e-9,
         f"more light than that intensity sends to that distance (the cosine of the incidence "
         f"would be {format_number(cosine)})",
@@ -443,7 +443,7 @@ COSINE = relation(
     "cosine of the incidence",
     "{cosine} = cos({incidence})",
     {
-        "cosine": lambda at: cones.facing(at("incidence")),
+        "cosine": lambda at: geometry.facing(at("incidence")),
         "incidence": lambda at: _incidence_of(at("cosine")),
     },
 )

@@ -27,8 +27,9 @@ import math
 import operator
 from typing import TYPE_CHECKING, Any
 
+from radcalc import geometry
 from radcalc.answer import Formula
-from radcalc.geometry import cones, solid
+from radcalc.geometry import solid
 from radcalc.laws import (
     COSINE,
     ENERGY,
@@ -70,8 +71,8 @@ SPHERE = relation(
     "sin({half-angle}) = {radius} / {distance}",
     {
         "half-angle": lambda at: solid.angular_radius(at("radius"), at("distance")),
-        "radius": lambda at: solid.sphere_radius(at("distance"), cones.cone(at("half-angle"))),
-        "distance": lambda at: solid.sphere_distance(at("radius"), cones.cone(at("half-angle"))),
+        "radius": lambda at: solid.sphere_radius(at("distance"), geometry.cone(at("half-angle"))),
+        "distance": lambda at: solid.sphere_distance(at("radius"), geometry.cone(at("half-angle"))),
     },
 )
 
@@ -148,8 +149,8 @@ CONE = relation(
     "{etendue} = pi Omega0 {area} sin^2({half-angle})",
     {
         "etendue": lambda at: solid.patch_and_cone(at("area"), at("half-angle")),
-        "area": lambda at: at("etendue") / cones.projected_cone(at("half-angle")),
-        "half-angle": lambda at: cones.projected_cone_of(at("etendue") / at("area")),
+        "area": lambda at: at("etendue") / geometry.projected_cone(at("half-angle")),
+        "half-angle": lambda at: geometry.projected_cone_of(at("etendue") / at("area")),
     },
 )
 APERTURE = law("etendue of a cone", "{etendue} = pi Omega0 {area} {na}^2")
@@ -253,7 +254,7 @@ def _leg(whole: Any, part: Any) -> Any:
 
 
 def _widened(far: Any, near: Any) -> Any:
-    cones.refuse(far < near, "the beam would become narrower with distance", WIDER)
+    geometry.refuse(far < near, "the beam would become narrower with distance", WIDER)
     return far
 
 
@@ -276,7 +277,7 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
     def before(at: At) -> Any:
         problem = "the divergence alone makes such a wide spot, even of a beam without width"
         is_all = at(spot) <= widening(at) * (1 + EXACT)
-        cones.refuse(is_all, problem, WIDER)
+        geometry.refuse(is_all, problem, WIDER)
         return take(at(spot), widening(at))
 
     def away(at: At) -> Any:
@@ -299,7 +300,7 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
 
 def _received_share(at: At) -> Any:
     part = at("received-flux") / at("flux")
-    cones.refuse(part >= 1, "the received flux is not less than the beam's", "less of it")
+    geometry.refuse(part >= 1, "the received flux is not less than the beam's", "less of it")
     return part
 
 

@@ -8,9 +8,9 @@ at least five times its size, and the inverse square law, which is an estimate. 
 import math
 from typing import Any
 
+from radcalc import geometry
 from radcalc.answer import Formula
-from radcalc.geometry import cones, solid
-from radcalc.geometry.cones import refuse
+from radcalc.geometry import refuse, solid
 from radcalc.geometry.models import CIE
 from radcalc.laws import (
     CONFIGURATION_FACTOR,
@@ -103,7 +103,7 @@ TOO_MUCH = (
 
 def _hemisphere_over(at: At) -> Any:
     part = at("projected-solid-angle")
-    cones.refuse(part >= math.pi, *TOO_MUCH)
+    geometry.refuse(part >= math.pi, *TOO_MUCH)
     return math.pi / part
 
 
@@ -193,7 +193,7 @@ def disc_flux(away: str) -> Relation:
 
     def side(at: At, other: str) -> Any:
         rest = at("flux") / (math.pi * at("irradiance")) - square(at(other))
-        cones.refuse(
+        geometry.refuse(
             rest < 0,
             "more irradiance than a disc of that flux gives there",
             "more flux, or less irradiance",
@@ -219,14 +219,14 @@ def disc_flux(away: str) -> Relation:
 def _slope(at: At) -> Any:
     """Return (1 - 2 F) / sqrt(F (1 - F)), with the projected solid angle F over pi."""
     part = at("projected-solid-angle") / math.pi
-    cones.refuse(part >= 1, *TOO_MUCH)
+    geometry.refuse(part >= 1, *TOO_MUCH)
     return (1 - 2 * part) / sqrt(part * (1 - part))
 
 
 def _disc_offset(at: At) -> Any:
     radius, height = at("radius"), at("height")
     rest = square(radius) - square(height) + _slope(at) * radius * height
-    cones.refuse(rest < 0, "more irradiance than below the disc's centre", TOO_MUCH[1])
+    geometry.refuse(rest < 0, "more irradiance than below the disc's centre", TOO_MUCH[1])
     return sqrt(rest)
 
 
@@ -237,7 +237,7 @@ def _disc_heights(at: At) -> Any:
     rest = (offset - radius) * (offset + radius)
     refuse_arrays("heights", half, rest)
     within = square(half) - rest
-    cones.refuse(
+    geometry.refuse(
         within < 0 or (half <= 0 <= rest), "more irradiance than at any height there", TOO_MUCH[1]
     )
     far = half + sqrt(within) if half > 0 else -rest / (sqrt(within) - half)
@@ -288,7 +288,7 @@ def _disc_radii(at: At) -> Any:
         else:
             right -= third
     top = (left + right) / 2
-    cones.refuse(
+    geometry.refuse(
         excess(top) < -EXACT,
         "more irradiance than a disc of that flux gives there",
         "more flux, or less irradiance",
@@ -352,14 +352,14 @@ def rectangle_on_axis(away: str) -> Relation:
     """
 
     def height(part: float, width: float, length: float) -> float:
-        cones.refuse(part >= math.pi * (1 - SLACK), *TOO_MUCH)
+        geometry.refuse(part >= math.pi * (1 - SLACK), *TOO_MUCH)
         most = least = math.sqrt(width * length / part)
         while solid.projected_rectangle(width, length, least) < part:
             least /= 2
         return limit(lambda h: solid.projected_rectangle(width, length, h) >= part, most, least)
 
     def side(part: float, other: float, height: float) -> float:
-        cones.refuse(
+        geometry.refuse(
             part >= math.pi * other / math.hypot(other, 2 * height) * (1 - SLACK),
             "more irradiance than an endless strip of that radiance gives there",
             TOO_MUCH[1],

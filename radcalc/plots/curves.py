@@ -22,7 +22,7 @@ from radcalc.spectra.colorimetry import START, Y, rendition, srgb
 from radcalc.spectra.data.colours import X, Z
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.spectrum import VISIBLE, WHOLE, BlackBody, Lines, Range, Spectrum, Table
-from radcalc.units.scales import ScaleUnit
+from radcalc.units.values import ScaleUnit
 
 MOST = 20_000  # points of a picture
 SMOOTH = 16  # least number of points to draw as a line

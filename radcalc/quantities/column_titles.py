@@ -15,9 +15,9 @@ from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity
 from radcalc.quantities.search import GENERIC, comparable, index
 from radcalc.quantities.symbols import light_unit
 from radcalc.units import NUMBER, Unit
-from radcalc.units.scales import find as find_scale
-from radcalc.units.scales import scale_of
 from radcalc.units.table import PARTS, resolve, suggest, unit_of
+from radcalc.units.values import find_scale as find_scale
+from radcalc.units.values import scale_of
 
 AROUND = " \t,;:_/-–"  # characters between a name and a unit
 LONGEST = 200  # characters of a title that is searched for a unit

@@ -29,8 +29,8 @@ from radcalc.units.compiled import CONSTANTS, NAMES, NOTES, PREFIX_NAMES, PREFIX
 from radcalc.units.numbers import Amount
 from radcalc.units.reading import read_amount
 from radcalc.units.scale_table import SCALES, Scale, usual
-from radcalc.units.scales import ScaleUnit, find, on, resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import ScaleUnit, find_scale, on, resolve_any
 from radcalc.units.values import unit as unit_of_constants
 
 
@@ -109,7 +109,7 @@ def search_units(text: str) -> list[Entry]:
         return scales(SCALES)
     if text.lower() in ("constant", "constants"):
         return constants()
-    if scale := find(text):
+    if scale := find_scale(text):
         return scales(reading.scale for reading in (scale, *scale.others))
     if text.lower().replace("-", "_") in NAMES:
         return _of_name(text)

@@ -42,8 +42,8 @@ from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specifi
 from radcalc.units import NUMBER, Exitance, Unit, table
 from radcalc.units.dimensions import COHERENT, LENGTH
 from radcalc.units.languages import bare
-from radcalc.units.scales import find, resolve_any
 from radcalc.units.table import resolve, suggest, unit_of
+from radcalc.units.values import find_scale, resolve_any
 
 KIND_OF_SUBSCRIPT = {"e": "radiometric", "v": "photometric", "p": "photon"}
 GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}
@@ -272,7 +272,7 @@ def _by_words(
 
 
 def _unit(text: str) -> Unit | None:
-    unit = find(text) or unit_of(text)
+    unit = find_scale(text) or unit_of(text)
     return unit if unit and unit.dimension != NUMBER else None
 
 

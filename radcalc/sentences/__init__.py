@@ -23,8 +23,8 @@ from radcalc.tuples import NamedTuple
 from radcalc.units import LENGTH_ALONE, NUMBER, WAVELENGTH_UNITS, Dimension, Unit, table
 from radcalc.units.dimensions import TIME
 from radcalc.units.reading import read_amount
-from radcalc.units.scales import find
 from radcalc.units.table import unit_of
+from radcalc.units.values import find_scale
 
 ENGLISH_ALONE = (ENGLISH,)
 
@@ -332,7 +332,7 @@ def unit_in(parts: list[str], following: Sequence[Word] = ()) -> Unit | None:
     if not text:
         return None
     is_par = text.lower() in table.PAR
-    unit = unit_of(text) or find(text) or (None if is_par else table.growers_unit(text))
+    unit = unit_of(text) or find_scale(text) or (None if is_par else table.growers_unit(text))
     if unit is None or (parts[0] in NOT_AFTER_UNITS and following and unit_of(following[0].text)):
         return None
     is_share = "per" in parts and unit.dimension == NUMBER  # 16 h per day of light

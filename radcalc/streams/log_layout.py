@@ -30,8 +30,8 @@ from radcalc.streams.timestamps import DIGITS_IN_TITLE, looks_like_clock, looks_
 from radcalc.terminal import ABORT
 from radcalc.units import Unit
 from radcalc.units.dimensions import TIME
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 if TYPE_CHECKING:
     from radcalc.streams.solar import SunTable

@@ -53,9 +53,9 @@ def split_value(text: str) -> tuple[float, str]:
         number, unit = split_quantity(text)
         if not unit or unit_of(unit):
             return number, unit
-        from radcalc.units.scales import find, refuse_product
+        from radcalc.units.values import find_scale, refuse_product
 
-        if find(unit):
+        if find_scale(unit):
             refuse_product(text, unit)
             return number, unit
     except NumberError as error:
@@ -106,9 +106,9 @@ def find_unit(text: str, unit: str) -> Unit:
         return resolve(unit)
     except UnitError:
         from radcalc.units import table
-        from radcalc.units.scales import find, refuse_product
+        from radcalc.units.values import find_scale, refuse_product
 
-        scale = find(unit)
+        scale = find_scale(unit)
         if scale is None:
             if word := table.growers_unit(unit):
                 return word
@@ -128,6 +128,6 @@ def amount_in(
     """Return the amount of a number in its unit, or of a reading on a scale."""
     if unit is None or not unit.is_scale:
         return Amount(text, number, unit, uncertainty, parts=parts)
-    from radcalc.units.scales import amount_on
+    from radcalc.units.values import amount_on
 
     return amount_on(unit, text, number, uncertainty, dimensions)

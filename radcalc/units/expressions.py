@@ -47,7 +47,7 @@ from radcalc.units.values import KEPT, Term, Value, is_part
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from radcalc.units.scales import ScaleUnit
+    from radcalc.units.values import ScaleUnit
 
 MAX_POWER = 1000  # of a number
 OF_SCALES = 1e-15  # relative error of a scale's quantity
@@ -463,9 +463,7 @@ class Calculator(Scanner):
         try:
             unit = resolve(joined if is_name else text)
         except errors.UnitError:
-            from radcalc.units import scales
-
-            scale = scales.find(text)
+            scale = values.find_scale(text)
             other_terms = (self.text[:start] + self.text[self.at :]).strip(f"{SIGNS} ")
             if scale is None or not (self.is_arithmetic or other_terms):
                 raise
@@ -586,9 +584,8 @@ class Calculator(Scanner):
         name = inside.strip(f"{DIGITS}{SIGNS}. e")
         if not closed or not name[:1].isalpha() or unit_of(name):
             return None
-        from radcalc.units import scales
 
-        if (scale := scales.find(name)) is None:
+        if (scale := values.find_scale(name)) is None:
             return None
         if scale.others:
             read = [one.unit.text for one in (scale, *scale.others)]

@@ -224,7 +224,7 @@ def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
     cut, unit = _cut_unit(text) if has_unit else (text, "")
     start, step, values, unit_in_steps = _steps(cut, MOST_IN_ARRAY)
     unit = unit or unit_in_steps
-    from radcalc.units.scales import resolve_given
+    from radcalc.units.values import resolve_given
 
     if values <= LONG or resolve_given(unit or "1").is_scale:
         return None
@@ -288,7 +288,7 @@ def _parts(text: str) -> list[str]:
 
 def _numbers(text: str, parts: Sequence[str]) -> tuple[list[float], str]:
     """Return the numbers of a range in the unit of its start, and that unit."""
-    from radcalc.units.scales import resolve_given, scale_of
+    from radcalc.units.values import resolve_given, scale_of
 
     numbers = [split_value(part) for part in parts]
     first = numbers[0][1]

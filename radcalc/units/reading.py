@@ -63,9 +63,9 @@ def dimensions_of(target: str) -> tuple[Dimension, ...]:
     """Return the dimension of a target that is a unit or a scale, as a tuple; else ()."""
     unit = unit_of(target)
     if unit is None and target:
-        from radcalc.units.scales import find
+        from radcalc.units.values import find_scale
 
-        unit = find(target)
+        unit = find_scale(target)
     return (unit.dimension,) if unit else ()
 
 

@@ -28,7 +28,7 @@ from radcalc.units.numbers import (
     split_quantity,
     typed_digits,
 )
-from radcalc.units.scales import resolve_any, scale_of
+from radcalc.units.values import resolve_any, scale_of
 
 SIGN = "±"
 TYPED = SIGNS_OF_UNCERTAINTY[1:]  # other spellings of the sign

@@ -25,10 +25,10 @@ EDGES = (
     1e200, 1e308, math.inf, -1e-9, -1.0, -math.inf, math.nan,
 )  # fmt: skip
 MODULES = (
-    "cones",
-    "projections",
-    "receivers",
-    "solid",
+    "",
+    ".projections",
+    ".receivers",
+    ".solid",
 )
 # Functions with other arguments than numbers, swept below or by their own tests.
 OTHERS = {"refuse", "bounded", "percent", "size", "reach", "is_near", "polygon"}
@@ -86,7 +86,7 @@ def held(function, *given, clean: bool) -> int:
 
 def functions():
     for name in MODULES:
-        module = importlib.import_module(f"radcalc.geometry.{name}")
+        module = importlib.import_module(f"radcalc.geometry{name}")
         for found, function in vars(module).items():
             own = inspect.isfunction(function) and function.__module__ == module.__name__
             if own and not found.startswith("_") and found not in OTHERS:

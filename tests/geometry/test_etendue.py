@@ -8,8 +8,9 @@ from geometry.references import DIGITS, close, facing_disc_mp
 from helpers import by_law
 from mpmath import mpf
 
+from radcalc import geometry
 from radcalc.errors import ConditionError
-from radcalc.geometry import cones, solid
+from radcalc.geometry import solid
 from radcalc.laws.beams import APERTURE, LENS, PATCHES
 
 
@@ -79,7 +80,7 @@ def test_etendues_of_patches():
     close(solid.patch_and_cone(2.0, math.pi / 6), math.pi / 2)  # pi A sin^2
     close(by_law(APERTURE)(2.0, 0.5), math.pi / 2)  # pi A NA^2
     close(by_law(LENS)(2.0, 1.0), math.pi / 2)  # sin = 1/2N
-    half = cones.facing(math.pi / 3)
+    half = geometry.facing(math.pi / 3)
     close(by_law(PATCHES)(2.0, half, 3.0, half, 10.0), 0.015, 1e-15)
-    assert by_law(PATCHES)(2.0, cones.facing(2.0), 3.0, 1.0, 10.0) == 0
+    assert by_law(PATCHES)(2.0, geometry.facing(2.0), 3.0, 1.0, 10.0) == 0
     close(solid.patch(2.0, 10.0, math.pi / 3), 0.01, 1e-15)

@@ -6,13 +6,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.geometry import cones, solid
+from radcalc import geometry
+from radcalc.geometry import solid
 
 angles = st.floats(1e-6, 1.5)
 tilts = st.floats(-math.pi, math.pi)
 lengths = st.floats(1e-2, 1e2)
 PAIRS = {
-    "cone": lambda a, t, x, y, z: (cones.cone(a), solid.projected_cone(a, t)),
+    "cone": lambda a, t, x, y, z: (geometry.cone(a), solid.projected_cone(a, t)),
     "zone": lambda a, t, x, y, z: (
         solid.zone(a, a + abs(t) / 4),
         solid.projected_zone(a, a + abs(t) / 4),
@@ -39,7 +40,7 @@ def test_a_projected_solid_angle_is_not_larger_than_the_solid_angle(shape, a, t,
 def test_larger_shapes_fill_larger_solid_angles(a, t, x, y, z, factor):
     bigger = min(a * factor, 1.57)
     for one, two in (
-        (cones.cone(bigger), cones.cone(a)),
+        (geometry.cone(bigger), geometry.cone(a)),
         (solid.projected_cone(bigger, t), solid.projected_cone(a, t)),
         (solid.sphere(x * factor, 3 * x + y), solid.sphere(x, 3 * x + y * factor)),
         (solid.disc(x * factor, y, z), solid.disc(x, y, z)),

@@ -21,7 +21,8 @@ from geometry.references import (
 from helpers import for_each
 from mpmath import mpf
 
-from radcalc.geometry import cones, solid
+from radcalc import geometry
+from radcalc.geometry import solid
 
 # --- Closed forms.
 
@@ -31,7 +32,7 @@ TINY = [1e-9, 3e-7, 1e-4, 0.03, 0.5, 1.0, 7.0, 1e3, 1e6, 1e9]
 
 @pytest.mark.parametrize("angle", ANGLES)
 def test_a_cone_is_the_integral_of_its_zones(angle):
-    close(cones.cone(angle), cone_mp(angle))
+    close(geometry.cone(angle), cone_mp(angle))
     want = mpmath.pi if angle >= math.pi / 2 else None  # the whole hemisphere of the receiver
     with mpmath.workdps(DIGITS):
         close(solid.projected_cone(angle), want or mpmath.pi * mpmath.sin(mpf(angle)) ** 2)
@@ -172,9 +173,9 @@ def test_the_widest_pyramids():
 
 @pytest.mark.parametrize("angle", [1e-9, 1e-4, 0.3, 1.0, 2.0, 3.0])
 def test_a_cone_round_trip(angle):
-    close(cones.cone_of(cones.cone(angle)), angle)
-    assert cones.cone_of(12.566370614359173) == pytest.approx(math.pi, rel=1e-7)
-    assert cones.cone_of(12.566370614360) == pytest.approx(math.pi, rel=1e-7)  # as typed
+    close(geometry.cone_of(geometry.cone(angle)), angle)
+    assert geometry.cone_of(12.566370614359173) == pytest.approx(math.pi, rel=1e-7)
+    assert geometry.cone_of(12.566370614360) == pytest.approx(math.pi, rel=1e-7)  # as typed
 
 
 @pytest.mark.parametrize(("radius", "distance"), SPHERES[1:])

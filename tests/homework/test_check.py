@@ -18,8 +18,8 @@ from radcalc.homework import Question, Verdict, check
 from radcalc.homework.question import of_conversion, of_task, read_claim
 from radcalc.inputs.reading import read
 from radcalc.units.reading import read_amount
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 
 def right_value(words: str, name: str, unit: str) -> float:
@@ -261,7 +261,7 @@ from radcalc.homework import check
 from radcalc.homework.question import read_claim
 from radcalc.homework.question import of_conversion
 from radcalc.units.reading import read_amount
-from radcalc.units.scales import resolve_any
+from radcalc.units.values import resolve_any
 from radcalc.units.table import resolve
 
 given = [read("distance", "2m"), read("incidence", "50deg")]

@@ -9,8 +9,8 @@ from radcalc.quantities.search import index
 from radcalc.quantities.search import search as search_quantities
 from radcalc.units.compiled import CONSTANTS, UNITS
 from radcalc.units.scale_table import SCALES
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 
 def found(text: str) -> list[str]:
