@@ -25,9 +25,15 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language, translate
-from radcalc.quantities.lookup import BOUNDS, FIELDS, Task, how_far, search_tasks
-from radcalc.quantities.lookup import search_typical as search_typical
-from radcalc.quantities.lookup import search_units as search_units
+from radcalc.quantities.lookup import (
+    BOUNDS,
+    FIELDS,
+    Task,
+    how_far,
+    search_tasks,
+    search_typical,
+    search_units,
+)
 from radcalc.quantities.search import search as search_quantities
 from radcalc.render.formats import Records
 from radcalc.terminal import BOLD, CSV, JSON, PLAIN, RESET, TABLE

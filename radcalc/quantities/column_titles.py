@@ -16,8 +16,7 @@ from radcalc.quantities.search import GENERIC, comparable, index
 from radcalc.quantities.symbols import light_unit
 from radcalc.units import NUMBER, Unit
 from radcalc.units.table import PARTS, resolve, suggest, unit_of
-from radcalc.units.values import find_scale as find_scale
-from radcalc.units.values import scale_of
+from radcalc.units.values import find_scale, scale_of
 
 AROUND = " \t,;:_/-–"  # characters between a name and a unit
 LONGEST = 200  # characters of a title that is searched for a unit
