@@ -17,6 +17,7 @@ from textwrap import dedent
 import click
 
 from radcalc.answer import Row, Step
+from radcalc.calculators import COMMANDS, SUMMARIES, page_of
 from radcalc.calculators.lists import manual_pages
 from radcalc.calculators.page import (
     ALSO,
@@ -29,7 +30,6 @@ from radcalc.calculators.page import (
     Option,
     Page,
 )
-from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.command import command_of, examples_of
 from radcalc.cli.heard import hear
 from radcalc.cli.help import joined, narrowed
@@ -37,10 +37,11 @@ from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition, RadcalcError
-from radcalc.quantities.entries import Entry, entry
-from radcalc.quantities.entries import scales as scale_entries
+from radcalc.quantities import GEOMETRIES, KINDS, RADIANT, read
+from radcalc.quantities import lookup as source
 from radcalc.quantities.language import ENGLISH
-from radcalc.quantities.light import GEOMETRIES, KINDS, RADIANT, read
+from radcalc.quantities.lookup import CALL, Entry, entry
+from radcalc.quantities.lookup import scales as scale_entries
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
 from radcalc.quantities.symbols import (
     CHOICE,
@@ -53,7 +54,6 @@ from radcalc.quantities.symbols import (
     names_of_kinds,
     specific_name,
 )
-from radcalc.sentences import tasks as source
 from radcalc.sentences.frames import FRAMES, taken_by
 from radcalc.sentences.phrases import (
     COMMAND,
@@ -66,11 +66,10 @@ from radcalc.sentences.phrases import (
     WORDS,
     Phrase,
 )
-from radcalc.sentences.tasks import CALL
 from radcalc.terminal import HANGING, fold
+from radcalc.units import Unit
 from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
 from radcalc.units.scale_table import SCALES
-from radcalc.units.unit import Unit
 
 # -----------------------------------------------------------------------------------------------
 # Text in mdoc(7): escapes, filled lines, displays, and marked-up options.

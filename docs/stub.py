@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any, get_overloads
 
 import radcalc
-from radcalc.api import MODULES, keywords
-from radcalc.api.spelling import keyword
-from radcalc.calculators.pages import SUMMARIES
+from radcalc.api import MODULES, columns
+from radcalc.api.arguments import keyword
+from radcalc.calculators import SUMMARIES
 
 PACKAGE = Path(radcalc.__file__)
 PATH = PACKAGE.with_suffix(".pyi")
@@ -34,10 +34,10 @@ def text() -> str:
     signatures = "".join(map(_signature, functions.values()))
     words = {*re.findall(r"\w+", signatures)}
     standard = {module: words.intersection(names) for module, names in STANDARD.items()}
-    types = words & vars(keywords).keys() - public.keys()
+    types = words & vars(columns).keys() - public.keys()
     own_names = {
         "radcalc._version": ("__version__",),
-        "radcalc.api.keywords": types.difference(*standard.values()),
+        "radcalc.api.columns": types.difference(*standard.values()),
         **{module: {*names} - functions.keys() for module, names in MODULES.items()},
     }
     parts = [

@@ -17,7 +17,12 @@ from radcalc._version import (
 from radcalc.api.arguments import (
     Quantity,
 )
-from radcalc.api.keywords import (
+from radcalc.api.calculators import (
+    Listing,
+    TypicalValue,
+    Verdict,
+)
+from radcalc.api.columns import (
     Amount,
     Diffuse,
     Direction,
@@ -46,11 +51,6 @@ from radcalc.api.keywords import (
     Unnamed,
     Vector,
 )
-from radcalc.api.questions import (
-    Listing,
-    TypicalValue,
-    Verdict,
-)
 from radcalc.api.result import (
     Result,
 )
@@ -62,7 +62,7 @@ from radcalc.errors import (
     UnitError,
     UsageError,
 )
-from radcalc.sentences.tasks import (
+from radcalc.quantities.lookup import (
     Task,
 )
 

@@ -10,7 +10,7 @@ from _signal import SIGINT, default_int_handler, getsignal, signal  # type: igno
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from radcalc.errors import RadcalcError
-    from radcalc.units.unit import Unit
+    from radcalc.units import Unit
 
     Operands = tuple[float, Unit, Unit]
 
@@ -35,9 +35,9 @@ def main() -> None:
 def run(words: list[str]) -> int:
     """Answer the words of a command line, or a shell's Tab; return the exit status."""
     if asked := os.environ.get("_RADCALC_COMPLETE"):
-        from radcalc.completion import shells
+        from radcalc import completion
 
-        return shells.answer_shell(asked)
+        return completion.answer_shell(asked)
     answered = quick_lane(words)
     if answered is None:
         from radcalc import cli
@@ -53,7 +53,7 @@ def quick_lane(words: list[str]) -> int | None:
     does not load re, dataclasses, typing or json, and a decimal in simple units not even errors.
     """
     from radcalc import terminal
-    from radcalc.conversion.linear import between, is_function
+    from radcalc.conversion import between, is_function
     from radcalc.render.plain import line
 
     number = words[-1:] == ["-n"]
@@ -89,7 +89,7 @@ def simplest(operands: list[str]) -> "Operands | None":
     load as a conversion.
     """
     from radcalc.floats import read_decimal
-    from radcalc.units.unit import single
+    from radcalc.units import single
 
     if operands[2:3] == ["to"]:
         operands = operands[:2] + operands[3:]

@@ -22,11 +22,11 @@ from conftest import entry_point, run
 
 import radcalc
 from radcalc import lambertian, terminal
-from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.answer import coherent_unit_of
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.cli.spelling import Shell
-from radcalc.derivation import coherent_unit_of
 from radcalc.errors import RadcalcError
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import AnyLaw
 
 PACKAGE = str(Path(radcalc.__file__).parent)
 Q = radcalc.Quantity

@@ -29,7 +29,7 @@ from unittest.mock import patch
 
 HERE = Path(__file__).resolve().parent
 CORE = ["units", "quantities", "conversion", "laws", "calculators", "geometry", "spectra"]
-CORE += ["homework", "inputs", "streams", "render", "derivation.py", "answer.py", "maths.py"]
+CORE += ["homework", "inputs", "streams", "render", "answer.py", "answer.py", "maths.py"]
 GENERATED = ("compiled.py", "catalogue.py", "compile.py", "registry.py")
 LAST = ["test_api.py", "test_refusals.py", "calculators"]
 TOO_LONG = 1800  # s for a stage: an endless mutant counts as detected

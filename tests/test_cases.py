@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from conftest import DOCS, ROOT, entry_point, run
 
-from radcalc.sentences import tasks
+from radcalc.quantities import lookup
 
 BARE = r"[^\"|<>;&`$\\]*"  # no characters special to a shell, except in '...'
 CALL = re.compile(
@@ -22,7 +22,7 @@ PARTS = re.compile(rf"radcalc {BARE}(?:(?: &&|;) (?:radcalc|rm) {BARE})+")  # a 
 FILES = [
     *sorted((ROOT / "tests" / "cases").glob("*.md")),
     *(path for path in DOCS if "```console\n" in path.read_text("utf-8")),
-    tasks.FILE,
+    lookup.FILE,
 ]
 
 

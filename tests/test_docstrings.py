@@ -158,12 +158,13 @@ def test_the_parameters_and_attributes_of_a_class_are_documented(name):
 
 
 def test_the_helpers_of_these_tests_find_functions_and_errors():
-    from radcalc.geometry import cones, directions, projected, solid
+    from radcalc import geometry
+    from radcalc.geometry import projections, solid
 
     assert len(FUNCTIONS) > 60
-    assert {"radcalc.laws.law.law", "radcalc.laws.solver.solve"} <= FUNCTIONS.keys()
-    assert errors_of(directions.spherical) == {"ConditionError"}  # directly
-    assert errors_of(cones.cone) == {"ConditionError"}  # through `refuse`
-    assert errors_of(projected.sphere) == {"ConditionError"}  # through another module
+    assert {"radcalc.laws.law", "radcalc.laws.solver.solve"} <= FUNCTIONS.keys()
+    assert errors_of(projections.spherical) == {"ConditionError"}  # directly
+    assert errors_of(geometry.cone) == {"ConditionError"}  # through `refuse`
+    assert errors_of(solid.projected_sphere) == {"ConditionError"}  # through another module
     assert errors_of(solid.rectangle) == {"ConditionError"}  # through an import in the function
-    assert errors_of(cones.facing) == set()
+    assert errors_of(geometry.facing) == set()

@@ -14,9 +14,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from radcalc import errors
-from radcalc.api.refusals import in_python as of_function
+from radcalc.api.result import in_python as of_function
+from radcalc.calculators import COMMANDS
 from radcalc.calculators.integrate import integrate
-from radcalc.calculators.pages import COMMANDS
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick
 from radcalc.calculators.solid_angle import solid_angle
@@ -58,7 +58,7 @@ from radcalc.errors import (
 )
 from radcalc.inputs.places import read_direction, read_point
 from radcalc.inputs.reading import read, read_interval
-from radcalc.quantities import search, typical
+from radcalc.quantities import lookup, search
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import parse_number
 from radcalc.units.ranges import read_series
@@ -322,7 +322,7 @@ TAKES: dict[str, Callable[[str], Any]] = {
     "a result": lambda text: pick(LAMP, text),
     "a result's unit": lambda text: pick(LAMP, f"flux:{text}"),
     "a quantity's name": search.search,
-    "a typical value's name": typical.search,
+    "a typical value's name": lookup.search_typical,
     "a shape's points": lambda text: solid_angle("polygon", {}, [read_point(text, "it")] * 3),
     **{f"--{name}": lambda text, name=name: read(name, text) for name in SYMBOLS},
     **{f"--{name} {symbol.example} and more":

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from radcalc.errors import START, RadcalcError, option
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.inputs.places import read_direction, read_place
 from radcalc.inputs.reading import read, read_as, read_interval, split_values
 from radcalc.quantities.symbols import DIRECTION, SYMBOLS, VECTOR

@@ -12,8 +12,8 @@ from conftest import ROOT
 from helpers import PLAIN, example_of, for_each
 
 import radcalc
-from radcalc.api.lazy import Call, Expected, Place, Rows
-from radcalc.api.spelling import keyword
+from radcalc.api.arguments import keyword
+from radcalc.api.columns import Call, Expected, Place, Rows
 from radcalc.errors import ConditionError, RadcalcError
 from radcalc.inputs.reading import read
 

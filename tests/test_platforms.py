@@ -10,7 +10,7 @@ import pytest
 from conftest import ROOT, run
 
 from radcalc import terminal
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.errors import OutputError
 
 # What Python lacks on Windows.  asyncio and subprocess, which need it here, are imported before.
@@ -89,7 +89,7 @@ def test_a_call_is_answered_without_posix(words, input, status, output):
 def test_every_help_is_written_in_an_encoding_of_windows():
     code = """
 from radcalc.__main__ import run
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 for name in COMMANDS:
     assert run([name, "--help"]) == 0
 """

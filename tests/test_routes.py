@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT, run
 
-from radcalc.cli.files import route
-from radcalc.cli.spelling import quoted
+from radcalc.cli.spelling import quoted, route
 from radcalc.errors import ConditionError
 from radcalc.routes.kinds import LOG, LUMINAIRE, MAP, NAMES, SCENE, SPECTRUM, TABLE, kind_of
 

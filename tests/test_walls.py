@@ -12,7 +12,7 @@ import pytest
 from conftest import ROOT, python
 from helpers import for_each
 
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.cli.command import OTHERWISE
 from radcalc.completion.rows import module_text
 from radcalc.laws import point
@@ -27,11 +27,11 @@ MODULES = {
 # Only these may import the package on the left.
 KEEPERS = {
     "click": ("radcalc.cli",),
-    "rich": ("radcalc.render.table", "radcalc.render.progress"),
-    "pint": ("radcalc.units.registry", "radcalc.units.compile"),
-    "colour": ("radcalc.spectra.rendition",),
+    "rich": ("radcalc.render.table",),
+    "pint": ("radcalc.units.registry",),
+    "colour": ("radcalc.spectra.colorimetry",),
     "prompt_toolkit": ("radcalc.cli.prompt",),
-    "dask": ("radcalc.api.lazy",),
+    "dask": ("radcalc.api.columns",),
     "plotille": ("radcalc.plots.sheet",),
     "matplotlib": ("radcalc.plots.figure",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),
@@ -47,7 +47,7 @@ KEEPERS = {
         "radcalc.spectra.arrays",
         "radcalc.spectra.compile",
         "radcalc.spectra.files",
-        "radcalc.spectra.rendition",
+        "radcalc.spectra.colorimetry",
         "radcalc.geometry",
         "radcalc.distributions",
         "radcalc.plots.figure",

@@ -1,48 +1,82 @@
-"""Functions of calculators that have operands: surfaces, spectra, scenes, directions, skies."""
+"""Functions that are not made from a page alone.
+
+Those of calculators that have operands: surfaces, spectra, scenes, directions, skies; sentences and
+their answers, checks of answers, and lists to look things up in.
+"""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple, TypeVar
 
 import numpy
 
-from radcalc.answer import Value, texts_of
+from radcalc.answer import Row, Value, texts_of
 from radcalc.api import arguments
-from radcalc.api.arguments import Quantity
-from radcalc.api.functions import calculate, function_of_page, of_page
-from radcalc.api.keywords import (
+from radcalc.api.arguments import (
+    Quantity,
+    as_text,
+    in_words,
+    is_quantity,
+    keyword,
+    quantity,
+    require_texts,
+)
+from radcalc.api.columns import (
     Amount,
     Diffuse,
     Pair,
     Path,
     Points,
+    Scalar,
     Shape,
     Sky,
     Surroundings,
     Vector,
 )
-from radcalc.api.result import Result, Undrawn, of_answer
+from radcalc.api.functions import calculate, function_of_page, of_page
+from radcalc.api.result import Result, Undrawn, call_function, in_python, of_answer, question_of
 from radcalc.calculators import environment as page
+from radcalc.calculators import page_of
 from radcalc.calculators.environment import Source
 from radcalc.calculators.integrate import BARE, integrand
 from radcalc.calculators.lambertian import OPERAND
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.photon import named
 from radcalc.calculators.pixel import pixel as of_pixel
 from radcalc.calculators.scene import Survey
 from radcalc.calculators.scene import scene as add_up
 from radcalc.calculators.shapes import SHAPES
 from radcalc.calculators.solid_angle import ALIASES, NAMES
+from radcalc.conversion.operands import read_operands
+from radcalc.conversion.plan import target_of
 from radcalc.distributions.environments import picture_of
 from radcalc.distributions.scene import blocks
-from radcalc.errors import ConditionError, MissingInput, mention
-from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
+from radcalc.errors import (
+    ConditionError,
+    MissingInput,
+    RadcalcError,
+    SeveralReadings,
+    UsageError,
+    input_of,
+    mention,
+)
+from radcalc.homework import Verdict as Judged
+from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import IN_METRES, read_coordinates, read_point
 from radcalc.inputs.reading import read
+from radcalc.quantities.lookup import FIELDS, Task, Typical, how_far
+from radcalc.quantities.lookup import search_tasks as tasks_for
+from radcalc.quantities.lookup import search_typical as values_for
+from radcalc.quantities.symbols import article
+from radcalc.render.formats import Judgement, Style
+from radcalc.render.plain import verdict as words_of
+from radcalc.sentences.calls import call_of
+from radcalc.sentences.reader import read as read_sentence
 from radcalc.spectra.files import read_text
+from radcalc.units import unit_behind
+from radcalc.units.numbers import is_sentence
 from radcalc.units.table import resolve
 
 
@@ -506,3 +540,248 @@ def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Source, dict[str,
         source = source.magnitude
     arguments.refuse_column(source, "the map")
     return Source(picture_of(source)), given
+
+
+@in_python
+def ask(sentence: str) -> Result | Quantity:
+    """Answer a sentence, such as ``"20000 cd at 8 m to lx"``.
+
+    Parameters
+    ----------
+    sentence : str
+        Amounts, their places and a target, as at a shell (radcalc-sentences(7)).
+
+    Returns
+    -------
+    Result or Quantity
+        The result that the sentence asks for; without a target, all results.
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        If words are not understood, if the sentence has several readings, or as in the function
+        that it means.
+
+    Examples
+    --------
+    >>> print(ask("20000 cd at 8 m to lx"))
+    312.5 lux
+    """
+    require_texts(sentence=sentence)
+    command, *words = _conversion(sentence) or call_of(read_sentence([sentence]))
+    if command == "convert":
+        operands = [text for name, text in map(input_of, words) if not name]
+        amount, target = read_operands(operands)
+        unit = amount.unit.text if amount.unit else "1"
+        words = [amount.text, target or unit, *words[len(operands) :]]
+    try:
+        answer: Result | Quantity = call_function((command, *words), in_core=False)
+    except (LookupError, TypeError) as error:  # no function, no such result, or more is needed
+        problem = str(error) or f"{command} is not a function of Python"
+        raise UsageError(problem, "the same sentence at a shell") from None
+    return answer
+
+
+def _conversion(line: str) -> list[str]:
+    """Return the call of a line that is a conversion or an amount, as at a shell; or []."""
+    if not is_sentence(line.split()):
+        return []
+    try:
+        amount, target = read_operands([line])
+        if target:
+            target_of(target, amount.unit)
+    except SeveralReadings:
+        raise
+    except RadcalcError:
+        return []
+    if amount.unit is None:
+        return []
+    return ["convert", amount.text, *(["to", target] if target else [])]
+
+
+class Verdict(Judged):
+    """The judgement of an answer; true if it is right.
+
+    Examples
+    --------
+    >>> import radcalc
+    >>> verdict = check(radcalc.explain("500 lx", "cd/m2", reflectance=0.8), "400")
+    >>> bool(verdict), verdict.diagnoses[0].done
+    (False, 'pi was forgotten')
+    """
+
+    __slots__ = ()
+
+    def __bool__(self) -> bool:
+        """Return whether the answer is right."""
+        return self.right
+
+    def __repr__(self) -> str:
+        """Return the judgement and the likely mistakes as text."""
+        row = Row(self.name, "", self.value, self.unit)
+        return words_of(Judgement(self, row, (), (), ()), Style()).rstrip()
+
+
+@in_python
+def check(result: Result, claim: Scalar, tolerance: Scalar | None = None) -> Verdict:
+    """Check an answer against a result, and name the mistakes that lead to it.
+
+    Parameters
+    ----------
+    result : Result
+        The result of a calculator, or of `explain` for a conversion.
+    claim : str, Quantity or float
+        The answer: ``"16 lx"``, ``"illuminance=16 lx"`` for a certain result, or a bare number
+        if it is unambiguous.  A name may have hyphens or underscores.
+    tolerance : str, Quantity or float, optional
+        ``"1%"`` (the default), ``"0.5 lx"``, or ``"3sf"`` (3 significant digits); a bare number
+        is a fraction of the right value.
+
+    Returns
+    -------
+    Verdict
+        True or false (also `right`), with the right `value` in its `unit`, the `ratio` of the
+        answer to it, and the `diagnoses`: each has a `mistake` that reproduces the number, what
+        was `done`, the `right` rule, and in `yours` the first wrong step in your numbers.
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        If the answer is invalid or ambiguous, or the result has arrays.
+
+    Examples
+    --------
+    >>> import radcalc
+    >>> cone = radcalc.solid_angle("cone", half_angle="30 deg")
+    >>> check(cone, "0.842 sr")
+    right (within 1%): solid-angle is 0.841787214477 sr
+    """
+    from radcalc.homework import check as judge
+
+    if not isinstance(result, Result):
+        problem = f"{article(type(result).__name__)} is not a result to check"
+        raise ConditionError(problem, "radcalc.explain, or a calculator's function")
+    allowed = None if tolerance is None else as_text(tolerance)
+    question = question_of(result)
+    judgement = judge(question, _as_named(as_text(claim), question.answer.values), allowed)
+    return Verdict(*judgement._replace(diagnoses=tuple(map(_in_python, judgement.diagnoses))))
+
+
+def _as_named(claim: str, values: Sequence[Value]) -> str:
+    name, equals, claimed = claim.partition("=")
+    names = {keyword(known): known for value in values for known in (value.name, value.also)}
+    return f"{names.get(keyword(name.strip()), name)}{equals}{claimed}" if equals else claim
+
+
+def _in_python(diagnosis: Any) -> Any:
+    return diagnosis._replace(done=in_words(diagnosis.done), right=in_words(diagnosis.right))
+
+
+T = TypeVar("T")
+
+
+class Listing(tuple[T, ...]):
+    """Rows found by a search: a tuple that is shown as text, with notes on the search."""
+
+    notes: tuple[str, ...]
+
+    def __new__(cls, rows: Iterable[T], notes: Iterable[str] = ()) -> Listing[T]:
+        """Return the rows with their notes."""
+        listing = super().__new__(cls, rows)
+        listing.notes = tuple(notes)
+        return listing
+
+    def __repr__(self) -> str:
+        """Return the texts of the rows, then the notes."""
+        return "\n".join([*map(str, self), *(f"note: {note}" for note in self.notes)])
+
+
+class TypicalValue(NamedTuple):
+    """A typical value with its source.
+
+    `value` is the text of a number or a range in `unit`.  `low` and `high` are its ends:
+    quantities, or bare readings on a scale.
+    """
+
+    what: str
+    quantity: str
+    value: str
+    unit: str
+    source: str
+    note: str
+    low: Quantity | float
+    high: Quantity | float
+
+    def __str__(self) -> str:
+        """Return the value in a line."""
+        return f"{self.what}: {self.quantity} {self.value}{unit_behind(self.unit)} ({self.source})"
+
+
+@in_python
+def typical(search: str | Quantity = "") -> Listing[TypicalValue]:
+    """List typical values: sun, sky, rooms, lamps, screens, plants, with sources.
+
+    Parameters
+    ----------
+    search : str, optional
+        A subject (``"office"``), a quantity (``"illuminance"``) or a unit, in English, Czech or
+        Russian, or a value, for those nearest to it (``"500 lx"``); all values by default.
+
+    Returns
+    -------
+    Listing of TypicalValue
+        A tuple of named tuples: `what` the value is of, its `quantity`, `value` and `unit`, its
+        ends `low` and `high` as quantities, its `source`, and a `note`.
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        If nothing is found.
+
+    Examples
+    --------
+    >>> print(typical("office")[0].low.to("fc").round(1))
+    46.5 footcandle
+    """
+    if not is_quantity(search):
+        require_texts(search=search)
+    text = as_text(search)
+    found = values_for(text)
+    far = how_far(text, found)
+    return Listing(map(_typical_value, found), [far] if far else [])
+
+
+def _typical_value(value: Typical) -> TypicalValue:
+    unit = value.measured
+    low, high = (end if unit.is_scale else quantity(end, unit) for end in (value.low, value.high))
+    texts = {field: getattr(value, field) for field in FIELDS}
+    return TypicalValue(**texts, low=low, high=high)
+
+
+@in_python
+def examples(search: str = "") -> Listing[Task]:
+    """List tasks with the commands that answer them, and how to read the answers.
+
+    Parameters
+    ----------
+    search : str, optional
+        Words that a task mentions: a trade (``"museum"``), a quantity; all tasks by default.
+
+    Returns
+    -------
+    Listing of Task
+        A tuple of named tuples: the `trade`, the `title`, the `question`, the `calls`, each with
+        its `command` at a shell and the lines of its `output`, and how to read them (`reading`).
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        If nothing is found.
+
+    Examples
+    --------
+    >>> [task.title for task in examples("museum log")]
+    ['A log']
+    """
+    require_texts(search=search)
+    return Listing(tasks_for(search))

@@ -7,26 +7,24 @@ from typing import Any
 
 from radcalc.answer import ShownInput
 from radcalc.api import arguments
-from radcalc.api.arguments import Quantity
-from radcalc.api.columns import is_spectrum, of_conversion, take_columns, with_unit
+from radcalc.api.arguments import Quantity, in_words, keyword
+from radcalc.api.columns import Number, is_spectrum, of_conversion, take_columns, with_unit
 from radcalc.api.functions import of_page
-from radcalc.api.keywords import Number
 from radcalc.api.result import Result, Undrawn
-from radcalc.api.spelling import in_words, keyword
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.conversion.plan import result_of_plan as answer_of
 from radcalc.errors import ConditionError, ConversionError, NumberError, option, quote
-from radcalc.inputs.given import Input, any_uncertain, refuse_uncertain, shown_inputs
+from radcalc.inputs import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
-from radcalc.quantities.light import describe, result_name
-from radcalc.units.amount import Amount as ReadAmount
+from radcalc.quantities import describe, result_name
+from radcalc.units import Unit
+from radcalc.units.numbers import Amount as ReadAmount
 from radcalc.units.ranges import real
 from radcalc.units.reading import read_amount, read_for
 from radcalc.units.registry import light_registry
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
+from radcalc.units.values import resolve_any
 
 ONE_EACH = "one value of each, or without the uncertainty"
 WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'
@@ -81,7 +79,7 @@ def convert(value: Number, target: str, to: str | None = None, **conditions: Any
         column: Quantity = of_conversion(columns, convert(target=target, **arrays), unit, name)
         return column
     if any(map(arguments.is_lazy, arrays.values())):
-        from radcalc.api.lazy import blockwise
+        from radcalc.api.columns import blockwise
 
         waiting: Quantity = blockwise("convert", _again, {**arrays, "target": target})
         return waiting

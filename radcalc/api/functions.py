@@ -16,29 +16,32 @@ from itertools import groupby
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from radcalc.answer import Answer, texts_of
-from radcalc.api import keywords
+from radcalc.api import columns
 from radcalc.api.arguments import (
+    Documented,
+    Python,
     as_text,
     broadcast,
+    is_absent,
     is_lazy,
     is_quantity,
+    keyword,
     library_of,
     magnitude_of,
     read_inputs,
     read_points,
+    symbol_name,
     unit_of,
 )
 from radcalc.api.columns import take_columns
-from radcalc.api.refusals import in_python, with_keywords
-from radcalc.api.result import Result, in_columns, of_answer
-from radcalc.api.spelling import Documented, Python, is_absent, keyword, symbol_name
+from radcalc.api.result import Result, in_columns, in_python, of_answer, with_keywords
+from radcalc.calculators import page_of
 from radcalc.calculators.page import NOTHING, Page, words_of
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task, requesting
 from radcalc.errors import RadcalcError, UsageError, manual, mention, options, quote, spell
-from radcalc.inputs.given import Input, Inputs, shown_inputs
+from radcalc.inputs import Input, Inputs, shown_inputs
 from radcalc.maths import is_column
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import (
     CHOICE,
     DIRECTION,
@@ -59,11 +62,11 @@ from radcalc.quantities.symbols import (
     specific_name,
 )
 from radcalc.sentences.frames import inputs_of
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.ranges import read_values
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit
 
 
 class Unnamed(NamedTuple):
@@ -177,7 +180,7 @@ def calculate(
     """
     columns, given = take_columns({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
-        from radcalc.api.lazy import blockwise
+        from radcalc.api.columns import blockwise
 
         operand_texts = dict(operands)  # pickle takes it, unlike a proxy
         call = partial(calculate, command, work_out=work_out, operands=operand_texts, adapt=adapt)
@@ -353,7 +356,7 @@ def of_page(
 
         call.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
         call.__annotations__["return"] = signature.return_annotation
-        call.__annotations__ = get_type_hints(call, {**vars(keywords), **function.__globals__})
+        call.__annotations__ = get_type_hints(call, {**vars(columns), **function.__globals__})
         own_text = inspect.cleandoc(function.__doc__ or "")
         call.__doc__ = _docstring(
             own_text, command, page, [one.name for one in (*operands, *unnamed)], page_keywords

@@ -14,16 +14,16 @@ import numpy
 
 from radcalc.answer import ShownInput, texts_of
 from radcalc.api import arguments
+from radcalc.api.arguments import in_words
+from radcalc.api.columns import Invalid, Period, Readings, Samples, Times
 from radcalc.api.conversion import as_array
 from radcalc.api.functions import calculate, of_page
-from radcalc.api.keywords import Invalid, Period, Readings, Samples, Times
 from radcalc.api.result import Result, Undrawn, of_answer
-from radcalc.api.spelling import in_words
 from radcalc.calculators.dose import READINGS
 from radcalc.calculators.page import PERIODS
 from radcalc.errors import ConditionError, LineError, MissingInput, mention
 from radcalc.files.text import reading as opened
-from radcalc.inputs.given import refuse_uncertain, shown_inputs
+from radcalc.inputs import refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import article
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.log_layout import LogSettings, rows_where

@@ -5,9 +5,9 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention
-from radcalc.inputs.given import Inputs
-from radcalc.laws.common import HEAT_LAWS
-from radcalc.quantities.light import RADIANT
+from radcalc.inputs import Inputs
+from radcalc.laws import HEAT_LAWS
+from radcalc.quantities import RADIANT
 
 QUANTITIES = ("flux", "energy", "irradiance")
 BODY = ("mass", "specific-heat", "temperature-rise")

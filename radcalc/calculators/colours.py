@@ -6,7 +6,7 @@ from functools import cache
 from radcalc.answer import Remark, Value
 from radcalc.calculators.results import absent, value
 from radcalc.quantities.symbols import HUE_BINS
-from radcalc.spectra import colorimetry, rendition
+from radcalc.spectra import colorimetry
 from radcalc.spectra.colorimetry import Undefined
 from radcalc.spectra.spectrum import WHOLE, BlackBody, Range, Spectrum, range_text
 from radcalc.tuples import NamedTuple
@@ -49,7 +49,7 @@ def colours(source: Spectrum, requested: Sequence[str], reference: Spectrum | No
         return found
     _add_rendering(found, source, [name for name in SPECIAL if name in requested])
     sensitive = [name for name in (*SPECIAL, "ssi") if name in requested]
-    if sensitive and not source.is_whole and source.widest_step > rendition.COARSEST:
+    if sensitive and not source.is_whole and source.widest_step > colorimetry.COARSEST:
         coarse = f"the data are {source.widest_step:g} nm apart: indices of colour may be far off"
         found.notes.append(Remark(coarse, sensitive))
     if names := [name for name in RENDITION if name in requested]:
@@ -106,7 +106,7 @@ def _add_rendering(found: Colours, source: Spectrum, special: Sequence[str]) -> 
 def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> None:
     """Add the colour rendition by TM-30."""
     try:
-        rendered = rendition.rendition(source)
+        rendered = colorimetry.rendition(source)
     except Undefined as error:
         found.values.extend(_absent(names, str(error)))
         return
@@ -119,20 +119,22 @@ def _add_rendition(found: Colours, source: Spectrum, names: Sequence[str]) -> No
         "99 colour samples"
     )
     found.assumptions.append(Remark(standard, RENDITION))
-    found.notes.extend(_of_gaps("colour rendition", RENDITION, source, rendition.SAMPLED))
+    found.notes.extend(_of_gaps("colour rendition", RENDITION, source, colorimetry.SAMPLED))
 
 
 def _add_similarity(found: Colours, source: Spectrum, reference: Spectrum | None) -> None:
     try:
-        reference = reference or rendition.reference_of(source)
-        found.values.append(value("ssi", rendition.similarity(source, reference)))
+        reference = reference or colorimetry.reference_of(source)
+        found.values.append(value("ssi", colorimetry.similarity(source, reference)))
     except Undefined as error:
         found.values.extend(_absent(["ssi"], str(error)))
         return
     compared_with = f"ssi (SMPTE ST 2122): compared with {reference.label}"
     found.assumptions.append(Remark(compared_with, ["ssi"]))
     for compared in (source, reference):
-        found.notes.extend(_of_gaps("ssi", ["ssi"], compared, (rendition.START, rendition.END)))
+        found.notes.extend(
+            _of_gaps("ssi", ["ssi"], compared, (colorimetry.FIRST_BAND, colorimetry.LAST_BAND))
+        )
 
 
 def _of_gaps(what: str, names: Sequence[str], source: Spectrum, ends: Range) -> list[str]:

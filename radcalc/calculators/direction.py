@@ -5,24 +5,31 @@ from collections.abc import Sequence
 from typing import Any
 
 from radcalc import errors
-from radcalc.answer import Answer, Remark, Step, Value, texts_of
+from radcalc.answer import (
+    Answer,
+    Formula,
+    Remark,
+    Step,
+    Value,
+    format_angle,
+    format_number,
+    texts_of,
+)
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Task, Wants, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, refuse_foreign, worksheet
-from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import option, quote
-from radcalc.geometry import directions
-from radcalc.geometry.directions import length, unit
-from radcalc.geometry.projections import direction_at, is_outside, place_of
-from radcalc.inputs.given import Input, Inputs, any_of, one_of
+from radcalc.geometry import projections
+from radcalc.geometry.projections import direction_at, is_outside, length, place_of, unit
+from radcalc.inputs import Input, Inputs, any_of, one_of
 from radcalc.inputs.places import read_coordinates
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin, sqrt
 from radcalc.quantities.symbols import MIRROR_BALL
+from radcalc.units import NUMBER
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import ANGLE, LENGTH
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER
 
 ANGLES, MIRRORS = ("polar", "elevation", "azimuth"), ("reflect-at", "reflect-to")
 ON_BALL = ("mirror-ball-u", "mirror-ball-v", "mirror-ball-w")
@@ -101,7 +108,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
     return Task("direction", work_out, texts_of({"vector": ",".join(coordinates)}))
 
 
-def _read(coordinates: list[str]) -> tuple[directions.Vector, str]:
+def _read(coordinates: list[str]) -> tuple[projections.Vector, str]:
     if len(coordinates) != 3:
         problem = f"a vector has three coordinates, not {len(coordinates)}"
         raise errors.UsageError(
@@ -126,7 +133,7 @@ def _of_two(words: list[str]) -> list[errors.Try]:
 
 
 def direction(
-    given: Inputs, vector: directions.Vector | None = None, unit: str = "", with_ball: bool = False
+    given: Inputs, vector: projections.Vector | None = None, unit: str = "", with_ball: bool = False
 ) -> Answer:
     """Return the answer for a direction given by coordinates, angles or a mirror ball.
 
@@ -170,7 +177,7 @@ def _polar_of_elevation(sheet: Worksheet) -> Placed:
 
 def of_vector(x: Number, y: Number, z: Number, unit: str = "") -> Answer:
     """Return the direction of a vector; its coordinates are in SI units if they have a unit."""
-    polar, azimuth, length = directions.spherical(x, y, z)
+    polar, azimuth, length = projections.spherical(x, y, z)
     unit_vector = (x / length, y / length, z / length)
     notes = [f"{POLE}; 0 is shown"] if any_true(_is_at_pole(x, y)) else []
     from_axis, far = format_number(hypot(x, y)), format_number(z)
@@ -196,11 +203,11 @@ def _is_at_pole(x: Number, y: Number) -> Any:
     return (x == 0) & (y == 0)
 
 
-def _from_angles(given: Inputs) -> tuple[Number, Number, directions.Vector, Step]:
+def _from_angles(given: Inputs) -> tuple[Number, Number, projections.Vector, Step]:
     given_angle = any_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = one_of(given, "the azimuth", "azimuth").value
     polar = given_angle.value if given_angle.name == "polar" else math.pi / 2 - given_angle.value
-    x, y, z = directions.cartesian(polar, azimuth)
+    x, y, z = projections.cartesian(polar, azimuth)
     if given_angle.name == "elevation":
         z = sin(given_angle.value)  # avoids the rounding error of a right angle
         x, y = cos(given_angle.value) * cos(azimuth), cos(given_angle.value) * sin(azimuth)
@@ -210,7 +217,7 @@ def _from_angles(given: Inputs) -> tuple[Number, Number, directions.Vector, Step
     return polar, azimuth, (x, y, z), UNIT_VECTOR.with_numbers(numbers)
 
 
-def _without_rounding(vector: directions.Vector, least: Number) -> directions.Vector:
+def _without_rounding(vector: projections.Vector, least: Number) -> projections.Vector:
 
     def rounded(size: Number) -> Number:
         return piecewise(abs(size) < least, lambda s: 0.0 * abs(s), lambda s: s, size)
@@ -219,25 +226,25 @@ def _without_rounding(vector: directions.Vector, least: Number) -> directions.Ve
     return x, y, z
 
 
-def _reflect(given: Inputs, vector: directions.Vector | None, unit: str) -> Answer:
+def _reflect(given: Inputs, vector: projections.Vector | None, unit: str) -> Answer:
     """Return the reflection of a direction, or the normal of the mirror that reflects it."""
     steps = []
     if vector is None:
         *_, vector, step = _from_angles(given)
         steps.append(step)
-    size = directions.spherical(*vector)[2]
+    size = projections.spherical(*vector)[2]
     numbers = f"d = {_format_vector(vector)}"
     if "reflect-at" in given:
         normal = given["reflect-at"].value
         incidence = _angle(vector, normal)
         _refuse_behind(given["reflect-at"], incidence)
-        result = _without_rounding(directions.reflected(vector, normal), 4 * LEAST * size)
+        result = _without_rounding(projections.reflected(vector, normal), 4 * LEAST * size)
         numbers += f", n = {_format_vector(normal)}; r = {_format_vector(result)}"
         steps.append(REFLECTION.with_numbers(numbers))
         assumption = "the results are those of the reflection"
     else:
         to = given["reflect-to"].value
-        result, unit = _without_rounding(directions.mirror_normal(vector, to), 4 * LEAST), ""
+        result, unit = _without_rounding(projections.mirror_normal(vector, to), 4 * LEAST), ""
         incidence = _angle(vector, result)
         steps.append(
             BISECTOR.with_numbers(
@@ -253,10 +260,10 @@ def _reflect(given: Inputs, vector: directions.Vector | None, unit: str) -> Answ
     )
 
 
-def _angle(first: directions.Vector, second: directions.Vector) -> Number:
+def _angle(first: projections.Vector, second: projections.Vector) -> Number:
     """Return the angle between two vectors, to all digits."""
     a, b = unit(first), unit(second)
-    return atan2(length(directions.cross(a, b)), directions.dot(a, b))
+    return atan2(length(projections.cross(a, b)), projections.dot(a, b))
 
 
 def _refuse_behind(normal: Input, incidence: Number) -> None:
@@ -269,7 +276,7 @@ def _refuse_behind(normal: Input, incidence: Number) -> None:
         )
 
 
-def _format_vector(vector: directions.Vector) -> str:
+def _format_vector(vector: projections.Vector) -> str:
     return f"({', '.join(map(format_number, vector))})"
 
 
@@ -324,7 +331,7 @@ def _length(length: Any, unit: str = "") -> Value:
     return row._replace(dimensions=(dimension,))
 
 
-def _rows(polar: Any, azimuth: Any, vector: directions.Vector, given: Inputs) -> list[Value]:
+def _rows(polar: Any, azimuth: Any, vector: projections.Vector, given: Inputs) -> list[Value]:
     """Return the angles, as given where they are inputs, and the unit vector."""
     x, y, z = vector
     angles = {"polar": polar, "azimuth": azimuth, "elevation": atan2(z, hypot(x, y))}

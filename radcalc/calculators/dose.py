@@ -10,7 +10,15 @@ from collections.abc import Callable, Iterator
 from math import ceil, floor, inf, log10
 from typing import NamedTuple
 
-from radcalc.answer import Answer, Value
+from radcalc.answer import (
+    Answer,
+    Formula,
+    Value,
+    coherent_unit_of,
+    format_number,
+    format_value,
+    letter_of,
+)
 from radcalc.calculators.dose_sums import (
     MEANS,
     MEANS_BEFORE,
@@ -25,18 +33,17 @@ from radcalc.calculators.page import FILE, PERIODS, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
-from radcalc.derivation import Formula, coherent_unit_of, format_number, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError, Try, mention, option, quote
 from radcalc.files.text import ENDINGS
 from radcalc.floats import divide
-from radcalc.inputs.given import Inputs
-from radcalc.laws.law import law
-from radcalc.quantities.light import PHOTON, describe, light_dimension
-from radcalc.quantities.light import read as read_light
+from radcalc.inputs import Inputs
+from radcalc.laws import law
+from radcalc.quantities import PHOTON, describe, light_dimension
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.terminal import ABORT, INVALID
+from radcalc.units import Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
 PPFD = light_dimension(PHOTON, IRRADIANCE, "")

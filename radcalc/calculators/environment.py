@@ -3,33 +3,31 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Answer, Remark, Step, Value
+from radcalc.answer import Answer, Remark, Step, Value, format_number, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import ENVIRONMENT, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import RenderedMap
 from radcalc.calculators.worksheet import refuse_foreign
-from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, option, options
-from radcalc.geometry.directions import UP, Vector
-from radcalc.geometry.sky import NAMES
-from radcalc.inputs.given import Inputs, at_most_one, split_by_light
+from radcalc.geometry.models import NAMES
+from radcalc.geometry.projections import UP, Vector
+from radcalc.inputs import Inputs, at_most_one, split_by_light
 from radcalc.inputs.places import require_azimuth
 from radcalc.inputs.reading import read
 from radcalc.maths import is_array
-from radcalc.quantities import symbols
-from radcalc.quantities.light import KINDS
+from radcalc.quantities import KINDS, symbols
 from radcalc.quantities.symbols import LATLONG, LINKS
+from radcalc.units import NUMBER
 from radcalc.units.dimensions import SOLID_ANGLE
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.distributions.distribution import Peak
     from radcalc.distributions.environments import Environment, Radiances
+    from radcalc.distributions.maps import RadianceMap
     from radcalc.distributions.maps.light_sums import Progress
     from radcalc.distributions.maps.pictures import Picture
-    from radcalc.distributions.maps.radiance_map import RadianceMap
     from radcalc.geometry.numerics.cubature import Integral
 
 SKY = "sky:"  # before the type of a sky
@@ -190,7 +188,7 @@ def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
     """Return a sky by the name of its type, bright by `SCALES` or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment, Sky
-    from radcalc.geometry.sky import IS_EVEN, MISSING_AZIMUTH, sky_type
+    from radcalc.geometry.models import IS_EVEN, MISSING_AZIMUTH, sky_type
 
     sun: Any = None
     useless = [symbol_name for symbol_name in OF_SKY if symbol_name in settings]
@@ -346,8 +344,8 @@ class _Surroundings:
     def _size(self) -> tuple[int, int]:
         """Return the size of the irradiance map [pixels]."""
         from radcalc.calculators.pixel import refuse_shape
+        from radcalc.distributions.maps import check_shape
         from radcalc.distributions.maps.pictures import check_size
-        from radcalc.distributions.maps.radiance_map import check_shape
 
         if "size" not in self.given:
             return SMALL
@@ -359,7 +357,7 @@ class _Surroundings:
 
     def _map(self) -> "RadianceMap":
         from radcalc.distributions import environments
-        from radcalc.distributions.maps.radiance_map import RadianceMap
+        from radcalc.distributions.maps import RadianceMap
         from radcalc.geometry.projections import USUAL_SIZE
 
         if isinstance(self.environment.radiances, RadianceMap):

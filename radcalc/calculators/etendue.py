@@ -2,18 +2,15 @@
 
 from typing import Any
 
-from radcalc import errors
-from radcalc.answer import Answer
+from radcalc import errors, geometry
+from radcalc.answer import Answer, format_number
 from radcalc.calculators.page import Page
 from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, facing, place, worksheet
-from radcalc.derivation import format_number
-from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs, angle_of, any_of, half_angle_of, one_of
-from radcalc.laws import solid_angles as laws_of
-from radcalc.laws.common import APEX, CIRCLE, CONFIGURATION_FACTOR, RECTANGLE, round_sizes
-from radcalc.laws.law import AnyLaw
+from radcalc.inputs import Inputs, angle_of, any_of, half_angle_of, one_of
+from radcalc.laws import APEX, CIRCLE, CONFIGURATION_FACTOR, RECTANGLE, AnyLaw, round_sizes
+from radcalc.laws import beams as laws_of
 from radcalc.maths import FAINTEST, any_true, larger
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
@@ -81,7 +78,7 @@ def etendue(given: Inputs) -> Answer:
     results = (*RESULTS, *(name for name in takes if name != "etendue"))
     sheet = worksheet(PAGE._replace(title=named, takes=takes, others=results), given)
     placed = place(sheet, _with_receiver if has_receiver else _with_cone)
-    laws = [*placed.laws, laws_of.FLUX, laws_of.PER_AREA, CONFIGURATION_FACTOR]
+    laws = [*placed.laws, laws_of.RADIANCE_FLUX, laws_of.PER_AREA, CONFIGURATION_FACTOR]
     solved = solve(sheet, laws, placed)
     if has_receiver:
         _refuse_near(solved)
@@ -171,8 +168,8 @@ def _with_receiver(sheet: Worksheet) -> Placed:
         placed.assume(means, of=["projected-solid-angle"])
         placed.laws += [laws_of.DISCS, laws_of.FAR_FIELD]
     else:
-        placed.add("cosine-of-source", cones.facing(tilt))
-        placed.add("cosine", cones.facing(incidence))
+        placed.add("cosine-of-source", geometry.facing(tilt))
+        placed.add("cosine", geometry.facing(incidence))
         placed.assume(*facing(given))
         placed.laws.append(laws_of.PATCHES)
     placed.use("tilt", "incidence")
@@ -187,9 +184,9 @@ def _refuse_near(solved: Solved) -> None:
         return
     area, other, away = (solved.value(n) for n in ("area", "receiver-area", "distance"))
     sides = [solved.value(name) for name in ("width", "length") if solved.has(name)]
-    source, receiver = cones.size(area, *sides), cones.size(other)
+    source, receiver = geometry.size(area, *sides), geometry.size(other)
     longest = larger(source, receiver)
-    if cones.is_near(away, longest):
+    if geometry.is_near(away, longest):
         hint = "more distance, or {radius} and {receiver-radius} for two discs exactly"
         if {"tilt", "incidence"} & set(solved.given):
             hint = "two discs without {tilt} and {incidence}, which are exact"
@@ -198,11 +195,11 @@ def _refuse_near(solved: Solved) -> None:
             solved.describe("distance"), "patches", size, errors.mention(hint), FAR_FIELD
         )
     tilt, incidence = angle_of(solved.given, "tilt"), angle_of(solved.given, "incidence")
-    _refuse_cut(solved, "incidence", cones.REACH * source)
-    _refuse_cut(solved, "tilt", cones.REACH * receiver)
-    off = cones.error(source, away, tilt, incidence, bool(sides))
-    off += cones.error(receiver, away, incidence, tilt)
-    good = cones.percent(off)
+    _refuse_cut(solved, "incidence", geometry.REACH * source)
+    _refuse_cut(solved, "tilt", geometry.REACH * receiver)
+    off = geometry.error(source, away, tilt, incidence, bool(sides))
+    off += geometry.error(receiver, away, incidence, tilt)
+    good = geometry.percent(off)
     small = f"patches small compared to their distance: A1 A2 cos cos / d^2 {good}"
     solved.assume(small, of=ON_BOTH)
 
@@ -210,8 +207,8 @@ def _refuse_near(solved: Solved) -> None:
 def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:
     """Refuse an angle at which the plane of one patch may cut the other."""
     away, angle = solved.value("distance"), angle_of(solved.given, name)
-    if any_true(cones.is_cut(reach, away, angle)):
-        least = cones.steepest(reach, away)
+    if any_true(geometry.is_cut(reach, away, angle)):
+        least = geometry.steepest(reach, away)
         raise errors.HorizonCuts(name, solved.given[name].text, least, law=FAR_FIELD)
 
 

@@ -4,31 +4,30 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 
-from radcalc.answer import FRACTION, Answer
+from radcalc.answer import FRACTION, Answer, coherent_unit_of, format_number, format_value
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, worksheet
-from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, Try, mention, option, quote
-from radcalc.inputs.given import Input, Inputs
-from radcalc.laws.exposure import (
+from radcalc.inputs import Input, Inputs
+from radcalc.laws import AnyLaw
+from radcalc.laws.photometry import (
+    EXPOSURE_LAWS,
     FILTERED,
     FILTERED_FLASH,
     FLASH,
     INCIDENT,
-    LAWS,
     REFLECTANCE,
     REFLECTED,
     STEPS,
     UNFILTERED,
     exact,
 )
-from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import TO_DIGITS
 from radcalc.maths import any_true
 from radcalc.quantities.symbols import METER_UNITS
 from radcalc.units.scale_table import C, K, usual
-from radcalc.units.scales import ScaleUnit
+from radcalc.units.values import ScaleUnit
 
 LIGHT = ("ev100", "luminance", "illuminance")
 FILTER = ("nd", "stops", "unfiltered-time")
@@ -156,7 +155,9 @@ def _solve_exposure(given: Inputs) -> Answer:
         return _flash(given)
     filtered = bool(set(FILTER) & set(given))
     page, all_laws = (
-        (PAGE._replace(goal="stops", goals=("ev100",)), FILTERED) if filtered else (PAGE, LAWS)
+        (PAGE._replace(goal="stops", goals=("ev100",)), FILTERED)
+        if filtered
+        else (PAGE, EXPOSURE_LAWS)
     )
     if set(FILTER) & set(given) == {"unfiltered-time"} and "time" not in given:
         all_laws = [*all_laws, UNFILTERED]

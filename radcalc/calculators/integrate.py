@@ -4,22 +4,21 @@ import math
 import re
 from typing import NamedTuple
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, Formula, format_angle, format_number
 from radcalc.calculators.page import Operand, Page, text
 from radcalc.calculators.results import value
-from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, MissingInput, add, listed, mention, one_of, quote
-from radcalc.geometry.directions import TURN
 from radcalc.geometry.numerics.cubature import POINTS, narrowest, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
+from radcalc.geometry.projections import TURN
 from radcalc.geometry.solid import check_zone, zone
-from radcalc.inputs.given import Inputs
-from radcalc.quantities.light import NONE, PHOTON, coherent_unit, describe
-from radcalc.quantities.light import read as read_light
-from radcalc.quantities.units import composed
+from radcalc.inputs import Inputs
+from radcalc.quantities import NONE, PHOTON, coherent_unit, describe
+from radcalc.quantities import read as read_light
+from radcalc.quantities.names import composed
+from radcalc.units import NUMBER, Dimension
 from radcalc.units.dimensions import SOLID_ANGLE, times
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Dimension
 
 FINEST, COARSEST = 1e-13, 0.1  # the range of accuracies
 USUAL = 1e-9

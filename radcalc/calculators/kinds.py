@@ -9,20 +9,18 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 from radcalc import errors
-from radcalc.answer import Remark, Step, Value
+from radcalc.answer import Remark, Step, Value, format_number, format_value, letter_of
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
-from radcalc.derivation import format_number, format_value, letter_of
 from radcalc.errors import option, options
-from radcalc.inputs.given import Input, Inputs
-from radcalc.laws.law import Law, law, same
+from radcalc.inputs import Input, Inputs
+from radcalc.laws import Law, law, same
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.maths import is_lost, larger
-from radcalc.quantities import symbols
-from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
+from radcalc.quantities import KIND_NAMES, KINDS, LUMINOUS, RADIANT, symbols
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.tuples import NamedTuple
+from radcalc.units import Dimension
 from radcalc.units.table import resolve
-from radcalc.units.unit import Dimension
 
 
 def dimension(name: str, kind: str) -> Dimension:
@@ -36,7 +34,7 @@ def kind_of(given: Input) -> str:
 
 
 if TYPE_CHECKING:
-    from radcalc.conversion.conditions import Factor
+    from radcalc.conversion.geometric import Factor
 
 
 class LightInputs(NamedTuple):

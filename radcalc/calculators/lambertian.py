@@ -8,8 +8,8 @@ import math
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from radcalc import errors
-from radcalc.answer import Answer, Remark, texts_of
+from radcalc import errors, geometry
+from radcalc.answer import Answer, Remark, format_number, texts_of
 from radcalc.calculators.kinds import LightInputs
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.shapes import (
@@ -22,10 +22,8 @@ from radcalc.calculators.shapes import (
 )
 from radcalc.calculators.solved import Solved, Task, Wants, solve_all
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
-from radcalc.derivation import format_number
 from radcalc.errors import command, option, quote
-from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, angle_of, offset_of, split_by_light
+from radcalc.inputs import Input, Inputs, angle_of, offset_of, split_by_light
 from radcalc.inputs.reading import read
 from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
 from radcalc.maths import Number, acos, any_true, chosen, is_array, piecewise
@@ -258,7 +256,7 @@ def _compare(solved: Solved, far: Number, exact: Number) -> None:
     compared = ("irradiance", "far-field-irradiance")
     if any_true(differs & (far == 0)):
         solved.note(f"{law} would give no light", of=compared)
-    nearest, away = cones.FAR * solved.value("extent"), solved.value("distance")
+    nearest, away = geometry.FAR * solved.value("extent"), solved.value("distance")
     if any_true(is_near := differs & (far != 0) & (away < nearest)):
         times, least = (format_number(chosen(x, is_near)) for x in (ratio, nearest))
         validity = f"it holds from {least} m (five times the size)"
@@ -316,20 +314,20 @@ def _check_far(solved: Solved) -> tuple[str, ...]:
         return ("a source small compared to its distance",)
     away = solved.value("distance")
     sides = [solved.value(name) for name in ("width", "length") if solved.has(name)]
-    longest = cones.size(solved.value("area"), *sides)
-    if cones.is_near(away, longest):
+    longest = geometry.size(solved.value("area"), *sides)
+    if geometry.is_near(away, longest):
         size = format_number(longest)
-        raise errors.TooNear(solved.describe("distance"), "source", size, cones.MORE_ROOM)
+        raise errors.TooNear(solved.describe("distance"), "source", size, geometry.MORE_ROOM)
     if CUT_DISC in (law for law, _ in solved.solution.used):
         return ()
     given = solved.given
     tilt, incidence = angle_of(given, "tilt"), angle_of(given, "incidence")
-    reach = solved.value("radius") if solved.has("radius") else cones.REACH * longest
-    if any_true(cones.is_cut(reach, away, incidence)):
+    reach = solved.value("radius") if solved.has("radius") else geometry.REACH * longest
+    if any_true(geometry.is_cut(reach, away, incidence)):
         raise cut_by_horizon(given, reach, away)
     if "height" in given:
         tilt = acos(solved.value("cosine-of-source"))
         if "incidence" not in given:  # parallel planes do not cut each other
             incidence = tilt
-    good = cones.percent(cones.error(longest, away, tilt, incidence, bool(sides)))
+    good = geometry.percent(geometry.error(longest, away, tilt, incidence, bool(sides)))
     return (f"a source small compared to its distance: the inverse square law {good}",)

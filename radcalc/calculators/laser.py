@@ -2,15 +2,14 @@
 
 import math
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, format_number
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.conversion import spectral
-from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, mention, option, options, quote
-from radcalc.inputs.given import Inputs
-from radcalc.laws.laser import DISTANCE, HAZARD, laws_of
+from radcalc.inputs import Inputs
+from radcalc.laws.beams import DISTANCE, HAZARD, laser_laws
 from radcalc.laws.solver import reached
 from radcalc.maths import any_true
 from radcalc.quantities.symbols import GAUSSIAN, LINKS, REFINEMENTS, UNIFORM
@@ -84,9 +83,9 @@ def laser(given: Inputs) -> Answer:
         raise MissingInput("the beam is missing", hint)
     profile = given["profile"].value if "profile" in given else GAUSSIAN
     placed.use("profile")
-    far = laws_of(profile, with_distance=True)
+    far = laser_laws(profile, with_distance=True)
     is_far = DISTANCE in reached(far, set(sheet.known))
-    at_exit = laws_of(profile, with_distance=False)
+    at_exit = laser_laws(profile, with_distance=False)
     placed.assume(PROFILES[profile], of=PROFILED)
     is_at_exit = not is_far
     try:

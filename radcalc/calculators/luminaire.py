@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from radcalc import errors
-from radcalc.answer import Answer, Step, Value
+from radcalc import errors, geometry
+from radcalc.answer import Answer, Step, Value, format_angle, format_number, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
 from radcalc.calculators.point_laws import (
@@ -35,18 +35,15 @@ from radcalc.calculators.point_laws import (
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK, absent, value
 from radcalc.calculators.solved import Solved, contradiction, remarks_on
 from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
-from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import option, quote
-from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs, angle_of, offset_of
-from radcalc.laws import luminaire as laws_of
-from radcalc.laws.common import OFFSET
-from radcalc.laws.law import AnyLaw
+from radcalc.inputs import Inputs, angle_of, offset_of
+from radcalc.laws import OFFSET, AnyLaw
+from radcalc.laws import beams as laws_of
 from radcalc.laws.point import CONICAL, COSINE_BELOW, ISOTROPIC, LAWS, LOBED
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, atan2, is_array, power
-from radcalc.quantities.light import LUMINOUS
+from radcalc.quantities import LUMINOUS
 from radcalc.quantities.symbols import generic_name, light_unit
 
 if TYPE_CHECKING:
@@ -126,7 +123,7 @@ def _upward(
 ) -> float:
     """Return the flux above the horizon, in units of the distribution."""
     from radcalc.distributions.distribution import Pose
-    from radcalc.distributions.places import upward_flux
+    from radcalc.distributions.scene import upward_flux
 
     return upward_flux(distribution, Pose(aim, rotate), flux).value
 
@@ -151,7 +148,7 @@ class _Luminaire:
         )
         hints = (*SCALING, *shaped, *POSITION, *RECEIVER)
         self.sheet = worksheet(page, given, preferred=kind, hints=hints, defaults=("incidence",))
-        self.placed = Placed(*laws_of.LAWS)
+        self.placed = Placed(*laws_of.DISTRIBUTION_LAWS)
         refuse_light_of_surfaces(self.sheet.lit, SCALING)
         place_hemisphere(given, self.placed)
         self.photometry: Photometry = self._make_shape(shape) if self.of_shape else chosen
@@ -167,11 +164,11 @@ class _Luminaire:
 
     def _make_shape(self, shape: str) -> "Photometry":
         """Return the photometry of a shape; refuse a width that is missing or an array."""
-        from radcalc.distributions import formula
+        from radcalc.distributions import sources
         from radcalc.distributions.distribution import Photometry
 
         if shape not in (CONICAL, LOBED):
-            return Photometry(formula.Isotropic(), shape)
+            return Photometry(sources.Isotropic(), shape)
         name = "half-angle" if shape == CONICAL else "exponent"
         known = self.sheet.known_with(self.placed)
         if "peak-intensity" in known:
@@ -194,7 +191,7 @@ class _Luminaire:
         self.placed.use(*SHAPED[shape])
         if is_array(width):
             raise _one_at_a_time(next(n for n in SHAPED[shape] if n in self.given))
-        return Photometry(formula.of_shape(shape, width), shape)
+        return Photometry(sources.of_shape(shape, width), shape)
 
     def answer(self) -> Answer:
         self._place_figures()
@@ -399,7 +396,7 @@ class _Luminaire:
         if solved.has("received-flux"):
             self._judge_receiver(solved)
         size = self.photometry.size
-        if size and solved.has("distance") and cones.is_near(solved.value("distance"), size):
+        if size and solved.has("distance") and geometry.is_near(solved.value("distance"), size):
             solved.note(
                 f"the luminous part is {format_value(size, 'm')} long: at less than five times "
                 "that distance the inverse square law does not hold"
@@ -446,7 +443,7 @@ class _Luminaire:
 
     def _refuse_uneven(self, solved: Solved) -> None:
         """Refuse uneven light on a receiver that is turned around an unknown axis."""
-        from radcalc.distributions.places import unevenness
+        from radcalc.distributions.scene import unevenness
         from radcalc.geometry.receivers import UNEVEN
 
         radius = power(solved.value("receiver-area") / math.pi, 0.5)

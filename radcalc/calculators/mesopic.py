@@ -5,8 +5,8 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, quote
-from radcalc.inputs.given import Input, Inputs, require
-from radcalc.laws.mesopic import LAWS
+from radcalc.inputs import Input, Inputs, require
+from radcalc.laws.photometry import MESOPIC_LAWS
 from radcalc.maths import any_true
 from radcalc.spectra.observers import OBSERVERS
 
@@ -54,7 +54,7 @@ def mesopic(given: Inputs) -> Answer:
         raise MissingInput("the S/P ratio is missing", hint)
     system = "the recommended system of CIE 191:2010 (MES2)"
     placed.assume(system, of=["mesopic-luminance"])
-    solved = solve(sheet, LAWS, placed)
+    solved = solve(sheet, MESOPIC_LAWS, placed)
     if solved.has("adaptation"):
         if any_true(solved.value("adaptation") == 1):
             solved.note("photopic vision: m is 1 from 5 cd/m2 on")

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any, NoReturn
 
 from radcalc.errors import UsageError, corrections, mention, nearest, quote
-from radcalc.quantities.light import KINDS
+from radcalc.quantities import KINDS
 from radcalc.quantities.symbols import (
     CHOICE,
     FLAG,

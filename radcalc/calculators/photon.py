@@ -3,16 +3,15 @@
 from functools import reduce
 from typing import Any
 
-from radcalc.answer import Answer, Remark, Value
+from radcalc.answer import Answer, Remark, Value, format_number
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
-from radcalc.derivation import format_number
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.laws.optics import PHOTON_LAWS
 from radcalc.laws.solver import Derivation, Known, solve
 from radcalc.maths import any_true, larger
-from radcalc.quantities.light import PHOTON_NAMES
+from radcalc.quantities import PHOTON_NAMES
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import LENGTH

@@ -3,8 +3,8 @@
 import math
 from typing import Any
 
-from radcalc import errors
-from radcalc.answer import Answer, Remark, Step, Value
+from radcalc import errors, geometry
+from radcalc.answer import Answer, Formula, Remark, Step, Value, format_angle, format_number
 from radcalc.calculators.direction import CONVENTION
 from radcalc.calculators.results import absent, of_directions, value
 from radcalc.calculators.solved import Solved, solve
@@ -14,10 +14,7 @@ from radcalc.calculators.worksheet import (
     place,
     refuse_foreign,
 )
-from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, add, mention, option, options, quote
-from radcalc.geometry import cones
-from radcalc.geometry.directions import spherical
 from radcalc.geometry.projections import (
     direction_at,
     has_shape,
@@ -25,11 +22,11 @@ from radcalc.geometry.projections import (
     middle_of_pixel,
     name_of_map,
     pixel_solid_angle,
+    spherical,
 )
-from radcalc.inputs.given import Input, Inputs, angle_of, any_of, one_of
-from radcalc.laws.common import CIRCLE, round_sizes
-from radcalc.laws.law import AnyLaw
-from radcalc.laws.solid_angles import CONTOUR
+from radcalc.inputs import Input, Inputs, angle_of, any_of, one_of
+from radcalc.laws import CIRCLE, AnyLaw, round_sizes
+from radcalc.laws.beams import CONTOUR
 from radcalc.maths import SLACK, any_true, cos, sin
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, WHOLE_SPHERE
 
@@ -76,8 +73,8 @@ def pixel(given: Inputs) -> Answer:
         )
     omega = pixel_solid_angle(projection, width, height, column, row)
     u, v = middle_of_pixel(width, height, column, row)
-    half = cones.cone_of(omega)
-    angles = (omega, omega / cones.FULL, half, 2 * half)
+    half = geometry.cone_of(omega)
+    angles = (omega, omega / geometry.FULL, half, 2 * half)
     results = [
         of_directions(given, name, angle) for name, angle in zip(RESULTS, angles, strict=True)
     ]
@@ -166,8 +163,7 @@ def contour(flat: Any) -> Step:
 
 def patch(sheet: Worksheet) -> Placed:
     """Return the values and laws of a small patch at a distance."""
-    from radcalc.geometry import cones
-    from radcalc.laws.solid_angles import PATCH
+    from radcalc.laws.beams import PATCH
 
     given = sheet.given
     if "area" in given and set(ROUND) & set(given):
@@ -189,7 +185,7 @@ def patch(sheet: Worksheet) -> Placed:
         placed.add("projected-solid-angle", solved.value("solid-angle"))
         if any_true(solved.value("solid-angle") == 0):
             placed.note("the patch is seen from its edge or from behind")
-        good = cones.percent(cones.error(cones.size(area), away, tilt))
+        good = geometry.percent(geometry.error(geometry.size(area), away, tilt))
         placed.assume(f"a patch small compared to its distance: A cos(theta) / d^2 {good}")
     return placed
 
@@ -197,13 +193,13 @@ def patch(sheet: Worksheet) -> Placed:
 def _tilted(sheet: Worksheet) -> Placed:
     """Return a solid angle with its unit."""
     placed = Placed()
-    placed.add("cosine-of-source", cones.facing(angle_of(sheet.given, "tilt")))
+    placed.add("cosine-of-source", geometry.facing(angle_of(sheet.given, "tilt")))
     return placed
 
 
 def _on_sphere(sheet: Worksheet) -> Placed:
     """Place a patch of a sphere, seen from the sphere's centre."""
-    from radcalc.laws.solid_angles import ON_SPHERE
+    from radcalc.laws.beams import ON_SPHERE
 
     given = sheet.given
     any_of(given, "the size of the sphere", *ROUND)
@@ -213,23 +209,22 @@ def _on_sphere(sheet: Worksheet) -> Placed:
     placed = onto(plane, *round_sizes(given), ON_SPHERE)
     solved = solve(sheet, placed.laws)
     omega = solved.value("solid-angle")
-    if any_true(omega > cones.FULL * (1 + SLACK)):
-        size = format_number(omega / cones.FULL)
+    if any_true(omega > geometry.FULL * (1 + SLACK)):
+        size = format_number(omega / geometry.FULL)
         problem = f"{solved.describe('area')} is {size} times the whole sphere"
         raise errors.ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
-    placed.add("projected-solid-angle", cones.projected_cone(cones.cone_of(omega)))
+    placed.add("projected-solid-angle", geometry.projected_cone(geometry.cone_of(omega)))
     placed.assume("a patch of the sphere, of any shape, seen from its centre")
     return placed
 
 
 def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
     """Refuse a patch that is too near for A cos(theta) / d^2."""
-    from radcalc.geometry import cones
 
-    size = cones.size(area)
-    if cones.is_near(away, size):
+    size = geometry.size(area)
+    if geometry.is_near(away, size):
         tilt = angle_of(solved.given, "tilt")
-        hint = cones.MORE_ROOM
+        hint = geometry.MORE_ROOM
         if not any_true(tilt >= math.pi / 2):  # a disc is seen from its front, above its plane
             is_tilted = any_true(tilt != 0)
             place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if is_tilted else {}

@@ -6,13 +6,13 @@ from functools import reduce
 from typing import Any
 
 from radcalc import errors
+from radcalc.answer import coherent_unit_of, format_value
 from radcalc.calculators.kinds import LightInputs
 from radcalc.calculators.solved import Solved, solve, solve_all
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet
-from radcalc.derivation import coherent_unit_of, format_value
 from radcalc.errors import option
-from radcalc.inputs.given import Inputs, angle_of, require
-from radcalc.laws.law import AnyLaw
+from radcalc.inputs import Inputs, angle_of, require
+from radcalc.laws import AnyLaw
 from radcalc.laws.point import ASIDE, CONICAL, ISOTROPIC, LOBED
 from radcalc.maths import any_true, hypot, is_array
 

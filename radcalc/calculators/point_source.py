@@ -4,7 +4,8 @@ import math
 from collections.abc import Sequence
 from functools import partial
 
-from radcalc.answer import Answer
+from radcalc import geometry
+from radcalc.answer import Answer, coherent_unit_of, format_number, format_value
 from radcalc.calculators.page import Page
 from radcalc.calculators.point_laws import (
     ASSUMED,
@@ -33,12 +34,9 @@ from radcalc.calculators.point_laws import (
 )
 from radcalc.calculators.solved import Solved, Task, Wants, solve
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
-from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import ConditionError, Contradiction, MissingInput, RadcalcError, add, mention
-from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs
-from radcalc.laws.common import OFFSET
-from radcalc.laws.law import AnyLaw
+from radcalc.inputs import Inputs
+from radcalc.laws import OFFSET, AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,
     AXIS,
@@ -339,7 +337,7 @@ def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
 
 def _compare_cone(solved: Solved) -> None:
     """Note the result for a uniform cone, which is often meant by a beam angle."""
-    omega = cones.cone(solved.value("beam-angle") / 2)
+    omega = geometry.cone(solved.value("beam-angle") / 2)
     name = "intensity" if "flux" in solved.lit.values else "flux"
     other = (
         solved.value("flux") / omega if name == "intensity" else solved.value("intensity") * omega

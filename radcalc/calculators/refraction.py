@@ -7,7 +7,7 @@ from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
-from radcalc.inputs.given import Inputs, angle_of, require
+from radcalc.inputs import Inputs, angle_of, require
 from radcalc.laws.optics import CRITICAL_INSIDE, CRITICAL_OUTSIDE, REFRACTION_LAWS, TOTAL
 from radcalc.maths import any_true, sin
 

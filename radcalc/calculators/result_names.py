@@ -7,12 +7,12 @@ from collections.abc import Sequence
 
 from radcalc.answer import Value
 from radcalc.errors import UsageError, ambiguous, corrections
-from radcalc.quantities.light import KINDS, read
+from radcalc.quantities import KINDS, read
 from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
 from radcalc.quantities.search import called, comparable, label_of, symbol_key
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, light_unit
+from radcalc.units import Dimension
 from radcalc.units.table import resolve
-from radcalc.units.unit import Dimension
 
 
 def results_meant(

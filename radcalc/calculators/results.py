@@ -6,25 +6,23 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
 from radcalc import errors
-from radcalc.answer import Answer, Row, Value
-from radcalc.conversion.linear import exact_ratio
-from radcalc.derivation import letter_of
+from radcalc.answer import Answer, Row, Value, letter_of
+from radcalc.conversion import exact_ratio
 from radcalc.errors import quote
 from radcalc.floats import SMALLEST
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities import symbols
+from radcalc.quantities import GRID, symbols
+from radcalc.quantities import name_of as unit_name
 from radcalc.quantities.language import names_meant
-from radcalc.quantities.light import GRID
-from radcalc.quantities.light import name_of as unit_name
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import NUMBER, Dimension, Unit
 
 if TYPE_CHECKING:
-    from radcalc.units.scales import ScaleUnit
+    from radcalc.units.values import ScaleUnit
 
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
 LIKE = 4  # letters at the start of related words
@@ -143,7 +141,7 @@ def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
 def measured_in(text: str, *names: str) -> Unit:
     """Return the unit or the scale of results; a difference may be in degrees Celsius."""
     is_difference = any(name in DIFFERENCES for name in names)
-    from radcalc.units.scales import degree, resolve_any
+    from radcalc.units.values import degree, resolve_any
 
     return (degree(text) if is_difference else None) or resolve_any(text)
 
@@ -164,9 +162,9 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
     for name, _, text in [result.partition(":") for result in wanted]:
         if not text or text in COHERENT.values():  # not a scale
             continue
-        from radcalc.units.scales import find
+        from radcalc.units.values import find_scale
 
-        if not find(text):
+        if not find_scale(text):
             continue
         unit = _unit_of(text, name, values)
         for value in values:
@@ -351,9 +349,9 @@ def names_of(values: Sequence[Value]) -> list[str]:
 
 def _results_in(text: str, values: Sequence[Value]) -> list[str]:
     """Return the results that can be in a unit or on a scale, with it; given ones if no others."""
-    from radcalc.units.scales import find
+    from radcalc.units.values import find_scale
 
-    scale = find(text)
+    scale = find_scale(text)
     units = (scale, *scale.others) if scale else (unit_of(text),)
     read = {unit.dimension for unit in units if unit}
     suitable = [v for v in values if not v.is_absent and read & {*v.dimensions, *v.reach}]

@@ -2,15 +2,14 @@
 
 from typing import Any
 
+from radcalc import geometry
 from radcalc.answer import Answer
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
-from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs
-from radcalc.laws.common import RECTANGLE
-from radcalc.laws.law import AnyLaw, law, relation
+from radcalc.inputs import Inputs
+from radcalc.laws import RECTANGLE, AnyLaw, law, relation
 from radcalc.maths import any_true, sqrt
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.units.numbers import EXACT
@@ -22,14 +21,14 @@ LOSSES = ("utilance", "maintenance")
 def _side(other: Any, height: Any, index: Any) -> Any:
     least = index * height
     problem = "no room with that side and height has that room index"
-    cones.refuse(other <= least, problem, "less height, or a smaller index")
+    geometry.refuse(other <= least, problem, "less height, or a smaller index")
     return least * other / (other - least)
 
 
 def _shorter(area: Any, total: Any) -> Any:
     """Return the shorter side of a room from its area and the sum of both sides."""
     problem = "no room with that area and height has that room index: a square room has less"
-    cones.refuse(total < 2 * sqrt(area), problem, "less height, or a smaller index")
+    geometry.refuse(total < 2 * sqrt(area), problem, "less height, or a smaller index")
     # avoids the difference of nearly equal numbers in a long room
     return 2 * area / (total + sqrt(total * total - 4 * area))
 

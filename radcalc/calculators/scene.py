@@ -4,20 +4,19 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os.path import dirname
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer, Step, Value
+from radcalc.answer import Answer, Step, Value, coherent_unit_of, format_number, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.page import FILE, Operand, Page, text
 from radcalc.calculators.results import element, value
 from radcalc.calculators.scene_reader import NamedSource, Reader
 from radcalc.calculators.scene_rows import rows_of_dicts, rows_of_file
-from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
 from radcalc.files.text import ENDINGS
-from radcalc.geometry.directions import UP, Vector
-from radcalc.inputs.given import Inputs
+from radcalc.geometry.projections import UP, Vector
+from radcalc.inputs import Inputs
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
+from radcalc.units import NUMBER
 from radcalc.units.dimensions import LENGTH
-from radcalc.units.unit import NUMBER
 
 PAGE = Page(
     about="Calculate the light that many sources together give at points or on a grid.",

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from numbers import Real
 from typing import Any, NamedTuple
 
-from radcalc import errors
+from radcalc import errors, geometry
+from radcalc.answer import coherent_unit_of, format_value
 from radcalc.calculators import kinds
 from radcalc.calculators.point_laws import SHAPED
 from radcalc.calculators.results import LINKS_HINT, MISSING_LINK
@@ -23,22 +24,19 @@ from radcalc.calculators.scene_rows import (
     is_bare,
     typed,
 )
-from radcalc.derivation import coherent_unit_of, format_value
 from radcalc.distributions.distribution import DOWN, Distribution, Photometry, Pose
-from radcalc.distributions.formula import Cone, Isotropic, Lobe
 from radcalc.distributions.scene import Emitter, Panel, Source
-from radcalc.distributions.sources import PATH, photometry
+from radcalc.distributions.sources import PATH, Cone, Isotropic, Lobe, photometry
 from radcalc.errors import quote
-from radcalc.geometry import cones
-from radcalc.geometry.directions import Vector, minus
-from radcalc.inputs.given import Input, Inputs
+from radcalc.geometry.projections import Vector, minus
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.places import IN_METRES
 from radcalc.inputs.reading import read_as
 from radcalc.laws import surface
 from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED, WIDTHS
 from radcalc.laws.solver import TO_DIGITS, Disagreement, Known
 from radcalc.laws.solver import solve as follow
-from radcalc.quantities.light import KIND_NAMES
+from radcalc.quantities import KIND_NAMES
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import resolve
 
@@ -311,5 +309,5 @@ class Reader:
             return Panel(label, place, pose, float(sides[0]), float(sides[1]), radiance)
         self.assumptions["a patch given by its area is small compared to its distance"] = None
         return Emitter(
-            label, place, pose, Lobe(1.0), radiance * area, cones.size(area), is_patch=True
+            label, place, pose, Lobe(1.0), radiance * area, geometry.size(area), is_patch=True
         )

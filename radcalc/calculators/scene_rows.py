@@ -11,17 +11,17 @@ from typing import Any, NamedTuple
 
 from radcalc import errors
 from radcalc.calculators.point_laws import CONE, LOBE
-from radcalc.distributions.files import read_lines
+from radcalc.distributions.sources import read_lines
 from radcalc.errors import listed, quote
 from radcalc.files import columns, text
 from radcalc.files.table import Table
+from radcalc.quantities import describe
 from radcalc.quantities.column_titles import read_title
-from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
+from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 PLACE, AIM, DIRECTION = (
     tuple(f"{word}{axis}" for axis in "xyz") for word in ("", "aim-", "direction-")

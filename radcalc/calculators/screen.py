@@ -2,15 +2,14 @@
 
 from typing import Any
 
+from radcalc import geometry
 from radcalc.answer import Answer
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import MissingInput, mention
-from radcalc.geometry import cones
-from radcalc.inputs.given import Inputs
-from radcalc.laws.common import ASPECT
-from radcalc.laws.law import AnyLaw, law, relation
+from radcalc.inputs import Inputs
+from radcalc.laws import ASPECT, AnyLaw, law, relation
 from radcalc.laws.solver import reached
 from radcalc.maths import hypot, power, sqrt, square
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
@@ -19,7 +18,7 @@ SIZES = ("width", "height", "diagonal", "aspect", "area")
 
 
 def _side(diagonal: Any, other: Any) -> Any:
-    cones.refuse(diagonal <= other, "the diagonal is not longer than the side", "more of it")
+    geometry.refuse(diagonal <= other, "the diagonal is not longer than the side", "more of it")
     return sqrt((diagonal - other) * (diagonal + other))
 
 

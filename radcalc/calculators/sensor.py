@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from radcalc import geometry
 from radcalc.answer import FRACTION, Answer
 from radcalc.calculators import kinds
 from radcalc.calculators.page import Page
@@ -9,12 +10,10 @@ from radcalc.calculators.results import LINKS_HINT, NEEDS_LINK
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import MissingInput, mention, option
-from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, angle_of
-from radcalc.laws.common import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, law, relation
+from radcalc.inputs import Input, Inputs, angle_of
+from radcalc.laws import ENERGY, EXPOSURE, AnyLaw, At, law, relation
 from radcalc.maths import cos, sqrt, square
-from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS
+from radcalc.quantities import LUMINOUS, PHOTON, RADIANT, RATIOS
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.spectra.spectrum import range_text
 from radcalc.units.table import resolve
@@ -28,7 +27,7 @@ ON_SENSOR = ("irradiance", "exposure", "flux", "energy")
 
 
 def _magnification(at: At) -> Any:
-    cones.refuse(
+    geometry.refuse(
         at("working-f-number") < at("f-number"),
         "the working f-number must not be below the lens's",
         "a working f-number of that or more",

@@ -5,6 +5,8 @@ from collections.abc import Callable
 from functools import reduce
 from typing import Any
 
+from radcalc import geometry
+from radcalc.answer import Formula, format_number
 from radcalc.calculators.worksheet import (
     OFFSETS,
     Placed,
@@ -12,20 +14,19 @@ from radcalc.calculators.worksheet import (
     facing,
     refuse_slant_for_height,
 )
-from radcalc.derivation import Formula, format_number
 from radcalc.errors import Exclusive, HorizonCuts, MissingInput, add, leave_out, mention, option
-from radcalc.geometry import cones, projected, solid
-from radcalc.inputs.given import (
-    Inputs,
-    angle_of,
-    any_of,
-    half_angle_of,
-    offset_of,
-    one_of,
-    radius_of,
+from radcalc.geometry import solid
+from radcalc.inputs import Inputs, angle_of, any_of, half_angle_of, offset_of, one_of, radius_of
+from radcalc.laws import (
+    CIRCLE,
+    CONE,
+    HOWELL,
+    OFFSET,
+    PROJECTED_CONE,
+    RECTANGLE,
+    AnyLaw,
+    round_sizes,
 )
-from radcalc.laws.common import CIRCLE, CONE, OFFSET, PROJECTED_CONE, RECTANGLE, round_sizes
-from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.solver import reached
 from radcalc.laws.surface import (
     CUT_DISC,
@@ -106,7 +107,7 @@ class Seen(Placed):
         else:
             self.assume("the receiver faces the source's plane", of=ON_RECEIVER)
         distance = hypot(height, lateral)
-        self.add("cosine", cones.facing(atan2(lateral, height) - tilt))
+        self.add("cosine", geometry.facing(atan2(lateral, height) - tilt))
         self.add("cosine-of-source", height / distance)
         if "distance" not in self.given or "height" in self.given:
             self.add("distance", distance)
@@ -177,8 +178,8 @@ def _patch_toward(placed: Seen) -> None:
     """Place a small flat source by its distance and the angles at both ends."""
     given = placed.given
     incidence, tilt = angle_of(given, "incidence"), angle_of(given, "tilt")
-    placed.add("cosine", cones.facing(incidence))
-    placed.add("cosine-of-source", cones.facing(tilt))
+    placed.add("cosine", geometry.facing(incidence))
+    placed.add("cosine-of-source", geometry.facing(tilt))
     placed.use("incidence", "tilt")
     placed.assume(*facing(given))
     if "distance" in given and any_true(_is_cut(given, given["distance"].value)):
@@ -208,7 +209,7 @@ def _is_cut(given: Inputs, distance: Any) -> Any:
     """Return whether the receiver's horizon may cut a patch of the known size."""
     reach = _reach(given)
     angle = angle_of(given, "incidence")
-    return reach is not None and cones.is_cut(reach, distance, angle)
+    return reach is not None and geometry.is_cut(reach, distance, angle)
 
 
 def _reach(given: Inputs) -> Any:
@@ -217,13 +218,13 @@ def _reach(given: Inputs) -> Any:
         return radius_of(size)
     sides = [given[name].value for name in ("width", "length") if name in given]
     if "area" in given:
-        return cones.reach(given["area"].value, *sides)
-    return cones.reach(math.prod(sides), *sides) if len(sides) == 2 else None
+        return geometry.reach(given["area"].value, *sides)
+    return geometry.reach(math.prod(sides), *sides) if len(sides) == 2 else None
 
 
 def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> HorizonCuts:
     """Return the error for a patch that the receiver's horizon may cut."""
-    least = cones.steepest(reach, distance)
+    least = geometry.steepest(reach, distance)
     return HorizonCuts("incidence", given["incidence"].text, least)
 
 
@@ -265,7 +266,7 @@ def _disc_seen(placed: Seen, height: Any) -> None:
     size, offset = _radius(placed.given), offset_of(placed.given)
     tilt = _tilt(placed.given, height, abs(offset))
     placed.centre(height, abs(offset), tilt)
-    flat = projected.disc(size, height, offset, tilt)
+    flat = solid.projected_disc(size, height, offset, tilt)
     shape = f"a disc of {format_number(size)} m radius from {format_number(height)} m above"
     placed.project(flat, shape, offset)
     centre, half = sin(tilt) * abs(offset) + cos(tilt) * height, abs(sin(tilt)) * size
@@ -291,12 +292,12 @@ def _sphere(sheet: Worksheet) -> Placed:
     placed = Seen(given, *round_sizes(given), SPHERE_AREA, SPHERE_FRONT, *without_size)
     incidence = angle_of(given, "incidence")
     placed.face()
-    placed.add("cosine", cones.facing(incidence))
+    placed.add("cosine", geometry.facing(incidence))
     placed.add("cosine-of-source", 1.0)
     if _is_sized(given, "area") and "distance" in given:
         size, away = _radius(given, 4), given["distance"].value
         placed.use("radius", "diameter", "distance")
-        flat = projected.sphere(size, away, incidence)
+        flat = solid.projected_sphere(size, away, incidence)
         shape = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
         placed.project(flat, shape)
         placed.add("solid-angle", solid.sphere(size, away))
@@ -356,7 +357,7 @@ def _rectangle_seen(placed: Seen, height: Any) -> None:
         for j in (-1, 1)
     ]
     placed.note_horizon("rectangle", reduce(smaller, heights), reduce(larger, heights))
-    flat = projected.rectangle(width, length, height, x, y, normal)
+    flat = solid.projected_rectangle(width, length, height, x, y, normal)
     shape = f"a rectangle of {format_number(width)} m x {format_number(length)} m"
     placed.project(flat, shape, x)
     placed.add("solid-angle", solid.rectangle(width, length, height, x, y))
@@ -404,8 +405,8 @@ def _plane(sheet: Worksheet) -> Placed:
     placed = Placed()
     placed.use("incidence")
     tilt = angle_of(sheet.given, "incidence")
-    placed.add("projected-solid-angle", projected.cone(math.pi / 2, tilt))
-    placed.add("solid-angle", cones.HEMISPHERE)
+    placed.add("projected-solid-angle", solid.projected_cone(math.pi / 2, tilt))
+    placed.add("solid-angle", geometry.HEMISPHERE)
     placed.assume("an infinite plane: the same light at any distance")
     return placed
 
@@ -416,8 +417,8 @@ def _hemisphere(sheet: Worksheet) -> Placed:
     placed.use("half-angle")
     placed.face()
     half = half_angle_of(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
-    placed.project(projected.cone(half, angle_of(given, "incidence")), "the sky")
-    placed.add("solid-angle", cones.cone(half))
+    placed.project(solid.projected_cone(half, angle_of(given, "incidence")), "the sky")
+    placed.add("solid-angle", geometry.cone(half))
     part = "a cone of it" if "half-angle" in given else "all of it"
     placed.assume(f"a hemisphere of one radiance, {part}")
     return placed

@@ -8,17 +8,14 @@ import math
 from typing import TYPE_CHECKING
 
 from radcalc import errors
-from radcalc.answer import Answer, Step
+from radcalc.answer import Answer, Step, format_angle, format_number, format_value
 from radcalc.calculators.kinds import kind_of
 from radcalc.calculators.page import Operand, Page, text
 from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
-from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import option
-from radcalc.geometry.directions import UP, Vector, cartesian, dot, unit
-from radcalc.geometry.projections import USUAL_SIZE
-from radcalc.geometry.sky import (
+from radcalc.geometry.models import (
     IS_EVEN,
     MISSING_AZIMUTH,
     MISSING_SUN,
@@ -28,9 +25,10 @@ from radcalc.geometry.sky import (
     relative_luminance,
     sky_type,
 )
-from radcalc.inputs.given import Inputs
+from radcalc.geometry.projections import UP, USUAL_SIZE, Vector, cartesian, dot, unit
+from radcalc.inputs import Inputs
 from radcalc.inputs.places import require_azimuth
-from radcalc.laws.law import AnyLaw
+from radcalc.laws import AnyLaw
 from radcalc.laws.surface import (
     BOTH,
     DIFFUSE,
@@ -175,7 +173,7 @@ NO_DIRECTION = "no direction is given", errors.mention("{toward=60deg,90deg}")
 
 
 def sky(name: str, given: Inputs, is_drawn: bool = False) -> Answer:
-    """Return the light of a sky of `radcalc.geometry.sky.NAMES` and of the sun.
+    """Return the light of a sky of `radcalc.geometry.models.NAMES` and of the sun.
 
     A sky that `is_drawn` accepts the sun's azimuth alone.
     """
@@ -280,7 +278,7 @@ class _Sky:
         return sky_map(sky, width, height, disc)
 
     def on_ground(self, solved: Solved, picture: "Picture") -> str:
-        from radcalc.distributions.maps.radiance_map import RadianceMap
+        from radcalc.distributions.maps import RadianceMap
 
         kind = solved.lit.kind
         factor = float(resolve(picture.unit).factor)

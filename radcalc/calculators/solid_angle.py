@@ -7,8 +7,8 @@ import math
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from radcalc import errors
-from radcalc.answer import Answer, texts_of
+from radcalc import errors, geometry
+from radcalc.answer import Answer, Formula, format_angle, format_number, texts_of
 from radcalc.calculators.page import Operand, Page, words_of
 from radcalc.calculators.pixel import ROUND, contour, enter, onto, patch, sr
 from radcalc.calculators.results import of_directions
@@ -21,19 +21,11 @@ from radcalc.calculators.worksheet import (
     refuse_slant_for_height,
     worksheet,
 )
-from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import options, quote
-from radcalc.geometry import cones
-from radcalc.inputs.given import Input, Inputs, any_of, offset_of, one_of, radius_of
+from radcalc.inputs import Input, Inputs, any_of, offset_of, one_of, radius_of
 from radcalc.inputs.places import Point, read_point
-from radcalc.laws.common import APEX, CONE, PROJECTED_CONE, round_sizes
-from radcalc.laws.solid_angles import (
-    DISC_ASIDE,
-    PROJECTED_DISC,
-    PROJECTED_ZONE,
-    TRIANGLES,
-    ZONE,
-)
+from radcalc.laws import APEX, CONE, PROJECTED_CONE, round_sizes
+from radcalc.laws.beams import DISC_ASIDE, PROJECTED_DISC, PROJECTED_ZONE, TRIANGLES, ZONE
 from radcalc.maths import FAINTEST, SLACK, any_true, hypot, smaller
 from radcalc.quantities.symbols import CHOICE
 from radcalc.tuples import NamedTuple
@@ -118,8 +110,8 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     omega, flat = solved.value("solid-angle"), solved.value("projected-solid-angle")
     if not solved.notes and any_true(smaller(omega, flat) < FAINTEST):
         raise errors.NumberError("the solid angle is too small for a number", "less extreme sizes")
-    half = solved.value("half-angle") if solved.has("half-angle") else cones.cone_of(omega)
-    sizes = (omega, flat, omega / cones.FULL, half, 2 * half)
+    half = solved.value("half-angle") if solved.has("half-angle") else geometry.cone_of(omega)
+    sizes = (omega, flat, omega / geometry.FULL, half, 2 * half)
     results = [of_directions(given, name, size) for name, size in zip(RESULTS, sizes, strict=True)]
     for result in results:
         solved.derived.setdefault(result.name, ["solid-angle"])
@@ -158,8 +150,8 @@ def _full(sheet: Worksheet) -> Placed:
     placed = onto("a plane of any normal, from its front")
     placed.add("half-angle", math.pi)
     placed.note("a surface faces only half of the sphere: the projected solid angle is pi")
-    step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, sr(cones.FULL))
-    return enter(sheet, placed, cones.FULL, math.pi, step)
+    step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, sr(geometry.FULL))
+    return enter(sheet, placed, geometry.FULL, math.pi, step)
 
 
 def _hemisphere(sheet: Worksheet) -> Placed:
@@ -168,9 +160,9 @@ def _hemisphere(sheet: Worksheet) -> Placed:
     return enter(
         sheet,
         placed,
-        cones.HEMISPHERE,
+        geometry.HEMISPHERE,
         math.pi,
-        Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, sr(cones.HEMISPHERE)),
+        Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, sr(geometry.HEMISPHERE)),
         Formula("projected", "{projected-solid-angle} = pi Omega0").with_numbers("Omega_p = pi sr"),
     )
 
@@ -186,7 +178,7 @@ def _cone(sheet: Worksheet) -> Placed:
 
 def _zone(sheet: Worksheet) -> Placed:
     """Place a zone between two polar angles, of all azimuths or between two of them."""
-    from radcalc.geometry import projected, solid
+    from radcalc.geometry import solid
 
     if "polar" not in sheet.given:
         raise errors.MissingInput(
@@ -196,7 +188,7 @@ def _zone(sheet: Worksheet) -> Placed:
     polar, azimuth = sheet.given["polar"], sheet.given.get("azimuth")
     low, high = polar.value
     width = azimuth.value[1] - azimuth.value[0] if azimuth else 2 * math.pi
-    omega, flat = solid.zone(low, high, width), projected.zone(low, high, width)
+    omega, flat = solid.zone(low, high, width), solid.projected_zone(low, high, width)
     if high > math.pi / 2 * (1 + SLACK):
         placed.note("the part below that plane, past 90 deg, does not count")
     t0, t1 = format_angle(low), format_angle(high)
@@ -218,7 +210,7 @@ def _span(interval: Input) -> str:
 
 
 def _sphere(sheet: Worksheet) -> Placed:
-    from radcalc.laws.solid_angles import SPHERE
+    from radcalc.laws.beams import SPHERE
 
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
     if len(sizes) < 2:
@@ -239,8 +231,8 @@ def _height_above(given: Inputs) -> Input:
 
 def _disc(sheet: Worksheet) -> Placed:
     """Place a disc, seen from its axis or aside; on the axis its solid angle may be given."""
-    from radcalc.geometry import projected, solid
-    from radcalc.laws.solid_angles import disc
+    from radcalc.geometry import solid
+    from radcalc.laws.beams import disc
 
     given = sheet.given
     offset = offset_of(given)
@@ -259,7 +251,7 @@ def _disc(sheet: Worksheet) -> Placed:
     size = radius_of(any_of(given, "the size of the source", *ROUND))
     height = _height_above(given)
     omega = solid.disc(size, height.value, offset)
-    flat = projected.disc(size, height.value, offset)
+    flat = solid.projected_disc(size, height.value, offset)
     at = {"radius": size, height.name: height.value}
     step = disc(height.name).formula.step(at, sr(omega))
     if is_aside:
@@ -282,7 +274,7 @@ def _compare_distance(placed: Placed, given: Inputs) -> None:
 
 def _rectangle(sheet: Worksheet) -> Placed:
     """Place a rectangle, seen from a height over its centre, an offset or a corner."""
-    from radcalc.geometry import projected, solid
+    from radcalc.geometry import solid
 
     given = sheet.given
     for name in ("width", "length"):
@@ -297,7 +289,7 @@ def _rectangle(sheet: Worksheet) -> Placed:
     if {"height", "distance"} <= given.keys():
         placed.add("distance", hypot(height, hypot(x, y)))
     omega = solid.rectangle(width, length, height, x, y)
-    flat = projected.rectangle(width, length, height, x, y)
+    flat = solid.projected_rectangle(width, length, height, x, y)
     sizes = [f"{format_number(size)} m" for size in (width, length, height, x, y)]
     numbers = "w = {}, l = {}, h = {}, offsets {} and {}".format(*sizes)
     step = TRIANGLES.with_numbers(f"{numbers}; Omega = {sr(omega)}")
@@ -306,8 +298,8 @@ def _rectangle(sheet: Worksheet) -> Placed:
 
 def _pyramid(sheet: Worksheet) -> Placed:
     """Place a pyramid by two of its horizontal angle, vertical angle and solid angle."""
-    from radcalc.geometry import projected
-    from radcalc.laws.solid_angles import PYRAMID
+    from radcalc.geometry import solid
+    from radcalc.laws.beams import PYRAMID
 
     given = sheet.given
     placed = onto("a plane whose normal is the pyramid's axis", PYRAMID)
@@ -317,7 +309,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
             one_of(given, f"the {name} angle", name)
     solved = solve(sheet, placed.laws)
     if solved.has("horizontal") and solved.has("vertical"):
-        flat = projected.pyramid(solved.value("horizontal"), solved.value("vertical"))
+        flat = solid.projected_pyramid(solved.value("horizontal"), solved.value("vertical"))
         placed.add("projected-solid-angle", flat)
         placed.steps.append(contour(flat))
     return placed
@@ -325,7 +317,7 @@ def _pyramid(sheet: Worksheet) -> Placed:
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     """Place a polygon, seen from the viewpoint and projected onto its plane or a normal's."""
-    from radcalc.geometry import polygons, projected
+    from radcalc.geometry import polygons, solid
     from radcalc.geometry.polygons import polygon
 
     given = sheet.given
@@ -338,7 +330,7 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
         ways = [errors.call(*way.words, *others) if way.words else way for way in error.tries]
         raise error.reworded(tries=ways) from None
     omega = abs(polygon(shape.vertices))
-    flat = projected.polygon(shape.vertices, normal or shape.normal)
+    flat = solid.projected_polygon(shape.vertices, normal or shape.normal)
     plane = "a plane parallel to the polygon"
     if normal:
         plane = f"a plane whose normal is {','.join(map(format_number, normal))}"

@@ -5,16 +5,23 @@ from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from radcalc.answer import Answer, Remark, ShownInput, Value, itself
+from radcalc.answer import (
+    Answer,
+    Remark,
+    ShownInput,
+    Value,
+    coherent_unit_of,
+    digits_apart,
+    format_number,
+    format_value,
+    itself,
+)
 from radcalc.calculators import kinds
-from radcalc.calculators.missing import Search
 from radcalc.calculators.results import known, value
-from radcalc.calculators.worksheet import Placed, Remarks, Worksheet, without_one
-from radcalc.derivation import coherent_unit_of, digits_apart, format_number, format_value
+from radcalc.calculators.worksheet import Placed, Remarks, Search, Worksheet, without_one
 from radcalc.errors import ConditionError, Contradiction, option, options, quote
-from radcalc.inputs.given import Inputs, any_uncertain
-from radcalc.laws import solver
-from radcalc.laws.law import AnyLaw
+from radcalc.inputs import Inputs, any_uncertain
+from radcalc.laws import AnyLaw, solver
 from radcalc.laws.solver import TO_DIGITS, Derivation, Disagreement, Solution
 from radcalc.maths import any_true, is_array
 from radcalc.quantities import symbols

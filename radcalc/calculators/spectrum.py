@@ -4,18 +4,16 @@ import math
 from collections.abc import Sequence
 
 from radcalc import errors
-from radcalc.answer import Answer, Remark, Step, Value
+from radcalc.answer import Answer, Formula, Remark, Step, Value
 from radcalc.calculators.colours import LIT, ON_REQUEST, UNSEEN, colours, in_nanometres
 from radcalc.calculators.page import Operand, Page, flag, text
 from radcalc.calculators.results import absent, on_request, value
-from radcalc.derivation import Formula
 from radcalc.errors import option
-from radcalc.inputs.given import Inputs
-from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
+from radcalc.inputs import Inputs
+from radcalc.quantities import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
 from radcalc.spectra.contents import Counts
-from radcalc.spectra.observers import OBSERVERS, TRAPEZOIDS
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.observers import LIGHT, OBSERVERS, PLANCK, TRAPEZOIDS
 from radcalc.spectra.spectrum import PAR, WHOLE, BlackBody, Lines, Spectrum, range_text
 
 PAGE = Page(

@@ -7,19 +7,17 @@ attenuation a and the fall-off distance L, where it equals that of an inverse sq
 from functools import partial
 from typing import Any
 
-from radcalc.answer import Answer, Step
+from radcalc.answer import Answer, Formula, Step, format_number, format_value
 from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import FARTHEST, Placed, Worksheet, place, worksheet
-from radcalc.derivation import Formula, format_number, format_value
 from radcalc.errors import ConditionError, Exclusive, Idle, Unused, mention, option, options, quote
-from radcalc.geometry import uberlight as attenuations
-from radcalc.geometry.directions import cross, dot, length, times, unit
-from radcalc.inputs.given import Inputs, angle_of
+from radcalc.geometry import models as attenuations
+from radcalc.geometry.projections import cross, dot, length, times, unit
+from radcalc.inputs import Inputs, angle_of
 from radcalc.inputs.places import IN_METRES
-from radcalc.laws.common import COSINE
-from radcalc.laws.law import AnyLaw, law
+from radcalc.laws import COSINE, AnyLaw, law
 from radcalc.maths import Number, any_true, atan2, hypot, is_array, log, square
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.units.dimensions import LENGTH

@@ -12,19 +12,18 @@ from functools import cache, partial
 from typing import Any, NamedTuple
 
 from radcalc import errors
-from radcalc.answer import Answer, Remark, Result, Step, Value
+from radcalc.answer import Answer, Remark, Result, Step, Value, format_number, with_unit
 from radcalc.calculators.results import in_unit
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
-from radcalc.derivation import format_number, with_unit
 from radcalc.errors import quote
-from radcalc.inputs.given import Input, Inputs, any_uncertain
+from radcalc.inputs import Input, Inputs, any_uncertain
 from radcalc.inputs.quantities import moved
 from radcalc.maths import is_array, is_uncertain
-from radcalc.quantities.light import name_of
+from radcalc.quantities import name_of
 from radcalc.quantities.symbols import ANY, QUANTITY, Symbol, generic_name
-from radcalc.units.amount import Amount
-from radcalc.units.slopes import check_uncertainty, sharpest, slopes
+from radcalc.units.functions import check_uncertainty, sharpest, slopes
+from radcalc.units.numbers import Amount
 from radcalc.units.table import resolve
 from radcalc.units.uncertain import variable
 

@@ -21,10 +21,10 @@ def run(words: list[str]) -> int:
         return terminal.complain(error)
     status: int | BaseException | None = None
     if EXPLAIN not in words and words[-1:] not in [[name] for name in HELP_NAMES]:
-        from radcalc.cli import habits, lane
+        from radcalc.cli import lane, spelling
 
         try:
-            words = habits.canonical(words)
+            words = spelling.canonical(words)
         except RadcalcError as error:
             return _refuse(error, words)
         status = lane.answer(words)

@@ -8,8 +8,8 @@ from functools import partial
 import click
 
 from radcalc import terminal
-from radcalc.calculators.pages import COMMANDS
-from radcalc.cli import files
+from radcalc.calculators import COMMANDS
+from radcalc.cli import spelling
 from radcalc.cli.command import commands, protect_negatives
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES
 from radcalc.errors import MissingCondition, MissingUnit, RadcalcError, WrongQuantity
@@ -85,12 +85,12 @@ def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> i
 
 def _with_files(words: list[str], error: RadcalcError) -> tuple[list[str], RadcalcError]:
     """Return the call that a file as the first word means, and the error of a file."""
-    if files.begins_with_file(words):
+    if spelling.begins_with_file(words):
         try:
-            words = files.call_of_file(words)
+            words = spelling.call_of_file(words)
         except RadcalcError:
             return words, error
-    return words, files.redirected(error, words)
+    return words, spelling.redirected(error, words)
 
 
 def _problem(error: RadcalcError | click.UsageError, words: list[str]) -> RadcalcError:
@@ -99,9 +99,9 @@ def _problem(error: RadcalcError | click.UsageError, words: list[str]) -> Radcal
         return error
     from radcalc.cli.refusals import about_unit, of_click
 
-    if files.begins_with_file(words):
+    if spelling.begins_with_file(words):
         with suppress(RadcalcError):
-            words = files.call_of_file(words)
+            words = spelling.call_of_file(words)
     return about_unit(error, words) if isinstance(error, RadcalcError) else of_click(error, words)
 
 
@@ -118,9 +118,9 @@ def run_or_refuse(words: list[str], listener: "Listener | None" = None) -> int:
         from radcalc.cli.sentence import explain
 
         return explain(words, listener)
-    if files.begins_with_file(words):
-        words = files.call_of_file(words)
-        files.say(words, listener)
+    if spelling.begins_with_file(words):
+        words = spelling.call_of_file(words)
+        spelling.say(words, listener)
     words = protect_negatives(of_help(words))
     terminal.choose_color(_color_in(words, listener))
     settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None

@@ -7,8 +7,8 @@ from typing import Any, TypeVar
 
 from radcalc import terminal
 from radcalc.answer import Answer, ShownInput, texts_of
+from radcalc.calculators import page_of
 from radcalc.calculators.page import words_of
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.results import rows
 from radcalc.calculators.solved import Task
 from radcalc.cli.answers import every_answer, show, with_notes
@@ -39,7 +39,7 @@ from radcalc.errors import (
     quote,
     spell,
 )
-from radcalc.inputs.given import Inputs, shown_inputs
+from radcalc.inputs import Inputs, shown_inputs
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import QUANTITY
 from radcalc.terminal import CSV

@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from radcalc import terminal
+from radcalc.calculators import COMMANDS, page_of
 from radcalc.calculators.page import (
     DEFAULTS,
     LINES,
@@ -18,7 +19,6 @@ from radcalc.calculators.page import (
     words_of,
 )
 from radcalc.calculators.page import EXPLAIN as OF_EXPLAIN
-from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.cli.help import HELPS, Helped
 from radcalc.cli.output import decide
 from radcalc.cli.request import TO_TERMINAL
@@ -263,7 +263,12 @@ def _of_lines(listed: Sequence[click.Option]) -> tuple[str, str]:
 
 # The module `help` has what all commands share, and `lists` has several commands.
 LISTS = ("units", "typical", "quantities", "examples", "manual")
-OTHERWISE = {"help": "findings", "columns": "dose", **dict.fromkeys(LISTS, "lists")}
+OTHERWISE = {
+    "help": "findings",
+    "columns": "dose",
+    "environment": "scene",
+    **dict.fromkeys(LISTS, "lists"),
+}
 SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 
@@ -310,7 +315,7 @@ class Commands(Helped, click.Group):
         if is_sentence(args):
             return "convert", self.get_command(ctx, "convert"), args
         if args[0] not in COMMANDS and not args[0].startswith("-"):
-            from radcalc.cli.files import absent_file, similar_calls
+            from radcalc.cli.spelling import absent_file, similar_calls
 
             if absent := absent_file(args):
                 raise absent

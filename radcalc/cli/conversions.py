@@ -11,15 +11,14 @@ from radcalc.cli.request import Case
 from radcalc.conversion.operands import read_lists, read_operands, sides
 from radcalc.conversion.plan import Planned, plan, plans, result_of_plan, source_of, target_of
 from radcalc.errors import call, quote
-from radcalc.inputs.given import Input, any_uncertain, shown_inputs
-from radcalc.quantities.light import read as read_light
+from radcalc.inputs import Input, any_uncertain, shown_inputs
+from radcalc.quantities import read as read_light
 from radcalc.tuples import NamedTuple
-from radcalc.units.amount import Amount
+from radcalc.units import Unit
 from radcalc.units.compiled import PREFIX_SYMBOLS
-from radcalc.units.numbers import read_number, split_quantity
+from radcalc.units.numbers import Amount, read_number, split_quantity
 from radcalc.units.ranges import note_of, refuse_many
 from radcalc.units.table import unit_of
-from radcalc.units.unit import Unit
 
 
 class Conversion(NamedTuple):
@@ -134,9 +133,9 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
 
 def _with_source(words: list[str]) -> errors.Hint:
     """Propose a unit of the target's quantity for a bare number: `5 lx to fc` for `5 to fc`."""
-    from radcalc.quantities.light import result_name
-    from radcalc.quantities.targets import named
-    from radcalc.quantities.units import units_of
+    from radcalc.quantities import result_name
+    from radcalc.quantities.names import units_of
+    from radcalc.quantities.search import named
 
     value, separator, text = sides(words)
     try:
@@ -152,7 +151,7 @@ def _with_source(words: list[str]) -> errors.Hint:
 
 def _other_unit_meant(words: list[str]) -> errors.UnitError | None:
     """Return the error for a quantity as the unit of VALUE, or a blank after its prefix."""
-    from radcalc.quantities.targets import is_name, named
+    from radcalc.quantities.search import is_name, named
 
     source, _, _ = sides(words)
     try:
@@ -197,7 +196,7 @@ def likely_efficacy(error: errors.MissingUnit, words: list[str]) -> errors.Hint:
 
 def with_target(words: Sequence[str], call: Conversion) -> errors.Hint:
     """Propose the first other unit of the quantity as the target."""
-    from radcalc.quantities.units import units_of
+    from radcalc.quantities.names import units_of
 
     others = [text for text in units_of(call.source) if text != call.source.text]
     return errors.correct(words[-1], words[-1], others[0]) if others else "a TARGET unit"
@@ -213,9 +212,9 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     if is_bare:
         raise errors.UsageError("-n needs a unit to convert to", errors.leave_out("number"))
     from radcalc.calculators import uncertainty
-    from radcalc.quantities.light import name_of, result_name, symbol_of
-    from radcalc.quantities.units import units_of
-    from radcalc.units.scales import ScaleUnit, names_of, resolve_any
+    from radcalc.quantities import name_of, result_name, symbol_of
+    from radcalc.quantities.names import units_of
+    from radcalc.units.values import ScaleUnit, names_of, resolve_any
 
     readings = (source, *source.others) if isinstance(source, ScaleUnit) else (source,)
     texts = [

@@ -15,7 +15,7 @@ from radcalc.cli.conversions import (
 )
 from radcalc.cli.output import Output
 from radcalc.cli.request import cases, is_stream
-from radcalc.units.connectives import TO
+from radcalc.units.grammar import TO
 
 HELP = """\
 \b

@@ -7,23 +7,21 @@ from typing import Any
 from radcalc import terminal
 from radcalc.answer import ShownInput, texts_of
 from radcalc.calculators import dose as page
+from radcalc.calculators import page_of
 from radcalc.calculators.page import PER_DAY
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, show
 from radcalc.cli.calculator import run
 from radcalc.cli.command import define
-from radcalc.cli.files import only_file, proposed
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.request import Case, Request, cases, refuse_second_reader, several
-from radcalc.cli.spelling import quoted
+from radcalc.cli.spelling import only_file, proposed, quoted
 from radcalc.cli.streams import complain
 from radcalc.errors import MINUS, ConditionError, RadcalcError, UsageError, quote_path
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
-from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
-from radcalc.quantities.names import DLI
-from radcalc.quantities.units import offered
+from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
+from radcalc.quantities.names import DLI, offered
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
 from radcalc.routes.kinds import NAMES, ColumnSummary, contents_of, listing
@@ -32,8 +30,8 @@ from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where
 from radcalc.streams.samples import EXPECTED, Log, LogDose, longest_step
 from radcalc.terminal import ABORT, CSV, IGNORE, JSON, TABLE
+from radcalc.units import Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 HELP = """\
 \b

@@ -13,8 +13,8 @@ from tempfile import TemporaryDirectory
 import click
 
 from radcalc.answer import texts_of
+from radcalc.calculators import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.calculators.page import RESULT
-from radcalc.calculators.pages import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.cli.command import define, examples_of
 from radcalc.cli.heard import hear
 from radcalc.cli.output import Output, refuse_number_options
@@ -28,13 +28,12 @@ from radcalc.errors import (
     nearest,
     quote,
 )
-from radcalc.quantities import entries, search, typical
+from radcalc.quantities import lookup, search
 from radcalc.quantities.language import ENGLISH, LANGUAGES, SYNONYMS
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import comparable, matching, names_elsewhere
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import Records
-from radcalc.sentences import tasks
 from radcalc.spectra import FORMS, listing
 from radcalc.spectra.sources import MEANT as INSTEAD
 from radcalc.spectra.sources import WORDS as TAKEN
@@ -102,7 +101,7 @@ def _names() -> Iterator[str]:
     yield from (name for q in QUANTITIES for code in LANGUAGES for name in q.names(code))
     yield from UNITS
     yield from TAKEN
-    yield from typical.THINGS
+    yield from lookup.THINGS
 
 
 def _of_commands(text: str) -> Iterable[Finding]:
@@ -232,7 +231,7 @@ def _of_quantities(text: str) -> Iterator[Finding]:
 
 
 def _of_units(text: str) -> Iterator[Finding]:
-    for unit in entries.search(text):
+    for unit in lookup.search_units(text):
         spellings = unit.symbols.partition(" (")[0].split(", ")
         what = ": ".join(filter(None, [unit.quantity, unit.definition]))
         yield Finding("unit", unit.name, what, ("units", unit.name), (unit.name, *spellings))
@@ -258,7 +257,7 @@ def _spectrum(name: str, is_meant: bool = False) -> Finding:
 
 
 def _of_typical_values(text: str) -> Iterator[Finding]:
-    for value in typical.search(text):
+    for value in lookup.search_typical(text):
         what = f"{value.value} {value.unit} ({value.quantity})"
         yield Finding("typical value", value.what, what, ("typical", *text.split()), value.names)
 
@@ -358,6 +357,6 @@ def _more(text: str, found: Sequence[Finding], shown: Sequence[Finding]) -> Iter
 
 def _tasks(text: str) -> Iterator[str]:
     with suppress(UsageError):  # no task has the words
-        count = len(tasks.search(text))
+        count = len(lookup.search_tasks(text))
         mention = "1 example mentions" if count == 1 else f"{count} examples mention"
         yield f"{mention} it: {pasted(('examples', *text.split()))}"

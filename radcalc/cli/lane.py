@@ -6,7 +6,7 @@ A sentence has no options.  Whatever else is typed is left to Click.
 from contextlib import suppress
 
 from radcalc import terminal
-from radcalc.calculators.pages import COMMANDS, SUMMARIES, page_of
+from radcalc.calculators import COMMANDS, SUMMARIES, page_of
 from radcalc.cli.output import Output, decide
 from radcalc.cli.request import Request
 from radcalc.errors import (
@@ -176,8 +176,7 @@ def answer_sentence(words: Words) -> int | None:
     try:
         if not _is_refused(words):
             return None
-        from radcalc.cli.files import say
-        from radcalc.cli.spelling import typed
+        from radcalc.cli.spelling import say, typed
         from radcalc.sentences.calls import call_of
         from radcalc.sentences.reader import read
         from radcalc.sentences.used import assumptions_of
@@ -202,7 +201,7 @@ def answer_sentence(words: Words) -> int | None:
 
 def _is_refused(words: Words) -> bool:
     """Return whether no command takes the words as they are, so that they may be a sentence."""
-    from radcalc.cli.files import begins_with_file
+    from radcalc.cli.spelling import begins_with_file
     from radcalc.conversion.operands import read_lists, read_operands
 
     if not is_sentence(words):

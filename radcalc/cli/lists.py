@@ -11,9 +11,8 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Result, texts_of
-from radcalc.calculators import lists, page
+from radcalc.calculators import lists, page, page_of
 from radcalc.calculators.lists import MAIN
-from radcalc.calculators.pages import page_of
 from radcalc.cli.command import SectionedCommand, commands, context, define, option_of
 from radcalc.cli.help import is_colored, narrowed, show
 from radcalc.cli.output import Output, refuse_number_options, width_of_terminal
@@ -25,14 +24,18 @@ from radcalc.errors import (
     nearest,
     quote,
 )
-from radcalc.quantities.entries import search as search_units
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language, translate
+from radcalc.quantities.lookup import (
+    BOUNDS,
+    FIELDS,
+    Task,
+    how_far,
+    search_tasks,
+    search_typical,
+    search_units,
+)
 from radcalc.quantities.search import search as search_quantities
-from radcalc.quantities.typical import BOUNDS, FIELDS, how_far
-from radcalc.quantities.typical import search as search_typical
 from radcalc.render.formats import Records
-from radcalc.sentences.tasks import Task
-from radcalc.sentences.tasks import search as search_tasks
 from radcalc.terminal import BOLD, CSV, JSON, PLAIN, RESET, TABLE
 
 

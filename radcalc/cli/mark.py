@@ -7,10 +7,10 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import texts_of
+from radcalc.calculators import page_of
 from radcalc.calculators.page import OF_ANSWERS
-from radcalc.calculators.pages import page_of
 from radcalc.calculators.results import said_of
-from radcalc.cli import files, sentence, trials
+from radcalc.cli import sentence, spelling, trials
 from radcalc.cli.command import define
 from radcalc.cli.heard import Asked, asked
 from radcalc.cli.output import Output, refuse_number_options
@@ -102,7 +102,7 @@ def command(
     Every other column has the answers of a student, whose name is its title.
     """
     refuse_number_options(output, "mark")
-    path = files.only_file(words, "sheet", call_of("mark", "FILE"))
+    path = spelling.only_file(words, "sheet", call_of("mark", "FILE"))
     parts = read_parts(points) if points is not None else PARTS
     sheet = read_sheet(path)
     keys = [_key(sheet, row, tolerance) for row in sheet.rows]
@@ -155,8 +155,8 @@ def _asked(words: list[str]) -> Asked:
     if options:
         problem = f"{quote(options[0])} does not apply to a question"
         raise UsageError(problem, drop(options[0]))
-    if files.begins_with_file(words):
-        words = files.call_of_file(words)
+    if spelling.begins_with_file(words):
+        words = spelling.call_of_file(words)
     try:
         return asked(words)
     except (RadcalcError, click.UsageError) as error:

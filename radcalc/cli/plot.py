@@ -11,12 +11,12 @@ from radcalc.cli.answers import Answered, refuse_bare, result, show, with_steps
 from radcalc.cli.output import Output, height_of_terminal, width_of_terminal
 from radcalc.cli.request import TO_TERMINAL, Request, cases
 from radcalc.errors import UsageError, add, leave_out, one_of, quote_path
-from radcalc.inputs.given import Inputs, refuse_uncertain
+from radcalc.inputs import Inputs, refuse_uncertain
 from radcalc.terminal import CSV, JSON, TABLE
 
 if TYPE_CHECKING:
     from radcalc.calculators.solved import RenderedMap
-    from radcalc.plots.data import Picture
+    from radcalc.plots import Picture
 
 FEW = 20  # most answers with both a table and a picture on a terminal
 A_FIGURE = "a figure in a file"
@@ -63,7 +63,7 @@ def show_with_picture(
 
     On a terminal, a picture replaces the table of many answers unless a table is requested.
     """
-    from radcalc.plots.data import IN_A_FILE
+    from radcalc.plots import IN_A_FILE
 
     if request.plot == TO_TERMINAL and (kind := IN_A_FILE.get(type(drawing))):
         problem = f"{kind} is not drawn in characters"
@@ -122,7 +122,7 @@ def write_map(
 ) -> int:
     """Make and write a map, and show its answer; check everything before writing."""
     from radcalc.distributions.maps.pictures import check_target, write_picture
-    from radcalc.render.progress import progress
+    from radcalc.render.table import progress
 
     if not request.wanted:
         refuse_bare(output)

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from radcalc import terminal
 from radcalc._version import __version__
+from radcalc.calculators import page_of
 from radcalc.calculators.page import DEFAULTS
-from radcalc.calculators.pages import page_of
 from radcalc.cli.command import SectionedCommand, sections_of
 from radcalc.cli.output import decide
 from radcalc.cli.session import ASSIGNMENT, Session

@@ -5,8 +5,8 @@ from itertools import pairwise
 import click
 
 from radcalc import errors
-from radcalc.calculators.missing import on_page
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
+from radcalc.calculators.worksheet import on_page
 from radcalc.cli.command import called_in, parameters
 from radcalc.errors import quote
 from radcalc.quantities.language import names_meant
@@ -104,11 +104,11 @@ def _with_value(typed: str, called: str) -> errors.Hint:
 
 def _one_word(unit: str, words: list[str]) -> list[errors.Try]:
     """Propose a number and its unit, typed as two words, as one."""
-    from radcalc.units.scales import find
     from radcalc.units.table import unit_of
+    from radcalc.units.values import find_scale
 
     before = next((a for a, b in pairwise(words) if b == unit), "")
-    if before[-1:].isdigit() and before[:1] not in "-" and (unit_of(unit) or find(unit)):
+    if before[-1:].isdigit() and before[:1] not in "-" and (unit_of(unit) or find_scale(unit)):
         return [errors.correct(f"{before} {unit}", f"{before}{unit}", remark="one word")]
     return []
 

@@ -14,13 +14,13 @@ from radcalc.answer import Answer, Row, ShownInput
 from radcalc.calculators.page import Page
 from radcalc.calculators.solved import requesting
 from radcalc.errors import MissingUnit, TooMany, Try, UsageError, add, option, quote
-from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs import Input, Inputs
 from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import DISTRIBUTION, QUANTITY, SPECTRUM, SYMBOLS
 from radcalc.tuples import NamedTuple
+from radcalc.units import NUMBER, Unit
 from radcalc.units.ranges import MOST, MOST_IN_ARRAY, grid, note_of, with_larger_step
-from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
     from radcalc.cli.output import Output
@@ -328,7 +328,7 @@ def _stream(
             read(name, f"1 {unit.text}")  # its error names the units that fit
 
     if unit:
-        from radcalc.units.scales import resolve_given
+        from radcalc.units.values import resolve_given
 
         check(resolve_given(unit))
     is_bare = bool(unit) or name in bare or NUMBER in SYMBOLS[name].dimensions

@@ -1,23 +1,31 @@
-"""`radcalc scene FILE.csv`."""
+"""`radcalc scene FILE.csv`, and `radcalc environment SOURCE`.
+
+Commands that write a map do so if every input is valid.
+"""
 
 import math
+import os
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, NamedTuple
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import terminal
 from radcalc.answer import Answer, Result, ShownInput, texts_of
+from radcalc.calculators import environment as environment_page
 from radcalc.calculators import scene as page
+from radcalc.calculators.environment import Source, environment
 from radcalc.calculators.results import element, name_in, name_of, pick
 from radcalc.calculators.solved import Task
 from radcalc.cli.answers import Answered, refuse_bare, result, show
 from radcalc.cli.calculator import run
 from radcalc.cli.command import define
-from radcalc.cli.files import only_file
 from radcalc.cli.output import Output
+from radcalc.cli.plot import one_case, write_map
 from radcalc.cli.request import Case, Request, cases
-from radcalc.errors import ConditionError, UsageError, leave_out, one_of, quote
+from radcalc.cli.spelling import only_file
+from radcalc.errors import ConditionError, UsageError, call, leave_out, one_of, quote, quote_path
 from radcalc.errors import command as call_of
-from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
+from radcalc.inputs import Input, Inputs, refuse_uncertain, shown_inputs
 from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render import csv
@@ -142,7 +150,6 @@ def _draw(
 
     A requested result of each point is the one drawn.
     """
-    from radcalc.calculators import scene as page
     from radcalc.plots.space import Surveyed
 
     blocks: list[Answer] = []
@@ -271,3 +278,63 @@ def _points(at: tuple[str, ...], grid: Input | None) -> Points:
     bare = any(place.unit is None for place in places)
     values = [place.value for place in places]
     return Points(lambda: scene.blocks(values), len(at), at, (IN_METRES,) if bare else ())
+
+
+if TYPE_CHECKING:
+    pass
+
+
+EXAMPLES = (
+    call("environment", "sky:overcast"),
+    call("environment", "map.hdr", unit="cd/m2", remark="for a picture"),
+)
+
+
+@define("environment", environment_page.PAGE)
+def environment_command(
+    words: tuple[str, ...],
+    typed: dict[str, str],
+    irradiance_map: str | None,
+    order: str | None,
+    request: Request,
+    output: Output,
+) -> int:
+    """Answer for a receiver, or write an irradiance map."""
+    if not words:
+        raise UsageError("a map, a sky or an expression is missing", EXAMPLES)
+    operands = {"source": " ".join(words)}
+    source = Source(operands["source"])
+    if irradiance_map is None:
+        for name, value in (("--order", order), ("--size", typed.get("size"))):
+            if value:
+                problem = f"{name} does not apply without --irradiance-map"
+                raise UsageError(problem, "--irradiance-map FILE with it")
+        all_cases = cases(typed, arrays=False)
+
+        def work_out(given: Inputs) -> Answer:
+            return environment(source, given)
+
+        task = Task("environment", work_out, texts_of(operands), drawn=source)
+        return run(all_cases, task, request, output)
+    for name in ("normal", "toward"):
+        if name in typed:
+            problem = f"--{name} does not apply when a map is written"
+            raise UsageError(problem, leave_out(name))
+    _refuse_source(irradiance_map, operands["source"])
+    given = one_case(typed, request)
+    make = partial(environment_page.irradiance_map, source, given, 2 if order else None)
+    inputs = texts_of({**operands, "irradiance-map": irradiance_map, "order": order or ""})
+    return write_map(
+        irradiance_map,
+        "irradiance map",
+        make,
+        request,
+        output,
+        (*inputs, *shown_inputs(given)),
+    )
+
+
+def _refuse_source(path: str, source: str) -> None:
+    """Refuse to overwrite the map to read, under any name or link."""
+    if os.path.exists(source) and os.path.exists(path) and os.path.samefile(source, path):
+        raise UsageError(f"{quote_path(path)} is also the map to read", "another name")

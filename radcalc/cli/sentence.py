@@ -8,17 +8,16 @@ import click
 
 from radcalc import errors, terminal
 from radcalc.answer import texts_of
-from radcalc.calculators.missing import on_page
+from radcalc.calculators import COMMANDS, page_of
 from radcalc.calculators.page import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, Option
-from radcalc.calculators.pages import COMMANDS, page_of
-from radcalc.cli import files, habits
+from radcalc.calculators.worksheet import on_page
+from radcalc.cli import spelling
 from radcalc.cli.command import option_of, parameters
-from radcalc.cli.files import route, say
 from radcalc.cli.heard import hear
 from radcalc.cli.lane import is_other, plain
 from radcalc.cli.output import Output, decide, refuse_number_options
 from radcalc.cli.request import is_stream
-from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, typed
+from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, route, say, typed
 from radcalc.conversion.operands import is_conversion
 from radcalc.errors import RadcalcError, UsageError, call, drop, input_of, leave_out
 from radcalc.quantities.symbols import FLAG, SYMBOLS
@@ -28,8 +27,8 @@ from radcalc.sentences.frames import one_word
 from radcalc.sentences.reader import Fact, Sentence, read
 from radcalc.sentences.used import assumptions_of
 from radcalc.terminal import JSON, PLAIN
+from radcalc.units import NUMBER
 from radcalc.units.numbers import is_sentence
-from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.cli.output import Listener
@@ -287,9 +286,9 @@ def explained(words: Words, listener: "Listener | None" = None) -> tuple[Output,
 
 def _complete(asked: Words) -> Words | None:
     """Return the call that words are without being read as a sentence, or None."""
-    if files.begins_with_file(asked):
-        return files.call_of_file(asked) if all(word[:1] == "-" for word in asked[1:2]) else None
-    if (other := habits.canonical(asked)) != asked:
+    if spelling.begins_with_file(asked):
+        return spelling.call_of_file(asked) if all(word[:1] == "-" for word in asked[1:2]) else None
+    if (other := spelling.canonical(asked)) != asked:
         return other
     whole = ["convert", *asked]
     try:

@@ -14,8 +14,8 @@ import click
 
 from radcalc import terminal
 from radcalc.answer import Result, Row
+from radcalc.calculators import COMMANDS
 from radcalc.calculators.page import DEFAULTS
-from radcalc.calculators.pages import COMMANDS
 from radcalc.cli import boundary
 from radcalc.cli.command import commands, context, protect_negatives
 from radcalc.cli.output import decide
@@ -23,19 +23,16 @@ from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, refuse_long, split
 from radcalc.conversion.operands import read_operands
 from radcalc.errors import RadcalcError, UsageError, add, listed, quote
-from radcalc.quantities import symbols
-from radcalc.quantities.light import LUMINOUS
-from radcalc.quantities.targets import is_name
-from radcalc.quantities.units import full_name
-from radcalc.sentences.words import ENDS
-from radcalc.units import scales
-from radcalc.units.amount import Amount
-from radcalc.units.connectives import ALSO_UNITS, TO
-from radcalc.units.numbers import FUNCTIONS, is_sentence, read_number
+from radcalc.quantities import LUMINOUS, symbols
+from radcalc.quantities.names import full_name
+from radcalc.quantities.search import is_name
+from radcalc.sentences import ENDS
+from radcalc.units import unit_behind, values
+from radcalc.units.grammar import ALSO_UNITS, TO
+from radcalc.units.numbers import FUNCTIONS, Amount, is_sentence, read_number
 from radcalc.units.reading import read_amount
 from radcalc.units.table import unit_of
 from radcalc.units.uncertain import SIGN
-from radcalc.units.unit import unit_behind
 
 if TYPE_CHECKING:
     from radcalc.homework.question import Question
@@ -303,7 +300,7 @@ def refuse_name(name: str, text: str) -> None:
     """Refuse a name that already has a meaning."""
     if name in RESERVED:
         what = "a word of radcalc"
-    elif scales.find(name):
+    elif values.find_scale(name):
         what = "a scale"
     elif unit := unit_of(name):
         what = " ".join(["the unit", full_name(unit)]).rstrip()

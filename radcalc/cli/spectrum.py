@@ -12,7 +12,7 @@ from radcalc.cli.command import define
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.request import Case, Request, as_typed
 from radcalc.errors import UsageError, call, correct
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.inputs.reading import read
 from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.symbols import SYMBOLS

@@ -1,11 +1,42 @@
-"""The shell's spelling of symbols and commands in messages, and names of commands."""
+"""The words of a call: symbols and commands in the shell's spelling, files, words of other tools.
 
-from radcalc.errors import MINUS, UsageError, input_of, spell
+A first word may be a file, or neither a file nor a command; or a file is of an unexpected kind.
+Other tools convert with --from and --to, as GNU units does, and in pipes without a -.
+"""
+
+import os
+import select
+import stat
+from contextlib import suppress
+from itertools import pairwise, takewhile
+
+from radcalc import terminal
+from radcalc.calculators import COMMANDS, SUBJECTS
+from radcalc.errors import (
+    MINUS,
+    RadcalcError,
+    Try,
+    UsageError,
+    call,
+    correct,
+    corrections,
+    input_of,
+    nearest,
+    quote,
+    quote_path,
+    spell,
+)
+from radcalc.units import Unit
+from radcalc.units.grammar import ALSO_UNITS, TO
+from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from types import ModuleType
+
+    from radcalc.cli.output import Listener
+    from radcalc.errors import Hint
 
 # The groups of the help, in its order.  That of COMMANDS is the order of proposals.
 GROUPS = {
@@ -75,7 +106,7 @@ class Shell:
     @staticmethod
     def measured(unit: str) -> str:
         """Return `illuminance (lx)`."""
-        from radcalc.quantities.light import describe
+        from radcalc.quantities import describe
         from radcalc.units.table import resolve
 
         return describe(resolve(unit))
@@ -130,3 +161,340 @@ def typed(words: "Sequence[str]") -> "Iterator[str]":
         yield "-g" if name == "get" else f"--{name}"
         if value:
             yield value.replace(MINUS, "-")
+
+
+# The kind of file that each command reads as an operand, and each option.
+OPERANDS = {
+    "spectrum": "spectrum",
+    "environment": "map",
+    "dose": "log",
+    "scene": "scene",
+    "columns": "table",
+    "mark": "table",
+}
+OPTIONS = {"--distribution": "luminaire", "--spectrum": "spectrum"}
+QUIET = ("-q", "--quiet")
+
+
+def begins_with_file(words: list[str]) -> bool:
+    """Return whether the first word of a call is a regular file, and nothing that radcalc knows.
+
+    A command, a value, a unit, a quantity and a spectrum come first: ./D65 is the file.
+    """
+    word = words[0] if words else ""
+    if word in COMMANDS or word == "help" or word[:1] in ("", "-") or not os.path.isfile(word):
+        return False
+    if words[1:] and (words[1][:1] != "-" or "to" in words):  # a sentence
+        return False
+    if "/" in word:
+        return True
+    from radcalc.units.reading import read_amount
+
+    if is_sentence([word]):
+        with suppress(RadcalcError):
+            read_amount(word)
+            return False
+    return looked_up(word) is None
+
+
+def route(path: str) -> tuple[str, ...]:
+    """Return the words of the command that a file means, without other options.
+
+    Raises
+    ------
+    ConditionError
+        If the file cannot be read, or is not of a known kind.
+    """
+    from radcalc.routes.kinds import COMMANDS as FOR_KIND
+    from radcalc.routes.kinds import kind_of
+
+    command, symbol = FOR_KIND[kind_of(path)]
+    return (command, f"--{symbol}", path) if symbol else (command, path)
+
+
+def call_of_file(words: list[str]) -> list[str]:
+    """Return the call that a file as the first word means.
+
+    A map without a unit is relative.
+    """
+    routed = [*route(words[0]), *words[1:]]
+    has_unit = any(word.partition("=")[0] == "--unit" for word in words)
+    if routed[0] == "environment" and not has_unit:
+        from radcalc.routes.kinds import is_relative
+
+        if is_relative(words[0]):
+            routed[2:2] = ["--unit", "1"]
+    return routed
+
+
+def only_file(words: "Sequence[str]", contents: str, hint: "Hint") -> str:
+    """Return the file that a command reads, its only operand."""
+    if len(words) == 1:
+        return words[0]
+    missing = f"the file of the {contents} is missing"
+    raise UsageError(f"unexpected argument '{quote(words[1])}'" if words else missing, hint)
+
+
+def say(
+    words: list[str], listener: "Listener | None" = None, assumptions: "Sequence[str]" = ()
+) -> None:
+    """Write how a call is read, and what that assumes, unless it is quiet."""
+    is_quiet = listener is not None and listener.settings.get("quiet")
+    if not is_quiet and not {*words} & {*QUIET}:
+        terminal.say([*terminal.remarks(assumptions, ()), f"read as: {pasted(words)}"])
+
+
+def redirected(error: RadcalcError, words: list[str]) -> RadcalcError:
+    """Return the error of a command, or a better one if it was given a file of another kind."""
+    called = words[0] if words else ""
+    option = ""
+    for word in words[1:]:
+        name, equals, value = word.partition("=")
+        expected = OPTIONS.get(name if equals else option)
+        path = value if equals else word
+        if not option and not word.startswith("-"):
+            expected, path = OPERANDS.get(called), word
+        option = word if word.startswith("--") and not equals else ""
+        if expected and os.path.isfile(path) and (better := _of_other_kind(path, expected)):
+            return better
+    return error
+
+
+def _of_other_kind(path: str, expected: str) -> RadcalcError | None:
+    from radcalc.routes.kinds import NAMES, TABLE, kind_of
+
+    try:
+        kind = kind_of(path)
+    except RadcalcError:
+        return None
+    if kind in (expected, TABLE):
+        return None
+    message = f"{quote_path(path)} is {NAMES[kind]}, not {NAMES[expected]}"
+    return RadcalcError(message, proposed(kind, path))
+
+
+def proposed(kind: str, path: str) -> Try:
+    """Propose the command for a file of a kind."""
+    from radcalc.routes.kinds import call_of_file
+
+    return call(*call_of_file(kind, path))
+
+
+def similar_calls(args: list[str]) -> "Hint":
+    """Return the hint for a word that is not a command."""
+    word = args[0].lower()
+    if near := nearest(word, COMMANDS, 1, 0.75):
+        return correct(args[0], near[0])
+    from radcalc.calculators.solid_angle import NAMES
+
+    if word in NAMES:
+        return correct(args[0], "solid-angle", word)
+    names = [name for name, synonyms in SUBJECTS.items() if word in synonyms.split()]
+    if names:
+        tries = corrections(args[0], *names[:2])
+        return tries if args[1:] else [call(names[0], "--help")]
+    whole = " ".join(args)
+    return looked_up(args[0]) or looked_up(whole) or typical_of(whole) or "radcalc --help"
+
+
+def absent_file(args: list[str]) -> UsageError | None:
+    """Return the error for a word with the ending of a file that does not exist, if any.
+
+    Words after an option, such as the file of a picture, are not files to read.
+    """
+    from radcalc.routes.kinds import ALL_ENDINGS
+
+    before = takewhile(lambda word: word[:1] != "-", args)
+    absent = [a for a in before if a.lower().endswith(ALL_ENDINGS) and not os.path.exists(a)]
+    if not absent:
+        return None
+    folder, name = os.path.split(absent[0])
+    near: list[str] = []
+    with suppress(OSError):
+        near = nearest(name, [one.name for one in os.scandir(folder or ".") if one.is_file()])
+    paths = [os.path.join(folder, one) for one in near]
+    hint = corrections(absent[0], *paths) or "the path of a file"
+    return UsageError(f"there is no file '{quote(absent[0])}'", hint)
+
+
+def typical_of(text: str) -> Try | None:
+    """Return the call that lists typical values of a thing; None if there are none."""
+    from radcalc.quantities.lookup import is_seen
+
+    return call("typical", *text.split()) if is_seen(text) else None
+
+
+def looked_up(word: str) -> Try | None:
+    """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
+    from radcalc.quantities.search import is_name
+    from radcalc.spectra.sources import find_named
+    from radcalc.units.table import unit_of
+    from radcalc.units.values import find_scale
+
+    if unit_of(word) or find_scale(word):
+        return call("units", word)
+    if is_name(word):
+        return call("quantities", word)
+    return call("spectrum", word) if find_named(word) else None
+
+
+ENDS = ("--from", "--to")
+BETWEEN = (*TO, *ALSO_UNITS)
+
+
+def is_piped() -> bool:
+    """Return whether standard input is a pipe or a regular file, not a terminal or /dev/null."""
+    try:
+        mode = os.fstat(0).st_mode
+    except OSError:
+        return False
+    return stat.S_ISFIFO(mode) or stat.S_ISREG(mode)
+
+
+def is_fifo() -> bool:
+    """Return whether standard input is a pipe."""
+    return is_piped() and stat.S_ISFIFO(os.fstat(0).st_mode)
+
+
+def _has_data() -> bool | None:
+    """Return whether a pipe has data; None if it may have some later, or on Windows."""
+    if not hasattr(select, "poll"):
+        return None
+    poll = select.poll()
+    poll.register(0, select.POLLIN)
+    events = dict(poll.poll(0)).get(0, 0)
+    return True if events & select.POLLIN else False if events & select.POLLHUP else None
+
+
+def canonical(words: list[str]) -> list[str]:
+    """Return the conversion that words of another tool mean, and say so; or the words as they are.
+
+    `convert 500 --from lx --to fc` is `convert 500 lx fc`, and `footcandle lx` is
+    `convert 1 footcandle lx`.  With a pipe, `to fc` is `convert - to fc`, `convert lx fc` is
+    `convert - lx fc`, and `fc` alone, if the pipe has lines, `convert - fc`.
+    """
+    parts = words[0].split() if len(words) == 1 and not os.path.exists(words[0]) else words
+    found = _canonical(parts)
+    return words if found == parts else found
+
+
+def _canonical(words: list[str]) -> list[str]:
+    """Return the conversion that words mean; the words as they are if they mean none."""
+    is_convert = words[:1] == ["convert"]
+    if not words or _is_other(words[0], words[is_convert:]):
+        return words
+    operands, options, typed = _parts(words[is_convert:])
+    ends = list(typed.values())
+    if is_sentence(operands[:1]):  # it has a value, or the - of a stream
+        _refuse_second_unit(operands, typed)
+        between = ["to"] if len(ends) == 1 else []
+        return _said("convert", *operands, *between, *ends, *options) if ends else words
+    source, target = _sides([*operands, *ends])
+    if not _is_target(target):
+        return words
+    units = [*filter(None, (source, target))]
+    has_word = bool(ends) or (not source and operands != [target])  # to, --from or --to
+    is_read = not source or _unit(source) is not None
+    if (is_convert or has_word) and is_read and is_piped():
+        return _said("convert", "-", *units, *options)
+    if source and is_read and _unit(target):
+        return _said("convert", "-" if _has_lines(units) else "1", *units, *options)
+    if operands == [target] and not ends and is_fifo() and _has_data():
+        return _said("convert", "-", target, *options)
+    # without a pipe, a target alone is refused for its missing value
+    return ["convert", "to", target, *options] if has_word and not source else words
+
+
+def _refuse_second_unit(operands: list[str], ends: dict[str, str]) -> None:
+    """Refuse the unit of --from after a value with its own unit: 500 lx --from fc."""
+    from radcalc.units.numbers import split_quantity
+
+    source, unit = ends.get(ENDS[0], ""), "".join(operands[1:2])
+    with suppress(RadcalcError):
+        unit = split_quantity(operands[0])[1] or unit
+    if source and unit and operands[0] != "-":
+        problem = f"{quote(operands[0])} has two units: {quote(unit)} and --from {quote(source)}"
+        raise UsageError(problem, call("convert", *operands, "to", source))
+
+
+def _is_other(first: str, words: list[str]) -> bool:
+    """Return whether a call is another command, or a conversion without words of other tools."""
+    if first in COMMANDS and first != "convert":
+        return True
+    typed = " ".join(words)
+    if typed[:1].isdigit() and ENDS[0] not in typed and ENDS[1] not in typed:
+        return True  # without further calls, as most are
+    is_option = first[:1] == "-" and first.partition("=")[0] not in ENDS
+    return not first or (is_option and not _is_operand(first))
+
+
+def _has_lines(units: list[str]) -> bool:
+    """Return whether a pipe has lines; refuse one that may have some later."""
+    has_data = _has_data() if is_fifo() else False
+    if has_data is not None:
+        return has_data
+    problem = "standard input is a pipe, whose lines may be the values"
+    raise UsageError(problem, [call("convert", "-", *units), call("convert", "1", *units)])
+
+
+def _said(*words: str) -> list[str]:
+    say([*words])
+    return [*words]
+
+
+def _sides(words: list[str]) -> tuple[str, str]:
+    """Return the unit and the target, "" for what is missing."""
+    if len(words) == 3 and words[1] in BETWEEN:
+        return words[0], words[2]
+    if len(words) == 2:
+        inch, target = map(_unit, words)
+        is_unit = inch and target and inch.dimension == target.dimension
+        return ("" if words[0] in BETWEEN and not is_unit else words[0]), words[1]
+    return "", words[0] if len(words) == 1 else ""
+
+
+def _parts(words: list[str]) -> tuple[list[str], list[str], dict[str, str]]:
+    """Return the operands, the options after them, and the units of --from and --to."""
+    ends: dict[str, str] = {}
+    rest: list[str] = []
+    waiting = ""
+    for word in words:
+        name, is_joined, value = word.partition("=")
+        if not waiting and name in ENDS and name in ends:
+            typed = [following for word, following in pairwise(words) if word == name]
+            hint = (
+                call("convert", *rest, "to", ",".join(typed)) if name == ENDS[1] else "one of them"
+            )
+            raise UsageError(f"{name} is given more than once", hint)
+        if waiting:
+            ends[waiting], waiting = word, ""
+        elif name in ENDS and is_joined:
+            ends[name] = value
+        elif name in ENDS:
+            waiting = name
+        else:
+            rest.append(word)
+    if waiting:  # without its unit
+        return words, [], {}
+    options = (k for k, word in enumerate(rest) if word[:1] == "-" and not _is_operand(word))
+    count = next(options, len(rest))
+    return rest[:count], rest[count:], {name: ends[name] for name in ENDS if name in ends}
+
+
+def _is_operand(word: str) -> bool:
+    return word in TO or is_sentence([word])
+
+
+def _unit(word: str) -> Unit | None:
+    from radcalc.units.values import resolve_any
+
+    try:
+        return resolve_any(word)
+    except RadcalcError:
+        return None
+
+
+def _is_target(word: str) -> bool:
+    from radcalc.quantities.search import is_name
+
+    return bool(word) and (_unit(word) is not None or is_name(word))

@@ -10,17 +10,17 @@ from radcalc.calculators.solved import Task
 from radcalc.cli.output import Output
 from radcalc.cli.request import Case, LineOptions, first_of
 from radcalc.cli.spelling import spelled
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.conversion.operands import read_stream_operands
 from radcalc.conversion.plan import note_on_negative, plan, result_of_plan, source_of, target_of
 from radcalc.errors import option, quote
-from radcalc.inputs.given import Input, refuse_uncertain, shown_inputs
+from radcalc.inputs import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.streams import Source
 from radcalc.terminal import ABORT, CSV, JSON, TABLE
-from radcalc.units.scales import resolve_any, resolve_given
+from radcalc.units import Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
+from radcalc.units.values import resolve_any, resolve_given
 
 if TYPE_CHECKING:
     from radcalc.streams.calculated import Calculated, LineAnswer

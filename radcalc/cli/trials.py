@@ -11,7 +11,7 @@ import click
 
 from radcalc import errors, terminal
 from radcalc.answer import Row, in_short
-from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.cli.command import (
     called_in,
     commands,
@@ -373,7 +373,7 @@ def _paths(word: str) -> Words:
 
 def _in_python(words: Words) -> str:
     """Return a call in Python."""
-    from radcalc.api.spelling import Python
+    from radcalc.api.arguments import Python
 
     command = called_in(words)
     known = {name: p for p in parameters(command) for name in p.opts}

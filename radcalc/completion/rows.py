@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from radcalc.calculators import COMMANDS, page_of
 from radcalc.calculators.page import (
     CLAIM,
     ENVIRONMENT,
@@ -20,21 +21,19 @@ from radcalc.calculators.page import (
     Option,
     Page,
 )
-from radcalc.calculators.pages import COMMANDS, page_of
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import spell
 from radcalc.files.text import ENDINGS as COLUMNS
 from radcalc.plots.figure import FORMATS
-from radcalc.quantities import symbols
-from radcalc.quantities.light import GEOMETRIES
-from radcalc.quantities.targets import GENERIC, names_with_units
-from radcalc.quantities.units import full_name, offered
+from radcalc.quantities import GEOMETRIES, symbols
+from radcalc.quantities.names import full_name, offered
+from radcalc.quantities.search import GENERIC, names_with_units
 from radcalc.spectra import listing
+from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import TEMPERATURE
-from radcalc.units.scales import on
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Dimension, Unit
+from radcalc.units.values import on
 
 ENDINGS = {
     symbols.SPECTRUM: (*COLUMNS, ".spd", ".asc", ".sp", ".xls", ".spdx"),

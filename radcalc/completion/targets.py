@@ -3,22 +3,22 @@
 from radcalc.completion.table import NAMES
 from radcalc.completion.table import UNITS as MEASURES
 from radcalc.completion.words import Completion, split_number
-from radcalc.conversion.conditions import CONDITIONS
+from radcalc.conversion.geometric import CONDITIONS
 from radcalc.conversion.operands import read_lists, read_value, sides
 from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.inputs.reading import read, split_values
-from radcalc.quantities.light import is_per_length, name_of
+from radcalc.quantities import is_per_length, name_of
+from radcalc.quantities.names import full_name, offered
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS
-from radcalc.quantities.units import full_name, offered
+from radcalc.units import Exitance, Unit
 from radcalc.units.compiled import NAMES as SPELLINGS
 from radcalc.units.compiled import UNITS
 from radcalc.units.reading import with_unit
 from radcalc.units.scale_table import SCALES
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import Exitance, Unit
+from radcalc.units.values import resolve_any
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:

@@ -194,15 +194,15 @@ def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def _typical_values(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    from radcalc.quantities.typical import words
+    from radcalc.quantities.lookup import words_of_typical
 
-    return starting(words(), incomplete)
+    return starting(words_of_typical(), incomplete)
 
 
 def _tasks(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    from radcalc.sentences.tasks import words
+    from radcalc.quantities.lookup import words_of_tasks
 
-    return starting(words(), incomplete)
+    return starting(words_of_tasks(), incomplete)
 
 
 def _pages(values: "Sequence[str]", incomplete: str) -> list[Completion]:

@@ -3,15 +3,15 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from radcalc.answer import digits_apart, format_value
 from radcalc.conversion import geometric
-from radcalc.conversion.conditions import LINK, slot_of
-from radcalc.derivation import digits_apart, format_value
+from radcalc.conversion.geometric import LINK, slot_of
 from radcalc.errors import ConditionError, Contradiction, Exclusive, option, options, quote
-from radcalc.inputs.given import Input, Inputs
-from radcalc.laws.law import same
+from radcalc.inputs import Input, Inputs
+from radcalc.laws import same
 from radcalc.laws.solver import TO_DIGITS, Disagreement, Known, solve
 from radcalc.maths import larger
-from radcalc.quantities.light import RATIOS
+from radcalc.quantities import RATIOS
 from radcalc.quantities.symbols import LINKS, QUANTITY
 from radcalc.tuples import NamedTuple
 

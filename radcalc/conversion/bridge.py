@@ -6,32 +6,30 @@ Formulas of textbooks are typed as expressions without the steradian: I / d^2, P
 from collections.abc import Iterable, Sequence
 
 from radcalc import errors
-from radcalc.conversion.conditions import (
+from radcalc.conversion.geometric import (
     AREA,
+    AT_RADIANCE,
     BAND,
     CONE,
     DISTANCE,
+    FLUX,
+    INTENSITY,
+    IRRADIANCE,
+    PLAIN,
     PUPIL,
+    RADIANCE,
     REFLECTANCE,
     RESPONSIVITY,
     TIME,
     Conditions,
     Factor,
-)
-from radcalc.conversion.geometric import (
-    AT_RADIANCE,
-    FLUX,
-    INTENSITY,
-    IRRADIANCE,
-    PLAIN,
-    RADIANCE,
     Way,
 )
 from radcalc.errors import manual, option, quote
-from radcalc.quantities.light import PHOTON, Reading, coherent_text, describe, read
+from radcalc.quantities import PHOTON, Reading, coherent_text, describe, read
 from radcalc.tuples import NamedTuple
+from radcalc.units import Daily, Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import Daily, Unit
 
 SQUARE = r"\(\s*[\d.]+\s*[a-zµ]+\s*\)\s*(?:\^\s*2|\*\*\s*2|²)"  # of a length
 PI = r"(?:pi|π)"

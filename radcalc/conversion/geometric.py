@@ -1,25 +1,109 @@
-"""Factors of geometry and time, and the ways that lead from one geometry to another.
+"""Conditions of a conversion, and the factors of those of geometry and time.
 
-The factors are those of areas, cones, distances, reflectors, the pupil, durations.  A way is a set
-of spatial conditions.
-
-Laws are imported in the functions that use them: most conversions need only one, and imports delay
-the start.
+A condition is a symbol that can be given, and its slot; the ways lead from one geometry to another.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
-from radcalc import maths
-from radcalc.answer import Step
-from radcalc.conversion.conditions import AREA, CONE, DISTANCE, REFLECTANCE, Conditions, Factor
-from radcalc.derivation import Formula, format_angle, format_number
+from radcalc import geometry, maths
+from radcalc.answer import Formula, Step, format_angle, format_number
 from radcalc.errors import ConditionError, Hint, HorizonCuts, TooNear, Try, add, option, quote
-from radcalc.geometry import cones
-from radcalc.inputs.given import Input, half_angle_of, radius_of, require
+from radcalc.inputs import Input, half_angle_of, radius_of, require
 from radcalc.tuples import NamedTuple
 from radcalc.units.table import resolve
+
+# Slots of conditions; two conditions in one slot are compared.
+LINK, TIME, AREA, CONE, DISTANCE = "link of kinds", "time", "area", "solid angle", "distance"
+BAND, REFLECTANCE, PUPIL = "bandwidth", "reflectance", "pupil"
+RESPONSIVITY = "responsivity"
+REFINES = "refines"  # a condition that refines another one has its own slot
+
+CONDITIONS = {
+    "wavelength": LINK,
+    "spectrum": LINK,
+    "efficacy": LINK,
+    "observer": REFINES,
+    "range": REFINES,
+    "photon-range": REFINES,
+    "time": TIME,
+    "photoperiod": TIME,
+    "area": AREA,
+    "radius": AREA,
+    "diameter": AREA,
+    "solid-angle": CONE,
+    "half-angle": CONE,
+    "apex-angle": CONE,
+    "isotropic": CONE,
+    "hemisphere": CONE,
+    "exponent": CONE,
+    "beam-angle": CONE,
+    "distance": DISTANCE,
+    "incidence": REFINES,
+    "tilt": REFINES,
+    "bandwidth": BAND,
+    "reflectance": REFLECTANCE,
+    "pupil": PUPIL,
+    "responsivity": RESPONSIVITY,
+    "electric-field": REFINES,
+    "emissivity": REFINES,
+    "k": REFINES,
+    "c": REFINES,
+}
+
+
+class Factor(NamedTuple):
+    """A factor or divisor of a quantity, with its letter.
+
+    `check` raises for numbers in the source's unit that it does not convert.
+    """
+
+    letter: str
+    value: Any
+    unit: str
+    assumption: str
+    steps: tuple[Step, ...] = ()
+    notes: tuple[str, ...] = ()
+    check: Callable[[Any], None] | None = None
+
+
+def slot_of(name: str) -> str:
+    """Return the slot of a condition."""
+    slot = CONDITIONS[name]
+    return name if slot == REFINES else slot
+
+
+class Conditions:
+    """The given conditions by slot, one in each, and the slots in use."""
+
+    __slots__ = ("given", "notes", "used")
+
+    def __init__(self, given: Sequence[Input], notes: tuple[str, ...] = ()) -> None:
+        self.given: dict[str, Input] = {slot_of(item.name): item for item in given}
+        self.notes = notes
+        self.used: set[str] = set()
+
+    def with_others(self, others: dict[str, Input]) -> "Conditions":
+        """Return conditions with other inputs in some slots."""
+        conditions = Conditions(())
+        conditions.given = {**self.given, **others}
+        return conditions
+
+    def use(self, slot: str) -> Input | None:
+        """Return a condition, or None, and mark it as used."""
+        if slot in self.given:
+            self.used.add(slot)
+        return self.given.get(slot)
+
+    def take(self, slot: str) -> Input:
+        self.used.add(slot)
+        return self.given[slot]
+
+    @property
+    def unused(self) -> list[str]:
+        return [condition.name for slot, condition in self.given.items() if slot not in self.used]
+
 
 INVERSE_SQUARE = Formula(
     "inverse square law", "q = Omega0 / {distance}^2", "ISO 80000-7, intensity and irradiance"
@@ -44,7 +128,7 @@ def area(given: Input) -> Factor:
     """Return the area of a source or a receiver [m2]."""
     if given.name == "area":
         return Factor("A", given.value, "m2", f"uniform over {given.text}")
-    from radcalc.laws.common import CIRCLE
+    from radcalc.laws import CIRCLE
 
     radius = radius_of(given)
     value = CIRCLE.solve("area", lambda _: radius)
@@ -67,17 +151,17 @@ def duration(given: Input, is_daily: bool = False) -> Factor:
 def solid_angle(given: Input) -> Factor:
     """Return the solid angle between flux and intensity [sr]."""
     if given.name == "isotropic":
-        return Factor("Omega", cones.FULL, "sr", "uniform over 4 pi sr (isotropic)")
+        return Factor("Omega", geometry.FULL, "sr", "uniform over 4 pi sr (isotropic)")
     if given.name == "hemisphere":
-        return Factor("Omega", cones.HEMISPHERE, "sr", "uniform over 2 pi sr (a hemisphere)")
+        return Factor("Omega", geometry.HEMISPHERE, "sr", "uniform over 2 pi sr (a hemisphere)")
     if given.name == "solid-angle":
         return Factor("Omega", given.value, "sr", f"uniform over {given.text}")
     if given.name in ("exponent", "beam-angle"):
         return _lobe(given)
-    from radcalc.laws.common import CONE
+    from radcalc.laws import CONE
 
     half = half_angle_of(given)
-    omega = cones.cone(half)
+    omega = geometry.cone(half)
     omega_text = f"{format_number(omega)} sr"
     step = CONE.formula.step({"half-angle": half}, omega_text)
     assumption = f"uniform over a cone of half angle {format_angle(half)}, {omega_text}"
@@ -91,9 +175,9 @@ def _lobe(given: Input) -> Factor:
     exponent = given.value
     steps: tuple[Step, ...] = ()
     if given.name == "beam-angle":
-        exponent = cones.lobe_exponent(given.value, 0.5)
+        exponent = geometry.lobe_exponent(given.value, 0.5)
         steps = (BEAM_ANGLE.formula.step({"beam-angle": given.value}, format_number(exponent)),)
-    omega = cones.lobe(exponent)
+    omega = geometry.lobe(exponent)
     step = LOBE.formula.step({"exponent": exponent}, f"{format_number(omega)} sr")
     assumption = f"intensity I0 cos^n(theta) with n = {format_number(exponent)}; I0 is the peak"
     return Factor("Omega", omega, "sr", assumption, (*steps, step))
@@ -122,10 +206,10 @@ def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
             f"{option(given.name)} does not link a radiance: it needs the projected solid angle",
             hint,
         )
-    from radcalc.laws.common import PROJECTED_CONE
+    from radcalc.laws import PROJECTED_CONE
 
     half = _half_angle_at_most_right(given)
-    omega = cones.projected_cone(half)
+    omega = geometry.projected_cone(half)
     omega_text = f"{format_number(omega)} sr"
     step = PROJECTED_CONE.formula.step({"half-angle": half}, omega_text)
     assumption = f"uniform over a cone of half angle {format_angle(half)} about the normal"
@@ -145,12 +229,12 @@ NARROW = math.atan(0.1)  # half angle of a disc seen from five times its diamete
 
 def _slanting(given: Input, turn: Input) -> Factor:
     """Return the projected solid angle of an oblique cone or of a small solid angle [sr]."""
-    from radcalc.geometry import projected
+    from radcalc.geometry import solid
 
     angle, where = abs(turn.value), f"{turn.text} from the normal"
     if given.name == "solid-angle":
         cosine, _, notes = _cosine(turn)
-        half = cones.cone_of(given.value)
+        half = geometry.cone_of(given.value)
         if maths.any_true(half > NARROW * (1 + maths.SLACK)):
             size = "ANGLE" if maths.is_array(half) else f"{half * (180 / math.pi):.6g}deg"
             raise ConditionError(
@@ -159,13 +243,13 @@ def _slanting(given: Input, turn: Input) -> Factor:
                 Try((("half-angle", size),), ("solid-angle",), remark="a cone"),
             )
         omega = given.value * cosine
-        good = cones.percent(maths.square(maths.tan(half / 2)))
+        good = geometry.percent(maths.square(maths.tan(half / 2)))
         assumption = f"a small solid angle of {given.text}, {where} (Omega cos(theta) {good})"
         formula = Formula("small solid angle", "{projected-solid-angle} = {solid-angle} cos(theta)")
         step = formula.step({"solid-angle": given.value}, f"{format_number(omega)} sr")
         return Factor("Omega_p", omega, "sr", assumption, (step,), notes)
     half = math.pi / 2 if given.name == "hemisphere" else _half_angle_at_most_right(given)
-    omega = projected.cone(half, angle)
+    omega = solid.projected_cone(half, angle)
     omega_text = f"{format_number(omega)} sr"
     assumption = f"uniform over a cone of half angle {format_angle(half)}, its axis {where}"
     notes = ()
@@ -192,9 +276,9 @@ def turned(turn: Input) -> Factor:
 def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
     """Return an area lit by a distant small source [m2]; raise if it is too near."""
     factor = area(given)
-    size = cones.size(factor.value)
-    if cones.is_near(distance.value, size):
-        hint: Hint = cones.MORE_ROOM
+    size = geometry.size(factor.value)
+    if geometry.is_near(distance.value, size):
+        hint: Hint = geometry.MORE_ROOM
         if incidence is None and not maths.is_array(size) and not maths.is_array(distance.value):
             half = math.degrees(math.atan(size / 2 / distance.value))
             hint = Try(
@@ -205,7 +289,7 @@ def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "receiver", format_number(size), hint, "A / d^2")
     angle = abs(incidence.value) if incidence else 0.0
-    good = cones.percent(cones.error(size, distance.value, angle))
+    good = geometry.percent(geometry.error(size, distance.value, angle))
     return factor._replace(assumption=f"{factor.assumption} of a receiver (A / d^2 {good})")
 
 
@@ -226,7 +310,7 @@ def _cosine(turn: Input | None) -> tuple[Any, str, tuple[str, ...]]:
     """Return the cosine of an incidence or a tilt, 0 and a note for light from behind."""
     if turn is None:
         return 1.0, "light along the receiver's normal", ()
-    cosine = cones.facing(turn.value)
+    cosine = geometry.facing(turn.value)
     notes: tuple[str, ...] = ()
     if maths.any_true(cosine == 0):
         option_text = option(turn.name, quote(turn.text))
@@ -237,7 +321,7 @@ def _cosine(turn: Input | None) -> tuple[Any, str, tuple[str, ...]]:
 
 def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
     """Return the projected solid angle of a uniform disc seen from its axis [sr]."""
-    from radcalc.geometry import projected
+    from radcalc.geometry import solid
     from radcalc.laws.surface import CUT_DISC, disc_on_axis
 
     radius, away = radius_of(source), distance.value
@@ -246,7 +330,7 @@ def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
     notes: tuple[str, ...] = ()
     values = {"radius": radius, "distance": away}
     formula = disc_on_axis("distance").formula
-    omega = projected.disc(radius, away, 0.0, angle)
+    omega = solid.projected_disc(radius, away, 0.0, angle)
     if incidence is not None:
         values["incidence"] = incidence.value
         formula = formula._replace(template=f"{formula.template} cos({{incidence}})")
@@ -263,18 +347,18 @@ def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
 def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Input | None) -> Factor:
     """Return an area seen from a distance [m2]; raise if it is too near or below the horizon."""
     factor = area(source)
-    size, reach = cones.size(factor.value), cones.reach(factor.value)
+    size, reach = geometry.size(factor.value), geometry.reach(factor.value)
     angle, slope = (abs(turn.value) if turn else 0.0 for turn in (incidence, tilt))
-    hint: Hint = cones.MORE_ROOM
+    hint: Hint = geometry.MORE_ROOM
     if tilt is None:
         radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
         hint = Try((("radius", radius),), (source.name,), remark="exact for a disc")
-    if cones.is_near(distance.value, size):
+    if geometry.is_near(distance.value, size):
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "source", format_number(size), hint)
-    if incidence and maths.any_true(cones.is_cut(reach, distance.value, angle)):
+    if incidence and maths.any_true(geometry.is_cut(reach, distance.value, angle)):
         raise HorizonCuts("incidence", incidence.text, "", hint)
-    good = cones.percent(cones.error(size, distance.value, slope, angle))
+    good = geometry.percent(geometry.error(size, distance.value, slope, angle))
     facing = "" if tilt else ", which faces the receiver"
     return factor._replace(assumption=f"{factor.assumption}{facing} (A / d^2 {good})")
 

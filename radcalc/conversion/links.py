@@ -11,35 +11,33 @@ from typing import Any
 from radcalc import errors
 from radcalc.conversion import geometric
 from radcalc.conversion.bridge import Bridge, Links, Wanted
-from radcalc.conversion.conditions import (
+from radcalc.conversion.geometric import (
     AREA,
     CONE,
-    DISTANCE,
-    LINK,
-    PUPIL,
-    REFLECTANCE,
-    RESPONSIVITY,
-    TIME,
-    Conditions,
-    slot_of,
-)
-from radcalc.conversion.geometric import (
     DISC,
+    DISTANCE,
     FAR,
     FLUX,
     INTENSITY,
     IRRADIANCE,
+    LINK,
     PLAIN,
+    PUPIL,
     RADIANCE,
+    REFLECTANCE,
     REFLECTED,
+    RESPONSIVITY,
+    TIME,
     WAYS,
+    Conditions,
     Way,
+    slot_of,
     ways_between,
 )
 from radcalc.errors import command, option, quote
-from radcalc.inputs.given import Input, require
+from radcalc.inputs import Input, require
 from radcalc.maths import any_true, power
-from radcalc.quantities.light import (
+from radcalc.quantities import (
     LUMINOUS,
     NONE,
     PHOTON,
@@ -52,8 +50,7 @@ from radcalc.quantities.light import (
     read,
 )
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.units import dimensions
-from radcalc.units.unit import Daily, Unit
+from radcalc.units import Daily, Unit, dimensions
 
 # The efficacies of lamps, and the light of each watt.
 OF_LAMPS = {RATIOS[LUMINOUS, RADIANT]: "lm", RATIOS[PHOTON, RADIANT]: "umol/s"}

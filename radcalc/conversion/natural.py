@@ -8,19 +8,19 @@ from collections.abc import Sequence
 from typing import Any
 
 from radcalc.answer import Step
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.errors import ConditionError, ConversionError, Unused, option
 from radcalc.floats import LARGEST, divide
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.maths import any_true, is_lost, sqrt
-from radcalc.quantities.light import NONE, PHOTON_NAMES, RADIANT, describe, light_dimension
+from radcalc.quantities import NONE, PHOTON_NAMES, RADIANT, describe, light_dimension
 from radcalc.tuples import NamedTuple
+from radcalc.units import WAVELENGTH_UNITS, Exitance, Unit
 from radcalc.units.dimensions import ENERGY, LENGTH, PHOTON_ENERGY, TEMPERATURE
-from radcalc.units.unit import WAVELENGTH_UNITS, Exitance, Unit
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from radcalc.laws.law import Law
+    from radcalc.laws import Law
 
 HOT = {  # what a temperature determines
     LENGTH: "peak-wavelength",
@@ -137,7 +137,7 @@ def _refuse(source: Unit, target: Unit, unused: Sequence[str]) -> None:
 def _of_photon(source: Unit, target: Unit) -> LawPlan:
     """Return the plan between two quantities of a photon."""
     from radcalc.laws.optics import PHOTON_LAWS
-    from radcalc.spectra.planck import AVOGADRO
+    from radcalc.spectra.observers import AVOGADRO
 
     names = PHOTON_NAMES[source.dimension], PHOTON_NAMES[target.dimension]
     laws = [law for law in PHOTON_LAWS if law.result in names]  # each of the wavelength

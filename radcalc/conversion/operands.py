@@ -7,11 +7,11 @@ links them.  An amount alone fits if its unit is one word, a quotient, or that o
 
 from radcalc import errors
 from radcalc.errors import quote
-from radcalc.units.amount import Amount
+from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import EXAMPLE, OPERATORS, STREAM_EXAMPLE
 from radcalc.units.compiled import NAMES
-from radcalc.units.connectives import ALSO, DIVIDERS, TO
-from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY
+from radcalc.units.grammar import ALSO, DIVIDERS, TO
+from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, Amount
 from radcalc.units.reading import (
     dimensions_of,
     read_amount,
@@ -20,14 +20,13 @@ from radcalc.units.reading import (
     with_unit,
 )
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from radcalc.errors import Try
-    from radcalc.units.unit import Dimension
+    from radcalc.units import Dimension
 
 OF_LISTS = ",:"  # characters of a list or a range
 PER = "per"
@@ -165,7 +164,7 @@ def _ratio(parts: "Sequence[str]") -> list[Reading]:
     )  # has this reading alone
     if whole is None:
         return []
-    from radcalc.quantities.light import name_of
+    from radcalc.quantities import name_of
 
     unit = whole.typed[1]
     return [Reading(whole)] if unit is None or name_of(unit) else []
@@ -208,7 +207,7 @@ def _divided_at(parts: "Sequence[str]", at: int) -> list[Reading]:
 
 def _to_name(parts: "Sequence[str]") -> list[Reading]:
     """Return the reading with the name of a quantity as the target: 5 lx luminance."""
-    from radcalc.quantities.targets import is_name
+    from radcalc.quantities.search import is_name
 
     for at in range(len(parts) - 1, 0, -1):
         amount, name = _amount(" ".join(parts[:at])), " ".join(parts[at:])
@@ -227,10 +226,12 @@ def _target(text: str) -> Unit | None:
         return unit_of(text) if DIVIDERS.keys() & {*others} else None
     if unit := unit_of(text):
         return unit
-    from radcalc.units import horticulture
-    from radcalc.units.scales import find
+    from radcalc.units import table
+    from radcalc.units.values import find_scale
 
-    return find(text) or (horticulture.find(text) if text.lower() in horticulture.WORDS else None)
+    return find_scale(text) or (
+        table.growers_unit(text) if text.lower() in table.GROWERS_WORDS else None
+    )
 
 
 def _amount(text: str, target: str = "") -> Amount | None:
@@ -250,7 +251,7 @@ def _alone(parts: "Sequence[str]") -> Reading | None:
     if " " in unit.text and unit.is_scale:  # dBu W
         return None
     if " " in _without_per(unit.text):
-        from radcalc.quantities.light import name_of
+        from radcalc.quantities import name_of
 
         if unit.dimension == NUMBER or not name_of(unit):
             return None
@@ -377,9 +378,9 @@ def _is_of_numbers(text: str) -> bool:
     """Return whether a unit or a scale is of bare numbers: 1, % or dB."""
     unit = unit_of(text)
     if unit is None:
-        from radcalc.units.scales import find
+        from radcalc.units.values import find_scale
 
-        unit = find(text)
+        unit = find_scale(text)
     return unit is not None and unit.dimension == NUMBER
 
 

@@ -5,18 +5,18 @@ Several conversions may have common conditions, of which each may use only some.
 
 from itertools import combinations
 
-from radcalc.conversion.linear import Plan, are_reciprocal, between, is_function
+from radcalc.conversion import Plan, are_reciprocal, between, is_function
 from radcalc.errors import MissingCondition, RadcalcError, Unused
+from radcalc.units import TEMPERATURE_ALONE, Unit
 from radcalc.units.table import unit_of
-from radcalc.units.unit import TEMPERATURE_ALONE, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from radcalc.answer import Result, ShownInput
-    from radcalc.inputs.given import Input
-    from radcalc.units.amount import Amount
+    from radcalc.inputs import Input
+    from radcalc.units.numbers import Amount
 
 Request = tuple[Unit, Unit, "Sequence[Input]", str]  # the arguments of `plan`
 Planned = tuple[Plan, "Sequence[Input]"]
@@ -51,7 +51,7 @@ def source_of(amount: "Amount", target: Unit, given: "Sequence[Input]" = ()) -> 
     source = amount.typed[1]
     if source is None or amount.rounding is None:
         return source
-    from radcalc.units.constants import fit
+    from radcalc.units.values import fit
 
     if source.dimension == TEMPERATURE_ALONE and (
         target.is_scale or are_reciprocal(source, target)
@@ -74,13 +74,13 @@ def target_of(text: str, source: Unit | None = None) -> Unit:
     """
     if unit := unit_of(text):
         return unit
-    from radcalc.units.scales import find
+    from radcalc.units.values import find_scale
 
-    if scale := find(text):
+    if scale := find_scale(text):
         return scale
-    from radcalc.quantities import targets
+    from radcalc.quantities import search
 
-    return targets.named(text, source)
+    return search.named(text, source)
 
 
 def result_of_plan(
@@ -106,7 +106,7 @@ def result_of_plan(
 
 def note_on_negative(made: Plan) -> tuple[str, ...]:
     """Return the note on a negative amount of light that is converted."""
-    from radcalc.quantities.light import name_of, read
+    from radcalc.quantities import name_of, read
 
     if made.source.is_scale or not read(made.source):
         return ()

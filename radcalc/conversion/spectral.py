@@ -3,12 +3,11 @@
 from typing import TYPE_CHECKING, Any
 
 from radcalc import errors, maths
-from radcalc.answer import Step
-from radcalc.conversion.conditions import BAND, LINK, Factor
-from radcalc.derivation import Formula, format_number
+from radcalc.answer import Formula, Step, format_number
+from radcalc.conversion.geometric import BAND, LINK, Factor
 from radcalc.errors import option, quote
-from radcalc.inputs.given import Input, Inputs, require
-from radcalc.quantities.light import (
+from radcalc.inputs import Input, Inputs, require
+from radcalc.quantities import (
     AXIS,
     DENSITY_NAMES,
     KIND_NAMES,
@@ -26,17 +25,19 @@ from radcalc.quantities.light import (
 )
 from radcalc.quantities.symbols import EFFICACIES
 from radcalc.spectra.observers import (
+    AVOGADRO,
+    LIGHT,
     OBSERVERS,
+    PLANCK,
     TRAPEZOIDS,
     Observer,
     luminous_efficacy,
     most_lumens_per_photon,
     standard_air_wavelength,
 )
-from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.tuples import NamedTuple
+from radcalc.units import Photosynthetic
 from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER
-from radcalc.units.unit import Photosynthetic
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -1,11 +1,10 @@
 """Functions of direction: the light of sources as they are sold, measured or modelled.
 
-- `distribution`: the protocol of distributions, beam angles, aim of a source
-- `formula`, `grid`: exact shapes and expressions, tables of angles and intensities
-- `files`, `ies`, `eulumdat`, `tables`, `contents`: photometric files and their contents
+- `distribution`: the protocol of distributions, beam angles, aim of a source, tables of intensities
+- `ies`, `eulumdat`, `tables`, `contents`: photometric files and their contents
 - `sources`, `environments`: distributions and surroundings as a user gives them
-- `places`, `scene`: the light on places under a source, and from several sources
-- `radiances`, `maps`: radiances of skies and expressions, and of pictures of the surroundings
+- `scene`: the light on places under a source, and from several sources
+- `maps`: radiances of pictures of the surroundings
 
 A distribution has its own coordinates: the polar angle theta from the source's axis (the gamma of
 C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).

@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 from radcalc.errors import ConditionError, UnitError, quote
 from radcalc.files.columns import IN_BRACKETS, plain, units_in
+from radcalc.quantities import NONE, describe, read
 from radcalc.quantities.column_titles import Title, read_title, refuse_altered
-from radcalc.quantities.light import NONE, describe, read
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import ANGLE
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 INTENSITY = (0, 0, 1)  # the powers of time, 1/area and 1/solid angle
 SHORT = 6  # words of a comment that may be a title

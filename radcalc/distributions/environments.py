@@ -9,24 +9,38 @@ import numpy
 
 from radcalc import errors
 from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Peak, integrated
-from radcalc.distributions.formula import ACCURACY, OF_AXIAL, Formula
-from radcalc.distributions.sources import formula_with_unit, is_unknown_word, path_pattern, unseen
+from radcalc.distributions.sources import (
+    ACCURACY,
+    OF_AXIAL,
+    Formula,
+    formula_with_unit,
+    is_unknown_word,
+    path_pattern,
+    unseen,
+)
 from radcalc.errors import ConditionError, MissingInput, Unused, mention, quote
-from radcalc.geometry import directions, sky
-from radcalc.geometry import sky as geometry
-from radcalc.geometry.directions import FORWARD, Vector
+from radcalc.geometry import models, projections
+from radcalc.geometry import models as geometry
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.geometry.projections import View, field_text, has_shape, name_of_map, view_of_field
+from radcalc.geometry.projections import (
+    FORWARD,
+    Vector,
+    View,
+    field_text,
+    has_shape,
+    name_of_map,
+    view_of_field,
+)
 from radcalc.maths import Number
-from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import KINDS, LUMINOUS, RADIANT, describe, light_dimension
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import FISHEYE, LATLONG, WHOLE_SPHERE, light_unit
+from radcalc.units import NUMBER, Unit
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
+    from radcalc.distributions.maps import RadianceMap
     from radcalc.distributions.maps.pictures import Picture
-    from radcalc.distributions.maps.radiance_map import RadianceMap
 
 
 class Radiances(Protocol):
@@ -58,7 +72,7 @@ class Radiances(Protocol):
         """
         ...
 
-    def irradiance(self, normal: directions.Vector) -> Integral:
+    def irradiance(self, normal: projections.Vector) -> Integral:
         """Return the irradiance [lx, W/m2, photon/s/m2 or sr] of a plane receiver."""
         ...
 
@@ -93,16 +107,16 @@ class FormulaRadiances:
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         return self.formula.intensity(polar, azimuth)
 
-    def irradiance(self, normal: directions.Vector) -> Integral:
-        forward, left, up = directions.facing(normal)
+    def irradiance(self, normal: projections.Vector) -> Integral:
+        forward, left, up = projections.facing(normal)
         is_level = not (forward[0] or forward[1])
         if is_level or self.formula.expression.comparisons:
             return self._in_own_angles(forward, self.formula.is_axial and is_level)
         # about the normal the integrand is smooth: the receiver's horizon does not cross it
-        turned = _ReceivedAboutNormal(self.formula, (directions.times(up, -1.0), left, forward))
+        turned = _ReceivedAboutNormal(self.formula, (projections.times(up, -1.0), left, forward))
         return integrated(turned, (0.0, math.pi / 2), ALL_AZIMUTHS, ACCURACY)
 
-    def _in_own_angles(self, normal: directions.Vector, is_axial: bool) -> Integral:
+    def _in_own_angles(self, normal: projections.Vector, is_axial: bool) -> Integral:
         """Integrate in theta and phi, for which the steps of the expression are known."""
         polar = ALL_POLAR
         if is_axial:
@@ -123,11 +137,11 @@ class _Received(NamedTuple):
     """The radiance times the cosine of incidence on a receiver."""
 
     formula: Formula
-    normal: directions.Vector
+    normal: projections.Vector
     is_axial: bool
 
     def intensity(self, theta: Any, phi: Any) -> Any:
-        cosine = directions.dot(self.normal, directions.cartesian(theta, phi))
+        cosine = projections.dot(self.normal, projections.cartesian(theta, phi))
         return self.formula.intensity(theta, phi) * numpy.maximum(cosine, 0.0)
 
 
@@ -135,12 +149,14 @@ class _ReceivedAboutNormal(NamedTuple):
     """The radiance times the cosine, in angles about the receiver's normal."""
 
     formula: Formula
-    axes: tuple[directions.Vector, directions.Vector, directions.Vector]
+    axes: tuple[projections.Vector, projections.Vector, projections.Vector]
     is_axial: bool = False
 
     def intensity(self, theta: Any, phi: Any) -> Any:
-        direction = directions.cartesian(theta, phi)
-        polar, azimuth, _ = directions.spherical(*directions.from_components(self.axes, direction))
+        direction = projections.cartesian(theta, phi)
+        polar, azimuth, _ = projections.spherical(
+            *projections.from_components(self.axes, direction)
+        )
         return self.formula.intensity(polar, azimuth) * direction[2]
 
 
@@ -152,7 +168,7 @@ class Sky:
     Parameters
     ----------
     name : str
-        A name or a number in `radcalc.geometry.sky.NAMES`.
+        A name or a number in `radcalc.geometry.models.NAMES`.
     sun : tuple of 2 floats [rad], optional
         Polar angle and azimuth of the sun, above the horizon; for skies that depend on it.
     zenith : float [cd/m2, W/m2/sr, photon/s/m2/sr or 1], optional
@@ -194,7 +210,7 @@ class Sky:
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         return self.zenith * geometry.relative_luminance(self.type, polar, azimuth, self.sun)
 
-    def irradiance(self, normal: directions.Vector) -> Integral:
+    def irradiance(self, normal: projections.Vector) -> Integral:
         value, error = geometry.projected_sky(self.type, normal, self.sun)
         return Integral(self.zenith * value, self.zenith * error, 0)
 
@@ -249,7 +265,8 @@ def expression(text: str) -> Environment:
     """
     if is_unknown_word(text):
         skies = (
-            errors.nearest(text.lower(), sky.NAMES, 1) or sky.MEANT.get(text.lower(), "").split()
+            errors.nearest(text.lower(), models.NAMES, 1)
+            or models.MEANT.get(text.lower(), "").split()
         )
         problem = f"'{quote(text)}' is not a file, a sky or an expression"
         raise errors.ConditionError(
@@ -274,8 +291,8 @@ def of_picture(
     ConditionError or a MissingInput if one of them is impossible or missing, or the pixels do
     not fit the projection.
     """
+    from radcalc.distributions.maps import RadianceMap
     from radcalc.distributions.maps.pictures import BY_REC_709, Y
-    from radcalc.distributions.maps.radiance_map import RadianceMap
 
     map_projection = projection_of(picture, projection)
     view = view_of(picture, map_projection, field)
@@ -352,9 +369,8 @@ def sampled(radiances: Radiances, width: int, height: int) -> "RadianceMap":
     """
     import numpy
 
-    from radcalc.distributions.maps.radiance_map import RadianceMap
-    from radcalc.geometry.directions import spherical
-    from radcalc.geometry.projections import direction_at, middle_of_pixel
+    from radcalc.distributions.maps import RadianceMap
+    from radcalc.geometry.projections import direction_at, middle_of_pixel, spherical
 
     rows, columns = numpy.mgrid[:height, :width]
     polar, azimuth, _ = spherical(
@@ -554,7 +570,7 @@ def projection_of(picture: "Picture", given: str) -> str:
         return LATLONG
     round_ones = [name for name in WHOLE_SPHERE if name != LATLONG]
     if width != height:
-        from radcalc.distributions.maps.radiance_map import check_shape
+        from radcalc.distributions.maps import check_shape
 
         check_shape(LATLONG, width, height)  # refuses it
     raise errors.MissingInput(

@@ -34,8 +34,15 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc.distributions.distribution import Photometry
-from radcalc.distributions.grid import CLOSEST, Grid, closed, end_of, mirrored, without_noise
+from radcalc.distributions.distribution import (
+    CLOSEST,
+    Grid,
+    Photometry,
+    closed,
+    end_of,
+    mirrored,
+    without_noise,
+)
 from radcalc.errors import ConditionError, quote
 from radcalc.files.columns import MARKS, Decimals, finite, numbers_at_once
 from radcalc.files.text import refusal

@@ -22,8 +22,15 @@ from typing import Any, NamedTuple, NoReturn
 
 import numpy
 
-from radcalc.distributions.distribution import Photometry
-from radcalc.distributions.grid import SLACK, Grid, closed, end_of, mirrored, without_noise
+from radcalc.distributions.distribution import (
+    SLACK,
+    Grid,
+    Photometry,
+    closed,
+    end_of,
+    mirrored,
+    without_noise,
+)
 from radcalc.errors import ConditionError, quote
 from radcalc.files.columns import has_odd_digits, is_number, numbers_at_once
 from radcalc.files.text import refusal

@@ -27,14 +27,22 @@ from typing import Any, NoReturn
 import numpy
 
 from radcalc.distributions import column_titles
-from radcalc.distributions.distribution import Photometry
-from radcalc.distributions.grid import CLOSEST, SLACK, Grid, closed, end_of, mirrored, without_noise
+from radcalc.distributions.distribution import (
+    CLOSEST,
+    SLACK,
+    Grid,
+    Photometry,
+    closed,
+    end_of,
+    mirrored,
+    without_noise,
+)
 from radcalc.errors import ConditionError, Hint, listed, quote
 from radcalc.files import columns
 from radcalc.files.head import Head, is_number
 from radcalc.files.table import NumberedLine, Table
 from radcalc.files.text import refusal
-from radcalc.quantities.light import read as facts_of
+from radcalc.quantities import read as facts_of
 
 FLAT = 180.0  # [deg]
 AS_RADIANS = 3.15  # up to this, angles without a unit may be in radians

@@ -27,9 +27,9 @@ from typing import Any
 
 from radcalc import maths
 from radcalc.errors import ConditionError, call, correct, leave_out
-from radcalc.geometry.cones import refuse
-from radcalc.geometry.directions import Vector, cross, dot, length, minus, plus, times, vector
-from radcalc.geometry.numerics.integrals import adaptive, arc_excess, integral
+from radcalc.geometry import refuse
+from radcalc.geometry.numerics import adaptive, arc_excess, integral
+from radcalc.geometry.projections import Vector, cross, dot, length, minus, plus, times, vector
 
 STRIPS = 120  # intervals of strips, to limit the time; the thinnest splinters need fewer
 # [1] at which to stop.  If an edge passes the observer at 1e-9 of its length, the coordinates do

@@ -14,9 +14,10 @@ unit, angles in radians; arguments are floats or arrays, broadcast together.
 import math
 from collections.abc import Callable
 
+from radcalc import geometry
 from radcalc.errors import ConditionError, mention
-from radcalc.geometry import cones, solid
-from radcalc.geometry.numerics.integrals import adaptive
+from radcalc.geometry import solid
+from radcalc.geometry.numerics import adaptive
 from radcalc.maths import Number, each
 
 UNEVEN = 0.01  # [1] largest variation of a lobe over a tilted receiver
@@ -26,7 +27,7 @@ TURNED = mention(  # hint if the axis of a receiver's tilt would matter
 FAINT = 1e-18  # [1] relative intensity of a lobe below which it is not integrated
 
 
-@cones.bounded
+@geometry.bounded
 def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Number:
     """Return the solid angle of a disc, from the distance of its centre and the incidence on it.
 
@@ -69,7 +70,7 @@ def _isotropic(radius: float, distance: float, incidence: float) -> Number:
     return solid.disc(radius, distance * math.cos(incidence), distance * math.sin(incidence))
 
 
-@cones.bounded
+@geometry.bounded
 def cone(
     half_angle: Number,
     radius: Number,
@@ -112,10 +113,10 @@ def cone(
     A disc larger than the light's footprint receives the whole cone:
 
     >>> half = math.radians(0.5)
-    >>> cone(half, 0.4, 5.0) == cones.cone(half)
+    >>> cone(half, 0.4, 5.0) == geometry.cone(half)
     True
     """
-    cones.cone(half_angle)  # checks the half angle
+    geometry.cone(half_angle)  # checks the half angle
     _check(radius, distance, off_axis)
 
     def of_floats(half: float, size: float, away: float, off: float, turn: float) -> Number:
@@ -129,13 +130,13 @@ def cone(
         height, aside = away * math.cos(off), away * math.sin(off)
         if math.atan2(aside + size, height) <= half:
             return solid.disc(size, height, aside)
-        return _across(lambda gamma: 1.0, cones.cone, half, size, height, aside)
+        return _across(lambda gamma: 1.0, geometry.cone, half, size, height, aside)
 
     turn = math.nan if incidence is None else abs(incidence)
     return each(of_floats, half_angle, radius, distance, off_axis, turn)
 
 
-@cones.bounded
+@geometry.bounded
 def lobe(
     exponent: Number,
     radius: Number,
@@ -182,28 +183,28 @@ def lobe(
     0.75
     """
     _check(radius, distance, off_axis)
-    cones.lobe(exponent)  # checks the exponent
+    geometry.lobe(exponent)  # checks the exponent
 
     def of_floats(n: float, size: float, away: float, off: float, turn: float) -> Number:
         """Return the flux per axial intensity [sr] on a disc."""
         if not _lies_across(off, turn):
             if turn >= math.pi / 2:
                 return 0.0
-            cones.refuse(
+            geometry.refuse(
                 _unevenness(n, size, away, off) > UNEVEN,
                 "the lobe varies by more than 1 % over the tilted receiver",
                 TURNED,
             )
-            return _isotropic(size, away, turn) * math.exp(n * cones.ln_cos(off))
+            return _isotropic(size, away, turn) * math.exp(n * geometry.ln_cos(off))
         height, aside = away * math.cos(off), away * math.sin(off)
         nearest = max(0.0, math.atan2(aside - size, height))
         edge = math.pi / 2
         if n > 0:  # the rest is negligible against the flux on the nearest part of the disc
-            fall = cones.ln_cos(nearest) + math.log(FAINT) / n
+            fall = geometry.ln_cos(nearest) + math.log(FAINT) / n
             edge = 2 * math.asin(math.sqrt(-math.expm1(fall) / 2))
         return _across(
-            lambda gamma: math.exp(n * cones.ln_cos(gamma)),
-            lambda gamma: cones.lobe(n) * cones.lobe_part(n, gamma),
+            lambda gamma: math.exp(n * geometry.ln_cos(gamma)),
+            lambda gamma: geometry.lobe(n) * geometry.lobe_part(n, gamma),
             edge,
             size,
             height,
@@ -214,7 +215,7 @@ def lobe(
     return each(of_floats, exponent, radius, distance, off_axis, turn)
 
 
-@cones.bounded
+@geometry.bounded
 def unevenness(
     exponent: Number, radius: Number, distance: Number, off_axis: Number = 0.0
 ) -> Number:
@@ -251,7 +252,7 @@ def unevenness(
     0.00901
     """
     _check(radius, distance, off_axis)
-    cones.lobe(exponent)  # checks the exponent
+    geometry.lobe(exponent)  # checks the exponent
     return each(_unevenness, exponent, radius, distance, off_axis)
 
 
@@ -261,17 +262,17 @@ def _unevenness(exponent: float, radius: float, distance: float, off_axis: float
     reach = math.asin(radius / distance) if radius < distance else math.pi
     if off_axis + reach >= math.pi / 2:
         return math.inf
-    middle = cones.ln_cos(off_axis)
-    more = exponent * (cones.ln_cos(max(0.0, off_axis - reach)) - middle)
-    less = exponent * (cones.ln_cos(off_axis + reach) - middle)
+    middle = geometry.ln_cos(off_axis)
+    more = exponent * (geometry.ln_cos(max(0.0, off_axis - reach)) - middle)
+    less = exponent * (geometry.ln_cos(off_axis + reach) - middle)
     return max(math.expm1(min(more, 700.0)), -math.expm1(less))
 
 
 def _check(radius: Number, distance: Number, off_axis: Number = 0.0) -> None:
-    cones.refuse(radius < 0, "the radius is out of range", "0 or more")
-    cones.refuse(distance <= 0, "the source is on the receiver", "a distance above 0")
+    geometry.refuse(radius < 0, "the radius is out of range", "0 or more")
+    geometry.refuse(distance <= 0, "the source is on the receiver", "a distance above 0")
     bad = (off_axis < 0) | (off_axis >= math.pi / 2)
-    cones.refuse(bad, "the angle off the axis is out of range", "from 0 to below 90 deg")
+    geometry.refuse(bad, "the angle off the axis is out of range", "from 0 to below 90 deg")
 
 
 def _lies_across(off_axis: float, incidence: float) -> bool:

@@ -11,28 +11,27 @@ from contextlib import suppress
 from itertools import combinations
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer, Value
-from radcalc.calculators.kinds import Ratio
-from radcalc.conversion import spectral
-from radcalc.conversion.conditions import Factor
-from radcalc.conversion.linear import Plan
-from radcalc.conversion.natural import LawPlan
-from radcalc.derivation import (
+from radcalc.answer import (
+    Answer,
     Formula,
+    Value,
     coherent_unit_of,
     format_number,
     format_value,
     letter_of,
     with_unit,
 )
+from radcalc.calculators.kinds import Ratio
+from radcalc.conversion import Plan, spectral
+from radcalc.conversion.geometric import Factor
+from radcalc.conversion.natural import LawPlan
 from radcalc.errors import RadcalcError
-from radcalc.inputs.given import Inputs
-from radcalc.laws.common import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE
-from radcalc.laws.law import AnyLaw, Law, Several, law
+from radcalc.inputs import Inputs
+from radcalc.laws import APEX, CIRCLE, CONE, DIAMETER, PROJECTED_CONE, AnyLaw, Law, Several, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
 from radcalc.laws.solver import Derivation, Known, solve, step_of
 from radcalc.laws.surface import disc_on_axis
-from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT, read, symbol_of
+from radcalc.quantities import GRID, LUMINOUS, PHOTON, RADIANT, read, symbol_of
 from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 
 Steps = list[tuple[AnyLaw, str]]
@@ -250,7 +249,6 @@ def between_kinds(
     start: str, end: str, given: Inputs, values: dict[str, float], steps: Steps
 ) -> Powers:
     """Return the factors between two kinds and their powers; add their values and laws."""
-    from radcalc.conversion import spectral  # with the tables of the observers
 
     powers: Powers = []
     if "wavelength" in given:

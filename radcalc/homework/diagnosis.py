@@ -6,16 +6,23 @@ from contextlib import suppress
 from itertools import combinations, product
 from typing import Any, NamedTuple
 
-from radcalc.answer import Value
+from radcalc.answer import Value, format_number, with_unit
 from radcalc.calculators.results import in_unit
-from radcalc.derivation import format_number, with_unit
 from radcalc.homework import edits, formulas, misread, outside
-from radcalc.homework.answer import Claim, Diagnosis, Tolerance
 from radcalc.homework.chain import Worked
 from radcalc.homework.misread import SLIPS
-from radcalc.homework.question import RARER, Candidate, Problem, Question, both
+from radcalc.homework.question import (
+    RARER,
+    Candidate,
+    Claim,
+    Diagnosis,
+    Problem,
+    Question,
+    Tolerance,
+    both,
+)
 from radcalc.homework.wording import Translatable
-from radcalc.units.unit import Unit
+from radcalc.units import Unit
 
 MOST = 5  # diagnoses
 COARSEST = 0.05  # largest relative difference between an answer and the value of a mistake

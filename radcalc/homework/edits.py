@@ -5,11 +5,11 @@ import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from radcalc.derivation import fill, letter_of
+from radcalc.answer import fill, letter_of
 from radcalc.homework.chain import Worked
 from radcalc.homework.question import BOTH, PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.homework.wording import Translatable
-from radcalc.laws.law import AnyLaw, At, Law
+from radcalc.laws import AnyLaw, At, Law
 from radcalc.laws.optics import PEAK
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.dimensions import FREQUENCY

@@ -4,13 +4,13 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
-from radcalc.derivation import format_number
-from radcalc.geometry import cones
-from radcalc.geometry.numerics.integrals import integral
+from radcalc import geometry
+from radcalc.answer import format_number
+from radcalc.geometry.numerics import integral
 from radcalc.homework.chain import FAILURES, Worked
 from radcalc.homework.edits import text_of
 from radcalc.homework.question import Candidate, Problem, usual
-from radcalc.laws.law import AnyLaw, At
+from radcalc.laws import AnyLaw, At
 from radcalc.maths import cos, sin
 
 PI = math.pi
@@ -65,10 +65,10 @@ FLAT: tuple[Cap, ...] = (  # of a cone, projected or not
     ("flat-disc-for-cap", lambda half: PI * half**2 if half < PI / 2 else math.nan,
         HALVED, "({half-angle} / 2)^2"),
 )  # fmt: skip
-PROJECTED: tuple[Cap, ...] = (("solid-for-projected", cones.cone, "", ""), *FLAT)
+PROJECTED: tuple[Cap, ...] = (("solid-for-projected", geometry.cone, "", ""), *FLAT)
 PLAIN: tuple[Cap, ...] = (
-    ("solid-for-projected", cones.projected_cone, "", ""),
-    ("wrong-sphere", lambda half: 2 * cones.cone(half), "", ""),
+    ("solid-for-projected", geometry.projected_cone, "", ""),
+    ("wrong-sphere", lambda half: 2 * geometry.cone(half), "", ""),
     *FLAT,
 )
 CONE, LOBE = "solid angle of a cone", "flux of a lobe divided by its peak intensity"
@@ -128,7 +128,7 @@ FORMULAS: tuple[Row, ...] = (
     *_of_cones(CONE, "solid-angle", PLAIN),
     *_of_cones("projected solid angle of a cone", "projected-solid-angle", PROJECTED),
     *_of_cones("etendue of a cone", "etendue", PROJECTED),
-    Row(CONE, "half-angle", "wrong-sphere", lambda at: cones.cone_of(at("solid-angle") / 2)),
+    Row(CONE, "half-angle", "wrong-sphere", lambda at: geometry.cone_of(at("solid-angle") / 2)),
     Row(CONE, "half-angle", "flat-disc-for-cap", lambda at: math.sqrt(at("solid-angle") / PI)),
     Row(CONE, "half-angle", "flat-disc-for-cap",
         lambda at: math.atan(math.sqrt(at("solid-angle") / PI))),
@@ -398,7 +398,7 @@ def _sky(p: Problem) -> Integral | None:
     """Return the integral of the sky's radiance that the ground receives."""
     if not p.lists("sky") or "horizontal-sky" not in p.chain.symbols:
         return None
-    from radcalc.geometry.sky import relative_luminance, sky_type
+    from radcalc.geometry.models import relative_luminance, sky_type
 
     sky = sky_type(p.question.shape or "overcast")
     if sky.follows_sun:

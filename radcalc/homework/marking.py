@@ -11,13 +11,12 @@ from radcalc.errors import listed, option, quote
 from radcalc.files import columns
 from radcalc.files.table import Table
 from radcalc.files.text import Text, reading, refusal, where
-from radcalc.homework.answer import Claim, is_rounded, read_claim
-from radcalc.homework.question import Question, of_conversion
-from radcalc.homework.verdict import ROUNDED, Verdict, check
+from radcalc.homework import ROUNDED, Verdict, check
+from radcalc.homework.question import Claim, Question, is_rounded, of_conversion, read_claim
+from radcalc.units import NUMBER, unit_behind
 from radcalc.units.numbers import read_number
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, unit_behind
 
 QUESTION, COMMAND, EXPECTED, POINTS = KNOWN = ("question", "command", "expected", "points")
 MOST_BYTES = 1 << 26  # of a sheet

@@ -8,8 +8,9 @@ from itertools import product
 from radcalc.errors import RadcalcError
 from radcalc.homework.question import Candidate, Problem, both, usual
 from radcalc.homework.wording import Translatable
-from radcalc.inputs.given import Input
-from radcalc.spectra.planck import AVOGADRO
+from radcalc.inputs import Input
+from radcalc.spectra.observers import AVOGADRO
+from radcalc.units import COUNT_AT, FIELD_STRENGTH, NUMBER
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,
@@ -20,9 +21,8 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     TIME,
 )
-from radcalc.units.scales import ScaleUnit
 from radcalc.units.table import resolve
-from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH, NUMBER
+from radcalc.units.values import ScaleUnit
 
 LN10, LN2, LB10 = math.log(10), math.log(2), math.log2(10)
 READINGS = (  # mistakes of a reading on a scale, and the factors of the reading

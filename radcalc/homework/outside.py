@@ -8,13 +8,14 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from radcalc.geometry import cones, directions
+from radcalc import geometry
+from radcalc.geometry import projections
 from radcalc.homework.edits import scaled
 from radcalc.homework.formulas import PROJECTED
 from radcalc.homework.question import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.homework.wording import Translatable
 from radcalc.quantities.symbols import EFFICACIES, UNIFORM
-from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.observers import AVOGADRO
 from radcalc.units.dimensions import SOLID_ANGLE, times
 
 if TYPE_CHECKING:
@@ -82,9 +83,9 @@ def _round(p: Problem) -> Found:
         right, other = other, right
     name = "arctangent-for-arcsine"
     yield usual(name, p.chain.after("half-angle", other))
-    yield usual(name, p.chain.after("solid-angle", cones.cone(other)))
+    yield usual(name, p.chain.after("solid-angle", geometry.cone(other)))
     if shape == "sphere":  # for a disc, `_far` compares with the far field
-        yield usual(name, p.chain.after("projected-solid-angle", cones.projected_cone(other)))
+        yield usual(name, p.chain.after("projected-solid-angle", geometry.projected_cone(other)))
     for flat in (PI * math.tan(right) ** 2, PI * right**2, PI * (radius / away) ** 2):
         yield usual("flat-disc-for-cap", p.chain.after("solid-angle", flat))
     sine = PI * math.sin(right)
@@ -179,7 +180,7 @@ def _direction(p: Problem) -> Found:
     if p.asks("length"):
         yield usual("root-forgotten", p.right**2)
     if p.asks("x", "y", "z") and "reflect-at" in p.given:
-        normal = directions.unit(p.given["reflect-at"].value)
+        normal = projections.unit(p.given["reflect-at"].value)
         yield usual("normal-for-reflection", normal["xyz".index(p.target.name)])
         yield usual("towards-for-away", -p.right)
     if p.asks("x", "y", "z") and "mirror-ball" in p.given:
@@ -197,7 +198,7 @@ def _sky(p: Problem) -> Found:
     if plane:
         tilted = "normal" in p.given
         rise = (
-            directions.unit(p.given["normal"].value)[2]
+            projections.unit(p.given["normal"].value)[2]
             if tilted
             else math.cos(p.amount("tilt") or 0)
         )
@@ -314,15 +315,15 @@ def _beam(p: Problem) -> Found:
     is_round = not p.given.keys().isdisjoint(("isotropic", "hemisphere"))
     if not p.light or is_round or not p.lists("beam"):
         return
-    yield usual("spot-as-sphere", p.chain.after("solid-angle", cones.FULL))
-    hemisphere = p.chain.after("solid-angle", cones.HEMISPHERE)
+    yield usual("spot-as-sphere", p.chain.after("solid-angle", geometry.FULL))
+    hemisphere = p.chain.after("solid-angle", geometry.HEMISPHERE)
     yield usual("wrong-sphere", hemisphere, "2 pi was used for the beam", "I = Phi / Omega")
     yield usual("cone-forgotten", p.chain.after("solid-angle", 1.0))
     beam, n = p.amount("beam-angle"), p.amount("exponent")
     if n and not beam:
         beam = 2 * math.acos(0.5 ** (1 / n))
     if beam:
-        yield usual("cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2)))
+        yield usual("cone-for-lobe", p.chain.after("solid-angle", geometry.cone(beam / 2)))
         return
     half = p.chain.values.get("half-angle")
     if half and 0 < half < PI / 2:

@@ -16,13 +16,12 @@ from typing import Any
 
 from radcalc.errors import ConditionError, Hint, RadcalcError, quote, quote_path
 from radcalc.files.text import readable
-from radcalc.units import compiled, horticulture, scale_table
-from radcalc.units.numbers import FUNCTIONS, OTHER_FUNCTIONS
+from radcalc.units import OWN, compiled, lookup, scale_table, table
+from radcalc.units.languages import definition
+from radcalc.units.numbers import FUNCTIONS, OTHER_FUNCTIONS, find_constant
 from radcalc.units.ranges import refuse_list
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import OWN, lookup
-from radcalc.units.words import definition, find
 
 MOST_BYTES = 1 << 18  # of a file of definitions
 EXPECTED = "a text file of definitions such as: mylamp = 54 lm/W"
@@ -143,12 +142,12 @@ class _Line:
         if self.kind == "spectrum":
             return
         entry = lookup(spelling)
-        owner = "".join(entry) if entry else find(spelling)
+        owner = "".join(entry) if entry else find_constant(spelling)
         owner = owner or "".join(row.name for row in scale_table.named(spelling)[:1])
         if owner:
             raise self.error(f"'{quote(spelling)}' is {owner} already", spelling, "another name")
         is_refused = spelling.lower() in compiled.REFUSED
-        if is_refused or spelling.lower() in RESERVED or spelling in horticulture.WORDS:
+        if is_refused or spelling.lower() in RESERVED or spelling in table.GROWERS_WORDS:
             raise self.error(f"'{quote(spelling)}' is a word of radcalc", spelling, "another name")
 
     def worth(self, value: str) -> Row:
@@ -203,7 +202,7 @@ def _merge_spectrum(row: Row, note: str, place: str, folder: str) -> None:
 
     name, target = row["name"], row["value"]
     taken = sources.find_named(name) is not None or name.lower() in FORMS
-    if taken or lookup(name) or horticulture.WORDS.get(name.lower()):
+    if taken or lookup(name) or table.GROWERS_WORDS.get(name.lower()):
         raise ConditionError(f"{place}: '{quote(name)}' is a name of radcalc", "another name")
     path = os.path.join(folder, os.path.expanduser(target))
     if os.path.exists(path) and sources.find_named(target) is None:

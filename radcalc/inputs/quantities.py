@@ -4,25 +4,24 @@ import math
 from typing import TYPE_CHECKING, Any, cast
 
 from radcalc import errors, maths
-from radcalc.derivation import format_number
+from radcalc.answer import format_number
 from radcalc.errors import option, quote
 from radcalc.floats import divide
-from radcalc.inputs.given import DigitsMatter, Input, check_limits
+from radcalc.inputs import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
-from radcalc.quantities.light import describe
-from radcalc.quantities.light import read as read_light
+from radcalc.quantities import describe
+from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
-from radcalc.units.amount import Amount
+from radcalc.units import NUMBER, Unit, is_own
 from radcalc.units.dimensions import ANGLE, ENERGY, SOLID_ANGLE, TIME
-from radcalc.units.numbers import parse_number, relative_rounding
+from radcalc.units.numbers import Amount, parse_number, relative_rounding
 from radcalc.units.ranges import real, with_list
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit, is_own
 
 LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that can be in OD, stops or dB
 if TYPE_CHECKING:
-    from radcalc.units.scales import ScaleUnit
+    from radcalc.units.values import ScaleUnit
 
 MARKED = {"f-number": "f/", "nd": "nd"}  # prefixes of numbers: f/8,f/11 is a list, not 8.11
 MARKS_OF_STOPS = range(101, 114)  # marks of filters for 1 to 13 stops
@@ -168,7 +167,7 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> errors.Condit
         return errors.MissingUnit(name, quote(text), with_likely_unit(symbol, number), number)
     example, is_array = symbol.example, maths.is_array(amount.number)
     if name == "bandwidth" and unit.dimension == ENERGY and not is_array:
-        from radcalc.spectra.planck import PLANCK
+        from radcalc.spectra.observers import PLANCK
 
         example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
     problem = f"{option(name)} takes {symbol.takes}, not {describe(unit)}"
@@ -218,7 +217,7 @@ def _read_amount(symbol: Symbol, text: str) -> Amount:
 def _difference(text: str) -> Amount | None:
     """Read a temperature difference in degrees of another scale (°C); None for other texts."""
     unit_text = text[max(map(text.rfind, "0123456789.)%")) + 1 :].strip()
-    from radcalc.units.scales import degree
+    from radcalc.units.values import degree
 
     unit = degree(unit_text)
     without_unit = text.replace(unit_text, "") if unit else ""

@@ -6,13 +6,13 @@ from typing import Any
 
 from radcalc import errors
 from radcalc.errors import option, quote
-from radcalc.inputs.given import Input, runs_backwards
+from radcalc.inputs import Input, runs_backwards
 from radcalc.inputs.quantities import MARKED, quantity_input, with_likely_unit
 from radcalc.quantities import symbols
+from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import split_value
 from radcalc.units.ranges import read_array, read_values
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER, Unit
 
 
 def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
@@ -91,14 +91,10 @@ def read_as(symbol: symbols.Symbol, value: Any, uncertain: bool = False) -> Inpu
 
 def _reader(form: str) -> Callable[[symbols.Symbol, Any], Input]:
     """Return the reader of a form; load those of places and spectra on demand."""
-    if form in (symbols.SPECTRUM, symbols.WAVELENGTHS):
-        from radcalc.inputs import spectra
-
-        return spectra.READERS[form]
     if form not in _READERS:
-        from radcalc.inputs import places
+        from radcalc.inputs.places import READERS
 
-        return places.READERS[form]
+        return READERS[form]
     return _READERS[form]
 
 

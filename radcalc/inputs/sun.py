@@ -5,7 +5,7 @@ from datetime import datetime
 
 from radcalc import errors
 from radcalc.errors import option, quote
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 

@@ -15,9 +15,9 @@ powers.  The media do not absorb and are not magnetic.
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.laws.law import AnyLaw, At, law, relation
+from radcalc.laws import AnyLaw, At, law, relation
 from radcalc.maths import any_true, asin, atan, cos, sin, smaller, square, tan
-from radcalc.spectra.planck import LIGHT, PLANCK, STEFAN_BOLTZMANN, WIEN
+from radcalc.spectra.observers import LIGHT, PLANCK, STEFAN_BOLTZMANN, WIEN
 
 EXACT = "SI Brochure: exact h and c"
 FREQUENCY = law(

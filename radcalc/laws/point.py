@@ -17,12 +17,23 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from radcalc import maths
-from radcalc.derivation import format_number
+from radcalc import geometry, maths
+from radcalc.answer import format_number
 from radcalc.errors import add, leave_out, option
-from radcalc.geometry import cones
-from radcalc.laws.common import APEX, CONE, COSINE, ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
+from radcalc.laws import (
+    APEX,
+    CONE,
+    COSINE,
+    ENERGY,
+    EXPOSURE,
+    AnyLaw,
+    At,
+    Relation,
+    Several,
+    law,
+    refuse_arrays,
+    relation,
+)
 from radcalc.quantities.symbols import DISTRIBUTIONS
 
 ISOTROPIC, CONICAL, LOBED = DISTRIBUTIONS
@@ -30,7 +41,7 @@ ISOTROPIC, CONICAL, LOBED = DISTRIBUTIONS
 
 def _exponent_of(solid_angle: Any) -> Any:
     exponent = 2 * math.pi / solid_angle - 1
-    cones.refuse(
+    geometry.refuse(
         exponent < -1e-9,
         "no lobe has that flux and that intensity: it would fill more than a hemisphere",
         f"more intensity or less flux, or {option('distribution', 'cone')}",
@@ -43,7 +54,7 @@ LOBE = relation(
     "flux of a lobe divided by its peak intensity",
     "{solid-angle} = 2 pi Omega0 / ({exponent} + 1)",
     {
-        "solid-angle": lambda at: cones.lobe(at("exponent")),
+        "solid-angle": lambda at: geometry.lobe(at("exponent")),
         "exponent": lambda at: _exponent_of(at("solid-angle")),
     },
 )
@@ -51,16 +62,16 @@ BEAM_ANGLE = relation(
     "beam angle of a lobe",
     "{exponent} = ln(1/2) / ln cos({beam-angle}/2)",
     {
-        "exponent": lambda at: cones.lobe_exponent(at("beam-angle"), 0.5),
-        "beam-angle": lambda at: cones.lobe_angle(at("exponent"), 0.5),
+        "exponent": lambda at: geometry.lobe_exponent(at("beam-angle"), 0.5),
+        "beam-angle": lambda at: geometry.lobe_angle(at("exponent"), 0.5),
     },
 )
 FIELD_ANGLE = relation(
     "field angle of a lobe",
     "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
     {
-        "exponent": lambda at: cones.lobe_exponent(at("field-angle"), 0.1),
-        "field-angle": lambda at: cones.lobe_angle(at("exponent"), 0.1),
+        "exponent": lambda at: geometry.lobe_exponent(at("field-angle"), 0.1),
+        "field-angle": lambda at: geometry.lobe_angle(at("exponent"), 0.1),
     },
 )
 
@@ -161,12 +172,12 @@ LAWS: dict[str, list[AnyLaw]] = {
         relation(
             "part of a lobe's flux within an angle",
             "{part} = 1 - cos({within})^({exponent} + 1)",
-            {"part": lambda at: cones.lobe_part(at("exponent"), at("within"))},
+            {"part": lambda at: geometry.lobe_part(at("exponent"), at("within"))},
         ),
         relation(
             "part of a lobe's flux in its beam",
             "{beam-part} = 1 - cos({beam-angle}/2)^({exponent} + 1)",
-            {"beam-part": lambda at: cones.lobe_part(at("exponent"), at("beam-angle") / 2)},
+            {"beam-part": lambda at: geometry.lobe_part(at("exponent"), at("beam-angle") / 2)},
         ),
         law("flux in the beam", "{beam-flux} = {flux} {beam-part}"),
     ],
@@ -212,7 +223,7 @@ ANY_LAWS: list[AnyLaw] = [
 
 
 def _height_or_offset(distance: Any, other: Any, name: str) -> Any:
-    cones.refuse(
+    geometry.refuse(
         distance < other,
         f"the distance is less than the {name}",
         f"a {option('distance')} of at least the {option(name)}: it is "
@@ -238,7 +249,9 @@ FALL = relation(
     "fall of a lobe",
     "{relative-intensity} = cos({off-axis})^{exponent}",
     {
-        "relative-intensity": lambda at: maths.exp(at("exponent") * cones.ln_cos(at("off-axis"))),
+        "relative-intensity": lambda at: maths.exp(
+            at("exponent") * geometry.ln_cos(at("off-axis"))
+        ),
         "exponent": lambda at: _exponent_at(at("relative-intensity"), at("off-axis")),
     },
 )
@@ -288,7 +301,7 @@ def _floor(shape: str, of_energy: bool) -> Relation:
 
 def _lateral_of(part: Any, height: Any, exponent: Any) -> Any:
     """Return the offset at which the irradiance is a part of that under the source: cos^(n + 3)."""
-    cones.refuse(
+    geometry.refuse(
         (part > 1) | (part <= 0),
         f"more light than that intensity sends to that height ({format_number(part)} times it)",
         "another irradiance, intensity or height",
@@ -324,7 +337,7 @@ def _both_sides(
 ) -> tuple[float, ...]:
     """Return the zeros of a function that rises up to its top and falls after it."""
     most = excess(top)
-    cones.refuse(
+    geometry.refuse(
         most < -ROUNDING,
         f"more light than any {what} gives there",
         "less irradiance, or more flux or intensity",
@@ -355,7 +368,7 @@ FALL_BELOW = relation(
 def _exponents_of(at: At) -> Any:
     """Return the one or two exponents that give (n + 1) cos(gamma)^n the value of the inputs."""
     part = 2 * math.pi * at("irradiance") * maths.square(at("distance")) / at("flux") / at("cosine")
-    fall = -cones.ln_cos(at("off-axis"))
+    fall = -geometry.ln_cos(at("off-axis"))
     refuse_arrays("exponents", part, fall)
     if fall == 0:
         return _exponent_of(2 * math.pi / part)
@@ -379,12 +392,12 @@ SPOT = relation(
 
 
 def _exponent_at(share: Any, off_axis: Any) -> Any:
-    cones.refuse(
+    geometry.refuse(
         (share > 1 + 1e-9) | (share <= 0),
         "no lobe has that irradiance there: it is 0, or more than the peak would give",
         "another intensity or irradiance",
     )
-    return abs(maths.log(share) / cones.ln_cos(off_axis))
+    return abs(maths.log(share) / geometry.ln_cos(off_axis))
 
 
 def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:

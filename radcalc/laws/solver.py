@@ -8,10 +8,9 @@ from functools import cached_property, partial
 from itertools import product
 from typing import Any
 
-from radcalc.answer import Step
-from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
+from radcalc.answer import Step, coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
-from radcalc.laws.law import AnyLaw, At, Law, Relation, Several
+from radcalc.laws import AnyLaw, At, Law, Relation, Several
 from radcalc.maths import any_true, is_array, is_lost, larger, limit, piecewise, smaller
 from radcalc.tuples import NamedTuple
 from radcalc.units.numbers import EXACT
@@ -60,7 +59,7 @@ class Agreement(NamedTuple):
 
     Examples
     --------
-    >>> from radcalc.laws.common import DIAMETER
+    >>> from radcalc.laws import DIAMETER
     >>> given = {"diameter": Known(2.0, 0.05), "radius": Known(1.01, 0.005)}
     >>> solve([DIAMETER], given).agreed[0].implied
     2.02
@@ -87,7 +86,7 @@ class Solution(NamedTuple):
 
     Examples
     --------
-    >>> from radcalc.laws.common import CIRCLE
+    >>> from radcalc.laws import CIRCLE
     >>> [(law.name, target) for law, target in solve([CIRCLE], {"area": Known(1.0)}).used]
     [('area of a circle', 'radius')]
     """
@@ -112,7 +111,7 @@ class Solution(NamedTuple):
 
         Examples
         --------
-        >>> from radcalc.laws.common import CIRCLE
+        >>> from radcalc.laws import CIRCLE
         >>> sorted(solve([CIRCLE], {"area": Known(1.0)}).origins("radius"))
         ['area', 'area of a circle', 'radius']
         """
@@ -139,7 +138,7 @@ class Disagreement(ConditionError):
 
     Examples
     --------
-    >>> from radcalc.laws.common import DIAMETER
+    >>> from radcalc.laws import DIAMETER
     >>> Disagreement(DIAMETER, "diameter", 3.0, 2.0).message
     "diameter contradicts the others by the law 'diameter'"
     """
@@ -194,7 +193,7 @@ def solve(
 
     Examples
     --------
-    >>> from radcalc.laws.common import CIRCLE, DIAMETER
+    >>> from radcalc.laws import CIRCLE, DIAMETER
     >>> found = solve([CIRCLE, DIAMETER], {"diameter": Known(2.0)})
     >>> found.values["radius"].value, round(found.values["area"].value, 6)
     (1.0, 3.141593)
@@ -227,7 +226,7 @@ def solve_all(
 
     Examples
     --------
-    >>> from radcalc.laws.common import CIRCLE
+    >>> from radcalc.laws import CIRCLE
     >>> len(solve_all([CIRCLE], {"area": Known(1.0)}))
     1
     """
@@ -584,7 +583,7 @@ def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
 
     Examples
     --------
-    >>> from radcalc.laws.common import CIRCLE, DIAMETER
+    >>> from radcalc.laws import CIRCLE, DIAMETER
     >>> sorted(reached([CIRCLE, DIAMETER], {"area"}))
     ['area', 'diameter', 'radius']
     """
@@ -612,7 +611,7 @@ class Derivation(Sequence[Step]):
 
     Examples
     --------
-    >>> from radcalc.laws.common import DIAMETER
+    >>> from radcalc.laws import DIAMETER
     >>> steps = Derivation(solve([DIAMETER], {"radius": Known(2.0)}))
     >>> len(steps), steps[0].numbers
     (1, 'D = 2 (2 m) = 4 m')
@@ -664,7 +663,7 @@ def step_of(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
 
     Examples
     --------
-    >>> from radcalc.laws.common import DIAMETER
+    >>> from radcalc.laws import DIAMETER
     >>> values = {"diameter": Known(2.0), "radius": Known(1.0)}
     >>> step_of(DIAMETER, "radius", values, "").numbers
     '(2 m) = 2 R, so R = 1 m'

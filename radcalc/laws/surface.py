@@ -8,14 +8,23 @@ at least five times its size, and the inverse square law, which is an estimate. 
 import math
 from typing import Any
 
-from radcalc.derivation import Formula
-from radcalc.geometry import cones, projected
-from radcalc.geometry.cones import refuse
-from radcalc.geometry.sky import (
-    CIE,
+from radcalc import geometry
+from radcalc.answer import Formula
+from radcalc.geometry import refuse, solid
+from radcalc.geometry.models import CIE
+from radcalc.laws import (
+    CONFIGURATION_FACTOR,
+    ENERGY,
+    EXPOSURE,
+    HOWELL,
+    AnyLaw,
+    At,
+    Relation,
+    Several,
+    law,
+    refuse_arrays,
+    relation,
 )
-from radcalc.laws.common import CONFIGURATION_FACTOR, ENERGY, EXPOSURE
-from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, refuse_arrays, relation
 from radcalc.maths import SLACK, Number, each, limit, piecewise, sin, sqrt, square
 from radcalc.units.numbers import EXACT
 
@@ -78,7 +87,7 @@ CUT_DISC = relation(
     "{projected-solid-angle} = integral of cos(theta) over the solid angle that the horizon leaves "
     "of the disc, {radius} at {distance}, under {incidence}",
     {
-        "projected-solid-angle": lambda at: projected.disc(
+        "projected-solid-angle": lambda at: solid.projected_disc(
             at("radius"), at("distance"), 0.0, at("incidence")
         )
     },
@@ -94,7 +103,7 @@ TOO_MUCH = (
 
 def _hemisphere_over(at: At) -> Any:
     part = at("projected-solid-angle")
-    cones.refuse(part >= math.pi, *TOO_MUCH)
+    geometry.refuse(part >= math.pi, *TOO_MUCH)
     return math.pi / part
 
 
@@ -141,7 +150,7 @@ def disc_on_axis(away: str) -> Relation:
         "disc on its axis",
         f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{away}}}^2)",
         {
-            "projected-solid-angle": lambda at: projected.disc(at("radius"), at(away)),
+            "projected-solid-angle": lambda at: solid.projected_disc(at("radius"), at(away)),
             away: lambda at: at("radius") * sqrt(_hemisphere_over(at) - 1),
             "radius": lambda at: at(away) / sqrt(_hemisphere_over(at) - 1),
         },
@@ -184,7 +193,7 @@ def disc_flux(away: str) -> Relation:
 
     def side(at: At, other: str) -> Any:
         rest = at("flux") / (math.pi * at("irradiance")) - square(at(other))
-        cones.refuse(
+        geometry.refuse(
             rest < 0,
             "more irradiance than a disc of that flux gives there",
             "more flux, or less irradiance",
@@ -210,14 +219,14 @@ def disc_flux(away: str) -> Relation:
 def _slope(at: At) -> Any:
     """Return (1 - 2 F) / sqrt(F (1 - F)), with the projected solid angle F over pi."""
     part = at("projected-solid-angle") / math.pi
-    cones.refuse(part >= 1, *TOO_MUCH)
+    geometry.refuse(part >= 1, *TOO_MUCH)
     return (1 - 2 * part) / sqrt(part * (1 - part))
 
 
 def _disc_offset(at: At) -> Any:
     radius, height = at("radius"), at("height")
     rest = square(radius) - square(height) + _slope(at) * radius * height
-    cones.refuse(rest < 0, "more irradiance than below the disc's centre", TOO_MUCH[1])
+    geometry.refuse(rest < 0, "more irradiance than below the disc's centre", TOO_MUCH[1])
     return sqrt(rest)
 
 
@@ -228,7 +237,7 @@ def _disc_heights(at: At) -> Any:
     rest = (offset - radius) * (offset + radius)
     refuse_arrays("heights", half, rest)
     within = square(half) - rest
-    cones.refuse(
+    geometry.refuse(
         within < 0 or (half <= 0 <= rest), "more irradiance than at any height there", TOO_MUCH[1]
     )
     far = half + sqrt(within) if half > 0 else -rest / (sqrt(within) - half)
@@ -246,7 +255,7 @@ DISC_ASIDE = relation(
     "{projected-solid-angle} = Omega0 pi/2 (1 - ({height}^2 + {lateral}^2 - {radius}^2) / "
     "sqrt(({height}^2 + {lateral}^2 + {radius}^2)^2 - 4 {radius}^2 {lateral}^2))",
     {
-        "projected-solid-angle": lambda at: projected.disc(
+        "projected-solid-angle": lambda at: solid.projected_disc(
             at("radius"), at("height"), at("lateral")
         ),
         "lateral": _disc_offset,
@@ -265,7 +274,7 @@ def _disc_radii(at: At) -> Any:
 
     def excess(logarithm: float) -> float:
         radius = math.exp(logarithm)
-        return math.log(projected.disc(radius, height, offset) / radius**2 / part)
+        return math.log(solid.projected_disc(radius, height, offset) / radius**2 / part)
 
     away = math.log(math.hypot(height, offset))
     low, high = away - 12, away + 12  # small against the distance; the hemisphere
@@ -279,7 +288,7 @@ def _disc_radii(at: At) -> Any:
         else:
             right -= third
     top = (left + right) / 2
-    cones.refuse(
+    geometry.refuse(
         excess(top) < -EXACT,
         "more irradiance than a disc of that flux gives there",
         "more flux, or less irradiance",
@@ -343,23 +352,23 @@ def rectangle_on_axis(away: str) -> Relation:
     """
 
     def height(part: float, width: float, length: float) -> float:
-        cones.refuse(part >= math.pi * (1 - SLACK), *TOO_MUCH)
+        geometry.refuse(part >= math.pi * (1 - SLACK), *TOO_MUCH)
         most = least = math.sqrt(width * length / part)
-        while projected.rectangle(width, length, least) < part:
+        while solid.projected_rectangle(width, length, least) < part:
             least /= 2
-        return limit(lambda h: projected.rectangle(width, length, h) >= part, most, least)
+        return limit(lambda h: solid.projected_rectangle(width, length, h) >= part, most, least)
 
     def side(part: float, other: float, height: float) -> float:
-        cones.refuse(
+        geometry.refuse(
             part >= math.pi * other / math.hypot(other, 2 * height) * (1 - SLACK),
             "more irradiance than an endless strip of that radiance gives there",
             TOO_MUCH[1],
         )
         least = part * height**2 / other
         most = 2 * least
-        while projected.rectangle(most, other, height) <= part:
+        while solid.projected_rectangle(most, other, height) <= part:
             most *= 2
-        return limit(lambda w: projected.rectangle(w, other, height) <= part, most, least)
+        return limit(lambda w: solid.projected_rectangle(w, other, height) <= part, most, least)
 
     return relation(
         "rectangle on its axis",
@@ -367,7 +376,7 @@ def rectangle_on_axis(away: str) -> Relation:
         "b / sqrt(1 + b^2) arctan(a / sqrt(1 + b^2))), "
         f"a = {{width}} / (2 {{{away}}}), b = {{length}} / (2 {{{away}}})",
         {
-            "projected-solid-angle": lambda at: projected.rectangle(
+            "projected-solid-angle": lambda at: solid.projected_rectangle(
                 at("width"), at("length"), at(away)
             ),
             away: lambda at: each(height, at("projected-solid-angle"), at("width"), at("length")),
@@ -382,7 +391,7 @@ SPHERE_AT_DISTANCE = relation(
     "sphere, its centre at a distance",
     "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
     {
-        "projected-solid-angle": lambda at: projected.sphere(at("radius"), at("distance")),
+        "projected-solid-angle": lambda at: solid.projected_sphere(at("radius"), at("distance")),
         "distance": lambda at: at("radius") * sqrt(_hemisphere_over(at)),
         "radius": lambda at: at("distance") / sqrt(_hemisphere_over(at)),
     },

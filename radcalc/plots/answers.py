@@ -5,9 +5,9 @@ from typing import Any
 
 from radcalc.calculators.results import name_of, pick
 from radcalc.errors import UsageError, mention
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
+from radcalc.plots import Picture
 from radcalc.plots.curves import RANGE, Solved, curves, ranged, varied, without_band
-from radcalc.plots.data import Picture
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.spectrum import WHOLE
 
@@ -42,8 +42,8 @@ def depends(command: str, solved: Solved, name: str) -> bool:
     """Return whether the picture depends on a requested result, NAME[:UNIT]."""
     if varied([solved]) and command not in LISTS:
         return True
+    from radcalc.plots.curves import explains
     from radcalc.plots.space import is_intensity
-    from radcalc.plots.spectra import explains
 
     if command == "spectrum":
         return explains(name_of(name))
@@ -51,7 +51,7 @@ def depends(command: str, solved: Solved, name: str) -> bool:
 
 
 def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
-    from radcalc.plots.spectra import diagram, spectra
+    from radcalc.plots.curves import diagram, spectra
 
     sources = [answer.given["spectrum"].value for answer in solved]
     if picture := diagram(sources, [*map(name_of, wanted)]):
@@ -62,7 +62,7 @@ def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> 
 
 
 def _photon(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
-    from radcalc.plots.spectra import photon
+    from radcalc.plots.curves import photon
 
     given = solved[0].given
     wave = given[next(iter(given))]

@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from radcalc.derivation import in_ascii
+from radcalc import plots
+from radcalc.answer import in_ascii
 from radcalc.errors import printable
-from radcalc.plots import data
-from radcalc.plots.data import levels, limits, log_ticks, rings, span, texts, ticks
+from radcalc.plots import levels, limits, log_ticks, rings, span, texts, ticks
 from radcalc.plots.sheet import (
     APART,
     BEHIND,
@@ -61,12 +61,12 @@ def style_of(width: int = 80, height: int = 0, color: bool = False) -> Style:
     return Style(width, color, not can_show(BRAILLE), height)
 
 
-def draw(picture: data.Picture, style: Style) -> str:
+def draw(picture: plots.Picture, style: Style) -> str:
     """Return a picture, not one of `IN_A_FILE`, as lines of text, no wider than the style."""
     ways: dict[type, Callable[[Any, Style], list[str]]] = {
-        data.Chart: _chart,
-        data.Polar: _polar,
-        data.Field: _field,
+        plots.Chart: _chart,
+        plots.Polar: _polar,
+        plots.Field: _field,
     }
     style = style._replace(width=max(style.width, NARROWEST))
     picture = _in_ascii(picture) if style.ascii else picture  # before it is laid out
@@ -90,7 +90,7 @@ def _in_ascii(item: Any) -> Any:
 # -- polar diagrams --------------------------------------------------------------------------------
 
 
-def _polar(polar: data.Polar, style: Style) -> list[str]:
+def _polar(polar: plots.Polar, style: Style) -> list[str]:
     """Draw the axis downwards, and only the lower half if the upper half is dark."""
     circles, is_half = rings(polar.most), polar.is_half
     names, outer = texts(circles), circles[-1]
@@ -103,7 +103,7 @@ def _polar(polar: data.Polar, style: Style) -> list[str]:
         columns, rows, (-columns * dot, columns * dot), ((top - 4 * rows) * dot, top * dot)
     )
     grid = sheet.layer(DIM, BEHIND)
-    reach = data.RIGHT if is_half else 180.0
+    reach = plots.RIGHT if is_half else 180.0
     for size in circles:
         circle = [_turned(size, angle) for angle in _degrees(-reach, reach)]
         dotted(grid, pairwise(circle), GRID)
@@ -128,7 +128,7 @@ def _polar(polar: data.Polar, style: Style) -> list[str]:
     ]
 
 
-def _planes(polar: data.Polar, sheet: Sheet, style: Style) -> list[tuple[str, str, str]]:
+def _planes(polar: plots.Polar, sheet: Sheet, style: Style) -> list[tuple[str, str, str]]:
     """Draw the planes of a polar diagram; return their entries in the legend."""
     entries = []
     for k, plane in enumerate(polar.planes):
@@ -142,7 +142,7 @@ def _planes(polar: data.Polar, sheet: Sheet, style: Style) -> list[tuple[str, st
             line(canvas, pairwise(points))
         else:
             dotted(canvas, pairwise(points))
-        look = sample(data.LINE if k == 0 else data.REFERENCE, mark, style)
+        look = sample(plots.LINE if k == 0 else plots.REFERENCE, mark, style)
         entries.append((look, color, plane.label))
     return entries
 
@@ -178,7 +178,7 @@ def _tall(style: Style) -> int:
 # -- plans ---------------------------------------------------------------------------------------
 
 
-def _field(field: data.Field, style: Style) -> list[str]:
+def _field(field: plots.Field, style: Style) -> list[str]:
     """Draw the contours of a plan, to scale."""
     (left, right), (bottom, top) = x_ends, y_ends = [(v[0], v[-1]) for v in (field.xs, field.ys)]
     y_ticks = ticks(*y_ends, 6)
@@ -203,7 +203,7 @@ def _field(field: data.Field, style: Style) -> list[str]:
     ]
 
 
-def _write_marks(sheet: Sheet, marks: Sequence[data.Mark]) -> str:
+def _write_marks(sheet: Sheet, marks: Sequence[plots.Mark]) -> str:
     """Write each mark, and its label on its right or left; return a note of those without room."""
     places = [sheet.place(mark.x, mark.y) for mark in marks]
     for column, row in places:
@@ -218,10 +218,10 @@ def _write_marks(sheet: Sheet, marks: Sequence[data.Mark]) -> str:
                 break
         else:
             unnamed.append(mark.label)
-    return data.nameless(unnamed)
+    return plots.nameless(unnamed)
 
 
-def _contours(sheet: Sheet, field: data.Field) -> None:
+def _contours(sheet: Sheet, field: plots.Field) -> None:
     """Draw contours with their numbers, far from each other and from marks."""
     found = levels([value for row in field.rows for value in row])
     taken = [sheet.place(mark.x, mark.y) for mark in field.marks]
@@ -252,7 +252,7 @@ def _name_contour(sheet: Sheet, cells: set[Cell], name: str, color: str, taken: 
 
 
 def _segments(
-    xs: data.Values, ys: data.Values, rows: Sequence[data.Values], level: float
+    xs: plots.Values, ys: plots.Values, rows: Sequence[plots.Values], level: float
 ) -> Iterator[Piece]:
     """Yield the straight pieces of a contour, each across a triangle, half a cell."""
     for (y0, low), (y1, high) in pairwise(zip(ys, rows, strict=True)):
@@ -282,7 +282,7 @@ def _between(
 # -- charts ----------------------------------------------------------------------------------------
 
 
-def _chart(chart: data.Chart, style: Style) -> list[str]:
+def _chart(chart: plots.Chart, style: Style) -> list[str]:
     """Draw curves, marks and bands between axes."""
     rows = min(max(style.width // SHARE, LEAST), MOST)
     x_of, y_of = _scale(chart.x.is_log), _scale(chart.y.is_log)
@@ -294,7 +294,7 @@ def _chart(chart: data.Chart, style: Style) -> list[str]:
     columns = style.width - margin - 1
     x_ends, x_ticks = _ends(chart.x, places, max(columns // 10, 2), is_round=False)
     size = (x_of(x_ends[0]), x_of(x_ends[1])), (y_of(y_ends[0]), y_of(y_ends[1]))
-    has_points = any(series.style == data.POINTS for series in chart.series)
+    has_points = any(series.style == plots.POINTS for series in chart.series)
     sheet = Sheet.between(columns, rows, *size, edge=1 if has_points else 0)
     for label, place in chart.marks:
         _upright(sheet, x_of(place), label)
@@ -311,19 +311,19 @@ def _chart(chart: data.Chart, style: Style) -> list[str]:
 
 
 def _draw_series(
-    chart: data.Chart, sheet: Sheet, x_of: Scale, y_of: Scale, style: Style
+    chart: plots.Chart, sheet: Sheet, x_of: Scale, y_of: Scale, style: Style
 ) -> list[tuple[str, str, str]]:
     """Return the entries in the legend."""
     entries, drawn = [], []
     count = len(chart.curves)
     colors = _hues(chart, sheet) if count == 1 else PLAIN
     named = chart.named
-    is_numbered = sum(chart.series[k].style in (data.LINE, data.POINTS) for k in named) > 1
+    is_numbered = sum(chart.series[k].style in (plots.LINE, plots.POINTS) for k in named) > 1
     for k, series in enumerate(chart.series):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
         if chart.is_crowd:
             color = _on_ramp(k, count)
-        if series.style == data.REFERENCE:
+        if series.style == plots.REFERENCE:
             color, mark, colors = DIM, BEHIND, PLAIN
         elif colors:
             color = ""
@@ -338,7 +338,7 @@ def _draw_series(
         _curve(canvas, points, series.style, sheet)
         if k in named:
             look = sample(series.style, mark, style)
-            if series.style in (data.LINE, data.POINTS) and is_numbered:
+            if series.style in (plots.LINE, plots.POINTS) and is_numbered:
                 drawn.append((dict(sheet.place(*point) for point in points), color))
                 look = f"{len(drawn)} {look}"
             entries.append((look, color, series.label))
@@ -358,14 +358,14 @@ def _upright(sheet: Sheet, x: float, label: str) -> None:
 
 def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
     """Draw a line through points, dots, or vertical lines below them."""
-    if style == data.LINES:
+    if style == plots.LINES:
         for x, y in points:
             canvas.line(x, sheet.y[0], x, y)
         return
-    if style == data.REFERENCE:
+    if style == plots.REFERENCE:
         dotted(canvas, _inside(points, sheet))
         return
-    if style == data.POINTS:
+    if style == plots.POINTS:
         for x, y in points:
             blot(canvas, x, y, sheet)
         return
@@ -374,7 +374,7 @@ def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
 
 def _band(canvas: Any, low: list[Point], high: list[Point], style: str, sheet: Sheet) -> None:
     """Draw the ends of uncertain values: dotted lines, or a bar through each point."""
-    if style == data.POINTS:
+    if style == plots.POINTS:
         for start, end in zip(low, high, strict=True):
             canvas.line(*start, *end)
         return
@@ -397,7 +397,7 @@ def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> Point:
     return x, y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 
 
-def _hues(chart: data.Chart, sheet: Sheet) -> dict[int, str]:
+def _hues(chart: plots.Chart, sheet: Sheet) -> dict[int, str]:
     """Return the colours of columns."""
     colors = {}
     for hue in chart.hues:
@@ -442,7 +442,7 @@ def _scale(is_log: bool) -> Scale:
 
 
 def _ends(
-    axis: data.Axis, values: list[float], most: int, is_round: bool = True
+    axis: plots.Axis, values: list[float], most: int, is_round: bool = True
 ) -> tuple[Point, list[float]]:
     if axis.is_log:
         low, high = axis.limits or (min(values), max(values))

@@ -12,11 +12,13 @@ from itertools import product
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from radcalc import plots
 from radcalc.errors import ConditionError, printable
-from radcalc.plots import figure_style as style
-from radcalc.plots.data import (
+from radcalc.plots import (
+    GREY,
     LINE,
     LINES,
+    NO_LIGHT,
     POINTS,
     REFERENCE,
     RIGHT,
@@ -28,6 +30,7 @@ from radcalc.plots.data import (
     Mark,
     Picture,
     Polar,
+    axis_title,
     levels,
     limits,
     nameless,
@@ -36,7 +39,6 @@ from radcalc.plots.data import (
     span,
     texts,
 )
-from radcalc.plots.figure_style import GREY, NO_LIGHT, axis_title
 from radcalc.terminal import cut, fold
 
 FORMATS = (".svg", ".png")
@@ -55,8 +57,8 @@ def figure(picture: Picture) -> Any:
         Disc: _disc,
         ColourDiagram: _colour_diagram,
     }
-    with matplotlib.rc_context({**matplotlib.rcParamsDefault, **style.SETTINGS}):
-        drawing = Figure(figsize=style.SIZE, layout="constrained")
+    with matplotlib.rc_context({**matplotlib.rcParamsDefault, **plots.SETTINGS}):
+        drawing = Figure(figsize=plots.SIZE, layout="constrained")
         drawers[type(picture)](picture, drawing)
     return drawing
 
@@ -67,9 +69,9 @@ def data(picture: Picture, extension: str) -> bytes:
     out = io.BytesIO()
     metadata = {"Date": None} if extension == ".svg" else {"Software": None}
     drawing = figure(picture)
-    with matplotlib.rc_context(style.SETTINGS), warnings.catch_warnings():
+    with matplotlib.rc_context(plots.SETTINGS), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # about letters missing in the font
-        drawing.savefig(out, format=extension[1:], dpi=style.DOTS, metadata=metadata)
+        drawing.savefig(out, format=extension[1:], dpi=plots.DOTS, metadata=metadata)
     return out.getvalue()
 
 
@@ -138,15 +140,15 @@ def _chart(chart: Chart, drawing: Any) -> None:
         if series.style == LINES:
             drawn.append(axes.vlines(series.x, 0, series.y, color=color, lw=2))
         elif series.style == POINTS:
-            look = {"marker": style.MARKERS[turn], "ms": 6, "ls": ""}
+            look = {"marker": plots.MARKERS[turn], "ms": 6, "ls": ""}
             drawn += axes.plot(series.x, series.y, color=color, clip_on=False, zorder=3, **look)
         else:
-            dots = {"marker": "o", "ms": 3} if len(series.x) < style.DENSE else {}
-            drawn += axes.plot(series.x, series.y, color=color, ls=style.LINESTYLES[turn], **dots)
+            dots = {"marker": "o", "ms": 3} if len(series.x) < plots.DENSE else {}
+            drawn += axes.plot(series.x, series.y, color=color, ls=plots.LINESTYLES[turn], **dots)
         if series.band and series.style == POINTS:
             axes.vlines(series.x, *series.band, color=color, lw=1.3)
         elif series.band:
-            axes.fill_between(series.x, *series.band, color=color, alpha=style.BAND, lw=0)
+            axes.fill_between(series.x, *series.band, color=color, alpha=plots.BAND, lw=0)
     for label, place in chart.marks:
         axes.axvline(place, color=GREY, lw=1)
         axes.annotate(
@@ -156,7 +158,7 @@ def _chart(chart: Chart, drawing: Any) -> None:
     _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, chart.x)
     _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, chart.y)
     if not chart.y.is_log and chart.y.limits is None:
-        axes.set_ylim(*limits([y for series in chart.series for y in series.heights], style.TICKS))
+        axes.set_ylim(*limits([y for series in chart.series for y in series.heights], plots.TICKS))
     if chart.y.limits:
         axes.set_ylim(chart.y.limits[0], chart.y.limits[1] * 1.04)
     if chart.hues:
@@ -170,11 +172,11 @@ def _legend(chart: Chart, drawn: Sequence[Any], axes: Any) -> None:
     """Name the curves: a few in the chart, more of them on its right."""
     named = chart.named
     handles = [drawn[k] for k in named]
-    labels = [_safe(chart.series[k].label, style.LABEL) for k in named]
+    labels = [_safe(chart.series[k].label, plots.LABEL) for k in named]
     if chart.more:
         handles.append(axes.plot([], [], ls="")[0])
         labels.append(chart.more)
-    if len(named) > style.BESIDE:
+    if len(named) > plots.BESIDE:
         axes.figure.legend(handles, labels, loc="outside right upper", fontsize=8.5)
     elif named:
         axes.legend(handles, labels)
@@ -184,10 +186,10 @@ def _looks(chart: Chart) -> list[tuple[Any, int]]:
     """Return a colour and a line style for each curve; too many to name have ordered colours."""
     count = len(chart.curves)
     if not chart.is_crowd:
-        return [(style.COLORS[k % len(style.COLORS)], k // len(style.COLORS)) for k in range(count)]
+        return [(plots.COLORS[k % len(plots.COLORS)], k // len(plots.COLORS)) for k in range(count)]
     import matplotlib
 
-    return [(matplotlib.colormaps[style.COLORMAP](0.95 * k / (count - 1)), 0) for k in range(count)]
+    return [(matplotlib.colormaps[plots.COLORMAP](0.95 * k / (count - 1)), 0) for k in range(count)]
 
 
 def _note(note: str, axes: Any) -> None:
@@ -208,7 +210,7 @@ def _hues(chart: Chart, axes: Any) -> None:
         filled, shade, top = axes.fill_between(x, 0, y, lw=0, color="none"), 0.5, max(y)
         clipped = {"clip_path": (filled.get_paths()[0], axes.transData)}
     else:
-        shade, top, clipped = 0.8, heights[1] * style.STRIP, {}
+        shade, top, clipped = 0.8, heights[1] * plots.STRIP, {}
     half = (places[1] - places[0]) / 2
     axes.imshow(
         numpy.array([[hue[1:] for hue in chart.hues]]),
@@ -232,7 +234,7 @@ def _axis(mpl_axis: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
     if axis.unit == "deg" and not axis.is_log:
         from matplotlib.ticker import MaxNLocator
 
-        mpl_axis.set_major_locator(MaxNLocator(steps=style.ANGLES))
+        mpl_axis.set_major_locator(MaxNLocator(steps=plots.ANGLES))
     if axis.limits:
         set_ends(*axis.limits)
 
@@ -255,15 +257,15 @@ def _polar(polar: Polar, drawing: Any) -> None:
     """Draw the axis downwards, and only the lower half if the upper half is dark."""
     is_half, circles = polar.is_half, rings(polar.most)
     drawing.set_layout_engine("none")
-    drawing.set_size_inches(*(style.HALF if is_half else style.SQUARE))
-    axes = drawing.add_axes(style.WEDGE if is_half else style.CIRCLE, projection="polar")
+    drawing.set_size_inches(*(plots.HALF if is_half else plots.SQUARE))
+    axes = drawing.add_axes(plots.WEDGE if is_half else plots.CIRCLE, projection="polar")
     axes.set_theta_zero_location("S")
-    for color, plane, dashes in zip(style.COLORS, polar.planes, style.DASHES, strict=False):
+    for color, plane, dashes in zip(plots.COLORS, polar.planes, plots.DASHES, strict=False):
         turns = [math.radians(angle) for angle in plane.angles]
         axes.plot(turns, plane.values, color=color, linestyle=dashes, label=plane.label)
         axes.fill(turns, plane.values, color=color, alpha=0.08, lw=0)
         if plane.band:
-            axes.fill_between(turns, *plane.band, color=color, alpha=style.BAND, lw=0)
+            axes.fill_between(turns, *plane.band, color=color, alpha=plots.BAND, lw=0)
     rays = range(-180, 180, 30)
     if is_half:
         axes.set_thetamin(-RIGHT)
@@ -273,11 +275,11 @@ def _polar(polar: Polar, drawing: Any) -> None:
     axes.set_xticks(places, [f"{abs(angle)}\u00b0" for angle in rays])
     axes.set_ylim(0.0, circles[-1])
     names = texts(circles)
-    if max(map(len, names)) > style.LONG:  # they would cover each other
+    if max(map(len, names)) > plots.LONG:  # they would cover each other
         names = ["" if k % 2 else name for k, name in enumerate(reversed(names))][::-1]
     axes.set_yticks(circles, names)
     axes.set_rlabel_position(RIGHT if is_half else 75)
-    axes.spines["polar"].set_color(style.FAINT)
+    axes.spines["polar"].set_color(plots.FAINT)
     above = 0.04 if polar.note else 0.0
     drawing.legend(
         title=axis_title(polar.radius), loc="lower center", ncols=2, bbox_to_anchor=(0.5, above)
@@ -291,11 +293,11 @@ def _polar(polar: Polar, drawing: Any) -> None:
 
 def _field(field: Field, drawing: Any) -> None:
     ratio = (field.xs[-1] - field.xs[0]) / (field.ys[-1] - field.ys[0])
-    drawing.set_size_inches(*style.plan_size(ratio))
+    drawing.set_size_inches(*plots.plan_size(ratio))
     axes = drawing.subplots()
     axes.grid(visible=False)
     axes.set_aspect("equal")
-    _filled(drawing, axes, field.xs, field.ys, field.rows, field.value, is_flat=ratio > style.FLAT)
+    _filled(drawing, axes, field.xs, field.ys, field.rows, field.value, is_flat=ratio > plots.FLAT)
     axes.set_xlabel(axis_title(field.x))
     axes.set_ylabel(axis_title(field.y))
     axes.set_title(_folded(field.title, drawing))
@@ -307,10 +309,10 @@ def _disc(disc: Disc, drawing: Any) -> None:
     import numpy
     from matplotlib.patches import Circle
 
-    drawing.set_size_inches(*style.SQUARE)
+    drawing.set_size_inches(*plots.SQUARE)
     axes = drawing.subplots()
     axes.set_aspect("equal")
-    axes.set(xlim=(-style.ROUND, style.ROUND), ylim=(-style.ROUND, style.ROUND))
+    axes.set(xlim=(-plots.ROUND, plots.ROUND), ylim=(-plots.ROUND, plots.ROUND))
     axes.axis("off")
     places = numpy.linspace(-1.0, 1.0, len(disc.rows))
     x, y = numpy.meshgrid(places, places)
@@ -319,7 +321,7 @@ def _disc(disc: Disc, drawing: Any) -> None:
     if disc.is_image and inside.min() < inside.max():
         _shaded(drawing, axes, places, rows, inside, disc.value)
     else:
-        _filled(drawing, axes, places, places, rows, disc.value, numpy.hypot(x, y) < style.WHOLE)
+        _filled(drawing, axes, places, places, rows, disc.value, numpy.hypot(x, y) < plots.WHOLE)
     for drawn in axes.collections:
         drawn.set_clip_path(Circle((0, 0), 1, transform=axes.transData))
     axes.add_patch(Circle((0, 0), 1, fill=False, color=GREY))
@@ -342,8 +344,8 @@ def _shaded(drawing: Any, axes: Any, places: Any, rows: Any, inside: Any, value:
     norm = (LogNorm if scale.is_log else Normalize)(scale.low, scale.high)
     ends = bool(inside.min() < scale.low), bool(inside.max() > scale.high)
     extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(ends, "neither")
-    colormap = matplotlib.colormaps[style.COLORMAP]
-    colormap = colormap.with_extremes(bad=colormap(0.0), over=style.OVER)  # bad: the logarithm of 0
+    colormap = matplotlib.colormaps[plots.COLORMAP]
+    colormap = colormap.with_extremes(bad=colormap(0.0), over=plots.OVER)  # bad: the logarithm of 0
     drawn = axes.pcolormesh(places, places, rows, cmap=colormap, norm=norm, rasterized=True)
     label = f"{axis_title(value)}, {scale.kind}"
     drawing.colorbar(drawn, ax=axes, shrink=0.8, label=label, extend=extend)
@@ -351,13 +353,13 @@ def _shaded(drawing: Any, axes: Any, places: Any, rows: Any, inside: Any, value:
 
 def _colour_diagram(diagram: ColourDiagram, drawing: Any) -> None:
     """Draw curves and points over the colours of the plane."""
-    drawing.set_size_inches(*style.SQUARE)
+    drawing.set_size_inches(*plots.SQUARE)
     axes = drawing.subplots()
     axes.grid(visible=False)
     if diagram.arrows:
         _vectors(diagram, axes)
     else:
-        from radcalc.spectra.rendition import draw_chromaticities
+        from radcalc.spectra.colorimetry import draw_chromaticities
 
         draw_chromaticities(axes)
     for series in diagram.series:
@@ -377,15 +379,15 @@ def _vectors(diagram: ColourDiagram, axes: Any) -> None:
     from matplotlib.image import imread
     from matplotlib.patches import Circle
 
-    from radcalc.spectra.rendition import vector_background
+    from radcalc.spectra.colorimetry import vector_background
 
     (left, right), (low, high) = diagram.limits
     axes.imshow(imread(vector_background()), extent=(left, right, low, high))
-    for radius in style.SHIFTS:
+    for radius in plots.SHIFTS:
         axes.add_patch(Circle((0, 0), radius, fill=False, color="white", lw=0.8))
         axes.text(0, -radius, f"{radius - 1:+.0%}", color=NO_LIGHT, fontsize=7, ha="center")
     for start, end in diagram.arrows:
-        axes.annotate("", end, start, arrowprops=style.ARROW)
+        axes.annotate("", end, start, arrowprops=plots.ARROW)
     for mark in diagram.marks:
         axes.text(mark.x, mark.y, _safe(mark.label), color=NO_LIGHT, ha="center", va="center")
 
@@ -408,7 +410,7 @@ def _filled(
     values = numpy.asarray(rows, float)
     contour_levels = levels(values.ravel().tolist())
     if not contour_levels:
-        axes.pcolormesh(xs, ys, values, cmap=style.COLORMAP)
+        axes.pcolormesh(xs, ys, values, cmap=plots.COLORMAP)
         even = values if inside is None else values[inside]
         axes.annotate(
             f"{axis_title(value)}, {span(even.ravel().tolist())}",
@@ -423,7 +425,7 @@ def _filled(
         *contour_levels,
         max(float(values.max()), contour_levels[-1]),
     ]
-    shades = matplotlib.colormaps[style.COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
+    shades = matplotlib.colormaps[plots.COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
     filled = axes.contourf(xs, ys, values, bounds, colors=shades)
     lines = axes.contour(xs, ys, values, contour_levels, colors="white", linewidths=0.9)
     names = texts(contour_levels)
@@ -446,10 +448,10 @@ def _safe(text: str, width: int = sys.maxsize) -> str:
 
 def _folded(text: str, drawing: Any) -> str:
     """Fold a text to the width of the figure, and cut it if it has too many lines."""
-    width = int(style.LETTERS * (drawing.get_figwidth() - style.MARGINS))
+    width = int(plots.LETTERS * (drawing.get_figwidth() - plots.MARGINS))
     lines = [cut(line, width) for line in fold(_shown(text), width)]
-    if len(lines) > style.MOST_LINES:
-        *first, last = lines[: style.MOST_LINES]
+    if len(lines) > plots.MOST_LINES:
+        *first, last = lines[: plots.MOST_LINES]
         lines = [*first, f"{cut(last, width - 4)} ..."]
     return "\n".join(lines).replace("$", r"\$")
 
@@ -463,7 +465,7 @@ def _shown(text: str) -> str:
 def _letters() -> frozenset[int]:
     from matplotlib.font_manager import findfont, get_font
 
-    return frozenset(get_font(findfont(style.FONT)).get_charmap())
+    return frozenset(get_font(findfont(plots.FONT)).get_charmap())
 
 
 def _marks(axes: Any, marks: Sequence[Mark], note: str) -> None:
@@ -474,14 +476,14 @@ def _marks(axes: Any, marks: Sequence[Mark], note: str) -> None:
     from matplotlib.transforms import Bbox
 
     for mark in marks:
-        look = {"color": "white", "mec": NO_LIGHT, "ms": style.MARK}
+        look = {"color": "white", "mec": NO_LIGHT, "ms": plots.MARK}
         axes.plot(mark.x, mark.y, "o", clip_on=False, **look)
     _note(note, axes)
     if not marks:
         return
     axes.figure.draw_without_rendering()  # the layout moves the axes
     points = [axes.transData.transform((mark.x, mark.y)) for mark in marks]
-    half = style.MARK * axes.figure.dpi / style.POINT / 2
+    half = plots.MARK * axes.figure.dpi / plots.POINT / 2
     taken = [Bbox([point - half, point + half]) for point in points]
     others = [*axes.texts, *filter(None, [axes.get_legend()])]
     taken += [other.get_window_extent() for other in others]
@@ -499,12 +501,12 @@ def _is_named(axes: Any, mark: Mark, taken: list[Any]) -> bool:
     from matplotlib.text import Text
 
     halo = [withStroke(linewidth=2.5, foreground="white")]
-    for reach, (across, up) in product(style.REACHES, style.AROUND):
-        has_leader = reach > style.REACHES[0]
+    for reach, (across, up) in product(plots.REACHES, plots.AROUND):
+        has_leader = reach > plots.REACHES[0]
         leader = {"arrowstyle": "-", "color": NO_LIGHT, "lw": 0.7} if has_leader else None
         label = axes.annotate(
             _safe(mark.label), (mark.x, mark.y), (reach * across, reach * up),
-            textcoords="offset points", ha=style.ACROSS[across], va=style.UP[up], color=NO_LIGHT,
+            textcoords="offset points", ha=plots.ACROSS[across], va=plots.UP[up], color=NO_LIGHT,
             fontsize=9, path_effects=halo, arrowprops=leader,
         )  # fmt: skip
         label.get_window_extent()  # moves it to its place; with the line to its mark

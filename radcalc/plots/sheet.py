@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from plotille import Canvas
 
 from radcalc.errors import printable
-from radcalc.plots.data import LINES, POINTS, REFERENCE, Axis
+from radcalc.plots import LINES, POINTS, REFERENCE, Axis
 from radcalc.terminal import RESET, columns_of, fold
 
 PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns

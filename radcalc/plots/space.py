@@ -6,26 +6,25 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.answer import Answer
+from radcalc import plots
+from radcalc.answer import Answer, format_angle
 from radcalc.calculators.environment import Source, surroundings
 from radcalc.calculators.point_laws import spread
 from radcalc.calculators.results import name_of, pick
 from radcalc.calculators.sky import place_of_sun
 from radcalc.calculators.uncertainty import STANDARD
-from radcalc.derivation import format_angle
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
 from radcalc.distributions.environments import Radiances, Sky
-from radcalc.distributions.formula import of_shape
-from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions.maps import RadianceMap
 from radcalc.distributions.scene import Axis as Coordinates
+from radcalc.distributions.sources import of_shape
 from radcalc.errors import UsageError, option
-from radcalc.geometry import directions
+from radcalc.geometry import projections
+from radcalc.geometry.models import sky_type
 from radcalc.geometry.numerics.expression import Expression
-from radcalc.geometry.sky import sky_type
 from radcalc.inputs.places import AS_GRID
 from radcalc.inputs.sun import located
 from radcalc.maths import is_uncertain
-from radcalc.plots import data
 from radcalc.plots.curves import Solved, without_band
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
 from radcalc.units.table import resolve
@@ -37,17 +36,17 @@ PIXELS = 181  # of a disc, along each side
 POLARS, AZIMUTHS = 361, 72  # samples of an integrand
 FEW = 4  # azimuths at which an integrand is drawn
 STRENGTHS = ("peak-intensity", "intensity")
-RELATIVE = data.Axis("relative intensity")
+RELATIVE = plots.Axis("relative intensity")
 NAMES = "xyz"
 
 
 def polar(
     distribution: Distribution,
     factor: float,
-    radius: data.Axis,
+    radius: plots.Axis,
     title: str = "",
     ends: tuple[float, float] | None = None,
-) -> data.Polar:
+) -> plots.Polar:
     """Return the polar diagram of a distribution: the planes C0-C180 and C90-C270.
 
     `factor` converts the intensities to the unit of the radius; `ends` are those of an uncertain
@@ -61,11 +60,11 @@ def polar(
         values = numpy.broadcast_to(distribution.intensity(theta, phi), phi.shape)
         name = EVERY_PLANE if distribution.is_axial else label
         band = ((ends[0] * values).tolist(), (ends[1] * values).tolist()) if ends else None
-        planes.append(data.Plane(name, angles.tolist(), (factor * values).tolist(), band))
-    return data.Polar(title, radius, planes)
+        planes.append(plots.Plane(name, angles.tolist(), (factor * values).tolist(), band))
+    return plots.Polar(title, radius, planes)
 
 
-def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> data.Polar:
+def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> plots.Polar:
     """Return the polar diagram of a point source, in the unit of its intensity."""
     values, given = solved.answer.values, solved.given
     present = [value for value in values if not value.is_absent]
@@ -96,11 +95,11 @@ def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> data.Polar:
     if row.uncertainty and not note:
         ends = (row.value - row.uncertainty) / strength, (row.value + row.uncertainty) / strength
         note = f"band: \u00b1 {STANDARD}"
-    axis = data.Axis(f"{row.quantity} I", row.unit)
+    axis = plots.Axis(f"{row.quantity} I", row.unit)
     return polar(distribution, row.value / strength, axis, title, ends)._replace(note=note)
 
 
-def of_sky(name: str, solved: Solved) -> data.Disc:
+def of_sky(name: str, solved: Solved) -> plots.Disc:
     """Return a sky as seen by an observer who looks up, in the unit of its zenith luminance."""
     given = located(solved.given)
     kind = sky_type(name)
@@ -115,28 +114,28 @@ def of_sky(name: str, solved: Solved) -> data.Disc:
     return fisheye(
         sky,
         row.value,
-        data.Axis(row.quantity.removeprefix("zenith "), row.unit),
-        directions.UP,
+        plots.Axis(row.quantity.removeprefix("zenith "), row.unit),
+        projections.UP,
         title,
         sun,
     )
 
 
-def of_environment(source: Source, solved: Solved) -> data.Disc:
+def of_environment(source: Source, solved: Solved) -> plots.Disc:
     """Return the surroundings as seen by a receiver."""
     radiances = surroundings(source, solved.given)
     unit = light_unit("radiance", radiances.kind) if radiances.kind else ""
     label = specific_name("radiance", radiances.kind) if unit else "relative radiance"
     factor = 1 / float(resolve(unit).factor) if unit else 1.0
-    normal = solved.given["normal"].value if "normal" in solved.given else directions.UP
+    normal = solved.given["normal"].value if "normal" in solved.given else projections.UP
     title = "" if "normal" not in solved.given else f"toward {solved.given['normal'].text}"
-    value = data.Axis(label.replace("-", " "), unit)
+    value = plots.Axis(label.replace("-", " "), unit)
     is_image = isinstance(radiances, RadianceMap)
     drawn = fisheye(radiances, factor, value, normal, title, is_image=is_image)
     return _with_peak(drawn, solved, normal)
 
 
-def _with_peak(disc: data.Disc, solved: Solved, normal: directions.Vector) -> data.Disc:
+def _with_peak(disc: plots.Disc, solved: Solved, normal: projections.Vector) -> plots.Disc:
     """Mark the direction of the peak, and note its radiance; neither if there is none."""
     values = {value.name: value for value in solved.answer.values}
     if values["peak-polar"].is_absent:
@@ -163,12 +162,12 @@ def is_intensity(wanted: str) -> bool:
 def fisheye(
     radiances: Radiances,
     factor: float,
-    value: data.Axis,
-    normal: directions.Vector = directions.UP,
+    value: plots.Axis,
+    normal: projections.Vector = projections.UP,
     title: str = "",
     sun: tuple[float, float] | None = None,
     is_image: bool = False,
-) -> data.Disc:
+) -> plots.Disc:
     """Return an equidistant view of the surroundings along a normal, with 90 deg at the rim.
 
     In a vertical view the azimuth 0 is at the top; seen from below, azimuths increase clockwise.
@@ -182,8 +181,8 @@ def fisheye(
     angle = numpy.minimum(away, 1.0) * math.pi / 2
     across = numpy.sin(angle) / numpy.where(away > 0, away, 1.0)
     direction = (x * across, y * across, numpy.cos(angle))
-    theta, phi, _ = directions.spherical(
-        *directions.from_components((right, up, forward), direction)
+    theta, phi, _ = projections.spherical(
+        *projections.from_components((right, up, forward), direction)
     )
     values = numpy.broadcast_to(factor * radiances.radiance(theta, phi), x.shape)
     rim = [("up", 0), ("right", 90), ("down", 180), ("left", 270)]
@@ -193,29 +192,29 @@ def fisheye(
         rim = [(f"{azimuth}\u00b0", sign * azimuth % 360) for azimuth in range(0, 360, 45)]
         centre = "zenith" if forward[2] > 0 else "nadir"
     marks = _mark("sun", sun, normal) if sun else []
-    return data.Disc(title, value, values.tolist(), rim, centre, marks, is_image)
+    return plots.Disc(title, value, values.tolist(), rim, centre, marks, is_image)
 
 
 def _axes(
-    normal: directions.Vector,
-) -> tuple[directions.Vector, directions.Vector, directions.Vector]:
+    normal: projections.Vector,
+) -> tuple[projections.Vector, projections.Vector, projections.Vector]:
     """Return the directions to the right, up and forward of a view along a normal."""
-    forward, _, up = directions.facing(normal)
+    forward, _, up = projections.facing(normal)
     if not (forward[0] or forward[1]):
         up = (1.0, 0.0, 0.0)
-    return directions.cross(forward, up), up, forward
+    return projections.cross(forward, up), up, forward
 
 
-def _mark(label: str, to: tuple[float, float], normal: directions.Vector) -> list[data.Mark]:
+def _mark(label: str, to: tuple[float, float], normal: projections.Vector) -> list[plots.Mark]:
     """Return the mark of a direction (polar angle and azimuth [rad]); none behind the view."""
     right, up, forward = _axes(normal)
-    direction = directions.cartesian(*to)
-    ahead = math.acos(max(-1.0, min(1.0, directions.dot(direction, forward))))
+    direction = projections.cartesian(*to)
+    ahead = math.acos(max(-1.0, min(1.0, projections.dot(direction, forward))))
     if ahead > math.pi / 2:
         return []
-    place = directions.dot(direction, right), directions.dot(direction, up)
+    place = projections.dot(direction, right), projections.dot(direction, up)
     share = ahead / (math.pi / 2) / (math.hypot(*place) or 1.0)
-    return [data.Mark(label, place[0] * share, place[1] * share)]
+    return [plots.Mark(label, place[0] * share, place[1] * share)]
 
 
 def integrand(
@@ -223,7 +222,7 @@ def integrand(
     unit: str,
     polar_angles: tuple[float, float],
     azimuths: tuple[float, float] = ALL_AZIMUTHS,
-) -> data.Chart:
+) -> plots.Chart:
     """Return an expression over the polar angle at some azimuths, and its part in the integral.
 
     `polar_angles` and `azimuths` [rad] are the limits of the integral.
@@ -235,7 +234,7 @@ def integrand(
     along, around = numpy.meshgrid(theta, turns)
 
     def values_at(along: Any, around: Any) -> Any:
-        x, y, z = directions.cartesian(along, around)
+        x, y, z = projections.cartesian(along, around)
         with numpy.errstate(all="ignore"):  # at a pole
             values = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
         return numpy.broadcast_to(values, numpy.shape(along)).astype(float)
@@ -243,10 +242,10 @@ def integrand(
     with numpy.errstate(all="ignore"):
         weighted = values_at(along, around).mean(axis=0) * numpy.sin(theta)
 
-    def series(name: str, values: Any, style: str = data.LINE) -> data.Series:
+    def series(name: str, values: Any, style: str = plots.LINE) -> plots.Series:
         """Return a series without poles, which are drawn only as far as they are sampled."""
         finite = numpy.isfinite(values)
-        return data.Series(
+        return plots.Series(
             name, numpy.degrees(theta[finite]).tolist(), values[finite].tolist(), style
         )
 
@@ -260,9 +259,11 @@ def integrand(
             name = f"f(\u03b8, \u03c6 = {format_angle(azimuth)})"
         curves.append(series(name, values_at(theta, azimuth + 0 * theta)))
     mean = "f sin \u03b8" if expression.is_axial else "mean of f over \u03c6, times sin \u03b8"
-    curves.append(series(mean, weighted, data.REFERENCE))
+    curves.append(series(mean, weighted, plots.REFERENCE))
     title = f"f = {text}"
-    return data.Chart(title, data.Axis("polar angle \u03b8", "deg"), data.Axis("f", unit), curves)
+    return plots.Chart(
+        title, plots.Axis("polar angle \u03b8", "deg"), plots.Axis("f", unit), curves
+    )
 
 
 class Surveyed(NamedTuple):
@@ -270,11 +271,11 @@ class Surveyed(NamedTuple):
 
     axes: Sequence[Coordinates]
     blocks: Iterable[Answer]
-    sources: Sequence[tuple[str, directions.Vector]] = ()
+    sources: Sequence[tuple[str, projections.Vector]] = ()
     wanted: str = "irradiance"
 
 
-def over_grid(survey: Surveyed) -> data.Picture:
+def over_grid(survey: Surveyed) -> plots.Picture:
     """Return results at the points of a grid: contours over a plane, or a curve along a line.
 
     Raise a UsageError if the grid is a point, or has three dimensions.
@@ -287,7 +288,7 @@ def over_grid(survey: Surveyed) -> data.Picture:
     rows = [pick(block.values, survey.wanted) for block in survey.blocks]
     values = numpy.concatenate([row.value for row in rows])
     values = values.reshape([axis.size for axis in survey.axes])
-    value = data.Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
+    value = plots.Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
     lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in survey.axes]
     for k, axis in enumerate(survey.axes):
         if axis.start > axis.end:
@@ -297,18 +298,18 @@ def over_grid(survey: Surveyed) -> data.Picture:
     title = f"{rows[0].quantity} at {', '.join(fixed)}"
     if len(long) == 1:
         (k,) = long
-        return data.Chart(
+        return plots.Chart(
             title,
-            data.Axis(NAMES[k], "m"),
+            plots.Axis(NAMES[k], "m"),
             value,
-            [data.Series("", lines[k], values.ravel().tolist())],
+            [plots.Series("", lines[k], values.ravel().tolist())],
         )
     i, j = long
     table = values.reshape(len(lines[i]), len(lines[j])).T
     marks = [
-        data.Mark(name, place[i], place[j])
+        plots.Mark(name, place[i], place[j])
         for name, place in survey.sources
         if lines[i][0] <= place[i] <= lines[i][-1] and lines[j][0] <= place[j] <= lines[j][-1]
     ]
-    axes = data.Axis(NAMES[i], "m"), data.Axis(NAMES[j], "m")
-    return data.Field(title, *axes, value, lines[i], lines[j], table.tolist(), marks)
+    axes = plots.Axis(NAMES[i], "m"), plots.Axis(NAMES[j], "m")
+    return plots.Field(title, *axes, value, lines[i], lines[j], table.tolist(), marks)

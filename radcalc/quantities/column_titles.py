@@ -20,16 +20,13 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.files.columns import IN_BRACKETS, plain
-from radcalc.quantities.light import NONE, PHOTON, RADIANT, Reading, describe, read
+from radcalc.quantities import NONE, PHOTON, RADIANT, Reading, describe, read
 from radcalc.quantities.names import PPF, PPFD, QUANTITIES, SOLAR, Quantity
-from radcalc.quantities.search import comparable, index
+from radcalc.quantities.search import GENERIC, comparable, index
 from radcalc.quantities.symbols import LINKS, light_unit
-from radcalc.quantities.targets import GENERIC
-from radcalc.units.horticulture import PAR_RANGE
-from radcalc.units.scales import find as find_scale
-from radcalc.units.scales import scale_of
-from radcalc.units.table import PARTS, resolve, suggest, unit_of
-from radcalc.units.unit import NUMBER, Unit
+from radcalc.units import NUMBER, Unit
+from radcalc.units.table import PAR_RANGE, PARTS, resolve, suggest, unit_of
+from radcalc.units.values import find_scale, scale_of
 
 AROUND = " \t,;:_/-–"  # characters between a name and a unit
 LONGEST = 200  # characters of a title that is searched for a unit

@@ -1,4 +1,4 @@
-"""The names of the quantities of light in English, Czech and Russian.
+"""The names of the quantities of light in English, Czech and Russian, and their units.
 
 The names are those of the CIE's vocabulary (ILV, IEC 60050-845) and ISO 80000-7, and their Czech
 and Russian equivalents; an empty name means that no settled one is known, and the English one is
@@ -8,10 +8,27 @@ used.  The first of several names is preferred; the others are also in use: "ira
 in WikiSkripta ("Radiometrické veličiny"), "poměrná spektrální světelná účinnost" in Světlopedia
 ("Světelná účinnost") and "intenzita ozařování" in Reichl's Encyklopedie fyziky.
 The definitions are radcalc's own.  The tables are in `data`.
+
+The units of a quantity are those for `convert` without a target, for `units` and for completion.
 """
 
 import os
 from typing import NamedTuple
+
+from radcalc.quantities import (
+    LUMINOUS,
+    NONE,
+    PER_FREQUENCY,
+    PER_WAVELENGTH,
+    PER_WAVENUMBER,
+    PHOTON,
+    RADIANT,
+    is_per_length,
+    name_of,
+    read,
+)
+from radcalc.units import Dimension, Unit
+from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
 
 
 class Quantity(NamedTuple):
@@ -108,3 +125,87 @@ SOLAR = ("ghi", "dni", "dhi", "gti", "poa")  # irradiances of the sun and the sk
 DLI = ("dli", "daily light integral")
 # Misnomers: the terms, then the symbol of the quantity that is meant, and an explanation.
 MISNOMERS = tuple([(tuple(row[0].split(" | ")), row[1], row[2]) for row in data_rows("misnomers")])
+
+
+# Derived units without a name are products: a head for kind and time, and divisors.  The candela
+# is already per steradian.
+HEADS = {
+    (RADIANT, 0): ("W", "kW", "mW", "uW"),
+    (RADIANT, 1): ("J", "kJ", "mJ", "uJ"),
+    (LUMINOUS, 0): ("lm", "klm"),
+    (LUMINOUS, 1): ("lm.s", "lm.h"),
+    (PHOTON, 0): ("umol", "mol", "photon"),
+    (PHOTON, 1): ("umol", "mol", "photon"),
+}
+CANDELAS = {0: ("cd", "kcd", "mcd"), 1: ("cd.s",)}
+AREAS = {0: ("",), 1: ("/m2", "/cm2")}
+CUSTOMARY_AREAS = {0: (), 1: ("/ft2", "/in2")}
+AXES = {
+    NONE: ("",),
+    PER_WAVELENGTH: ("/nm", "/um"),
+    PER_FREQUENCY: ("/Hz", "/THz"),
+    PER_WAVENUMBER: ("/cm-1",),
+}
+PER_LENGTH = ("/m", "/cm", "/ft")
+PREFIXES = "km"
+COMPOSED = {
+    "length": ("m", "cm", "um", "nm"),
+    "area": ("m2", "cm2", "mm2", "ft2", "in2"),
+    "volume": ("m3", "cm3", "ft3"),
+    "solid angle": ("sr", "msr", "deg2", "arcmin2", "arcsec2"),
+    "wavenumber": ("cm-1", "m-1"),
+    "etendue": ("m2.sr", "mm2.sr", "cm2.sr"),
+    "luminous efficacy": ("lm/W",),
+    "photon efficacy": ("umol/J", "mol/J", "photon/J"),
+    "luminous efficacy per photon": ("lm.s/umol", "lm.s/photon"),
+    "photon energy": ("J/photon", "eV/photon", "kJ/mol"),
+    "speed": ("m/s",),
+}
+
+
+def composed(unit: Unit) -> list[str]:
+    """Return products of units that measure the quantity of `unit`."""
+    reading = read(unit)
+    if reading is None or reading.retinal:
+        return list(COMPOSED.get(name_of(unit), ()))
+    heads: tuple[str, ...] = HEADS[reading.kind, reading.time]
+    per_angle = "/sr" if reading.solid_angle else ""
+    per_time = "/s" if reading.kind == PHOTON and not reading.time else ""
+    if reading.kind == LUMINOUS and reading.solid_angle:
+        heads, per_angle = CANDELAS[reading.time], ""
+    areas = [(head, area) for head in heads for area in AREAS[reading.area]]
+    areas += [(heads[0], area) for area in CUSTOMARY_AREAS[reading.area]]
+    axes = PER_LENGTH if is_per_length(unit) else AXES[reading.axis]
+    return [head + area + per_angle + per_time + axis for head, area in areas for axis in axes]
+
+
+def units_of(unit: Unit) -> list[str]:
+    """Return the spellings of every unit that measures the quantity of `unit`."""
+    from radcalc.units.catalogue import CATALOGUE
+
+    spellings = composed(unit)
+    for name in named(unit.dimension):
+        symbols = CATALOGUE[name][0]
+        spellings.append((symbols or (name,))[0])
+        allowed = UNITS[name][3]
+        if symbols:
+            spellings += [p + symbols[0] for p in PREFIXES if PREFIX_SYMBOLS[p] in allowed]
+    return list(dict.fromkeys(spellings))
+
+
+def named(dimension: Dimension) -> list[str]:
+    """Return the named units of a dimension, in the order of the definitions."""
+    return [name for name, (_, _, powers, _) in UNITS.items() if powers == dimension]
+
+
+def offered(unit: Unit) -> list[str]:
+    """Return `units_of` in the order of use: symbols, products, names without a symbol."""
+    spellings = units_of(unit)
+    return sorted(spellings, key=lambda text: 2 if text in NAMES else "/" in text or "." in text)
+
+
+def full_name(unit: Unit) -> str:
+    """Return the name of a unit (footcandle), or the quantity of a product (irradiance)."""
+    if len(unit.atoms) == 1 and unit.atoms[0][1] == 1:
+        return unit.atoms[0][0].replace("_", " ")
+    return name_of(unit)

@@ -1,4 +1,8 @@
-"""Search for a quantity by a name, a symbol, a unit or a misnomer."""
+"""Search for a quantity by a name, a symbol, a unit or a misnomer; names of quantities as units.
+
+A quantity is named as the TARGET of a conversion, and completed there; the name of a unit takes
+precedence over that of a quantity.
+"""
 
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator
@@ -6,25 +10,42 @@ from functools import cache
 from itertools import product
 from typing import NamedTuple, TypeVar
 
-from radcalc.errors import UsageError, command, corrections, nearest, quote
-from radcalc.quantities import light
-from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import name_of
+from radcalc.errors import UnitError, UsageError, command, corrections, manual, nearest, quote
+from radcalc.quantities import (
+    EXITANCES,
+    GEOMETRIES,
+    KIND_NAMES,
+    KINDS,
+    NONE,
+    OTHERS,
+    PER_WAVELENGTH,
+    Reading,
+    is_per_length,
+    light_dimension,
+    name_of,
+    read,
+)
+from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import (
+    DLI,
     ELSEWHERE,
     LABELS,
     MISNOMERS,
     OTHER_NAMES,
+    PPF,
+    PPFD,
     QUANTITIES,
     Quantity,
+    composed,
 )
-from radcalc.units.dimensions import LENGTH
+from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
+from radcalc.units import NUMBER, Exitance, Unit, table
+from radcalc.units.dimensions import COHERENT, LENGTH
 from radcalc.units.languages import bare
-from radcalc.units.scales import find
-from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import NUMBER, Unit
+from radcalc.units.table import resolve, suggest, unit_of
+from radcalc.units.values import find_scale, resolve_any
 
-KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
+KIND_OF_SUBSCRIPT = {"e": "radiometric", "v": "photometric", "p": "photon"}
 GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}
 BRACKETS = str.maketrans("[]()", "    ")
 IN_NO_NAME = "!?#@$&=<>|~;"  # characters that names do not contain
@@ -135,13 +156,13 @@ def index() -> Index:
 
 def _other_quantities() -> Iterator[Other]:
     """Return the quantities of `name_of` that are not in the vocabulary, and the wavelength."""
-    for dimension, (name, _) in light.OTHERS.items():
+    for dimension, (name, _) in OTHERS.items():
         if dimension != NUMBER:
             yield Other((name, *names_elsewhere(name)), Unit("", 1, 1, dimension, ()))
-    for kind, geometry in product(light.KIND_NAMES, light.GEOMETRIES):
-        for axis, below in ((light.NONE, ()), (light.PER_WAVELENGTH, (("nanometre", -1),))):
-            name = light.Reading(kind, *geometry, axis).name.partition(" (")[0]
-            yield Other((name,), Unit("", 1, 1, light.light_dimension(kind, geometry, axis), below))
+    for kind, geometry in product(KIND_NAMES, GEOMETRIES):
+        for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
+            name = Reading(kind, *geometry, axis).name.partition(" (")[0]
+            yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
     yield Other(("wavelength", *names_elsewhere("wavelength")), Unit("", 1, 1, LENGTH, ()))
 
 
@@ -169,8 +190,8 @@ def called(text: str) -> list[Found]:
 
 def _is_plain(quantity: Quantity) -> bool:
     """Return whether a quantity is light itself, not a ratio or a spectral density."""
-    reading = light.read(resolve(quantity.unit))
-    return reading is not None and reading.axis == light.NONE
+    reading = read(resolve(quantity.unit))
+    return reading is not None and reading.axis == NONE
 
 
 def label_of(text: str) -> str:
@@ -192,7 +213,6 @@ def _labels() -> dict[str, str]:
 
 def _of_labels(text: str) -> list[Found]:
     """Return the quantity of `OTHER_NAMES` with that name in any language: the wavelength."""
-    from radcalc.quantities.symbols import SYMBOLS
 
     label = label_of(text)
     symbol = next((s for s in SYMBOLS.values() if s.label == label), None) if label else None
@@ -231,7 +251,7 @@ def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
     for q in QUANTITIES:
         letter, _, below = q.symbol.partition("_")
         keys = {symbol_key(q.symbol), symbol_key(q.symbol.replace("_e,", "_"))}
-        if below in KINDS or "(" in letter:
+        if below in KIND_OF_SUBSCRIPT or "(" in letter:
             keys.add(letter[0])
         if key in map(case, keys):
             matches.append(Found(q))
@@ -244,7 +264,7 @@ def _by_words(
     words = comparable(text).split()
     matches = []
     for q in QUANTITIES:
-        kind = [KINDS.get(q.symbol.partition("_")[2][:1], "")]
+        kind = [KIND_OF_SUBSCRIPT.get(q.symbol.partition("_")[2][:1], "")]
         names = [name + kind for group in index().words[q.symbol] for name in group[:first]]
         if words and any(all(any(alike(n, w) for n in name) for w in words) for name in names):
             matches.append(Found(q))
@@ -252,7 +272,7 @@ def _by_words(
 
 
 def _unit(text: str) -> Unit | None:
-    unit = find(text) or unit_of(text)
+    unit = find_scale(text) or unit_of(text)
     return unit if unit and unit.dimension != NUMBER else None
 
 
@@ -260,7 +280,7 @@ def _by_unit(unit: Unit | None) -> list[Found]:
     """Return the quantities of a unit; for an unlisted density, the quantity without its axis."""
     if unit is None:
         return []
-    if light.is_per_length(unit):
+    if is_per_length(unit):
         return _per_length(unit)
     measured = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
     if unit.is_exitance:
@@ -270,20 +290,20 @@ def _by_unit(unit: Unit | None) -> list[Found]:
         measured = [q for q in measured if not q.symbol.startswith("M")]
     if measured:
         return [Found(q) for q in measured]
-    reading = light.read(unit)
-    if reading is None or reading.axis == light.NONE:
+    reading = read(unit)
+    if reading is None or reading.axis == NONE:
         return []
     return _without_axis(reading, f"{quote(unit.text)} measures {name_of(unit)}")
 
 
-def _without_axis(reading: light.Reading, note: str) -> list[Found]:
-    name = reading._replace(axis=light.NONE).name
+def _without_axis(reading: Reading, note: str) -> list[Found]:
+    name = reading._replace(axis=NONE).name
     return [Found(q, note) for q in QUANTITIES if name in q.names("en")]
 
 
 def _per_length(unit: Unit) -> list[Found]:
     """Return both readings of W/m: of a strip, and of a spectrum."""
-    reading = light.read(unit)
+    reading = read(unit)
     if reading is None:
         return []
     of_strip = f"{quote(unit.text)} measures {name_of(unit)}, as of a strip of lamps"
@@ -313,3 +333,168 @@ def _by_name_and_unit(text: str) -> list[Found]:
             note += f", which measures {measured[0].quantity.name('en')}"
         return [Found(f.quantity, note) for f in (measured or named)]
     return []
+
+
+# Names for every kind of light; the source determines the kind.
+GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
+SHORTEST = 3  # letters of a name; shorter texts are symbols
+# Quantities with the units of others (Ω, K, a number), and the commands that compute them.
+WITHOUT_OWN_UNIT = {
+    "Ω_p": "solid-angle",
+    "η_v": "point-source",
+    "V(λ)": "photon",
+    "K(λ)": "photon",
+    "f_r": "lambertian",
+}
+
+
+class Target(NamedTuple):
+    """The meaning of a name: a quantity's English name, its usual unit, and a note."""
+
+    name: str
+    unit: str
+    note: str = ""
+
+    def as_unit(self) -> Unit:
+        kind = Exitance if self.name in EXITANCES else Unit
+        return resolve(self.unit).of_class(kind, *filter(None, [self.note]))
+
+
+def named(text: str, source: Unit | None = None) -> Unit:
+    """Return the usual unit of the quantity with that name, which is not the name of a unit.
+
+    A known `source` determines the kind of a name for every kind.
+    """
+    table.refuse_par(text)
+    for names in (PPFD, PPF, DLI):
+        if comparable(text) in names:
+            return resolve_any(names[0])
+    meanings = _meanings(text, source)
+    if not meanings:
+        raise _without_unit(text) or _unknown(text)
+    if len(meanings) > 1:
+        raise _ambiguous(text, meanings, source)
+    return meanings[0].as_unit()
+
+
+def is_name(text: str) -> bool:
+    """Return whether a text is the name of one or several quantities."""
+    return bool(_meanings(text, None)) or comparable(text) in index().names
+
+
+def names_with_units() -> list[tuple[str, str]]:
+    """Return the unambiguous names of quantities, each as one word, with their usual units."""
+    units = {}
+    for folded, name in _names().items():
+        if unit_of(name) is None:
+            meanings = _meanings(name, None)
+            if len(meanings) == 1 or folded in GENERIC:
+                units[name.replace(" ", "-")] = meanings[0].unit
+    return sorted(units.items())
+
+
+def _meanings(text: str, source: Unit | None) -> list[Target]:
+    """Return the quantities that the text can name, none if it names no quantity."""
+    folded = comparable(text)
+    if len(folded) < SHORTEST or folded in table.PAR:
+        return []
+    if folded in DLI:
+        return [Target("photon exposure", table.GROWERS_WORDS["dli"][0], table.DLI)]
+    if folded in GENERIC:
+        return _of_kinds(folded, source)
+    if exact := index().names.get(folded):
+        return [_target(q) for q in exact if q.symbol not in WITHOUT_OWN_UNIT]
+    matches = [f for f in called(text) if f.quantity.symbol not in WITHOUT_OWN_UNIT]
+    if matches := [f for f in matches if "λ" not in f.quantity.symbol]:
+        return [_target(f.quantity, f.note) for f in matches]
+    other = index().others.get(folded)
+    target = _other_target(other) if other else None
+    return [target] if target else []
+
+
+def _of_kinds(name: str, source: Unit | None) -> list[Target]:
+    """Return the meanings of a name for every kind of light: the source's kind, or all kinds.
+
+    Irradiance and radiance are radiant quantities if the source has no kind or has that geometry.
+    """
+    reading = read(source) if source else None
+    kinds = (reading.kind,) if reading else KINDS
+    targets = [Target(_plain(name, kind), light_unit(name, kind)) for kind in kinds]
+    if source is None or reading is None or resolve(targets[0].unit).dimension == source.dimension:
+        return [_target(q) for q in index().names.get(name, ())] or targets
+    return targets
+
+
+def _plain(name: str, kind: str) -> str:
+    return specific_name(name, kind).replace("-", " ")
+
+
+def _target(quantity: Quantity, note: str = "") -> Target:
+    reading = read(resolve(quantity.unit))
+    unit = quantity.unit
+    if reading and not reading.axis and not reading.retinal:
+        unit = LIGHT_UNITS[reading.geometry][0][KINDS.index(reading.kind)]
+    name = quantity.name(ENGLISH)
+    return Target(name, "lm/m2" if name in EXITANCES and unit == "lx" else unit, note)
+
+
+def _other_target(other: Other) -> Target | None:
+    """Return a quantity outside the vocabulary of light and its unit of display, or None."""
+    name, dimension = other.names[0], other.unit.dimension
+    symbol = SYMBOLS.get(name.replace(" ", "-"))
+    units = (symbol.unit if symbol else "", *composed(other.unit), COHERENT.get(dimension, ""))
+    usual = next((u for u in units if u and resolve(u).dimension == dimension), None)
+    return Target(name, usual) if usual else None
+
+
+def _names() -> dict[str, str]:
+    names = [name for q in QUANTITIES for language in LANGUAGES for name in q.names(language)]
+    names += [term for terms, _, _ in MISNOMERS for term in terms]
+    names += [name for other in index().others.values() for name in other.names]
+    return {comparable(name): name for name in (*names, *GENERIC)}
+
+
+def _without_unit(text: str) -> UnitError | None:
+    """Return the error for a quantity that shares its unit with another; None for other texts."""
+    for quantity in index().names.get(comparable(text), ()):
+        name, symbol = quantity.name(ENGLISH), quantity.symbol
+        problem = f"{name} has no unit that distinguishes it"
+        return UnitError(problem, manual(WITHOUT_OWN_UNIT[symbol]))
+    return None
+
+
+def _unknown(text: str) -> UnitError:
+    """Return the error for a text that names no quantity, with similar names."""
+    unknown = UnitError(f"'{quote(text)}' is a unit, not the name of a quantity", "a name")
+    try:
+        resolve(text)
+    except UnitError as error:
+        unknown = error
+    if all(c.isalpha() or c in " -_" for c in text):
+        known = _names()
+        alike = [known[name] for name in nearest(comparable(text), known, 4, 0.75)]
+        likely = [name for name in alike if len(_meanings(name, None)) == 1][:2]
+        if likely:
+            others = dict.fromkeys([*likely, *suggest(text)])
+            unknown = unknown.reworded(hint=corrections(text, *others))
+        elif " " in text.strip() and (similar := near(text, 2)):  # a quantity, not a unit
+            problem = f"unknown unit or quantity '{quote(text)}'"
+            unknown = UnitError(problem, corrections(text, *similar))
+    return unknown
+
+
+def _ambiguous(text: str, meanings: list[Target], source: Unit | None) -> UnitError:
+    """Return the error for a name of several quantities; those of the source's kind come first."""
+    names = [f"{target.name} ({target.unit})" for target in meanings]
+    kind = _kind(source) if source else ""
+    by_kind = sorted(meanings, key=lambda target: _kind(resolve(target.unit)) != kind)
+    units = dict.fromkeys(target.unit.replace(" ", ".") for target in by_kind)
+    return UnitError(
+        f"'{quote(text)}' is ambiguous: {', '.join(names[:-1])} or {names[-1]}",
+        corrections(text, *units),
+    )
+
+
+def _kind(unit: Unit) -> str:
+    reading = read(unit)
+    return reading.kind if reading else ""

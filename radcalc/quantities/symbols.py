@@ -7,7 +7,7 @@ own way.
 
 import math
 
-from radcalc.quantities.light import (
+from radcalc.quantities import (
     EXITANCES,
     GEOMETRIES,
     KIND_NAMES,
@@ -21,6 +21,7 @@ from radcalc.quantities.light import (
     light_dimension,
 )
 from radcalc.tuples import NamedTuple
+from radcalc.units import NUMBER, Dimension
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,
@@ -44,7 +45,6 @@ from radcalc.units.dimensions import (
     WAVENUMBER,
     times,
 )
-from radcalc.units.unit import NUMBER, Dimension
 
 INFINITE = math.inf
 

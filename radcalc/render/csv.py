@@ -11,7 +11,7 @@ from radcalc.errors import printable
 from radcalc.maths import is_array
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import DIGITS, fields, number, refuse_verdict, rounded
-from radcalc.units.scales import resolve_given
+from radcalc.units.values import resolve_given
 
 LINES = 1000  # lines to format at a time
 

@@ -11,7 +11,7 @@ from radcalc.answer import Result, Row, ShownInput
 from radcalc.maths import is_column
 from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
 from radcalc.terminal import remarks
-from radcalc.units.unit import unit_behind
+from radcalc.units import unit_behind
 
 MOST, ENDS = 8, 3  # most elements of an array to show, and elements at each end of a longer one
 QUIET = ' style="opacity: 0.7"'

@@ -1,6 +1,6 @@
 """Plain text: one result per line, fields separated by tabs."""
 
-from radcalc.units.unit import unit_behind
+from radcalc.units import unit_behind
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:

@@ -5,16 +5,16 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from radcalc.answer import Result, Row
-from radcalc.conversion.linear import exact_ratio
+from radcalc.conversion import exact_ratio
 from radcalc.conversion.plan import plan
 from radcalc.floats import LARGEST, SMALLEST
 from radcalc.render import plain
 from radcalc.terminal import CSV, TABLE
+from radcalc.units import lookup
 from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS
 from radcalc.units.grammar import parse_unit
 from radcalc.units.grammar import plain as plain_form
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import lookup
 
 
 def prefixes_of(text: str) -> dict[int, str]:

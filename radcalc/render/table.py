@@ -1,13 +1,16 @@
-"""Tables for people, drawn by Rich; only this module imports it.
+"""Tables for people, and a progress bar, drawn by Rich; only this module imports it.
 
 Users' text is never read as markup, and nothing is cut off.  If a number, a unit or a word does not
-fit, each row is a line instead of a row of a table.
+fit, each row is a line instead of a row of a table.  The bar is shown on a terminal if the work
+lasts longer than a second.
 """
 
 import io
-from collections.abc import Container, Iterable, Sequence
+import time
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from itertools import groupby
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from rich import box
 from rich.cells import cell_len
@@ -15,13 +18,14 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from radcalc import terminal
 from radcalc.answer import FRACTION, Result, Row, shows, varying
 from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
 from radcalc.terminal import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
-from radcalc.units.unit import unit_behind
+from radcalc.units import unit_behind
 
 # Terminal columns between two columns of a table: an empty column with a blank on each side, or a
 # single blank if words would be divided otherwise.
@@ -144,7 +148,7 @@ def _letter(row: Row) -> str:
     """Return the symbol of a row, in characters that standard output can encode."""
     if can_show(row.symbol):
         return row.symbol
-    from radcalc.derivation import in_ascii
+    from radcalc.answer import in_ascii
 
     return in_ascii(row.symbol)
 
@@ -418,3 +422,49 @@ def _least(word: str, long: int) -> int:
     """Return the columns that a word needs: its length, or less if it is long with symbols."""
     size = cell_len(word)
     return size if word[:1].isdigit() or word.isalpha() else min(size, long)
+
+
+PATIENCE = 1.0  # [s] before anything is shown
+
+
+@contextmanager
+def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int], object]]:
+    """Yield a function that is called with the work done and the total.
+
+    If standard error is not a terminal, nothing is drawn, and Rich is not loaded.  The bar is
+    erased at the end.
+    """
+    if not (is_wanted and terminal.error_is_terminal()):
+        yield lambda done, total: None
+        return
+    bar = _Bar(task)
+    try:
+        yield bar
+    finally:
+        bar.stop()
+
+
+class _Bar:
+    """A bar that appears after a delay."""
+
+    def __init__(self, task: str) -> None:
+        self.task, self.start = task, time.monotonic()
+        self.drawn: Any = None
+        self.row: Any = None
+
+    def __call__(self, done: int, total: int) -> None:
+        if self.drawn is None:
+            if time.monotonic() - self.start < PATIENCE:
+                return
+            from rich.progress import Progress
+
+            colors: Any = "auto" if terminal.wants_color(terminal.chosen_color(), True) else None
+            console = Console(stderr=True, no_color=False, color_system=colors)
+            self.drawn = Progress(console=console, transient=True)
+            self.row = self.drawn.add_task(self.task)
+            self.drawn.start()
+        self.drawn.update(self.row, completed=done, total=total)
+
+    def stop(self) -> None:
+        if self.drawn is not None:
+            self.drawn.stop()

@@ -14,12 +14,12 @@ from radcalc.files import columns, signatures
 from radcalc.files.head import first_lines, is_number
 from radcalc.files.text import ENDINGS as OF_COLUMNS
 from radcalc.files.text import Text
+from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import read_title, refuse_uncalibrated
-from radcalc.quantities.light import read as read_light
 from radcalc.spectra.files import is_spectrum
 from radcalc.streams.log_layout import MISSING, FirstRows, LogHead, LogSettings, blocks_of
 from radcalc.streams.samples import LEAST, MARKED
-from radcalc.units.unit import Unit
+from radcalc.units import Unit
 
 LUMINAIRE, MAP, SPECTRUM, LOG, SCENE, TABLE = (
     "luminaire",

@@ -3,18 +3,19 @@
 from collections.abc import Mapping, Sequence
 
 from radcalc import errors
-from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.conversion.operands import read_operands, unit_first
 from radcalc.errors import call, listed, quote, quote_path
+from radcalc.quantities import read as read_light
 from radcalc.quantities import symbols
-from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import DLI
 from radcalc.quantities.search import comparable
-from radcalc.sentences import doubts
-from radcalc.sentences.doubts import ELECTRICAL, Way
-from radcalc.sentences.facts import (
+from radcalc.sentences import doubts, near_words, size_of
+from radcalc.sentences.doubts import (
+    ELECTRICAL,
     LEDS,
     Facts,
+    Way,
     is_bare,
     is_efficacy,
     is_lamp,
@@ -32,16 +33,20 @@ from radcalc.sentences.phrases import (
     PER_DAY,
     PERIOD,
 )
-from radcalc.sentences.products import moved_either_way, moved_in_distance, quotients_or_products
 from radcalc.sentences.reader import Fact, Goal, Sentence
-from radcalc.sentences.used import is_idle, refuse_unused
-from radcalc.sentences.words import near_words, size_of
+from radcalc.sentences.used import (
+    is_idle,
+    moved_either_way,
+    moved_in_distance,
+    quotients_or_products,
+    refuse_unused,
+)
+from radcalc.units import Daily
 from radcalc.units.dimensions import (
     TEMPERATURE,
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve, suggest
-from radcalc.units.unit import Daily
 
 SHORTEST = 4  # letters of a word with a misspelling
 OF_LASER = {COMMAND: Fact((COMMAND,), LASER, LASER)}
@@ -184,7 +189,7 @@ def _not_understood(sentence: Sentence) -> errors.UsageError:
     known = f"understood {', '.join(map(quote, understood))}; " if understood else ""
     is_unit = any(map(is_bare, sentence.facts))  # 5 mw
     corrected = next(filter(None, [_corrected(word, is_unit) for word in unknown]), [])
-    from radcalc.quantities.typical import is_seen  # the values
+    from radcalc.quantities.lookup import is_seen  # the values
 
     seen = next(filter(is_seen, (sentence.text, " ".join(unknown))), "")
     hint: errors.Hint = corrected or f"another word for {listed(unknown)}"

@@ -2,16 +2,16 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from radcalc.calculators import page_of
 from radcalc.calculators.page import Page
-from radcalc.calculators.pages import page_of
 from radcalc.errors import MOST, Try, input_of, mention
-from radcalc.quantities import symbols
-from radcalc.quantities.light import read as read_light
-from radcalc.quantities.light import result_name
+from radcalc.quantities import read as read_light
+from radcalc.quantities import result_name, symbols
+from radcalc.quantities.search import is_name
 from radcalc.quantities.symbols import SYMBOLS, generic_name, in_kind
-from radcalc.quantities.targets import is_name
-from radcalc.sentences.facts import (
-    LIGHT,
+from radcalc.sentences import Amount
+from radcalc.sentences.doubts import (
+    LIGHT_SYMBOLS,
     OF_DIMENSION,
     VALUE,
     Facts,
@@ -22,8 +22,8 @@ from radcalc.sentences.facts import (
 )
 from radcalc.sentences.phrases import BESIDE, COMMAND, FILTER, SHAPE
 from radcalc.sentences.reader import Fact, Goal, Sentence
-from radcalc.sentences.words import Amount
 from radcalc.tuples import NamedTuple
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import (
     ANGLE,
     LENGTH,
@@ -32,7 +32,6 @@ from radcalc.units.dimensions import (
 )
 from radcalc.units.reading import read_amount
 from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 
 class Frame(NamedTuple):
@@ -72,7 +71,7 @@ FRAMES = (  # the first that takes all facts of a sentence counts
     SENSOR,
     _frame("refraction", "index"),
     _frame("point-source", "", light=False, results="beam-diameter diameter"),
-    _frame("convert", " ".join((VALUE, *LIGHT, "wavelength", "fwhm"))),
+    _frame("convert", " ".join((VALUE, *LIGHT_SYMBOLS, "wavelength", "fwhm"))),
     _frame("point-source", "flux intensity irradiance", area="receiver-area"),
     _frame("lambertian", f"radiance exitance {SHAPE}", "disc"),
     _frame("lambertian", "radiance exitance reflectance", irradiance="incident-irradiance"),
@@ -134,7 +133,13 @@ def _is_of_unknown_side(facts: Facts, goal: Goal | None) -> bool:
     """Return whether the time or the light may be that before a filter, or that after it."""
     if not {"stops", "nd"}.isdisjoint(facts) and goal:
         return TIMES_OF_FILTERS.isdisjoint((*goal.names, goal.text))
-    return FILTER in facts and not {*facts} <= {FILTER, VALUE, *LIGHT, "wavelength", "spectrum"}
+    return FILTER in facts and not {*facts} <= {
+        FILTER,
+        VALUE,
+        *LIGHT_SYMBOLS,
+        "wavelength",
+        "spectrum",
+    }
 
 
 def _alone(name: str, fact: Fact, goal: Goal) -> list[str]:
@@ -234,7 +239,7 @@ def _with_sides(facts: Facts) -> Facts:
 
 def _filtered(facts: Facts) -> Facts:
     """Return facts with the light after a filter in place of the filter."""
-    values = [name for name in facts if name in LIGHT]
+    values = [name for name in facts if name in LIGHT_SYMBOLS]
     loss = facts[FILTER].text
     rest = {name: fact for name, fact in facts.items() if name != FILTER}
     if len(values) != 1:
@@ -329,7 +334,7 @@ def _conversions(frame: Frame, facts: Facts, goal: Goal | None) -> list[list[str
     values = [name for name in facts if name not in conditions] or [*facts]
     if len(values) != 1 or values[0] not in (
         VALUE,
-        *LIGHT,
+        *LIGHT_SYMBOLS,
         *symbols.SPECIFIC,
         "wavelength",
         "fwhm",
@@ -438,7 +443,7 @@ def _of_inputs(page: Page, goal: Goal) -> list[str]:
     """Return the result of a page whose results depend on its inputs: by its name or its unit."""
     if goal.unit:
         own = result_name(goal.unit)
-        is_result = is_solid_angle(goal) or own in symbols.SPECIFIC or own in LIGHT
+        is_result = is_solid_angle(goal) or own in symbols.SPECIFIC or own in LIGHT_SYMBOLS
         name = (
             own if is_irradiance(goal) else symbols.generic_name(own)
         )  # a spectrum has all three kinds

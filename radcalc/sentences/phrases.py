@@ -7,8 +7,7 @@ dimension of an amount decides whether a phrase fits.  The manual's table is mad
 from radcalc.quantities.names import data_rows
 from radcalc.quantities.search import comparable
 from radcalc.tuples import NamedTuple
-from radcalc.units import dimensions
-from radcalc.units.unit import NUMBER
+from radcalc.units import NUMBER, dimensions
 
 # Amounts of a pattern, and their dimensions; a wavelength may also be a length.  A size may be in
 # a unit of wavelengths.

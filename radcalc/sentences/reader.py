@@ -5,13 +5,29 @@ import re
 from functools import cached_property
 from itertools import pairwise
 
-from radcalc.calculators.pages import SUMMARIES
+from radcalc.calculators import SUMMARIES
 from radcalc.errors import RadcalcError, UsageError, input_of
+from radcalc.quantities import RADIANT
+from radcalc.quantities import read as read_light
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import RADIANT
-from radcalc.quantities.light import read as read_light
 from radcalc.quantities.search import called, comparable, index
 from radcalc.quantities.symbols import QUANTITY, SPECIFIC, SYMBOLS
+from radcalc.sentences import (
+    ASPECT,
+    ENGLISH_ALONE,
+    Amount,
+    Word,
+    amount_at,
+    amount_of,
+    joined,
+    literals,
+    names,
+    patterns,
+    size_of,
+    symbols_of,
+    unit_in,
+    words_of,
+)
 from radcalc.sentences.phrases import (
     AIR,
     AMOUNTS,
@@ -28,28 +44,11 @@ from radcalc.sentences.phrases import (
     THINGS,
     UNKNOWN,
 )
-from radcalc.sentences.words import (
-    ASPECT,
-    ENGLISH_ALONE,
-    Amount,
-    Word,
-    amount_at,
-    amount_of,
-    joined,
-    literals,
-    names,
-    patterns,
-    size_of,
-    symbols_of,
-    unit_in,
-    words_of,
-)
 from radcalc.tuples import NamedTuple
-from radcalc.units import horticulture
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import AREA, ENERGY, LENGTH
 from radcalc.units.reading import read_amount
-from radcalc.units.table import unit_of
-from radcalc.units.unit import NUMBER, Unit
+from radcalc.units.table import PAR, PAR_RANGE, unit_of
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -253,7 +252,7 @@ def _of_named_number(sentence: Sentence) -> Sentence:
 
 
 def _usual_unit(name: str, amount: Amount) -> Unit | None:
-    from radcalc.quantities.targets import is_name, named
+    from radcalc.quantities.search import is_name, named
 
     try:
         return named(name, amount.unit) if is_name(name) else None
@@ -407,8 +406,8 @@ class _Reading:
 
     def _range(self, at: int) -> list[Found]:
         """Find a range of wavelengths: `380-780 nm`, `400 nm to 500 nm`, PAR next to watts."""
-        if self.words[at].folded in horticulture.AMBIGUOUS and self._has_watts:
-            return [(at + 1, Fact(("range",), horticulture.PAR_RANGE, self.words[at].text))]
+        if self.words[at].folded in PAR and self._has_watts:
+            return [(at + 1, Fact(("range",), PAR_RANGE, self.words[at].text))]
         for end in range(min(len(self.words), at + LONGEST_RANGE), at, -1):
             if match := RANGE.fullmatch(self.text(at, end)):
                 low, unit, high, last = match.groups()

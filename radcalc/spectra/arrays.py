@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from radcalc.errors import ConditionError, quote
-from radcalc.spectra.observers import OBSERVERS
-from radcalc.spectra.planck import photons
+from radcalc.spectra.observers import OBSERVERS, photons
 from radcalc.spectra.spectrum import WHOLE, Range, Spectrum, Table, moment_between
 
 

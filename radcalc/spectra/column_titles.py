@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.files.columns import plain, units_in
+from radcalc.quantities import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
 from radcalc.quantities.column_titles import read_title, refuse_altered, refuse_unknown
-from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import RESPONSIVITY
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import NUMBER, Unit
 
 NANOMETRES = {  # in a unit, by its name in lower case
     "nm": 1.0,

@@ -5,10 +5,9 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from radcalc.errors import TooNarrow, option
-from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT
+from radcalc.quantities import LUMINOUS, PHOTON, RADIANT
 from radcalc.spectra.column_titles import Meaning
-from radcalc.spectra.observers import OBSERVERS, Observer, most_lumens_per_photon
-from radcalc.spectra.planck import AVOGADRO, photons
+from radcalc.spectra.observers import AVOGADRO, OBSERVERS, Observer, most_lumens_per_photon, photons
 from radcalc.spectra.spectrum import PAR, WHOLE, Range, Spectrum, Table, range_text
 
 Row = tuple[int, str, str]  # line number, wavelength [nm] and value, as written

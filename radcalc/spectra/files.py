@@ -18,12 +18,20 @@ from radcalc.files.head import SEARCHED, Head, first_lines, is_number
 from radcalc.files.table import Table as TextTable
 from radcalc.files.text import Lines, Text, reading, refusal
 from radcalc.quantities.column_titles import find
-from radcalc.spectra import cgats, column_titles, contents, meters, oceanview, spdx
+from radcalc.spectra import column_titles, contents
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.instruments import (
+    FORMATS,
+    SPDX,
+    SPDX_ROOT,
+    TABLE_MARK,
+    declared_rows,
+    notes_on_reference,
+    processed_column,
+)
+from radcalc.spectra.observers import LIGHT, PLANCK
 from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAKEST, Table
 
-FORMATS = (spdx, cgats, meters)
 NOISE = 0.05  # of the peak, or of the total: smaller negative values are noise of a spectrometer
 SMALL = 1e-4  # fraction of the total that needs no note
 SAME = 1e-4  # relative difference of steps that count as the same
@@ -66,8 +74,8 @@ def is_spectrum(lines: Lines) -> bool:
     that rise or fall over the visible range like wavelengths in nm.
     """
     if form := next((form for form in FORMATS if form.begins(lines)), None):
-        return form is not spdx or any(spdx.ROOT in line.upper() for line in lines[:MOST_BEFORE])
-    if any(line.startswith(oceanview.MARK) for line in lines[:MOST_BEFORE]):
+        return form is not SPDX or any(SPDX_ROOT in line.upper() for line in lines[:MOST_BEFORE])
+    if any(line.startswith(TABLE_MARK) for line in lines[:MOST_BEFORE]):
         return True
     rows = [*enumerate(lines, 1)][: 2 * MOST_BEFORE]
     try:
@@ -186,7 +194,7 @@ class SpectrumHead(Head):
 
     def check_text(self, number: int, line: str) -> None:
         """Raise for a line before a table with too few or many titles, or of other data."""
-        if line.startswith(oceanview.MARK):
+        if line.startswith(TABLE_MARK):
             return
         text = columns.plain(line)
         is_sentence = self.delimiter is None and not column_titles.is_wavelength(text)
@@ -304,10 +312,10 @@ class _Reader:
         self.notes += head.assumptions
         self.preamble = [line[: column_titles.LONGEST] for _, line in head.preamble]
         self.comments = [text[: column_titles.LONGEST] for text in head.comments[:MOST_BEFORE]]
-        self.is_marked = any(line.startswith(oceanview.MARK) for line in self.preamble)
+        self.is_marked = any(line.startswith(TABLE_MARK) for line in self.preamble)
         try:
-            self.count = oceanview.declared_rows(self.preamble)
-            self.notes += oceanview.notes(self.preamble)
+            self.count = declared_rows(self.preamble)
+            self.notes += notes_on_reference(self.preamble)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         table = head.table
@@ -339,7 +347,7 @@ class _Reader:
 
     def take(self, rows: Iterator[tuple[int, str]], layout: _Layout) -> None:
         for number, line in rows:
-            if self.is_marked and line.startswith(oceanview.MARK):
+            if self.is_marked and line.startswith(TABLE_MARK):
                 self.is_over = True
                 return
             try:
@@ -480,7 +488,7 @@ class _Reader:
                 )
             self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
             return place, names[place]
-        if of_jaz := oceanview.processed(names, self.preamble):
+        if of_jaz := processed_column(names, self.preamble):
             return len(names) - 1, of_jaz
         candidates = [
             k

@@ -5,13 +5,12 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from radcalc.errors import UsageError, command, corrections, nearest, quote
+from radcalc.quantities import LUMINOUS, PHOTON
 from radcalc.quantities.language import ENGLISH, LANGUAGES
-from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.search import comparable, matching
 from radcalc.spectra.colorimetry import temperature_of
 from radcalc.spectra.contents import Counts
-from radcalc.spectra.observers import OBSERVERS
-from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.observers import AVOGADRO, OBSERVERS
 from radcalc.spectra.sources import aliases, find_named, names
 from radcalc.spectra.sources import spectrum as read_spectrum
 

@@ -8,8 +8,7 @@ from radcalc import errors
 from radcalc.errors import command, option, quote
 from radcalc.files.text import ENDINGS
 from radcalc.spectra import FORMS, example
-from radcalc.spectra.observers import standard_air_wavelength
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.observers import LIGHT, PLANCK, standard_air_wavelength
 from radcalc.spectra.spectrum import (
     LONGEST,
     SHORTEST,
@@ -22,14 +21,14 @@ from radcalc.spectra.spectrum import (
     Table,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units.amount import Amount
+from radcalc.units import Dimension
 from radcalc.units.amounts import UNCERTAIN, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
+from radcalc.units.numbers import Amount
 from radcalc.units.ranges import MOST, read_series
 from radcalc.units.reading import read_amount
-from radcalc.units.scales import find
 from radcalc.units.table import resolve
-from radcalc.units.unit import Dimension
+from radcalc.units.values import find_scale
 
 SERIES = ("blackbody", "daylight")  # kinds for which lists and ranges give several spectra
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
@@ -328,7 +327,7 @@ def _malformed(text: str, form: str) -> errors.ConditionError:
 
 def _temperature(parameter: str, text: str) -> float:
     value, unit_text = split_value(parameter)
-    scale = find(unit_text) if unit_text else None
+    scale = find_scale(unit_text) if unit_text else None
     if scale and scale.dimension == TEMPERATURE:
         return float(scale.quantity(value))
     return _quantity(parameter, text, TEMPERATURE, f"a temperature, as in {example('blackbody')}")

@@ -11,7 +11,7 @@ from typing import Any
 
 from radcalc.errors import ConditionError
 from radcalc.maths import frozen
-from radcalc.spectra import planck
+from radcalc.spectra import observers
 from radcalc.spectra.observers import Observer
 
 Grid = Sequence[float]
@@ -225,7 +225,7 @@ class Table(Spectrum):
     def photons(self, limits: Range) -> float:
         """Integrate the product with the wavelength exactly."""
         grid, values = clip(self.grid, self.values, *limits)
-        return planck.photons(sum(map(moment_between, grid, grid[1:], values, values[1:])) / 6)
+        return observers.photons(sum(map(moment_between, grid, grid[1:], values, values[1:])) / 6)
 
     def peak(self) -> tuple[float, float | None]:
         """Measure the width between the half-height crossings next to the peak."""
@@ -282,7 +282,7 @@ class Lines(Spectrum):
         return max(self.lines, key=lambda line: line[1])[0], None
 
     def photons(self, limits: Range) -> float:
-        return planck.photons(sum(watts * place for place, watts in self._inside(limits)))
+        return observers.photons(sum(watts * place for place, watts in self._inside(limits)))
 
     @property
     def counts_all_photons(self) -> bool:
@@ -315,12 +315,12 @@ class BlackBody(Spectrum):
 
     def power(self, limits: Range) -> float:
         low, high = self._within(limits)
-        return planck.exitance(self.temperature, low * 1e-9, high * 1e-9)
+        return observers.exitance(self.temperature, low * 1e-9, high * 1e-9)
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
         """Use Planck's law at every nanometre, linear in between."""
         wavelengths = [(start + i) * 1e-9 for i in range(count)]
-        weights = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
+        weights = [1e-9 * y for y in observers.spectral_exitances(wavelengths, self.temperature)]
         if self.known != WHOLE:
             grid = [float(start + i) for i in range(count)]
             grid, weights = clip(grid, weights, *self.known)
@@ -331,12 +331,12 @@ class BlackBody(Spectrum):
 
     def peak(self) -> tuple[float, float | None]:
         """Use Wien's law, and the roots of half the peak in x = c2/(lambda T)."""
-        scale = planck.C2 / self.temperature * 1e9
-        peak, start, end = (scale / x for x in (planck.WIEN_X, *planck.HALF_X[::-1]))
+        scale = observers.C2 / self.temperature * 1e9
+        peak, start, end = (scale / x for x in (observers.WIEN_X, *observers.HALF_X[::-1]))
         low, high = self.known
         width = end - start if low <= start and end <= high else None
         return min(max(peak, low), high), width
 
     def photons(self, limits: Range) -> float:
         low, high = self._within(limits)
-        return planck.photon_exitance(self.temperature, low * 1e-9, high * 1e-9)
+        return observers.photon_exitance(self.temperature, low * 1e-9, high * 1e-9)

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 from radcalc.tuples import NamedTuple
 
 if TYPE_CHECKING:
-    from radcalc.inputs.given import Input
-    from radcalc.units.unit import Unit
+    from radcalc.inputs import Input
+    from radcalc.units import Unit
 
 
 class Source(NamedTuple):

@@ -13,7 +13,7 @@ same result in two cases:
 
 from math import gcd
 
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.errors import RadcalcError
 from radcalc.floats import divide
 

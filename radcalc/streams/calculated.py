@@ -16,7 +16,7 @@ from typing import NamedTuple
 from radcalc.answer import Answer, Row
 from radcalc.calculators.results import pick, said_of
 from radcalc.errors import MissingUnit, NumberError, RadcalcError, UsageError, option, quote
-from radcalc.inputs.given import DigitsMatter, Input
+from radcalc.inputs import DigitsMatter, Input
 from radcalc.inputs.quantities import with_numbers
 from radcalc.maths import exactly
 from radcalc.render.plain import DIGITS, number

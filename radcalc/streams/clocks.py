@@ -37,9 +37,9 @@ from radcalc.streams.timestamps import (
     pattern_of_format,
     read_offset,
 )
+from radcalc.units import Unit
 from radcalc.units.dimensions import TIME
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
 MOST_KNOWN = 200_000  # texts of dates or times in the cache

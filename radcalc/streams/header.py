@@ -8,6 +8,8 @@ from collections.abc import Callable, Collection, Sequence
 from radcalc import errors
 from radcalc.errors import option, quote
 from radcalc.files.columns import DELIMITERS, unit_column
+from radcalc.quantities import describe, name_of
+from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import (
     Title,
     find,
@@ -22,13 +24,11 @@ from radcalc.quantities.column_titles import (
     unit_of_meter,
     unit_of_name,
 )
-from radcalc.quantities.light import describe, name_of
-from radcalc.quantities.light import read as read_light
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
 from radcalc.streams.readers import UTF_8, Texts
+from radcalc.units import Unit
 from radcalc.units.numbers import parse_number
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 WHERE = "the header of stdin"
 

@@ -11,6 +11,8 @@ from radcalc.files import columns, signatures
 from radcalc.files.head import SEARCHED, Head, is_number
 from radcalc.files.table import NumberedLine, Table
 from radcalc.files.text import Text, where
+from radcalc.quantities import PHOTON, RADIANT
+from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import (
     SPELLINGS,
     find,
@@ -25,15 +27,13 @@ from radcalc.quantities.column_titles import (
     unit_of_name,
     words_of,
 )
-from radcalc.quantities.light import PHOTON, RADIANT
-from radcalc.quantities.light import read as read_light
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import DIGITS_IN_TITLE, looks_like_clock, looks_like_stamp
 from radcalc.terminal import ABORT
+from radcalc.units import Unit
 from radcalc.units.dimensions import TIME
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
+from radcalc.units.values import resolve_any
 
 if TYPE_CHECKING:
     from radcalc.streams.solar import SunTable

@@ -4,14 +4,13 @@ import re
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
 from radcalc.render.plain import DIGITS, number
 from radcalc.streams.blocks import Bulk
-from radcalc.units.amount import Amount
-from radcalc.units.numbers import parse_number
+from radcalc.units import Unit
+from radcalc.units.numbers import Amount, parse_number
 from radcalc.units.reading import read_for
-from radcalc.units.unit import Unit
 
 MOST_UNITS, LONGEST_UNIT = 1000, 100  # units in the cache
 NUMBER = b"0123456789.+-"

@@ -10,10 +10,9 @@ from math import inf, isnan, nan
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, format_number
 from radcalc.calculators import dose as page
 from radcalc.calculators.dose_sums import MEANS, POINTS, Dose
-from radcalc.derivation import format_number
 from radcalc.errors import (
     Hint,
     LineError,
@@ -31,17 +30,17 @@ from radcalc.files import columns
 from radcalc.files.head import first_lines
 from radcalc.files.text import Text
 from radcalc.floats import divide
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
+from radcalc.quantities import describe
 from radcalc.quantities.column_titles import refuse_linked, unit_of_meter
-from radcalc.quantities.light import describe
 from radcalc.streams import log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, LogHead, LogSettings
 from radcalc.terminal import ABORT, FAIL, IGNORE
+from radcalc.units import Unit
 from radcalc.units.numbers import parse_number
 from radcalc.units.reading import read_amount
 from radcalc.units.table import resolve
-from radcalc.units.unit import Unit
 
 FEW = 32  # lines read one by one
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # loggers mark missing values so: -9999.9

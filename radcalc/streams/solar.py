@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from radcalc.calculators.dose_sums import MEANS, MEANS_BEFORE, MEANS_CENTRED, POINTS
 from radcalc.errors import ConditionError, RadcalcError, quote
 from radcalc.files import signatures
+from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import read_title
-from radcalc.quantities.light import read as read_light
 
 INSTALL = "pip install 'radcalc[solar]'"
 AS_DOWNLOADED = "the whole file, as it was downloaded"

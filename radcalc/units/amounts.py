@@ -1,16 +1,15 @@
 """Amounts without uncertainties: a number and its unit, an expression, a reading on a scale."""
 
 from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, command, correct, quote
-from radcalc.units.amount import Amount
-from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, split_quantity
+from radcalc.units import Dimension, Unit
+from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, Amount, split_quantity
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import Dimension, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from radcalc.units.slopes import Part
+    from radcalc.units.functions import Part
 
 NOT_UNITS = "^*+±×'.,0123456789"  # characters that a unit cannot begin with
 BEFORE_NUMBERS = tuple(" */(+×·")  # characters before a number in an expression
@@ -54,9 +53,9 @@ def split_value(text: str) -> tuple[float, str]:
         number, unit = split_quantity(text)
         if not unit or unit_of(unit):
             return number, unit
-        from radcalc.units.scales import find, refuse_product
+        from radcalc.units.values import find_scale, refuse_product
 
-        if find(unit):
+        if find_scale(unit):
             refuse_product(text, unit)
             return number, unit
     except NumberError as error:
@@ -106,12 +105,12 @@ def find_unit(text: str, unit: str) -> Unit:
     try:
         return resolve(unit)
     except UnitError:
-        from radcalc.units import horticulture
-        from radcalc.units.scales import find, refuse_product
+        from radcalc.units import table
+        from radcalc.units.values import find_scale, refuse_product
 
-        scale = find(unit)
+        scale = find_scale(unit)
         if scale is None:
-            if word := horticulture.find(unit):
+            if word := table.growers_unit(unit):
                 return word
             raise
         refuse_product(text, unit)
@@ -129,6 +128,6 @@ def amount_in(
     """Return the amount of a number in its unit, or of a reading on a scale."""
     if unit is None or not unit.is_scale:
         return Amount(text, number, unit, uncertainty, parts=parts)
-    from radcalc.units.scales import amount_on
+    from radcalc.units.values import amount_on
 
     return amount_on(unit, text, number, uncertainty, dimensions)

@@ -1,6 +1,6 @@
 """Dimensions: exponents of the base quantities, and their names."""
 
-from radcalc.units.unit import BASES, NUMBER, Dimension
+from radcalc.units import BASES, NUMBER, Dimension
 
 
 def powers(**exponents: int) -> Dimension:

@@ -20,7 +20,7 @@ import math
 from radcalc import errors
 from radcalc.errors import call, quote
 from radcalc.floats import SMALLEST, divide
-from radcalc.units import constants
+from radcalc.units import BASES, NUMBER, PI, Dimension, Unit, lookup, values
 from radcalc.units.compiled import CONSTANTS, NAMES
 from radcalc.units.dimensions import ANGLE
 from radcalc.units.grammar import MAX_DEPTH, NAMED, SUPERSCRIPTS, Scanner, parse_unit, plain
@@ -33,20 +33,21 @@ from radcalc.units.numbers import (
     MINUSES,
     OTHER_FUNCTIONS,
     SIGNS,
+    are_run_together,
+    find_constant,
     parse_number,
     read_term,
     refuse_lookalikes,
     relative_rounding,
     typed_digits,
+    word_at,
 )
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import BASES, NUMBER, PI, Dimension, Unit, lookup
 from radcalc.units.values import KEPT, Term, Value, is_part
-from radcalc.units.words import are_run_together, find, word_at
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from radcalc.units.scales import ScaleUnit
+    from radcalc.units.values import ScaleUnit
 
 MAX_POWER = 1000  # of a number
 OF_SCALES = 1e-15  # relative error of a scale's quantity
@@ -377,29 +378,29 @@ class Calculator(Scanner):
         alone.
         """
         word = word_at(self.text, self.at)
-        name = find(word)
+        name = find_constant(word)
         if len(word) == 1 and follows in (BESIDE, BESIDE_UNIT):
             is_number = self.text[: self.at].rstrip()[-1:] in (".", *DIGITS)
             name = "" if is_number or follows == BESIDE_UNIT else name
-        if not name or word not in constants.HOMONYMS:
+        if not name or word not in values.HOMONYMS:
             return name
-        if word != constants.EULER and follows:
+        if word != values.EULER and follows:
             return ""
         self.lone[self.at] = word
         if word in self.units:
-            return name if word == constants.EULER else ""
+            return name if word == values.EULER else ""
         return name
 
     def constant(self) -> Value:
         word = word_at(self.text, self.at)
         self.at += len(word)
         self.is_arithmetic = True
-        if word == constants.EULER and word in self.units:
+        if word == values.EULER and word in self.units:
             from radcalc.units import functions
 
             top, bottom, _ = functions.of_number("exp", 1, 1, 0.0)
             return Value(top, bottom, blur=KEPT / 1e6)
-        name = find(word)
+        name = find_constant(word)
         top, bottom, dimension = CONSTANTS[name]
         return Value(top, bottom, dimension, {name: 1})
 
@@ -462,9 +463,7 @@ class Calculator(Scanner):
         try:
             unit = resolve(joined if is_name else text)
         except errors.UnitError:
-            from radcalc.units import scales
-
-            scale = scales.find(text)
+            scale = values.find_scale(text)
             other_terms = (self.text[:start] + self.text[self.at :]).strip(f"{SIGNS} ")
             if scale is None or not (self.is_arithmetic or other_terms):
                 raise
@@ -585,9 +584,8 @@ class Calculator(Scanner):
         name = inside.strip(f"{DIGITS}{SIGNS}. e")
         if not closed or not name[:1].isalpha() or unit_of(name):
             return None
-        from radcalc.units import scales
 
-        if (scale := scales.find(name)) is None:
+        if (scale := values.find_scale(name)) is None:
             return None
         if scale.others:
             read = [one.unit.text for one in (scale, *scale.others)]
@@ -767,7 +765,7 @@ class Calculator(Scanner):
         dimension = tuple([power // 2 for power in value.dimension])
         units = {name: power // 2 for name, power in value.units.items()}
         if any(power % 2 for power in value.units.values()):
-            pairs = zip(constants.BASE_UNITS, dimension, strict=True)
+            pairs = zip(values.BASE_UNITS, dimension, strict=True)
             units = {name: power for name, power in pairs if power}
         return Value(top, bottom, dimension, units, value.rounding / 2, value.had_units, blur)
 
@@ -803,7 +801,7 @@ class _Reading:
 
     def meaning(self, word: str) -> str:
         if word not in self.units:
-            return constants.plain_spelling(find(word))
+            return values.plain_spelling(find_constant(word))
         entry = lookup(word)
         return "exp(1)" if entry is None else entry[1]
 
@@ -817,7 +815,7 @@ class _Reading:
             return NUMBER in dimensions
         if not is_counted:
             return self.unit.dimension in dimensions
-        return any(constants.fit(self.unit, one).dimension == one for one in dimensions)
+        return any(values.fit(self.unit, one).dimension == one for one in dimensions)
 
 
 class TwoReadings(errors.ExpressionError):
@@ -827,7 +825,7 @@ class TwoReadings(errors.ExpressionError):
 def _chosen(text: str, leaves: Leaves | None, dimensions: "tuple[Dimension, ...]") -> _Reading:
     """Return the reading of an expression that fits the dimensions; raise if several do."""
     first = _Reading(text, leaves, ())
-    letters = constants.homonyms(text) if first.lone or first.problem else []
+    letters = values.homonyms(text) if first.lone or first.problem else []
     if not letters:
         return first
     readings = [first]
@@ -858,7 +856,7 @@ def _begins_with_constant(text: str) -> bool:
     if are_run_together(word) and not lookup(word):
         problem = f"'{quote(word)}' is not the name of a constant"
         raise errors.ExpressionError(problem, errors.correct(text, f"{word[0]}*{text[1:]}"))
-    return bool(find(word))
+    return bool(find_constant(word))
 
 
 def evaluate(
@@ -873,7 +871,7 @@ def evaluate(
     text = plain(text)
     begun = text[:1]
     begins = begun in ("(", ".", *SIGNS, *DIGITS) or text.startswith(CALLS) or begun in "pπ"
-    if text in constants.HOMONYMS or not (begins or _begins_with_constant(text)):
+    if text in values.HOMONYMS or not (begins or _begins_with_constant(text)):
         return None
     reading = _chosen(text, leaves, dimensions)
     if not reading.is_arithmetic:
@@ -887,7 +885,7 @@ def evaluate(
     if unit is not None:
         unit.notes += (*reading.said(), *reading.notes)
         for dimension in dimensions:
-            unit = constants.fit(unit, dimension)
+            unit = values.fit(unit, dimension)
     return value, unit
 
 

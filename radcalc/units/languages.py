@@ -3,22 +3,25 @@
 A text that is not a unit is translated into English word by word (`5 килолюксов`, `lumen na metr
 čtvereční`), in the cases used after numbers and `per`, and read again.  Case and diacritics do not
 matter.
+
+The spellings of a definition in `light.txt` are its symbols, its names, and their plurals.
 """
 
 import re
 import unicodedata
 
 from radcalc.errors import nearest
+from radcalc.tuples import NamedTuple
+from radcalc.units import takes
 from radcalc.units.compiled import PREFIX_SYMBOLS, SYMBOLS
-from radcalc.units.connectives import DIVIDERS, divides
-from radcalc.units.grammar import plain
-from radcalc.units.unit import takes
+from radcalc.units.grammar import DIVIDERS, divides, plain
+from radcalc.units.numbers import LONGEST_SYMBOL
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from radcalc.units.unit import Unit
+    from radcalc.units import Unit
 
 # The endings of a declension, singular and plural; _ is an empty ending.
 CZECH_ENDINGS = {
@@ -280,3 +283,52 @@ def without_hyphens(text: str) -> str:
         return text.replace("-", " ")
     over, solidus, under = text.partition("/")
     return HYPHEN.sub(".", over) + solidus + HYPHEN.sub("/", under)
+
+
+class Definition(NamedTuple):
+    """One unit of `light.txt`."""
+
+    name: str
+    value: str
+    symbols: tuple[str, ...]
+    names: tuple[str, ...]
+    prefixes: tuple[str, ...]
+    note: str
+    source: str
+    letters: tuple[str, ...]
+
+
+def is_name(word: str) -> bool:
+    """Return whether an alias is a full name (any case, a plural) rather than a symbol."""
+    inside = word.replace("_", "").isalnum() and word.islower() and word.isascii()
+    return len(word) > LONGEST_SYMBOL and inside and word[0].isalpha()
+
+
+def definition(
+    name: str,
+    value: str,
+    aliases: list[str],
+    marks: dict[str, list[str]],
+    prefix_symbols: dict[str, str],
+) -> Definition:
+    """Return the definition of a unit from the fields of its row, with its plurals."""
+    symbol, rest = (aliases[0], aliases[1:]) if aliases else ("_", [])
+    symbols = [a for a in [symbol, *rest] if a != "_" and not (a in rest and is_name(a))]
+    names = [name, *(a for a in rest if is_name(a))]
+    countable = [] if "$" in marks else names
+    plurals = [n + "s" for n in countable if n[-1].isalpha() and not n.endswith(("s", "x", "ch"))]
+    allowed = " ".join(marks.get("~", [])).split()
+    if allowed == ["all"]:
+        prefixes = dict.fromkeys(prefix_symbols.values())
+    else:
+        prefixes = dict.fromkeys(prefix_symbols[p] for p in allowed)
+    return Definition(
+        name,
+        value,
+        tuple(symbols),
+        tuple(dict.fromkeys(names + plurals)),
+        tuple(prefixes),
+        " ".join(marks.get("!", [])),
+        " ".join(marks.get(":", [])),
+        tuple(" ".join(marks.get("$", [])).split()),
+    )

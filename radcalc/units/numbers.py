@@ -1,4 +1,4 @@
-"""The grammar of numbers: a text to a float.
+"""The grammar of numbers, a text to a float; names of constants in it; amounts with a unit.
 
 The text is read in one pass, one character at a time, bounded in length; nothing is evaluated.
 
@@ -11,10 +11,46 @@ import math
 
 from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, correct, corrections, quote
 from radcalc.floats import INFINITE, SMALLEST, Typed
+from radcalc.units import Unit
+from radcalc.units.compiled import SPELLINGS_OF_CONSTANTS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
+
+    from radcalc.units.functions import Part
+
+LONGEST_SYMBOL = 3  # full names match in any case
+
+
+def find_constant(word: str) -> str:
+    """Return the name of the constant with a spelling, '' if there is none."""
+    name = SPELLINGS_OF_CONSTANTS.get(word, "")
+    if name or len(word) <= LONGEST_SYMBOL:
+        return name
+    return SPELLINGS_OF_CONSTANTS.get(word.lower(), "")
+
+
+def word_at(text: str, at: int) -> str:
+    """Return the word of letters, digits and underscores that begins at a place."""
+    end = at
+    if text[at : at + 1].isalpha():
+        while text[end : end + 1].isalpha() or text[end : end + 1] in tuple("_0123456789"):
+            end += 1
+    return text[at:end]
+
+
+def are_run_together(word: str) -> bool:
+    """Return whether a word is two constants without a sign: hc."""
+    return len(word) == 2 and all(map(find_constant, word))
+
+
+def begins_formula(text: str) -> bool:
+    """Return whether a text begins with a constant, or with two without a sign."""
+    word = word_at(text, 0)
+    return bool(find_constant(word)) or are_run_together(word)
+
 
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
@@ -90,7 +126,6 @@ def is_sentence(words: list[str]) -> bool:
         return True
     if first.isascii() and OF_EXPRESSIONS.isdisjoint(first):
         return False
-    from radcalc.units.words import begins_formula
 
     return begins_formula(first[start:])
 
@@ -319,3 +354,79 @@ def relative_rounding(number: str) -> float:
     if len(digits) == 1:
         digits = digits.ljust(OF_ONE_DIGIT, "0")
     return 0.5 / float(digits) if digits else 0.0
+
+
+class Amount:
+    """A number in a unit, as the user typed it.
+
+    `unit` is None for a bare number; `uncertainty` is the standard uncertainty in the unit, 0 if
+    none was given; `assumptions` explain how the text was read, if that needs an explanation.  A
+    `reading` on a `scale` is kept together with the number that it represents.  `rounding` is the
+    relative rounding error of a typed expression, None for other texts.  `parts` are the
+    contributions of the uncertain numbers of an expression, or of the reading.  `ratio` is the
+    number of an expression, which `number` rounds.
+    """
+
+    __slots__ = (
+        "assumptions",
+        "number",
+        "parts",
+        "ratio",
+        "reading",
+        "rounding",
+        "scale",
+        "text",
+        "uncertainty",
+        "unit",
+    )
+
+    def __init__(
+        self,
+        text: str,
+        number: float,
+        unit: Unit | None,
+        uncertainty: float = 0.0,
+        assumptions: tuple[str, ...] = (),
+        scale: "Any" = None,
+        reading: float = 0.0,
+        rounding: float | None = None,
+        parts: "tuple[Part, ...]" = (),
+        ratio: "tuple[int, int] | None" = None,
+    ) -> None:
+        self.text = text
+        self.number = number
+        self.unit = unit
+        self.uncertainty = uncertainty
+        self.assumptions = assumptions
+        self.scale = scale
+        self.reading = reading
+        self.rounding = rounding
+        self.parts = parts
+        self.ratio = ratio
+
+    @property
+    def typed(self) -> tuple[float, Unit | None]:
+        return (self.reading, self.scale) if self.scale else (self.number, self.unit)
+
+    @property
+    def exact(self) -> float:
+        """The typed number or reading, with its ratio if the text has one."""
+        if self.scale:
+            return self.reading
+
+        return Typed(self.number, self.ratio) if self.ratio else exactly(self.text, self.number)
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Return whether it is uncertain, even if a flat expression reduces that to 0."""
+        return bool(self.uncertainty or self.parts)
+
+    @property
+    def typed_uncertainty(self) -> float:
+        if self.scale:
+            return self.uncertainty / float(abs(self.scale.slope(self.reading)))
+        return self.uncertainty
+
+    def __repr__(self) -> str:
+        """Show the text."""
+        return f"Amount({self.text!r})"

@@ -8,10 +8,10 @@ from typing import Any, TypeVar
 from radcalc import errors
 from radcalc.errors import quote
 from radcalc.floats import divide
+from radcalc.units import Unit
 from radcalc.units.amounts import nominal, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
 from radcalc.units.reading import read_amount
-from radcalc.units.unit import Unit
 
 T = TypeVar("T")
 MOST = 10_000
@@ -224,7 +224,7 @@ def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
     cut, unit = _cut_unit(text) if has_unit else (text, "")
     start, step, values, unit_in_steps = _steps(cut, MOST_IN_ARRAY)
     unit = unit or unit_in_steps
-    from radcalc.units.scales import resolve_given
+    from radcalc.units.values import resolve_given
 
     if values <= LONG or resolve_given(unit or "1").is_scale:
         return None
@@ -288,7 +288,7 @@ def _parts(text: str) -> list[str]:
 
 def _numbers(text: str, parts: Sequence[str]) -> tuple[list[float], str]:
     """Return the numbers of a range in the unit of its start, and that unit."""
-    from radcalc.units.scales import resolve_given, scale_of
+    from radcalc.units.values import resolve_given, scale_of
 
     numbers = [split_value(part) for part in parts]
     first = numbers[0][1]

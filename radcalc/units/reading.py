@@ -2,7 +2,7 @@
 
 from radcalc import errors
 from radcalc.errors import quote
-from radcalc.units.amount import Amount
+from radcalc.units import Dimension
 from radcalc.units.amounts import (
     LONGEST_SUM,
     UNCERTAIN,
@@ -12,9 +12,8 @@ from radcalc.units.amounts import (
     read_plain,
     read_sum,
 )
-from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, split_quantity
+from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, Amount, split_quantity
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import Dimension
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -64,9 +63,9 @@ def dimensions_of(target: str) -> tuple[Dimension, ...]:
     """Return the dimension of a target that is a unit or a scale, as a tuple; else ()."""
     unit = unit_of(target)
     if unit is None and target:
-        from radcalc.units.scales import find
+        from radcalc.units.values import find_scale
 
-        unit = find(target)
+        unit = find_scale(target)
     return (unit.dimension,) if unit else ()
 
 

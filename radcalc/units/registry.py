@@ -1,21 +1,23 @@
-"""The Pint registry of the Python API, built from `light.txt`.
+"""The units of `light.txt` in Pint: the registry of the Python API, and the compiled tables.
 
-Only this module and `compile.py` import Pint.
+`python -m radcalc.units.registry` writes `compiled.py`, which every conversion loads, and
+`catalogue.py`, which only `radcalc units` loads.  Only this module imports Pint.
 """
 
+import re
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pint
 from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError, quote
-from radcalc.units import table
+from radcalc.units import BASES, MASS_AT, Unit, table
+from radcalc.units.languages import Definition, definition
 from radcalc.units.reading import read_amount
 from radcalc.units.uncertain import variable
-from radcalc.units.unit import Unit
 
 DEFINITIONS = Path(__file__).with_name("light.txt")
 
@@ -98,3 +100,149 @@ def exact_registry() -> Registry:
     return Registry(
         str(DEFINITIONS), non_int_type=Fraction, cache_folder=None, on_redefinition="raise"
     )
+
+
+HERE = Path(__file__).parent
+BASE_UNITS = {f"[{name}]": place for place, name in enumerate(BASES)}
+
+
+class Definitions(NamedTuple):
+    """All definitions of `light.txt`; `letters` of a constant are its short spellings."""
+
+    units: list[Definition]
+    constants: list[Definition]
+    prefix_names: dict[str, int]
+    prefix_symbols: dict[str, str]
+    refused: dict[str, str]
+
+
+def read(text: str) -> Definitions:
+    """Read the definitions and their marks."""
+    definitions = Definitions([], [], {}, {}, {})
+    marks: dict[str, list[str]] = {}
+    for line in text.splitlines():
+        if line[:2] in ("#:", "#!", "#~", "#$"):
+            marks.setdefault(line[1], []).append(line[2:].strip())
+        elif line[:2] == "#?":
+            names, _, reason = line[2:].partition(" : ")
+            definitions.refused.update(
+                dict.fromkeys(re.split(r"[,\s]+", names.strip()), reason.strip())
+            )
+        elif "=" in line and not line.startswith("#"):
+            name, value, *aliases = (part.strip() for part in line.split("="))
+            if name.endswith("-"):
+                name = name[:-1]
+                definitions.prefix_names[name] = _power_of_ten(Fraction(value))
+                definitions.prefix_symbols.update({a.rstrip("-"): name for a in aliases})
+            elif name != "pi":
+                kind = definitions.constants if "$" in marks else definitions.units
+                kind.append(definition(name, value, aliases, marks, definitions.prefix_symbols))
+            marks = {}
+    return definitions
+
+
+def _power_of_ten(value: Fraction) -> int:
+    power = len(str(max(value.numerator, value.denominator))) - 1
+    return power if value > 1 else -power
+
+
+def every_spelling(definitions: Definitions) -> dict[str, list[tuple[str, str]]]:
+    """List every accepted spelling, full names in lower case, with all its readings."""
+    readings: dict[str, list[tuple[str, str]]] = {}
+    for unit in definitions.units:
+        for symbol in unit.symbols:
+            readings.setdefault(symbol, []).append(("", unit.name))
+            for prefix, name in definitions.prefix_symbols.items():
+                if name in unit.prefixes and prefix.isascii() == symbol.isascii():
+                    readings.setdefault(prefix + symbol, []).append((name, unit.name))
+        for full in unit.names:
+            for prefix in ("", *unit.prefixes):
+                readings.setdefault(prefix + full, []).append((prefix, unit.name))
+    return readings
+
+
+def refuse_collisions(definitions: Definitions) -> None:
+    """Raise ValueError for a spelling with two readings, or one that is also refused."""
+    every = every_spelling(definitions)
+    for constant in definitions.constants:
+        for spelling in (*constant.symbols, *constant.names):
+            every.setdefault(spelling, []).append(("", constant.name))
+    for spelling, readings in every.items():
+        if len(readings) > 1:
+            raise ValueError(f"{spelling!r} has more than one reading: {readings}")
+        if spelling in definitions.refused:
+            raise ValueError(f"{spelling!r} is both a unit and refused")
+    letters = [letter for constant in definitions.constants for letter in constant.letters]
+    if len(set(letters)) < len(letters):
+        raise ValueError(f"a short spelling of two constants: {letters}")
+
+
+def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
+    """Return Pint's exact factor of a unit to coherent SI units, and its dimension."""
+    container = UnitsContainer({name: 1})
+    factor, _ = registry.get_root_units(container)
+    powers = [0] * len(BASE_UNITS)
+    for base, power in registry.get_dimensionality(container).items():
+        powers[BASE_UNITS[base]] = int(power)
+    factor = Fraction(factor) / Fraction(1000) ** powers[MASS_AT]  # Pint's base is the gram
+    return factor.numerator, factor.denominator, tuple(powers)
+
+
+def compile_units(text: str) -> tuple[str, str]:
+    """Return the texts of `compiled.py` and `catalogue.py`."""
+    definitions = read(text)
+    refuse_collisions(definitions)
+    registry = exact_registry()
+    head = '"""Generated by `python -m radcalc.units.registry` from light.txt; do not edit."""\n\n'
+    prefixes = tuple(definitions.prefix_names)
+    units = "".join(
+        f"    {u.name!r}: ({top}, {bottom}, {powers}, {allowed}),\n"
+        for u in definitions.units
+        for top, bottom, powers in [worth(registry, u.name)]
+        for allowed in ["ALL" if u.prefixes == prefixes else u.prefixes]
+    )
+    table = (
+        f"{head}ALL = {prefixes}\n"
+        f"UNITS = {{\n{units}}}\n"
+        f"SYMBOLS = {_lines({s: u.name for u in definitions.units for s in u.symbols})}\n"
+        f"NAMES = {_lines({n: u.name for u in definitions.units for n in u.names})}\n"
+        f"NOTES = {_lines({u.name: u.note for u in definitions.units if u.note})}\n"
+        f"CONSTANTS = {_lines({c.name: worth(registry, c.name) for c in definitions.constants})}\n"
+        f"SPELLINGS_OF_CONSTANTS = {_lines(_constants(definitions))}\n"
+        f"REFUSED = {_lines(definitions.refused)}\n"
+        f"PREFIX_NAMES = {_lines(definitions.prefix_names)}\n"
+        f"PREFIX_SYMBOLS = {_lines(definitions.prefix_symbols)}\n"
+    )
+    entries, constants = (
+        _lines({d.name: (d.letters + d.symbols, d.names, d.value, d.source) for d in listed})
+        for listed in (definitions.units, definitions.constants)
+    )
+    catalogue = (
+        f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {entries}\n"
+        f"CONSTANTS = {constants}\n"
+    )
+    return table, catalogue
+
+
+def _constants(definitions: Definitions) -> dict[str, str]:
+    """Return the names of the constants by spelling; the first of each is unambiguous."""
+    return {
+        spelling: constant.name
+        for constant in definitions.constants
+        for spelling in (*constant.symbols, constant.name, *constant.names, *constant.letters)
+    }
+
+
+def _lines(mapping: dict[str, Any]) -> str:
+    return "{\n" + "".join(f"    {k!r}: {v!r},\n" for k, v in mapping.items()) + "}"
+
+
+def main() -> None:
+    """Write both tables into the folder of this module."""
+    table, catalogue = compile_units(DEFINITIONS.read_text(encoding="utf-8"))
+    (HERE / "compiled.py").write_text(table, encoding="utf-8")
+    (HERE / "catalogue.py").write_text(catalogue, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -6,8 +6,8 @@ from typing import Any
 from radcalc import maths
 from radcalc.errors import RadcalcError, UnitError, alternatives, mention, quote
 from radcalc.tuples import NamedTuple
+from radcalc.units import lookup
 from radcalc.units.grammar import parse_unit
-from radcalc.units.unit import lookup
 
 K, C = 12.5, 250.0  # cd s/m2 and lx s: the constants of most makers of light meters
 CONSTANTS = {  # the assumed constants of a light meter, and values of other meters

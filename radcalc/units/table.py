@@ -1,10 +1,32 @@
 """The compiled units at run time: text to a unit, spellings to suggestions.
 
 Factors are exact ratios of whole numbers, so the factor between any two units is rounded once.
+
+Words of growers stand for a unit: ppfd, ppf and dli.  They are quantities, in place of a unit:
+700 ppfd is 700 umol/m2/s of the photons from 400 nm to 700 nm.
 """
 
 from radcalc import errors
-from radcalc.errors import command, quote
+from radcalc.errors import Try, UnitError, ambiguous, command, corrections, quote
+from radcalc.units import (
+    COUNT_AT,
+    CYCLE_AT,
+    INVERSE_LENGTH,
+    LENGTH_ALONE,
+    LUMINOSITY_AT,
+    LUMINOUS_AND_COUNTED,
+    MASS_AT,
+    NUMBER,
+    TIME_AT,
+    Daily,
+    Dimension,
+    Photosynthetic,
+    Unit,
+    lookup,
+    multiple,
+    single,
+    takes,
+)
 from radcalc.units.compiled import (
     NAMES,
     NOTES,
@@ -15,23 +37,6 @@ from radcalc.units.compiled import (
     UNITS,
 )
 from radcalc.units.grammar import NAMED, parse_unit
-from radcalc.units.unit import (
-    COUNT_AT,
-    CYCLE_AT,
-    INVERSE_LENGTH,
-    LENGTH_ALONE,
-    LUMINOSITY_AT,
-    LUMINOUS_AND_COUNTED,
-    MASS_AT,
-    NUMBER,
-    TIME_AT,
-    Dimension,
-    Unit,
-    lookup,
-    multiple,
-    single,
-    takes,
-)
 
 # Spellings of a degree of an offset scale, which is a kelvin in a product.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
@@ -318,3 +323,38 @@ def _prefixed() -> list[str]:
     for symbol in SYMBOLS:
         symbols += [prefix + symbol for prefix in COMMON_PREFIXES if takes(prefix, symbol)]
     return symbols
+
+
+PPFD = "PPFD is the photon irradiance from 400 nm to 700 nm, usually in umol/m2/s"
+PPF = "PPF is the photon flux from 400 nm to 700 nm, usually in umol/s"
+DLI = "DLI is the daily light integral: the photons from 400 nm to 700 nm in a day, in mol/m2"
+GROWERS_WORDS: "dict[str, tuple[str, type[Photosynthetic], str]]" = {
+    "ppfd": ("umol/m2/s", Photosynthetic, PPFD),
+    "ppf": ("umol/s", Photosynthetic, PPF),
+    "dli": ("mol/m2", Daily, DLI),
+}
+
+
+PAR = ("par",)
+PAR_RANGE = "400nm:700nm"  # of watts of PAR
+
+
+def refuse_par(text: str) -> None:
+    """Raise for PAR, which is a range of wavelengths and is measured in photons or in watts."""
+    if text.strip().lower() in PAR:
+        watts = Try((("range", PAR_RANGE),), instead=(text, "W/m2"), remark="the watts")
+        raise UnitError(
+            ambiguous(text, "photons (PPFD, in umol/m2/s) or watts (W/m2) from 400 nm to 700 nm"),
+            [*corrections(text, "ppfd", remark="the photons"), watts],
+        )
+
+
+def growers_unit(word: str) -> Unit | None:
+    """Return the unit that PPFD, PPF or DLI stands for, with its note; None for other words."""
+    refuse_par(word)
+    if word.lower() not in GROWERS_WORDS:
+        return None
+    text, kind, note = GROWERS_WORDS[word.lower()]
+    unit = resolve(text).of_class(kind, note)
+    unit.name = word
+    return unit

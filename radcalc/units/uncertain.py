@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 from radcalc import errors
 from radcalc.errors import quote
 from radcalc.floats import divide
-from radcalc.units.connectives import TO
+from radcalc.units import NUMBER, Dimension, Unit
+from radcalc.units.functions import Part, check_uncertainty, slopes
+from radcalc.units.grammar import TO
 from radcalc.units.numbers import (
     DIGITS,
     SIGNS,
@@ -26,9 +28,7 @@ from radcalc.units.numbers import (
     split_quantity,
     typed_digits,
 )
-from radcalc.units.scales import resolve_any, scale_of
-from radcalc.units.slopes import Part, check_uncertainty, slopes
-from radcalc.units.unit import NUMBER, Dimension, Unit
+from radcalc.units.values import resolve_any, scale_of
 
 SIGN = "±"
 TYPED = SIGNS_OF_UNCERTAINTY[1:]  # other spellings of the sign

@@ -1,19 +1,175 @@
-"""The values of expressions: exact ratios in coherent SI units, with the units that were typed."""
+"""Values: of expressions and of the constants in them, and of readings on scales.
+
+Values of expressions and constants (`h*c/(500 nm)`) are exact ratios in coherent SI units, with the
+units that were typed; those of constants are compiled from `light.txt`.  A short spelling may also
+be a unit (h, g), or a number (e): `HOMONYMS`.  In a product with c or h, whose laws count cycles
+and photons as 1, the target decides whether they are counted.
+
+Units that are read through a function are scales, such as dBm: each is a row of `SCALES`.  With a
+reference x0 in its unit, the reading n of a quantity x is
+
+    n = zero + steps lg(x / x0)     with lb instead of lg for base 2
+    n = x0 / x                      for steps = 0: reciprocal
+
+so readings cannot be multiplied or added.
+"""
 
 import math
+from collections.abc import Iterable
+from typing import Any
 
-from radcalc.errors import ExpressionError, UnitError
-from radcalc.floats import divide
-from radcalc.units import constants
-from radcalc.units.compiled import CONSTANTS
-from radcalc.units.numbers import DIGITS
-from radcalc.units.table import PARTS, resolve
-from radcalc.units.unit import (
+from radcalc import maths
+from radcalc.errors import (
+    ConversionError,
+    ExpressionError,
+    NumberError,
+    RadcalcError,
+    UnitError,
+    correct,
+    quote,
+)
+from radcalc.floats import SMALLEST, divide
+from radcalc.units import (
+    BASES,
+    COUNT_AT,
+    CYCLE_AT,
+    LUMINOSITY_AT,
+    MASS_AT,
     NUMBER,
+    TEMPERATURE_ALONE,
+    TIME_AT,
     Dimension,
     Unit,
     lookup,
 )
+from radcalc.units.compiled import CONSTANTS, NOTES, SPELLINGS_OF_CONSTANTS
+from radcalc.units.dimensions import COHERENT
+from radcalc.units.grammar import plain
+from radcalc.units.numbers import DIGITS, Amount, read_number, word_at
+from radcalc.units.scale_table import SCALES, SIZES, Scale, named, usual
+from radcalc.units.table import CELSIUS, FAHRENHEIT, PARTS, resolve, unit_of
+
+ANGLE_AT = BASES.index("angle")
+LIGHT, PLANCK, REDUCED = "speed_of_light", "planck_constant", "reduced_planck_constant"
+EULER = "e"
+HOMONYMS = tuple([s for s in SPELLINGS_OF_CONSTANTS if s == EULER or lookup(s)])
+BASE_UNITS = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
+
+
+class OfConstants(Unit):
+    """The coherent unit of an expression with constants, with their powers."""
+
+    __slots__ = ("powers",)
+    powers: dict[str, int]
+
+    def fitting(self, dimension: Dimension) -> Unit | None:
+        """Return the unit in another dimension that counts cycles and photons; None if unlike."""
+        if dimension == self.dimension:
+            return self
+        free = _uncounted(self.powers)
+        if any(
+            a != b and place not in free
+            for place, (a, b) in enumerate(zip(self.dimension, dimension, strict=True))
+        ):
+            return None
+        photons = dimension[COUNT_AT] - self.dimension[COUNT_AT]
+        if photons and photons != -_planck(self.powers):
+            return None
+        counted = "a photon" if photons else "a cycle"
+        note = f"{counted} counts as 1 in a formula with c or h"
+        return resolve(_text(dimension)).of_class(Unit, *self.notes, note)
+
+
+def value(name: str) -> float:
+    """Return a constant in coherent SI, rounded once."""
+    top, bottom, _ = CONSTANTS[name]
+    return divide(top, bottom)
+
+
+def plain_spelling(name: str) -> str:
+    """Return the short spelling of a constant that is not ambiguous: h_planck."""
+    return next(s for s, named in SPELLINGS_OF_CONSTANTS.items() if named == name)
+
+
+def homonyms(text: str) -> list[str]:
+    """Return the short spellings in a text that have another meaning too."""
+    found, at = [], 0
+    while at < len(text):
+        word = word_at(text, at)
+        if word in HOMONYMS:
+            found.append(word)
+        at += len(word) or 1
+    return list(dict.fromkeys(found))
+
+
+def quantity(dimension: Dimension, powers: dict[str, int]) -> Dimension:
+    """Return the dimension of a product with constants, with cycles and angles counted as 1."""
+    plain = list(dimension)
+    if LIGHT in powers or PLANCK in powers or REDUCED in powers:
+        plain[CYCLE_AT] = 0
+    if REDUCED in powers:
+        plain[ANGLE_AT] -= powers[REDUCED] if plain[ANGLE_AT] else 0
+    return tuple(plain)
+
+
+def unit(dimension: Dimension, units: dict[str, int]) -> OfConstants:
+    """Return the unit for display of a product with constants."""
+    plain = quantity(dimension, units)
+    made = resolve(_text(plain)).of_class(OfConstants)
+    made.powers = {name: power for name, power in units.items() if name in CONSTANTS}
+    made.notes += tuple([NOTES[name] for name in made.powers if name in NOTES])
+    return made
+
+
+def fit(source: Unit, dimension: Dimension) -> Unit:
+    """Return the unit of an expression, with cycles and photons as a dimension counts them."""
+    if not isinstance(source, OfConstants):
+        return source
+    return source.fitting(dimension) or source
+
+
+def _planck(powers: dict[str, int]) -> int:
+    return powers.get(PLANCK, 0) + powers.get(REDUCED, 0)
+
+
+def _uncounted(powers: dict[str, int]) -> tuple[int, ...]:
+    """Return the places in a dimension that count as 1 in a product with these constants."""
+    places: tuple[int, ...] = ()
+    if LIGHT in powers or _planck(powers):
+        places = (CYCLE_AT,)
+    if _planck(powers):
+        places += (COUNT_AT,)
+    return (*places, ANGLE_AT) if REDUCED in powers else places
+
+
+def _text(dimension: Dimension) -> str:
+    """Return the text of the coherent unit of a dimension: J, W/m2/K, lm or (J.m)."""
+    text = COHERENT.get(dimension, "")
+    if text and resolve(text).dimension == dimension:
+        return text
+    powers = list(dimension)
+    head = _head(dimension)
+    if head:
+        powers = [a - b for a, b in zip(dimension, resolve(head).dimension, strict=True)]
+    over = [head] if head else []
+    over += [_raised(name, n) for name, n in zip(BASE_UNITS, powers, strict=True) if n > 0]
+    under = [_raised(name, -n) for name, n in zip(BASE_UNITS, powers, strict=True) if n < 0]
+    product = f"({'.'.join(over)})" if len(over) > 1 else "".join(over) or "1"
+    return "/".join([product, *under])
+
+
+def _raised(name: str, power: int) -> str:
+    return f"{name}{power}" if power > 1 else name
+
+
+def _head(dimension: Dimension) -> str:
+    """Return the derived unit in a dimension: W, J, lm, cd or none."""
+    if dimension[MASS_AT] == 1:
+        return "W" if dimension[TIME_AT] == -3 else "J"
+    if dimension[LUMINOSITY_AT] == 1:
+        return "lm" if dimension[ANGLE_AT] == 2 else "cd"
+    return ""
+
 
 MAX_BITS = 40_000  # of a number's numerator or denominator: about 12 000 digits
 KEPT = 1e-12  # largest relative error of a sum by cancellation of digits
@@ -106,12 +262,12 @@ class Value:
         """The dimension, in which a cycle counts as 1 in a product with c or h."""
         if not self.has_constants:
             return self.dimension
-        return constants.quantity(self.dimension, self.units)
+        return quantity(self.dimension, self.units)
 
     def unit(self) -> Unit | None:
         """Return the unit for display, None for a bare number."""
         if self.has_constants:
-            return constants.unit(self.dimension, self.units)
+            return unit(self.dimension, self.units)
         if self.dimension == NUMBER:
             (name, power), *more_units = self.units.items() or [("", 0)]
             if power == 1 and not more_units and is_part(name):
@@ -162,3 +318,179 @@ class Term:
         self.start, self.middle, self.end = start, middle, end
         self.has_number = has_number
         self.units = units  # count of units after the number
+
+
+RECIPROCAL = next(scale for scale in SCALES if not scale.steps)
+
+
+class ScaleUnit(Unit):
+    """A scale as the user wrote it, used like a unit; the values of its readings are in `unit`.
+
+    `others` are other scales with this spelling.
+    """
+
+    __slots__ = ("others", "scale", "unit")
+    is_scale = True
+
+    def __init__(self, text: str, scale: Scale, others: "tuple[ScaleUnit, ...]" = ()) -> None:
+        unit = resolve(scale.unit)
+        super().__init__(text, unit.top, unit.bottom, unit.dimension, unit.atoms)
+        self.unit = unit
+        self.scale = scale
+        self.others = others
+
+    @property
+    def assumption(self) -> str:
+        return self.describe()
+
+    def describe(self, settable: bool = False) -> str:
+        scale = self.scale
+        name = quote(self.text)
+        text = f"{name}: {scale.inverse(name if scale.constant else 'n')}, {scale.meaning}"
+        if scale.constant and scale.size == SIZES[scale.constant]:
+            text += f", {usual(scale.constant, settable)}"
+        return text
+
+    def quantity(self, reading: Any) -> Any:
+        """Return the quantity of a reading [coherent SI]; NumberError if it has none."""
+        reading_text = f"{reading:.12g} " if isinstance(reading, float) else ""
+        reading_text += quote(self.text)
+        if not self.scale.steps and maths.any_true(reading <= 0):
+            is_shift = isinstance(reading, float) and reading < 0
+            shift = "a difference, as of filters, and " if is_shift else ""
+            raise NumberError(
+                f"{reading_text} is {shift}not the reciprocal of a temperature", "more than 0"
+            )
+        try:
+            quantity = self.scale.quantity(reading)
+        except (OverflowError, ZeroDivisionError):
+            quantity = 0.0
+        if maths.any_true((quantity < SMALLEST) | (quantity - quantity != 0)):
+            raise NumberError(f"{reading_text} is out of range", "less extreme values")
+        return quantity
+
+    def reading(self, quantity: Any) -> Any:
+        """Return the reading of a quantity above 0 in `unit`."""
+        if maths.is_uncertain(quantity):
+            reading = self.reading(quantity.nominal_value)
+            return reading + (quantity - quantity.nominal_value) / self.slope(reading)
+        if maths.any_true(quantity <= 0):
+            quantity_text = (
+                f"{quantity:.6g} {self.unit.text}" if isinstance(quantity, float) else "0"
+            )
+            quantity_text = quantity_text.removesuffix(" 1")
+            raise ConversionError(
+                f"{quantity_text} has no reading on {quote(self.text)}", "more than 0"
+            )
+        return self.scale.reading(quantity) + 0.0
+
+    def slope(self, reading: Any) -> Any:
+        return self.scale.slope(reading)
+
+    def measures(self, dimensions: Iterable[Dimension]) -> "ScaleUnit":
+        """Return the scale, of those with this spelling, of one of the dimensions; else this."""
+        wanted = tuple(dimensions)
+        return next((scale for scale in (self, *self.others) if scale.dimension in wanted), self)
+
+    def with_constants(self, values: dict[str, float]) -> "ScaleUnit":
+        others = tuple([other.with_constants(values) for other in self.others])
+        scale = self.scale
+        if scale.constant in values:
+            scale = scale.of_meter(values[scale.constant])
+        return ScaleUnit(self.text, scale, others)
+
+
+def find_scale(text: str) -> ScaleUnit | None:
+    """Return the scale of a text; None for another text."""
+    text = " ".join(text.split())
+    rows = named(plain(text))
+    if not rows:
+        return None
+    others = tuple([ScaleUnit(text, row) for row in rows[1:]])
+    return ScaleUnit(text, rows[0], others)
+
+
+def resolve_any(text: str) -> Unit:
+    """Return the unit of a text, a scale or a word of growers; raise UnitError for other texts."""
+    if unit := find_scale(text) or unit_of(text):
+        return unit
+    from radcalc.units import table
+
+    return table.growers_unit(text) or resolve(text)
+
+
+def refuse_product(text: str, scale: str) -> None:
+    """Raise for 2*10 dBm, which is ambiguous."""
+    if "*" not in text:
+        return  # a text without a product need not begin with a number: (10±1) dBm
+    number, end = read_number(text)
+    if "*" in text[:end]:
+        raise NumberError(
+            f"'{quote(text)}' multiplies a reading of {quote(scale)}, which is not possible",
+            correct(text, f"{number:.12g} {scale}", remark="one reading"),
+        )
+
+
+def scale_of(unit: Unit) -> Scale | None:
+    """Return the scale of a `ScaleUnit`; None for a unit."""
+    return unit.scale if isinstance(unit, ScaleUnit) else None
+
+
+def amount_on(
+    unit: Unit, text: str, reading: float, uncertainty: float, dimensions: Iterable[Dimension]
+) -> Amount:
+    """Return the amount of a reading, with its uncertainty."""
+    assert isinstance(unit, ScaleUnit)
+    scale = unit.measures(dimensions)
+    quantity = scale.quantity(reading)
+    assumptions = (scale.assumption,)
+    if not uncertainty:
+        return Amount(text, quantity, scale.unit, 0.0, assumptions, scale, reading)
+    from radcalc.units.functions import Part, check_uncertainty
+
+    def at(times: float) -> float | None:
+        try:
+            return float(scale.quantity(reading + times * uncertainty))
+        except RadcalcError:
+            return None
+
+    size = scale.slope(reading) * uncertainty
+    check_uncertainty(abs(size) or math.nan, text)
+    part = Part(text, size, at)
+    return Amount(text, quantity, scale.unit, abs(size), assumptions, scale, reading, parts=(part,))
+
+
+def reciprocal(unit: Unit) -> ScaleUnit:
+    """Return a unit such as 1/MK as a scale of temperatures, read as their reciprocals."""
+    return ScaleUnit(unit.text, RECIPROCAL._replace(size=unit.bottom / unit.top))
+
+
+def degree(text: str) -> Unit | None:
+    """Return the unit of a temperature difference in degrees Celsius or Fahrenheit, else None."""
+    name = plain(text).lower().replace("° ", "°")
+    name = name.replace(" ", "_").replace("-", "_")
+    if name in CELSIUS:
+        return Unit(text, 1, 1, TEMPERATURE_ALONE, ((name, 1),))
+    return Unit(text, 5, 9, TEMPERATURE_ALONE, ((name, 1),)) if name in FAHRENHEIT else None
+
+
+def resolve_given(text: str) -> Unit:
+    """Return the unit of an input, with degrees as units of temperature differences."""
+    return degree(text) or resolve_any(text)
+
+
+def in_which(text: str, dimensions: Iterable[Dimension]) -> Unit:
+    """Return the unit for the value of an input that is a reading or in degrees."""
+    if scale := find_scale(text):
+        return scale.measures(dimensions).unit
+    return resolve("K" if degree(text) else text)
+
+
+def on(dimension: Dimension) -> list[Scale]:
+    """Return the scales of a dimension."""
+    return [scale for scale in SCALES if resolve(scale.unit).dimension == dimension]
+
+
+def names_of(dimension: Dimension) -> list[str]:
+    """Return the names of the scales of a dimension."""
+    return [scale.name for scale in on(dimension)]

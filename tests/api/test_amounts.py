@@ -9,9 +9,9 @@ import pytest
 from helpers import for_each
 
 import radcalc
-from radcalc.api.spelling import keyword
+from radcalc.api.arguments import keyword
+from radcalc.calculators import page_of
 from radcalc.calculators.page import words_of
-from radcalc.calculators.pages import page_of
 from radcalc.errors import RadcalcError, UsageError
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 

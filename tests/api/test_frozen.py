@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import radcalc
-from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions.maps import RadianceMap
 from radcalc.spectra.sources import spectrum
 
 Q = radcalc.Quantity

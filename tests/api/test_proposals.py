@@ -7,7 +7,7 @@ from helpers import for_each
 from test_refusals import CONVERSIONS
 
 import radcalc
-from radcalc.api.spelling import keyword
+from radcalc.api.arguments import keyword
 
 CALL = re.compile(
     r"(radcalc\..*\))\n     (?:\S+ )?(-?[\d.]+(?:e[+-]?\d+)?)(?=[ ,]|$)", re.MULTILINE

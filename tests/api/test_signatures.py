@@ -13,8 +13,8 @@ from helpers import for_each
 from test_docstrings import entries, sections
 
 import radcalc
-from radcalc.api.spelling import AT_A_SHELL, keyword
-from radcalc.calculators.pages import COMMANDS
+from radcalc.api.arguments import AT_A_SHELL, keyword
+from radcalc.calculators import COMMANDS
 
 STUB = runpy.run_path(str(ROOT / "docs" / "stub.py"))
 FUNCTIONS = [name for name in radcalc.__all__ if inspect.isfunction(getattr(radcalc, name))]

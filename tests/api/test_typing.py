@@ -6,7 +6,7 @@ from typing import get_args
 from conftest import ROOT, python
 from mypy import api as mypy
 
-from radcalc.api import keywords
+from radcalc.api import columns
 from radcalc.calculators.shapes import SHAPES
 from radcalc.calculators.solid_angle import NAMES
 from radcalc.quantities.symbols import SYMBOLS
@@ -40,6 +40,6 @@ def test_choices_are_those_of_the_vocabulary_and_of_the_calculators():
     for name, symbol in SYMBOLS.items():
         if symbol.choices and name != "distribution":
             named = "".join(map(str.capitalize, name.split("-")))
-            assert get_args(getattr(keywords, named)) == symbol.choices
-    assert set(get_args(keywords.Shape)) == set(NAMES)
-    assert set(get_args(keywords.Diffuse)) == set(SHAPES)
+            assert get_args(getattr(columns, named)) == symbol.choices
+    assert set(get_args(columns.Shape)) == set(NAMES)
+    assert set(get_args(columns.Diffuse)) == set(SHAPES)

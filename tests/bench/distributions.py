@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 from measure import RADCALC, command, report
 
-from radcalc.distributions.distribution import Pose
-from radcalc.distributions.grid import Grid
+from radcalc.distributions.distribution import Grid, Pose
 
 NUMPY = "import click, numpy"
 # The numbers of the same file, read into an array and nothing else.

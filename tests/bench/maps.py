@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 from measure import report
 
+from radcalc.distributions.maps import RadianceMap
 from radcalc.distributions.maps.pictures import REC_709, Picture, read_picture, write_picture
-from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.maps.rendered import irradiance_map
 
 WIDTH, HEIGHT = 4096, 2048

@@ -13,12 +13,11 @@ from helpers import Q, number
 from radcalc import point_source
 from radcalc.calculators.point_source import point_source as work_out
 from radcalc.calculators.solved import Task
-from radcalc.distributions.distribution import Photometry
-from radcalc.distributions.formula import Lobe
-from radcalc.distributions.grid import Grid
+from radcalc.distributions.distribution import Grid, Photometry
+from radcalc.distributions.sources import Lobe
 from radcalc.errors import RadcalcError
+from radcalc.homework import check
 from radcalc.homework.question import of_task
-from radcalc.homework.verdict import check
 from radcalc.inputs.reading import read
 
 LOBE = "max(cos(theta), 0)^{n}"

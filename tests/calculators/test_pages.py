@@ -7,8 +7,8 @@ from pathlib import Path
 from helpers import for_each
 
 from radcalc import calculators, homework
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.calculators.page import Page
-from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS, names_of_kinds
 
 MODULES = [path.stem for path in Path(calculators.__file__).parent.glob("*.py")]

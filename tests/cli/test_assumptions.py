@@ -10,7 +10,7 @@ from helpers import for_each
 
 import radcalc
 from radcalc.answer import Remark
-from radcalc.calculators.pages import SUMMARIES
+from radcalc.calculators import SUMMARIES
 from radcalc.calculators.results import pick, said_of
 from radcalc.cli.command import examples_of
 from radcalc.cli.heard import asked, hear

@@ -8,7 +8,7 @@ from conftest import run
 from homework.questions import CONE, LUX, POINT, TILTED
 
 from radcalc import cli
-from radcalc.homework.answer import read_claim
+from radcalc.homework.question import read_claim
 
 
 class Said:

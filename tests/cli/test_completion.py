@@ -6,15 +6,15 @@ import pytest
 from conftest import run
 from helpers import for_each
 
-from radcalc.completion import completions, shells
+from radcalc import completion
+from radcalc.completion import completions
 from radcalc.completion.table import COMMANDS, UNITS
 from radcalc.completion.words import READERS, Completion
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition
-from radcalc.quantities import typical
-from radcalc.quantities.light import name_of
-from radcalc.units.scales import resolve_any
+from radcalc.quantities import lookup, name_of
 from radcalc.units.table import unit_of
+from radcalc.units.values import resolve_any
 
 
 def complete(line: str) -> list[Completion]:
@@ -248,7 +248,7 @@ def test_the_words_of_typical_values_find_values():
     found = texts("typical ")
     assert {"moon", "illuminance", "jas", "освещённость"} <= set(found)
     assert texts("typical moo") == ["moon"]
-    assert all(typical.search(text) for text in found)
+    assert all(lookup.search_typical(text) for text in found)
 
 
 def test_named_spectra_have_descriptions():
@@ -329,7 +329,7 @@ BREAKS = " \t\n\"'><=;|&(:"  # as bash splits them
     ],
 )
 def test_the_words_of_a_line(line, words, word, cut):
-    typed = shells.Typed(line, BREAKS)
+    typed = completion.Typed(line, BREAKS)
     assert (typed.words, typed.word, typed.cut) == (words, word, cut)
 
 
@@ -340,7 +340,7 @@ def ask(monkeypatch, capfd):
     def answered(shell: str, line: str) -> str:
         monkeypatch.setenv("COMP_LINE", line)
         monkeypatch.setenv("COMP_WORDBREAKS", BREAKS)
-        assert shells.answer_shell(f"{shell}_complete") == 0
+        assert completion.answer_shell(f"{shell}_complete") == 0
         out, err = capfd.readouterr()
         assert err == ""
         return out

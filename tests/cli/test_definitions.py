@@ -183,5 +183,5 @@ def test_a_compiled_file_loads_no_pint(home):
     call("2 smoot m")
     words = [sys.executable, "-X", "importtime", "-m", "radcalc", "2", "smoot", "m"]
     done = subprocess.run(words, capture_output=True, text=True, timeout=60, env=os.environ)
-    assert "radcalc.units.unit" in done.stderr
+    assert "radcalc.units" in done.stderr
     assert "pint" not in done.stderr

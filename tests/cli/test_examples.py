@@ -9,7 +9,7 @@ from conftest import run
 from helpers import displays_of, for_each, terminal_of
 
 from radcalc.calculators.lists import manual_pages
-from radcalc.sentences.tasks import FILE, search, tasks
+from radcalc.quantities.lookup import FILE, search_tasks, tasks
 
 TRADES = {
     "stage": 2, "growing": 3, "physics class": 3, "photography film": 3, "laser": 3,
@@ -23,7 +23,7 @@ MINUTES = 180 / math.pi * 60
 
 @for_each(TRADES)
 def test_a_trade_finds_its_tasks(trade):
-    assert len(search(trade)) >= TRADES[trade]
+    assert len(search_tasks(trade)) >= TRADES[trade]
 
 
 def test_every_section_of_the_file_is_a_whole_task():
@@ -72,7 +72,7 @@ def test_the_numbers_of_a_task_are_those_of_its_source(title, numbers):
 # Apogee Instruments, conversion of lux to PPFD; reference solar spectrum and lamps differ a little.
 @pytest.mark.parametrize(("place", "factor"), [(0, 0.0185), (1, 0.0122)])
 def test_the_ppfd_of_a_lux_meter_is_close_to_that_of_apogee(place, factor):
-    (task,) = search("lux meter greenhouse")
+    (task,) = search_tasks("lux meter greenhouse")
     ppfd = float(task.calls[place].output[0].split()[0])
     assert ppfd == pytest.approx(factor * 10_000, rel=0.03)
 
@@ -85,18 +85,18 @@ def test_the_list_has_every_task_with_a_command():
 
 @for_each(["Ppfd", "PPFD", "ppf"])
 def test_a_word_is_found_by_its_beginning_without_case(word):
-    assert search(word) == search("ppfd") != []
+    assert search_tasks(word) == search_tasks("ppfd") != []
 
 
 def test_all_words_have_to_be_mentioned():
-    assert [task.title for task in search("museum log")] == ["A log"]
-    assert len(search("museum")) > 1
+    assert [task.title for task in search_tasks("museum log")] == ["A log"]
+    assert len(search_tasks("museum")) > 1
     assert run("examples", "museum", "greenhouse").returncode == 2
 
 
 def test_a_found_task_is_complete_in_text_and_as_json():
     done = run("examples", "uv", "index")
-    (task,) = search("uv index")
+    (task,) = search_tasks("uv index")
     for text in (task.trade, task.title, task.calls[0].command, *task.calls[0].output):
         assert text in done.stdout
     assert task.reading in " ".join(done.stdout.split())
@@ -114,7 +114,7 @@ def test_an_unknown_word_is_refused_with_words_that_exist():
     assert done.returncode == 2
     words = done.stderr.rpartition(": ")[2].strip().split(", ")
     assert len(words) > 9
-    assert all(search(word) for word in words)
+    assert all(search_tasks(word) for word in words)
 
 
 @pytest.mark.parametrize("width", [60, 80])

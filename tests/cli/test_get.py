@@ -19,12 +19,12 @@ from helpers import answers as read
 from test_cases import FILES, transcripts
 
 from radcalc.__main__ import run as main
-from radcalc.calculators.pages import SUMMARIES
+from radcalc.calculators import SUMMARIES
 from radcalc.calculators.results import pick
 from radcalc.cli import answers
 from radcalc.cli.command import command_of
 from radcalc.errors import RadcalcError
-from radcalc.quantities.light import GRID, KINDS, Reading, coherent_text
+from radcalc.quantities import GRID, KINDS, Reading, coherent_text
 from radcalc.quantities.symbols import (
     EFFICACIES,
     NUMBERS_ALONE,

@@ -7,7 +7,7 @@ import pytest
 from conftest import python
 from helpers import for_each
 
-from radcalc.cli import habits
+from radcalc.cli import spelling
 
 PIPED = [  # with standard input from a pipe: what is typed, and the call that it means
     ("to fc", "convert - fc"),
@@ -50,21 +50,21 @@ OTHERS = ["", "500 lx fc", "convert 500 lx fc", "convert", "convert - lx fc", "l
 
 @pytest.fixture(autouse=True)
 def quiet(monkeypatch):
-    monkeypatch.setattr(habits, "say", lambda words: None)
+    monkeypatch.setattr(spelling, "say", lambda words: None)
 
 
 @for_each(PIPED)
 def test_a_call_with_a_pipe(typed, meant):
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(habits, "is_piped", lambda: True)
-        assert habits.canonical(typed.split()) == meant.split()
+        patched.setattr(spelling, "is_piped", lambda: True)
+        assert spelling.canonical(typed.split()) == meant.split()
 
 
 @for_each(ALONE)
 def test_a_call_without_a_pipe(typed, meant):
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(habits, "is_piped", lambda: False)
-        found = habits.canonical(typed.split())
+        patched.setattr(spelling, "is_piped", lambda: False)
+        found = spelling.canonical(typed.split())
     assert found == meant.split()
 
 
@@ -72,8 +72,8 @@ def test_a_call_without_a_pipe(typed, meant):
 def test_other_calls_are_as_they_were(typed):
     for piped in (True, False):
         with pytest.MonkeyPatch.context() as patched:
-            patched.setattr(habits, "is_piped", lambda piped=piped: piped)
-            assert habits.canonical(typed.split()) == typed.split()
+            patched.setattr(spelling, "is_piped", lambda piped=piped: piped)
+            assert spelling.canonical(typed.split()) == typed.split()
 
 
 def radcalc(words: str, given: str | None) -> subprocess.CompletedProcess[str]:

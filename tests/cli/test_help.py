@@ -12,7 +12,7 @@ import pytest
 from conftest import process, run
 from helpers import for_each, screen_of, terminal_of
 
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.cli.command import commands
 from radcalc.cli.spelling import GROUPS
 from radcalc.terminal import CALLS, fold

@@ -7,16 +7,15 @@ import pytest
 from conftest import ROOT
 
 from radcalc import __main__, cli
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.calculators.page import words_of
-from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli import boundary, lane
 from radcalc.cli.spelling import Shell
 from radcalc.conversion.operands import read_operands
 from radcalc.floats import read_decimal
-from radcalc.units import table
+from radcalc.units import Unit, single, table
 from radcalc.units.compiled import NAMES, PREFIX_NAMES, PREFIX_SYMBOLS, SYMBOLS
 from radcalc.units.numbers import is_sentence
-from radcalc.units.unit import Unit, single
 
 ANSWERED = [
     ["100", "lx", "fc"],

@@ -8,10 +8,10 @@ import pytest
 from conftest import run
 from helpers import for_each, terminal_of
 
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.cli.findings import EXACT, KINDS, MOST, OF_A_KIND, SEARCHES, find, near
+from radcalc.quantities.lookup import THINGS
 from radcalc.quantities.names import QUANTITIES
-from radcalc.quantities.typical import THINGS
 from radcalc.spectra.sources import names as spectra
 from radcalc.units.compiled import UNITS
 

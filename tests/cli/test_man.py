@@ -8,8 +8,7 @@ import pytest
 from conftest import ROOT, run
 from helpers import require, screen_of
 
-from radcalc.calculators import lists
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS, lists
 from radcalc.cli.lists import find_pages
 
 PAGES = {page.name for page in lists.manual_pages()}

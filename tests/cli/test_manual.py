@@ -12,9 +12,9 @@ from conftest import ROOT
 from helpers import displayed, displays_of, for_each, require
 from test_cases import answered
 
+from radcalc.calculators import COMMANDS
 from radcalc.calculators.lists import manual_pages
-from radcalc.calculators.pages import COMMANDS
-from radcalc.cli import habits
+from radcalc.cli import spelling
 from radcalc.cli.command import commands
 from radcalc.cli.lists import find_pages
 from radcalc.quantities.names import QUANTITIES
@@ -201,7 +201,7 @@ def test_a_page_describes_every_option_of_its_command_and_no_other(name):
 @for_each(PAGES)
 def test_every_option_that_a_page_names_exists(name):
     named = set(re.findall(r"(?<![\w-])--[a-z][\w-]*", rendered(name)))
-    understood = habits.ENDS  # words of other tools
+    understood = spelling.ENDS  # words of other tools
     assert named - set().union(understood, *map(spellings, CONTEXTS.values())) == set()
 
 

@@ -233,7 +233,7 @@ def test_the_launcher_returns_the_exit_status(words, status):
     assert b"Traceback" not in done.stderr
 
 
-@pytest.mark.parametrize("module", ["radcalc", "radcalc.__main__", "radcalc.units.unit"])
+@pytest.mark.parametrize("module", ["radcalc", "radcalc.__main__", "radcalc.units"])
 def test_an_interrupt_while_the_launcher_imports_exits_130_without_a_traceback(module):
     code = """
 import os, signal, sys

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from radcalc.conversion.plan import plan
 from radcalc.errors import ConversionError
 from radcalc.units import compiled
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 FOOT, INCH = Fraction("0.3048"), Fraction("0.0254")
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582")

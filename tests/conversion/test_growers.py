@@ -6,8 +6,7 @@ from helpers import for_each
 
 import radcalc
 from radcalc.errors import ConditionError, MissingCondition, RadcalcError, UnitError
-from radcalc.units.horticulture import WORDS
-from radcalc.units.table import unit_of
+from radcalc.units.table import GROWERS_WORDS, unit_of
 
 # micromoles per second times the seconds of light in a day
 DAYS = [
@@ -40,7 +39,7 @@ def test_a_rate_per_day_counts_24_hours():
 
 @for_each(["ppfd", "PPFD", "ppf", "dli", "DLI"])
 def test_a_word_is_a_unit_of_values_alone(word):
-    unit, _, note = WORDS[word.lower()]
+    unit, _, note = GROWERS_WORDS[word.lower()]
     of_word, of_unit = (radcalc.convert(f"7 {text}", unit) for text in (word, unit))
     assert of_word == of_unit
     assert unit_of(word) is None  # in titles of columns it is the name of a quantity

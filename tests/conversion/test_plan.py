@@ -114,7 +114,7 @@ def test_steps_end_in_the_result():
 
 def test_the_dimension_of_every_factor_agrees_with_pint():
     """The factors of a plan, with Omega0, 1 cycle and 1 photon, are multiplied by Pint."""
-    from radcalc.quantities.light import coherent_unit
+    from radcalc.quantities import coherent_unit
     from radcalc.units.registry import light_registry
 
     q = light_registry().Quantity

@@ -8,8 +8,8 @@ import pytest
 from conftest import run
 
 from radcalc.units.compiled import UNITS
-from radcalc.units.scales import find
 from radcalc.units.table import resolve
+from radcalc.units.values import find_scale
 
 
 def answers(words):
@@ -106,6 +106,6 @@ def test_a_condition_that_no_answer_uses_is_refused(words, message):
 def test_without_a_target_every_unit_of_the_quantity_has_its_value(unit):
     lines = run("convert", "1", unit, "-q").stdout.splitlines()
     texts = [line.split("\t")[1] for line in lines]
-    listed = {resolve(text).atoms for text in texts if not find(text)}
+    listed = {resolve(text).atoms for text in texts if not find_scale(text)}
     measured = resolve(unit).dimension
     assert listed >= {((name, 1),) for name in UNITS if resolve(name).dimension == measured}

@@ -9,13 +9,16 @@ from itertools import permutations, product
 import pytest
 
 from radcalc.conversion import geometric
-from radcalc.conversion.conditions import AREA, CONE, DISTANCE, REFLECTANCE
 from radcalc.conversion.geometric import (
+    AREA,
+    CONE,
     DISC,
+    DISTANCE,
     FLUX,
     INTENSITY,
     IRRADIANCE,
     RADIANCE,
+    REFLECTANCE,
     WAYS,
     ways_between,
 )

@@ -5,10 +5,9 @@ import math
 import numpy
 import pytest
 
-from radcalc.distributions.distribution import Pose, beam
-from radcalc.distributions.formula import Cone, Formula, Isotropic, Lobe
-from radcalc.distributions.grid import Grid
-from radcalc.distributions.places import upward_flux
+from radcalc.distributions.distribution import Grid, Pose, beam
+from radcalc.distributions.scene import upward_flux
+from radcalc.distributions.sources import Cone, Formula, Isotropic, Lobe
 from radcalc.errors import ConditionError
 
 MEMBERS = {

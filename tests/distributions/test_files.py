@@ -8,7 +8,7 @@ import sys
 import pytest
 from conftest import python
 
-from radcalc.distributions.files import MOST_BYTES, read_file
+from radcalc.distributions.sources import MOST_BYTES, read_file
 from radcalc.errors import RadcalcError
 
 IES = """IESNA:LM-63-2002
@@ -181,7 +181,7 @@ def test_a_path_that_is_not_a_file_is_refused(tmp_path):
 def test_an_idle_pipe_does_not_block(tmp_path):
     path = tmp_path / "lamp.ies"
     os.mkfifo(path)
-    code = f"from radcalc.distributions.files import read_file; read_file({str(path)!r})"
+    code = f"from radcalc.distributions.sources import read_file; read_file({str(path)!r})"
     done = python(code)
     assert "a pipe or a device" in done.stderr
 
@@ -198,7 +198,7 @@ def test_a_large_file_is_refused_before_reading(tmp_path):
 
 @pytest.mark.parametrize("form", FORMATS)
 def test_standard_input_is_read_like_a_file(form):
-    code = "from radcalc.distributions.files import read_file; print(read_file('-').format)"
+    code = "from radcalc.distributions.sources import read_file; print(read_file('-').format)"
     done = subprocess.run(
         [sys.executable, "-c", code],
         input=FORMATS[form],
@@ -210,7 +210,7 @@ def test_standard_input_is_read_like_a_file(form):
 
 
 def test_standard_input_without_end_is_refused():
-    code = "from radcalc.distributions.files import read_file; read_file('-')"
+    code = "from radcalc.distributions.sources import read_file; read_file('-')"
     with open("/dev/zero", "rb") as zeros:
         done = subprocess.run(
             [sys.executable, "-c", code], stdin=zeros, capture_output=True, text=True

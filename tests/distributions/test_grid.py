@@ -8,7 +8,7 @@ import numpy
 import pytest
 from helpers import for_each
 
-from radcalc.distributions.grid import Grid
+from radcalc.distributions.distribution import Grid
 from radcalc.errors import ConditionError
 
 TURN = 2 * math.pi

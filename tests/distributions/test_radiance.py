@@ -13,7 +13,7 @@ import pytest
 
 import radcalc
 from radcalc.distributions.distribution import Pose
-from radcalc.distributions.files import read_file
+from radcalc.distributions.sources import read_file
 
 try:
     import pyradiance

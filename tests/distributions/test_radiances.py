@@ -6,7 +6,7 @@ import numpy
 import pytest
 
 from radcalc.distributions.environments import FormulaRadiances
-from radcalc.distributions.formula import Formula
+from radcalc.distributions.sources import Formula
 from radcalc.errors import ConditionError
 
 OVERCAST = "(1 + 2*cos(theta))/3*(theta < 90*deg)"  # Moon and Spencer (1942), over the zenith's

@@ -6,9 +6,7 @@ import random
 import numpy
 import pytest
 
-from radcalc.distributions.distribution import DOWN, Pose
-from radcalc.distributions.formula import Cone, Formula, Isotropic, Lobe
-from radcalc.distributions.grid import Grid
+from radcalc.distributions.distribution import DOWN, Grid, Pose
 from radcalc.distributions.scene import (
     BLOCK,
     Axis,
@@ -20,6 +18,7 @@ from radcalc.distributions.scene import (
     grid,
     unit,
 )
+from radcalc.distributions.sources import Cone, Formula, Isotropic, Lobe
 from radcalc.errors import ConditionError
 
 UP = (0.0, 0.0, 1.0)

@@ -5,8 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from radcalc.distributions.formula import Lobe
-from radcalc.distributions.sources import photometry
+from radcalc.distributions.sources import Lobe, photometry
 from radcalc.errors import ConditionError, RadcalcError
 
 

@@ -19,13 +19,11 @@ from radcalc.answer import Value
 from radcalc.calculators.results import in_unit
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError
-from radcalc.homework import Question, check
-from radcalc.homework.verdict import RELATIVES, REMARKS
+from radcalc.homework import RELATIVES, REMARKS, Question, check
 from radcalc.inputs.quantities import takes_scale
-from radcalc.units import scale_table
-from radcalc.units.scales import find
+from radcalc.units import Dimension, scale_table
 from radcalc.units.table import spellings, unit_of
-from radcalc.units.unit import Dimension
+from radcalc.units.values import find_scale
 
 SHORT, LONG = 200, 40_000
 LINKS = ("", "--spectrum D65", "--wavelength 555nm", "--efficacy 200lm/W")
@@ -109,7 +107,7 @@ def units() -> dict[Dimension, list[str]]:
 def _right_claims(value: Value, dice: random.Random) -> Iterator[tuple[str, float]]:
     """Yield a random unit and a random scale of a result, with its numbers."""
     dimensions = [d for d in (*value.dimensions, *value.reach) if units().get(d)]
-    scales = [scale for text in scale_table.spellings() if (scale := find(text))]
+    scales = [scale for text in scale_table.spellings() if (scale := find_scale(text))]
     texts = [dice.choice(units()[dice.choice(dimensions)])] if dimensions else []
     texts += [
         scale.text
@@ -119,7 +117,7 @@ def _right_claims(value: Value, dice: random.Random) -> Iterator[tuple[str, floa
     ]
     for text in texts:
         try:
-            yield text, in_unit(value, find(text) or unit_of(text))  # type: ignore[arg-type]
+            yield text, in_unit(value, find_scale(text) or unit_of(text))  # type: ignore[arg-type]
         except RadcalcError:  # too large for a number, or 0 on a scale
             continue
 

@@ -13,9 +13,9 @@ import numpy as np
 from fuzz.command import main
 
 from radcalc.spectra import colorimetry
+from radcalc.spectra.colorimetry import load_colour
 from radcalc.spectra.data.colours import X, Z
 from radcalc.spectra.data.observers import PHOTOPIC
-from radcalc.spectra.rendition import load_colour
 from radcalc.spectra.sources import spectrum
 from radcalc.spectra.spectrum import Table
 

@@ -17,8 +17,8 @@ sys.path.append(str(Path(__file__).parent.parent))  # for a script
 from fuzz.command import main
 
 from radcalc.answer import Answer
+from radcalc.calculators import SUMMARIES, page_of
 from radcalc.calculators.page import words_of
-from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.calculators.solid_angle import SHAPES
 from radcalc.calculators.solved import Task
 from radcalc.errors import RadcalcError

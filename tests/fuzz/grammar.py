@@ -13,11 +13,11 @@ from itertools import pairwise
 from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
 from radcalc.errors import NumberError, RadcalcError
-from radcalc.homework.answer import read_claim
+from radcalc.homework.question import read_claim
+from radcalc.units import NUMBER as NUMBER_ITSELF
 from radcalc.units.dimensions import powers, times
 from radcalc.units.numbers import parse_number
 from radcalc.units.table import resolve
-from radcalc.units.unit import NUMBER as NUMBER_ITSELF
 
 SHORT, LONG = 4_500, 1_000_000
 

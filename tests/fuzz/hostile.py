@@ -24,7 +24,7 @@ from distributions.maps.hdr import flat, head
 from fuzz.edges import ending
 from fuzz.processes import Seen, call
 
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.cli.command import commands, context
 
 SHORT, LONG = 200, 200_000

@@ -13,7 +13,7 @@ import numpy as np
 import OpenEXR
 from distributions.maps import hdr
 
-from radcalc.distributions.maps import exr, pfm, rgbe
+from radcalc.distributions.maps import exr, pictures, rgbe
 from radcalc.errors import ConditionError
 
 SHORT, LONG = 75, 50_000
@@ -81,13 +81,18 @@ def damaged(data: bytes) -> bytes:
     return bytes(found)
 
 
-FORMATS = [(radiance, rgbe), (radiance, rgbe), (float_map, pfm), (open_exr, exr)]
+FORMATS = [
+    (radiance, rgbe.read),
+    (radiance, rgbe.read),
+    (float_map, pictures.read_pfm),
+    (open_exr, exr.read),
+]
 
 
-def pixels_or_refusal(module: Any, data: bytes) -> np.ndarray | str:
+def pixels_or_refusal(read: Any, data: bytes) -> np.ndarray | str:
     """Return the pixels of a file, or the error."""
     try:
-        return module.read(data, "sky").pixels
+        return read(data, "sky").pixels
     except ConditionError as error:
         return error.message
 
@@ -98,16 +103,16 @@ def sweep(count: int, seed: int) -> str:
     refused = 0
     for _ in range(count):
         height, width = (random.choice([1, 2, 7, 8, 30, 200]) for _ in range(2))
-        draw, module = random.choice(FORMATS)
+        draw, read = random.choice(FORMATS)
         data, expected = draw(height, width)
-        assert np.allclose(pixels_or_refusal(module, data), expected, rtol=2e-7, atol=0), data
+        assert np.allclose(pixels_or_refusal(read, data), expected, rtol=2e-7, atol=0), data
         other = damaged(data)
-        found = pixels_or_refusal(module, other)
+        found = pixels_or_refusal(read, other)
         if isinstance(found, str):
             assert "sky" in found, (found, other)
             refused += 1
         else:
-            assert module is not rgbe or np.isfinite(found).all(), other
+            assert read is not rgbe.read or np.isfinite(found).all(), other
     return f"{count} pictures read correctly; {refused} damaged ones were refused"
 
 

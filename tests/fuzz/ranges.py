@@ -13,7 +13,7 @@ from fuzz.command import main
 
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import ConditionError
-from radcalc.inputs.given import Input
+from radcalc.inputs import Input
 from radcalc.inputs.reading import read
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.spectra.arrays import ArrayTable

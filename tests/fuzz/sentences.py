@@ -21,12 +21,12 @@ from typing import Any, NamedTuple
 from conftest import run
 
 import radcalc
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.errors import RadcalcError
 from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import FLAG, SYMBOLS
+from radcalc.sentences import names
 from radcalc.sentences.phrases import FILLERS, MARKS, PHRASES
-from radcalc.sentences.words import names
 from radcalc.units.table import unit_of
 
 SHORT, LONG = 120, 100_000

@@ -27,7 +27,7 @@ from radcalc.calculators.point_source import point_source
 from radcalc.calculators.screen import screen
 from radcalc.calculators.solid_angle import solid_angle
 from radcalc.errors import Exclusive, Idle, MissingInput, RadcalcError, Unused
-from radcalc.inputs.given import Inputs
+from radcalc.inputs import Inputs
 from radcalc.inputs.reading import read
 
 SHORT, LONG = 150, 10_000

@@ -12,11 +12,11 @@ from collections.abc import Iterator
 from functools import cache
 from itertools import combinations, permutations, product
 
-from radcalc.conversion.linear import Plan
+from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError
 from radcalc.inputs.reading import read
-from radcalc.quantities.light import read as facts
+from radcalc.quantities import read as facts
 from radcalc.units.table import resolve
 
 SHORT, LONG = 20, 2_000

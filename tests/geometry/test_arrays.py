@@ -6,33 +6,34 @@ import numpy as np
 import pytest
 from helpers import by_law, for_each
 
+from radcalc import geometry
 from radcalc.errors import ConditionError
-from radcalc.geometry import cones, directions, projected, solid
-from radcalc.geometry.numerics import integrals
-from radcalc.laws.solid_angles import APERTURE, LENS, PATCHES
+from radcalc.geometry import numerics, projections, solid
+from radcalc.laws.beams import APERTURE, LENS, PATCHES
 from radcalc.maths import CHUNK, in_chunks
 
 REFUSED = [
-    (cones.cone, (-1e-9,)), (cones.cone, (3.15,)), (cones.cone_of, (-1.0,)),
-    (cones.cone_of, (12.6,)), (solid.zone, (1.0, 0.5)), (solid.zone, (-0.1, 0.5)),
+    (geometry.cone, (-1e-9,)), (geometry.cone, (3.15,)), (geometry.cone_of, (-1.0,)),
+    (geometry.cone_of, (12.6,)), (solid.zone, (1.0, 0.5)), (solid.zone, (-0.1, 0.5)),
     (solid.zone, (0.1, 3.2)), (solid.zone, (0.1, 1.0, 6.4)), (solid.sphere, (1.0, 1.0)),
     (solid.sphere, (2.0, 1.0)), (solid.sphere, (-1.0, 1.0)),
     (solid.sphere_distance, (1.0, 6.3)),
     (solid.sphere_radius, (1.0, 0.0)), (solid.disc, (1.0, 0.0)), (solid.disc, (-1.0, 1.0)),
     (solid.rectangle, (1.0, -1.0, 1.0)), (solid.rectangle, (1.0, 1.0, 0.0)),
     (solid.pyramid, (3.2, 1.0)), (solid.patch, (1.0, 0.0)), (solid.patch, (-1.0, 1.0)),
-    (projected.cone, (1.0, 3.2)), (projected.sphere, (1.0, 1.0)), (projected.disc, (1.0, -1.0)),
-    (projected.zone, (1.0, 0.5)), (projected.pyramid, (-1.0, 1.0)),
-    (projected.rectangle, (1.0, 1.0, 1.0, 0.0, 0.0, (0.0, 0.0, 0.0))),
-    (cones.projected_cone, (-1e-9,)), (cones.projected_cone, (3.15,)),
-    (cones.projected_cone_of, (-1e-9,)), (cones.projected_cone_of, (3.15,)),
+    (solid.projected_cone, (1.0, 3.2)), (solid.projected_sphere, (1.0, 1.0)),
+    (solid.projected_disc, (1.0, -1.0)),
+    (solid.projected_zone, (1.0, 0.5)), (solid.projected_pyramid, (-1.0, 1.0)),
+    (solid.projected_rectangle, (1.0, 1.0, 1.0, 0.0, 0.0, (0.0, 0.0, 0.0))),
+    (geometry.projected_cone, (-1e-9,)), (geometry.projected_cone, (3.15,)),
+    (geometry.projected_cone_of, (-1e-9,)), (geometry.projected_cone_of, (3.15,)),
     (solid.rim_of, (0.0,)), (solid.rim_of, (6.3,)), (solid.pyramid_side, (2.5, 1.0)),
     (solid.pyramid_side, (-0.1, 1.0)), (solid.pyramid_side, (6.3, math.pi)),
-    (solid.pyramid_side, (1.0, 3.2)), (projected.patch_and_cone, (1.0, 1.6)),
-    (projected.coaxial_discs, (1.0, 1.0, 0.0)), (projected.discs_distance, (1.0, 2.0, 0.0)),
-    (projected.discs_distance, (1.0, 2.0, 10.0)), (projected.discs_radius, (1.0, 2.0, 10.0)),
-    (directions.spherical, (0.0, 0.0, 0.0)),
-    (directions.cartesian, (-0.1, 0.0)),
+    (solid.pyramid_side, (1.0, 3.2)), (solid.patch_and_cone, (1.0, 1.6)),
+    (solid.coaxial_discs, (1.0, 1.0, 0.0)), (solid.discs_distance, (1.0, 2.0, 0.0)),
+    (solid.discs_distance, (1.0, 2.0, 10.0)), (solid.discs_radius, (1.0, 2.0, 10.0)),
+    (projections.spherical, (0.0, 0.0, 0.0)),
+    (projections.cartesian, (-0.1, 0.0)),
 ]  # fmt: skip
 
 
@@ -46,8 +47,8 @@ def test_impossible_arguments_are_refused(function, arguments):
 
 
 ARRAYS = [
-    (cones.cone, [0.0, 1e-9, 1.0, 3.0]),
-    (cones.cone_of, [0.0, 1e-9, 1.0, 12.566370614360]),
+    (geometry.cone, [0.0, 1e-9, 1.0, 3.0]),
+    (geometry.cone_of, [0.0, 1e-9, 1.0, 12.566370614360]),
     (solid.zone, [0.0, 0.1, 0.5], [0.5, 1.0, 3.0], [1.0, 6.0]),
     (solid.angular_radius, [0.1, 1.0], [1.5, 1e9]),
     (solid.sphere, [0.0, 0.1, 1.0], [1.0000001, 2.0, 1e9]),
@@ -57,29 +58,29 @@ ARRAYS = [
     (solid.rectangle, [1e-3, 1.0], [0.5, 2.0], [0.1, 1.0], [0.0, 0.5], [0.0, 3.0]),
     (solid.pyramid, [0.0, 1e-9, 1.0, 3.14], [1e-9, 1.0, 3.1]),
     (solid.patch, [0.0, 1.0], [1.0, 2.0], [0.0, 1.0, 2.0]),
-    (projected.cone, [1e-9, 0.5, 1.5, 2.5], [0.0, 0.4, -1.4, 2.0, 3.1]),
-    (projected.zone, [0.0, 0.1, 0.5], [0.5, 1.0, 3.0], [1.0, 6.0]),
-    (projected.sphere, [0.1, 1.0], [1.1, 2.0], [0.0, 1.0, 2.0]),
-    (projected.disc, [0.1, 1.0], [1e-3, 0.5], [0.0, 1.0, 2.0], [0.0, 0.5, 1.5, -1.5, 3.0]),
-    (projected.disc, [0.1, 1.0], [1e-3, 0.5], [0.0, 1.0, 2.0]),
-    (projected.rectangle, [1e-3, 1.0], [0.5, 2.0], [0.1, 1.0], [0.0, 0.5], [0.0, 3.0]),
-    (projected.pyramid, [0.0, 1e-9, 1.0, 3.14], [1e-9, 1.0, 3.1]),
-    (projected.patch_and_cone, [1.0, 2.0], [0.0, 1.0, 1.5]),
+    (solid.projected_cone, [1e-9, 0.5, 1.5, 2.5], [0.0, 0.4, -1.4, 2.0, 3.1]),
+    (solid.projected_zone, [0.0, 0.1, 0.5], [0.5, 1.0, 3.0], [1.0, 6.0]),
+    (solid.projected_sphere, [0.1, 1.0], [1.1, 2.0], [0.0, 1.0, 2.0]),
+    (solid.projected_disc, [0.1, 1.0], [1e-3, 0.5], [0.0, 1.0, 2.0], [0.0, 0.5, 1.5, -1.5, 3.0]),
+    (solid.projected_disc, [0.1, 1.0], [1e-3, 0.5], [0.0, 1.0, 2.0]),
+    (solid.projected_rectangle, [1e-3, 1.0], [0.5, 2.0], [0.1, 1.0], [0.0, 0.5], [0.0, 3.0]),
+    (solid.projected_pyramid, [0.0, 1e-9, 1.0, 3.14], [1e-9, 1.0, 3.1]),
+    (solid.patch_and_cone, [1.0, 2.0], [0.0, 1.0, 1.5]),
     (by_law(APERTURE), [1.0, 2.0], [0.1, 1.0]),
     (by_law(LENS), [1.0, 2.0], [0.5, 4.0]),
     (by_law(PATCHES), [1.0, 2.0], [0.0, 1.0], [1.0, 3.0], [0.0, 0.5], [1.0, 9.0]),
-    (cones.projected_cone, [0.0, 1e-9, 1.0, 2.0, 3.0]),
-    (cones.projected_cone_of, [0.0, 1e-9, 1.0, 3.1, 3.141592653590]),
-    (cones.facing, [0.0, 1.0, -1.0, 2.0, 3.0]),
-    (cones.lobe, [0.0, 1.0, 150.0]),
+    (geometry.projected_cone, [0.0, 1e-9, 1.0, 2.0, 3.0]),
+    (geometry.projected_cone_of, [0.0, 1e-9, 1.0, 3.1, 3.141592653590]),
+    (geometry.facing, [0.0, 1.0, -1.0, 2.0, 3.0]),
+    (geometry.lobe, [0.0, 1.0, 150.0]),
     (solid.rim_of, [1e-9, 1.0, 6.0]),
     (solid.pyramid_side, [0.0, 1e-9, 1.0, 1.9], [1.0, 3.1]),
-    (projected.discs_distance, [0.5, 1.0], [0.7, 2.0], [1e-3, 1.0, 2.4]),
-    (projected.discs_radius, [0.7, 2.0], [1e-3, 1.0, 1e6], [1e-3, 1.0, 4.0]),
-    (projected.coaxial_discs, [0.1, 1.0], [0.2, 1.0], [1e-3, 1.0, 1e6]),
-    (integrals.cel, [1e-3, 1.0], [0.5, 1.0], [1.0], [0.0, 1.0]),
-    (integrals.less_arctangent, [0.0, 0.1, 0.25, 2.0]),
-    (integrals.arc_excess, [0.0, 0.1, 0.25, 1.0]),
+    (solid.discs_distance, [0.5, 1.0], [0.7, 2.0], [1e-3, 1.0, 2.4]),
+    (solid.discs_radius, [0.7, 2.0], [1e-3, 1.0, 1e6], [1e-3, 1.0, 4.0]),
+    (solid.coaxial_discs, [0.1, 1.0], [0.2, 1.0], [1e-3, 1.0, 1e6]),
+    (numerics.cel, [1e-3, 1.0], [0.5, 1.0], [1.0], [0.0, 1.0]),
+    (numerics.less_arctangent, [0.0, 0.1, 0.25, 2.0]),
+    (numerics.arc_excess, [0.0, 0.1, 0.25, 1.0]),
 ]
 
 

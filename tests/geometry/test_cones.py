@@ -7,7 +7,8 @@ import pytest
 from geometry.references import DIGITS, close, cone_mp, exact
 from mpmath import mpf
 
-from radcalc.geometry import cones, projected, solid
+from radcalc import geometry
+from radcalc.geometry import solid
 
 ANGLES = [1e-9, 1e-6, 1e-3, 0.1, 1.0, 1.5, math.pi / 2, 2.0, 3.0, 3.1415926, math.pi]
 SOLID_ANGLES = [1e-18, 1e-9, 1e-3, 0.5, 1.0, 3.0, 6.0]
@@ -20,40 +21,40 @@ def rim_mp(solid_angle):
 
 @pytest.mark.parametrize("angle", ANGLES)
 def test_a_projected_cone_is_the_integral_of_the_cosine(angle):
-    close(cones.cone(angle), cone_mp(angle))
+    close(geometry.cone(angle), cone_mp(angle))
     with mpmath.workdps(DIGITS):
         end = min(mpf(angle), mpmath.pi / 2)  # directions behind the plane do not count
         want = 2 * mpmath.pi * mpmath.quad(lambda t: mpmath.cos(t) * mpmath.sin(t), [0, end])
-    close(cones.projected_cone(angle), want)
-    assert cones.projected_cone(angle) == pytest.approx(projected.cone(angle), rel=1e-15)
+    close(geometry.projected_cone(angle), want)
+    assert geometry.projected_cone(angle) == pytest.approx(solid.projected_cone(angle), rel=1e-15)
 
 
 @pytest.mark.parametrize("solid_angle", SOLID_ANGLES)
 def test_the_half_angle_of_a_cone_from_its_solid_angle(solid_angle):
-    close(cones.cone_of(solid_angle), rim_mp(solid_angle))
+    close(geometry.cone_of(solid_angle), rim_mp(solid_angle))
     if solid_angle < 3.1:
         with mpmath.workdps(DIGITS):
             want = mpmath.asin(mpmath.sqrt(mpf(solid_angle) / mpmath.pi))
-        close(cones.projected_cone_of(solid_angle), want)
+        close(geometry.projected_cone_of(solid_angle), want)
 
 
 def test_rounded_limits_are_a_hemisphere_and_a_sphere():
-    assert cones.projected_cone_of(3.141592653590) == math.pi / 2
-    assert cones.cone_of(12.566370614360) == math.pi
-    assert cones.projected_cone(math.pi / 2) == math.pi
-    assert cones.FULL == 2 * cones.HEMISPHERE == 4 * math.pi
+    assert geometry.projected_cone_of(3.141592653590) == math.pi / 2
+    assert geometry.cone_of(12.566370614360) == math.pi
+    assert geometry.projected_cone(math.pi / 2) == math.pi
+    assert geometry.FULL == 2 * geometry.HEMISPHERE == 4 * math.pi
 
 
 @pytest.mark.parametrize("tilt", [0.0, 1e-9, 0.5, math.pi / 3, 1.57])
 def test_the_cosine_of_the_incidence(tilt):
     with mpmath.workdps(DIGITS):
         want = mpmath.cos(mpf(tilt))
-    close(cones.facing(tilt), want)
-    assert cones.facing(-tilt) == cones.facing(tilt)
+    close(geometry.facing(tilt), want)
+    assert geometry.facing(-tilt) == geometry.facing(tilt)
 
 
 def test_a_surface_turned_away_gets_no_light():
-    assert [cones.facing(tilt) for tilt in (math.pi / 2, 2.0, math.pi, -3.0)] == [0, 0, 0, 0]
+    assert [geometry.facing(tilt) for tilt in (math.pi / 2, 2.0, math.pi, -3.0)] == [0, 0, 0, 0]
 
 
 @pytest.mark.parametrize("solid_angle", SOLID_ANGLES)
@@ -88,4 +89,4 @@ def test_the_solid_angle_of_a_lobe_is_the_integral_over_its_hemisphere(n):
     with mpmath.workdps(30):
         ends = [0, 0.02, 0.1, 0.5, mpmath.pi / 2]
         whole = mpmath.quad(lambda t: mpmath.cos(t) ** mpf(n) * mpmath.sin(t), ends)
-    close(cones.lobe(n), 2 * mpmath.pi * whole)
+    close(geometry.lobe(n), 2 * mpmath.pi * whole)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import directions
+from radcalc.geometry import projections
 
 PI = math.pi
 
@@ -26,16 +26,16 @@ DIRECTIONS = [
 
 @pytest.mark.parametrize(("vector", "angles"), DIRECTIONS)
 def test_spherical_coordinates_by_their_definition(vector, angles):
-    assert directions.spherical(*vector) == pytest.approx(angles, rel=1e-15)
-    arrays = directions.spherical(*(np.array([x, x]) for x in vector))
+    assert projections.spherical(*vector) == pytest.approx(angles, rel=1e-15)
+    arrays = projections.spherical(*(np.array([x, x]) for x in vector))
     assert [float(x[1]) for x in arrays] == pytest.approx(angles, rel=1e-15)
 
 
 @given(st.floats(1e-9, PI - 1e-9), st.floats(0, 6.28), st.floats(1e-100, 1e100))
 def test_a_direction_round_trip(polar, azimuth, length):
-    unit = directions.cartesian(polar, azimuth)
+    unit = projections.cartesian(polar, azimuth)
     assert sum(x * x for x in unit) == pytest.approx(1, rel=1e-15 * 4)
-    got = directions.spherical(*(x * length for x in unit))
+    got = projections.spherical(*(x * length for x in unit))
     assert got[0] == pytest.approx(polar, rel=1e-14)
     assert got[1] == pytest.approx(azimuth, rel=1e-14, abs=1e-15)
     assert got[2] == pytest.approx(length, rel=1e-14)
@@ -45,7 +45,7 @@ def test_a_direction_round_trip(polar, azimuth, length):
 def test_azimuths_are_within_one_turn(x, y, z):
     if x == y == z == 0:
         return
-    polar, azimuth, _ = directions.spherical(x, y, z)
+    polar, azimuth, _ = projections.spherical(x, y, z)
     assert 0 <= polar <= PI
     assert 0 <= azimuth < 2 * PI
 
@@ -63,8 +63,8 @@ REFLECTIONS = [
 
 @pytest.mark.parametrize(("direction", "normal", "reflection"), REFLECTIONS)
 def test_reflections_by_hand(direction, normal, reflection):
-    assert directions.reflected(direction, normal) == pytest.approx(reflection, abs=1e-15)
-    arrays = directions.reflected(tuple(np.array([x, -x]) for x in direction), normal)
+    assert projections.reflected(direction, normal) == pytest.approx(reflection, abs=1e-15)
+    arrays = projections.reflected(tuple(np.array([x, -x]) for x in direction), normal)
     assert [float(x[1]) for x in arrays] == pytest.approx([-x for x in reflection], abs=1e-15)
 
 
@@ -73,9 +73,9 @@ VECTORS = st.tuples(*[st.floats(-1e3, 1e3)] * 3).filter(lambda v: math.hypot(*v)
 
 @given(VECTORS, VECTORS)
 def test_a_reflection_keeps_the_length_and_is_its_own_inverse(direction, normal):
-    there = directions.reflected(direction, normal)
+    there = projections.reflected(direction, normal)
     assert math.hypot(*there) == pytest.approx(math.hypot(*direction), rel=1e-14)
-    back = directions.reflected(there, normal)
+    back = projections.reflected(there, normal)
     assert back == pytest.approx(direction, abs=1e-14 * math.hypot(*direction))
 
 
@@ -85,19 +85,19 @@ def test_the_normal_of_a_mirror_reflects_one_direction_into_the_other(direction,
     apart = [a / one + b / other for a, b in zip(direction, reflection, strict=True)]
     if math.hypot(*apart) < 1e-3:  # the normal of a grazing mirror is badly conditioned
         return
-    normal = directions.mirror_normal(direction, reflection)
+    normal = projections.mirror_normal(direction, reflection)
     assert math.hypot(*normal) == pytest.approx(1, rel=1e-15 * 4)
     expected = [x * one / other for x in reflection]
-    assert directions.reflected(direction, normal) == pytest.approx(expected, abs=1e-11 * one)
+    assert projections.reflected(direction, normal) == pytest.approx(expected, abs=1e-11 * one)
 
 
 @pytest.mark.parametrize(
     ("function", "vectors", "message"),
     [
-        (directions.reflected, ((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), "0,0,0 has no direction"),
-        (directions.mirror_normal, ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)), "0,0,0 has no direction"),
-        (directions.mirror_normal, ((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), "0,0,0 has no direction"),
-        (directions.mirror_normal, ((1.0, 2.0, 0.0), (-2.0, -4.0, 0.0)), "opposite directions"),
+        (projections.reflected, ((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), "0,0,0 has no direction"),
+        (projections.mirror_normal, ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)), "0,0,0 has no direction"),
+        (projections.mirror_normal, ((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), "0,0,0 has no direction"),
+        (projections.mirror_normal, ((1.0, 2.0, 0.0), (-2.0, -4.0, 0.0)), "opposite directions"),
     ],
 )
 def test_undefined_mirrors_are_refused(function, vectors, message):
@@ -107,7 +107,7 @@ def test_undefined_mirrors_are_refused(function, vectors, message):
 
 @pytest.mark.parametrize("direction", [(0, 0, 3), (0, 0, -1), (1, -2, 0.5), (-1, 0, 0)])
 def test_the_axes_of_an_observer(direction):
-    forward, left, up = map(np.array, directions.facing(direction))
+    forward, left, up = map(np.array, projections.facing(direction))
     assert forward == pytest.approx(np.array(direction) / math.dist(direction, (0, 0, 0)))
     assert np.cross(forward, left) == pytest.approx(up)
     assert left[2] == 0

@@ -4,7 +4,7 @@ import numpy
 import pytest
 from geometry.references import over_rectangle
 
-from radcalc.geometry.light_vectors import light_vectors
+from radcalc.distributions.maps.light_sums import light_vectors
 
 PARTS = [(-0.6, -0.5, 0.3, 0.2), (0.1, 0.35, -0.2, -0.5)]
 

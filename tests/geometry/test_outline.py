@@ -6,7 +6,7 @@ import pytest
 from geometry.references import close, excess, lambert
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import polygons, projected
+from radcalc.geometry import polygons, solid
 from radcalc.geometry.polygons import polygon
 
 SQUARE = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
@@ -52,7 +52,7 @@ def test_a_polygon_with_a_notch_is_the_sum_of_its_triangles():
     away = polygons.read_vertices(notched, (0.3, 0.2, 1.5))
     assert away.normal == pytest.approx((0.0, 0.0, -1.0), abs=1e-15)
     # a receiver that faces the plane sees the whole polygon
-    close(projected.polygon(found.vertices, found.normal), abs(lambert(moved, (0, 0, 1))))
+    close(solid.projected_polygon(found.vertices, found.normal), abs(lambert(moved, (0, 0, 1))))
 
 
 def test_a_polygon_of_a_thousand_vertices():

@@ -13,7 +13,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import projected
+from radcalc.geometry import solid
 from radcalc.geometry.polygons import polygon, triangle
 
 
@@ -48,7 +48,7 @@ def test_a_triangle_is_its_defining_integral(vertices):
         size = math.sqrt(dot(normal, normal))
         part = integral(vertices, lambda p, away, n=normal: dot(p, n) / away) / size
         close(lambert(vertices, normal), part, 1e-13)
-        close(projected.polygon(vertices, normal), abs(part))
+        close(solid.projected_polygon(vertices, normal), abs(part))
 
 
 def convex(draw, sides, size, away, lean):
@@ -81,14 +81,14 @@ def test_convex_polygons_small_and_large(vertices):
         want = sum(excess([vertices[0], *pair]) for pair in pairs)
     close(polygon(vertices), want)
     close(polygon(vertices[::-1]), -want)
-    close(projected.polygon(vertices, (0.0, 0.0, 2.0)), abs(lambert(vertices, (0, 0, 2))))
+    close(solid.projected_polygon(vertices, (0.0, 0.0, 2.0)), abs(lambert(vertices, (0, 0, 2))))
 
 
 def test_the_octant():
     octant = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
     assert triangle(*octant) == pytest.approx(math.pi / 2, rel=1e-15)  # an eighth of 4 pi
     assert triangle(*octant[::-1]) == pytest.approx(-math.pi / 2, rel=1e-15)
-    assert projected.polygon(octant, (0.0, 0.0, 1.0)) == pytest.approx(math.pi / 4, rel=1e-14)
+    assert solid.projected_polygon(octant, (0.0, 0.0, 1.0)) == pytest.approx(math.pi / 4, rel=1e-14)
 
 
 def test_a_triangle_that_is_nearly_a_hemisphere():
@@ -185,8 +185,8 @@ def test_a_polygon_is_the_sum_of_its_parts(vertices, data):
     one, two = vertices[: cut + 1], [*vertices[cut:], vertices[0]]
     assert polygon(one) + polygon(two) == pytest.approx(polygon(vertices), rel=1e-12)
     for normal in ((0.0, 0.0, 1.0), (1.0, 0.2, 0.1)):
-        parts = projected.polygon(one, normal) + projected.polygon(two, normal)
-        whole = projected.polygon(vertices, normal)
+        parts = solid.projected_polygon(one, normal) + solid.projected_polygon(two, normal)
+        whole = solid.projected_polygon(vertices, normal)
         assert parts == pytest.approx(whole, rel=1e-12, abs=1e-15)
 
 
@@ -195,17 +195,17 @@ def test_a_rotation_changes_no_solid_angle(vertices, matrix):
     value = polygon(vertices)
     assert polygon(turned(matrix, vertices)) == pytest.approx(value, rel=1e-12)
     normal = (1.0, 0.2, 0.1)
-    value = projected.polygon(vertices, normal)
+    value = solid.projected_polygon(vertices, normal)
     (other,) = turned(matrix, [normal])
-    got = projected.polygon(turned(matrix, vertices), other)
+    got = solid.projected_polygon(turned(matrix, vertices), other)
     assert got == pytest.approx(value, rel=1e-11, abs=1e-15)
 
 
 @given(flat_polygons(), points)
 def test_the_parts_above_and_below_the_horizon_differ_by_the_light_vector(vertices, normal):
     assume(dot(normal, normal) > 1e-4)
-    above = projected.polygon(vertices, normal)
-    below = projected.polygon(vertices, tuple(-x for x in normal))
+    above = solid.projected_polygon(vertices, normal)
+    below = solid.projected_polygon(vertices, tuple(-x for x in normal))
     assert above >= 0
     assert below >= 0
     # the part above the horizon counts positively, as the vertices are anticlockwise about +z
@@ -220,7 +220,7 @@ def test_a_larger_polygon_fills_a_larger_solid_angle(vertices, factor):
     x, y = (sum(p[i] for p in vertices) / len(vertices) for i in (0, 1))
     larger = [(x + factor * (p[0] - x), y + factor * (p[1] - y), 1.0) for p in vertices]
     assert abs(polygon(larger)) >= abs(polygon(vertices)) * (1 - 1e-12)
-    one, two = (projected.polygon(p, (0.5, 0.0, 1.0)) for p in (larger, vertices))
+    one, two = (solid.projected_polygon(p, (0.5, 0.0, 1.0)) for p in (larger, vertices))
     assert one >= two * (1 - 1e-12)
 
 
@@ -248,10 +248,10 @@ def test_arrays_of_polygons_give_the_same_as_floats():
     np.testing.assert_allclose(triangle(a, b, c), want, rtol=1e-13)
     np.testing.assert_allclose(triangle(one[0][0], b, c)[0, 0], want[0, 0], rtol=1e-13)
     for normal in ((0.0, 0.0, 1.0), (1.0, 0.1, 0.05)):
-        want = np.reshape([projected.polygon(p, normal) for p in one], (3, 4))
-        np.testing.assert_allclose(projected.polygon(array, normal), want, rtol=1e-13)
+        want = np.reshape([solid.projected_polygon(p, normal) for p in one], (3, 4))
+        np.testing.assert_allclose(solid.projected_polygon(array, normal), want, rtol=1e-13)
     normals = np.array([(0.0, 0.0, 1.0), (1.0, 0.1, 0.05), (0.3, 0.3, 0.3), (0.0, 0.0, -1.0)])
     want = np.reshape(
-        [projected.polygon(p, tuple(normals[k % 4])) for k, p in enumerate(one)], (3, 4)
+        [solid.projected_polygon(p, tuple(normals[k % 4])) for k, p in enumerate(one)], (3, 4)
     )
-    np.testing.assert_allclose(projected.polygon(array, normals), want, rtol=1e-13)
+    np.testing.assert_allclose(solid.projected_polygon(array, normals), want, rtol=1e-13)

@@ -6,25 +6,26 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.geometry import cones, projected, solid
+from radcalc import geometry
+from radcalc.geometry import solid
 
 angles = st.floats(1e-6, 1.5)
 tilts = st.floats(-math.pi, math.pi)
 lengths = st.floats(1e-2, 1e2)
 PAIRS = {
-    "cone": lambda a, t, x, y, z: (cones.cone(a), projected.cone(a, t)),
+    "cone": lambda a, t, x, y, z: (geometry.cone(a), solid.projected_cone(a, t)),
     "zone": lambda a, t, x, y, z: (
         solid.zone(a, a + abs(t) / 4),
-        projected.zone(a, a + abs(t) / 4),
+        solid.projected_zone(a, a + abs(t) / 4),
     ),
-    "sphere": lambda a, t, x, y, z: (solid.sphere(x, x + y), projected.sphere(x, x + y, t)),
-    "disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z, t)),
-    "facing disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z)),
+    "sphere": lambda a, t, x, y, z: (solid.sphere(x, x + y), solid.projected_sphere(x, x + y, t)),
+    "disc": lambda a, t, x, y, z: (solid.disc(x, y, z), solid.projected_disc(x, y, z, t)),
+    "facing disc": lambda a, t, x, y, z: (solid.disc(x, y, z), solid.projected_disc(x, y, z)),
     "rectangle": lambda a, t, x, y, z: (
         solid.rectangle(x, y, z, t, a),
-        projected.rectangle(x, y, z, t, a, (math.sin(t), 0.1, math.cos(t))),
+        solid.projected_rectangle(x, y, z, t, a, (math.sin(t), 0.1, math.cos(t))),
     ),
-    "pyramid": lambda a, t, x, y, z: (solid.pyramid(a, abs(t)), projected.pyramid(a, abs(t))),
+    "pyramid": lambda a, t, x, y, z: (solid.pyramid(a, abs(t)), solid.projected_pyramid(a, abs(t))),
 }
 
 
@@ -39,13 +40,16 @@ def test_a_projected_solid_angle_is_not_larger_than_the_solid_angle(shape, a, t,
 def test_larger_shapes_fill_larger_solid_angles(a, t, x, y, z, factor):
     bigger = min(a * factor, 1.57)
     for one, two in (
-        (cones.cone(bigger), cones.cone(a)),
-        (projected.cone(bigger, t), projected.cone(a, t)),
+        (geometry.cone(bigger), geometry.cone(a)),
+        (solid.projected_cone(bigger, t), solid.projected_cone(a, t)),
         (solid.sphere(x * factor, 3 * x + y), solid.sphere(x, 3 * x + y * factor)),
         (solid.disc(x * factor, y, z), solid.disc(x, y, z)),
-        (projected.disc(x * factor, y, z), projected.disc(x, y, z)),
+        (solid.projected_disc(x * factor, y, z), solid.projected_disc(x, y, z)),
         (solid.rectangle(x * factor, y, z, t, a), solid.rectangle(x, y, z, t, a)),
-        (projected.rectangle(x, y * factor, z, t, a), projected.rectangle(x, y, z, t, a)),
+        (
+            solid.projected_rectangle(x, y * factor, z, t, a),
+            solid.projected_rectangle(x, y, z, t, a),
+        ),
         (solid.pyramid(bigger, a), solid.pyramid(a, a)),
     ):
         assert one >= two * (1 - 1e-12)

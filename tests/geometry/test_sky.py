@@ -9,7 +9,7 @@ from conftest import python
 
 from radcalc.distributions.environments import Sky
 from radcalc.errors import ConditionError, MissingInput, Unused
-from radcalc.geometry.sky import NAMES, TYPES, _integrals, projected_sky
+from radcalc.geometry.models import NAMES, TYPES, _integrals, projected_sky
 
 UP, DOWN = (0, 0, 1), (0, 0, -1)
 # CIE S 011:2003, table 1: a, b of the six gradations, c, d, e of the six indicatrices, and their
@@ -204,7 +204,7 @@ def test_the_integral_is_the_same_with_and_without_numpy(monkeypatch, name, norm
 
 def test_a_table_of_answers_integrates_each_plane_once_and_loads_numpy():
     code = (
-        "import sys; from radcalc.geometry.sky import TYPES, _integrals, projected_sky\n"
+        "import sys; from radcalc.geometry.models import TYPES, _integrals, projected_sky\n"
         "for k in range(60): projected_sky(TYPES['12'], (1, 0, k % 20), (0.5, 0.3))\n"
         "print(_integrals.cache_info().misses, 'numpy' in sys.modules)"
     )

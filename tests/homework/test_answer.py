@@ -6,7 +6,7 @@ import pytest
 from helpers import for_each
 from homework.questions import CONE, LUX, POINT, typed, verdict
 
-from radcalc.homework.answer import read_claim, read_tolerance
+from radcalc.homework.question import read_claim, read_tolerance
 from radcalc.units.table import resolve
 
 

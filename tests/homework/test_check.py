@@ -8,19 +8,18 @@ from conftest import python, run
 from helpers import PLAIN, example_of, for_each, results
 from homework.questions import RIGHT, TILTED, asked, claim_of, typed, verdict
 
-from radcalc.calculators import pages
+from radcalc import calculators
 from radcalc.calculators.ev import ev
 from radcalc.calculators.solid_angle import solid_angle
 from radcalc.calculators.solved import Task
 from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
 from radcalc.homework import Question, Verdict, check
-from radcalc.homework.answer import read_claim
-from radcalc.homework.question import of_conversion, of_task
+from radcalc.homework.question import of_conversion, of_task, read_claim
 from radcalc.inputs.reading import read
 from radcalc.units.reading import read_amount
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 
 def right_value(words: str, name: str, unit: str) -> float:
@@ -46,7 +45,7 @@ QUESTIONS = [*RIGHT, *map(first_result, PLAIN)]
 def test_every_command_has_a_right_answer_here():
     # scenes and logs need files: see test_scene.py and test_dose.py in tests/calculators
     lists = {"units", "quantities", "typical", "examples", "help", "manual", "columns", "mark"}
-    judging = set(pages.COMMANDS) - lists - {"scene", "dose", "prompt"}
+    judging = set(calculators.COMMANDS) - lists - {"scene", "dose", "prompt"}
     assert {words.split()[0] for words, _, _ in QUESTIONS} == judging
     assert len(RIGHT) >= 30
 
@@ -259,10 +258,10 @@ CHECK_ALONE = """
 import sys
 from radcalc.inputs.reading import read
 from radcalc.homework import check
-from radcalc.homework.answer import read_claim
+from radcalc.homework.question import read_claim
 from radcalc.homework.question import of_conversion
 from radcalc.units.reading import read_amount
-from radcalc.units.scales import resolve_any
+from radcalc.units.values import resolve_any
 from radcalc.units.table import resolve
 
 given = [read("distance", "2m"), read("incidence", "50deg")]

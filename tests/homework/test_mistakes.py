@@ -12,10 +12,9 @@ from homework.heldout import BLIND, HELD_OUT, THIRD
 from homework.questions import CONE, LUX, POINT, RIGHT, TILTED, asked, claim_of, mistakes, verdict
 
 from radcalc.homework import check
-from radcalc.homework.answer import read_claim
 from radcalc.homework.diagnosis import candidates, pairs
 from radcalc.homework.misread import SLIPS
-from radcalc.homework.question import Problem
+from radcalc.homework.question import Problem, read_claim
 from radcalc.homework.wording import USUAL
 
 

@@ -9,15 +9,17 @@ from typing import Any
 
 from radcalc import calculators, laws
 from radcalc.distributions.distribution import Pose
-from radcalc.distributions.formula import Lobe
-from radcalc.laws import luminaire
-from radcalc.laws.law import AnyLaw, Law, Relation
+from radcalc.distributions.sources import Lobe
+from radcalc.laws import AnyLaw, Law, Relation, beams
 
 EXPONENT, ROTATE, BEARING = 3.0, 0.3, 1.0
 MODULES: list[ModuleType] = [
-    importlib.import_module(found.name)
-    for room in (laws, calculators)
-    for found in pkgutil.iter_modules(room.__path__, f"{room.__name__}.")
+    laws,
+    *(
+        importlib.import_module(found.name)
+        for room in (laws, calculators)
+        for found in pkgutil.iter_modules(room.__path__, f"{room.__name__}.")
+    ),
 ]
 
 
@@ -49,13 +51,13 @@ def laws_of_a_distribution() -> list[AnyLaw]:
     """
     lobe, pose = Lobe(EXPONENT), Pose(rotate=ROTATE)
     return [
-        luminaire.part(lobe, lobe.flux().value),
-        luminaire.relative_intensity(lobe),
-        *luminaire.direction(pose, BEARING),
-        luminaire.floor(lobe, pose, BEARING),
-        luminaire.lying_disc(lobe, pose, BEARING),
-        luminaire.facing_disc(lobe),
-        luminaire.beam_diameter((-math.pi / 4, math.pi / 4), "height"),
+        beams.part(lobe, lobe.flux().value),
+        beams.relative_intensity(lobe),
+        *beams.direction(pose, BEARING),
+        beams.floor(lobe, pose, BEARING),
+        beams.lying_disc(lobe, pose, BEARING),
+        beams.facing_disc(lobe),
+        beams.beam_diameter((-math.pi / 4, math.pi / 4), "height"),
     ]
 
 

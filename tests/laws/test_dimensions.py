@@ -7,7 +7,7 @@ import pytest
 from helpers import KINDS, LIGHT, OTHER, Q, for_each, unit_of
 from laws.every_law import LAWS, RELATIONS
 
-from radcalc.derivation import coherent_unit_of
+from radcalc.answer import coherent_unit_of
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.registry import from_container
 from radcalc.units.table import resolve

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from laws.every_law import BEARING, EXPONENT, LAWS, OF_PAGES, RELATIONS, ROTATE
 from mpmath import mpf
 
-from radcalc.laws.law import Several
+from radcalc.laws import Several
 
 PI = math.pi
 

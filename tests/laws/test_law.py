@@ -15,8 +15,7 @@ from radcalc.calculators import etendue as etendue_module
 from radcalc.calculators import mesopic as mesopic_module
 from radcalc.calculators import solid_angle as solid_angle_module
 from radcalc.inputs.reading import read
-from radcalc.laws import solver
-from radcalc.laws.law import law
+from radcalc.laws import law, solver
 
 # Values of the letters in formulas; SI Brochure.
 LETTERS = {"pi": math.pi, "Omega0": 1.0, "c": 299792458.0, "h": 6.62607015e-34,

@@ -9,7 +9,7 @@ from helpers import for_each, number
 
 from radcalc import lambertian, point_source, room, screen
 from radcalc.errors import Contradiction
-from radcalc.laws import common, exposure, mesopic, point, solid_angles, surface
+from radcalc.laws import CIRCLE, CONFIGURATION_FACTOR, HEAT_LAWS, beams, photometry, point, surface
 from radcalc.laws.solver import Disagreement, Known, solve
 from radcalc.units.numbers import rounding
 
@@ -17,8 +17,8 @@ PI = math.pi
 
 LOBE = [*point.LAWS["lobe"], *point.ANY_LAWS, point.INVERSE_SQUARE]
 CONE = [*point.LAWS["cone"], *point.ANY_LAWS, point.INVERSE_SQUARE]
-SURFACE = [*surface.LAWS, surface.FLAT, common.CIRCLE]
-BEAM = [solid_angles.FLUX, solid_angles.PER_AREA, common.CONFIGURATION_FACTOR, common.CIRCLE]
+SURFACE = [*surface.LAWS, surface.FLAT, CIRCLE]
+BEAM = [beams.RADIANCE_FLUX, beams.PER_AREA, CONFIGURATION_FACTOR, CIRCLE]
 
 
 def known(**values: float) -> dict[str, Known]:
@@ -34,13 +34,13 @@ def known(**values: float) -> dict[str, Known]:
         (CONE, known(flux=900, apex_angle=0.5, exposure=90, time=6, incidence=0.2)),
         (SURFACE, known(exposure=60, time=2, projected_solid_angle=0.3, radius=0.2)),
         (SURFACE, known(energy=60, time=2, radius=0.2, incident_irradiance=900)),
-        (exposure.LAWS, known(luminance=512, k=12.5, c=250, iso=400, f_number=8)),
-        (common.HEAT_LAWS, known(mass=0.1, specific_heat=385, temperature_rise=2, absorptance=0.9,
+        (photometry.EXPOSURE_LAWS, known(luminance=512, k=12.5, c=250, iso=400, f_number=8)),
+        (HEAT_LAWS, known(mass=0.1, specific_heat=385, temperature_rise=2, absorptance=0.9,
                           time=30, receiver_area=0.01)),
-        ([*BEAM, solid_angles.DISCS, solid_angles.RECEIVER_CIRCLE, solid_angles.FAR_FIELD],
+        ([*BEAM, beams.DISCS, beams.RECEIVER_CIRCLE, beams.FAR_FIELD],
          known(flux=3, radiance=2, radius=1, distance=3)),
-        ([*BEAM, solid_angles.CONE], known(etendue=0.3, radius=1, flux=9)),
-        (mesopic.LAWS, known(mesopic_luminance=0.1, sp_ratio=2)),
+        ([*BEAM, beams.CONE], known(etendue=0.3, radius=1, flux=9)),
+        (photometry.MESOPIC_LAWS, known(mesopic_luminance=0.1, sp_ratio=2)),
     ],
 )  # fmt: skip
 def test_derived_values_do_not_depend_on_the_order_of_the_laws(laws, values):

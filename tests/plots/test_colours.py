@@ -8,7 +8,7 @@ import pytest
 
 from radcalc.errors import ConditionError, UsageError
 from radcalc.plots import figure
-from radcalc.plots.spectra import chromaticities, diagram, vectors
+from radcalc.plots.curves import chromaticities, diagram, vectors
 from radcalc.spectra.sources import spectrum
 
 
@@ -85,8 +85,8 @@ def test_figures_need_no_package_beyond_those_of_plots():
     """OpenImageIO reads pictures for colour-science, and is not among them."""
     code = (
         "import sys; sys.modules['OpenImageIO'] = sys.modules['imageio'] = None; "
-        "from radcalc.plots import figure, spectra; from radcalc.spectra.sources import spectrum; "
-        "print(len(figure.data(spectra.vectors(spectrum('FL2')), '.png')) > 10000)"
+        "from radcalc.plots import curves, figure; from radcalc.spectra.sources import spectrum; "
+        "print(len(figure.data(curves.vectors(spectrum('FL2')), '.png')) > 10000)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.stdout == "True\n", done.stderr

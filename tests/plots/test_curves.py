@@ -12,9 +12,9 @@ from radcalc.calculators.solved import Task
 from radcalc.distributions.scene import Axis, grid
 from radcalc.errors import UsageError
 from radcalc.inputs.reading import read, split_values
+from radcalc.plots import LINE, POINTS
 from radcalc.plots.answers import picture
 from radcalc.plots.curves import Solved
-from radcalc.plots.data import LINE, POINTS
 from radcalc.plots.space import Surveyed, over_grid
 
 

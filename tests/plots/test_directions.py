@@ -11,9 +11,8 @@ from radcalc.calculators.environment import Source, environment
 from radcalc.calculators.photon import photon
 from radcalc.calculators.solved import Task
 from radcalc.inputs.reading import read
-from radcalc.plots import answers
+from radcalc.plots import REFERENCE, answers
 from radcalc.plots.curves import Solved
-from radcalc.plots.data import REFERENCE
 
 
 def given(**values):

@@ -8,9 +8,8 @@ from itertools import combinations, product
 import pytest
 from conftest import process, python, run
 
-from radcalc.plots import figure
-from radcalc.plots.data import LINE, POINTS, Axis, Chart, Disc, Field, Mark, Plane, Polar, Series
-from radcalc.plots.spectra import chromaticities
+from radcalc.plots import LINE, POINTS, Axis, Chart, Disc, Field, Mark, Plane, Polar, Series, figure
+from radcalc.plots.curves import chromaticities
 from radcalc.spectra.sources import spectrum
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from radcalc.plots.data import LINES, REFERENCE
-from radcalc.plots.spectra import photon, spectra
+from radcalc.plots import LINES, REFERENCE
+from radcalc.plots.curves import photon, spectra
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.sources import spectrum
 

@@ -9,9 +9,7 @@ import pytest
 from helpers import terminal_of
 from rich.cells import cell_len
 
-from radcalc.plots import characters
-from radcalc.plots.characters import Style, draw, style_of
-from radcalc.plots.data import (
+from radcalc.plots import (
     LINES,
     POINTS,
     REFERENCE,
@@ -22,7 +20,9 @@ from radcalc.plots.data import (
     Plane,
     Polar,
     Series,
+    characters,
 )
+from radcalc.plots.characters import Style, draw, style_of
 from radcalc.plots.sheet import Sheet
 from radcalc.terminal import columns_of, cut, fold
 

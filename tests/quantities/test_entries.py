@@ -4,17 +4,17 @@ import pytest
 from helpers import for_each
 
 from radcalc.errors import UnitError
-from radcalc.quantities.entries import product, search
+from radcalc.quantities.lookup import product, search_units
 from radcalc.quantities.search import index
 from radcalc.quantities.search import search as search_quantities
 from radcalc.units.compiled import CONSTANTS, UNITS
 from radcalc.units.scale_table import SCALES
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 
 def found(text: str) -> list[str]:
-    return [entry.name for entry in search(text)]
+    return [entry.name for entry in search_units(text)]
 
 
 # Typed by hand: a search, a unit that must be found, and one that must not.
@@ -63,13 +63,13 @@ def test_a_search_finds_the_units_of_a_quantity_or_of_that_name(text, there, not
     ("text", "said"), [("ppfd", "400 nm"), ("intensity", "physics"), ("osvětlení", "illuminance")]
 )
 def test_a_misnomer_has_the_notes_of_the_quantities(text, said):
-    notes = {entry.note for entry in search(text)} - {""}
+    notes = {entry.note for entry in search_units(text)} - {""}
     assert any(said in note for note in notes)
     assert {f.note for f in search_quantities(text) if f.note} <= notes
 
 
 def test_a_watt_per_metre_is_per_length_or_per_wavelength():
-    quantities = {entry.quantity for entry in search("W/m")}
+    quantities = {entry.quantity for entry in search_units("W/m")}
     assert quantities == {"radiant flux per length", "spectral radiant flux (per wavelength)"}
     assert {"W/m", "W/nm"} <= set(found("W/m"))
 
@@ -98,5 +98,5 @@ def test_a_product_is_defined_by_the_names_of_its_units():
 )
 def test_an_unknown_name_has_similar_ones(text, near):
     with pytest.raises(UnitError, match="unknown unit or quantity") as refused:
-        search(text)
+        search_units(text)
     assert near in refused.value.hint

@@ -1,4 +1,4 @@
-from radcalc.quantities.light import (
+from radcalc.quantities import (
     AXIS,
     FLUX,
     GEOMETRIES,

@@ -5,8 +5,8 @@ import unicodedata
 import pytest
 from helpers import for_each
 
+from radcalc.quantities import name_of, symbol_of
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import name_of, symbol_of
 from radcalc.quantities.names import MISNOMERS, QUANTITIES
 from radcalc.quantities.search import search
 from radcalc.units.table import resolve

@@ -8,9 +8,9 @@ from helpers import for_each
 import radcalc
 from radcalc.conversion.plan import target_of
 from radcalc.errors import UnitError
-from radcalc.quantities.light import name_of
+from radcalc.quantities import name_of
 from radcalc.quantities.names import QUANTITIES
-from radcalc.quantities.targets import names_with_units
+from radcalc.quantities.search import names_with_units
 from radcalc.units.table import resolve, unit_of
 
 # SI units from the SI Brochure, tables 2 to 6; umol/m2/s as in horticulture (ASABE S640).

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from radcalc.errors import UnitError, UsageError
 from radcalc.quantities.column_titles import find, is_same, read_title, refuse_altered, unit_in
-from radcalc.units.scales import resolve_any
+from radcalc.units.values import resolve_any
 
 # The title, the unit of the numbers or None, the name and the unit in it, and the title with fc.
 TITLES = {

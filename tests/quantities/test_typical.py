@@ -11,7 +11,7 @@ from helpers import for_each
 from radcalc import cli
 from radcalc.errors import NumberError, UsageError
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.typical import VALUES, Typical, search, words
+from radcalc.quantities.lookup import VALUES, Typical, search_typical, words_of_typical
 from radcalc.units.numbers import split_quantity
 
 BASES = {
@@ -333,14 +333,14 @@ LUMENS = {"luminous flux", "luminous efficacy", "luminance", "illuminance"}
     ],
 )
 def test_a_search_finds_these(text, whats, quantities):
-    found = search(text)
+    found = search_typical(text)
     assert {v.quantity for v in found} == quantities
     assert all(whats in v.what for v in found)
 
 
-@for_each(words())
+@for_each(words_of_typical())
 def test_every_completed_word_finds_values(word):
-    assert search(word)
+    assert search_typical(word)
 
 
 @pytest.mark.parametrize(
@@ -359,32 +359,32 @@ def test_every_completed_word_finds_values(word):
     ],
 )
 def test_the_values_nearest_to_an_amount_come_first(text, first):
-    assert search(text)[0].what == first
+    assert search_typical(text)[0].what == first
 
 
 def test_values_named_after_an_amount_come_before_those_near_it():
-    found = search("60W")
+    found = search_typical("60W")
     assert [value.what for value in found[:3]] == [
         "incandescent bulb, 60 W", "incandescent bulb, 60 W, 1 m away", "LED bulb replacing 60 W"
     ]  # fmt: skip
     assert {value.quantity for value in found[3:]} == {"radiant flux"}
-    assert {value.quantity for value in search("dBm")} == {"radiant flux"}
+    assert {value.quantity for value in search_typical("dBm")} == {"radiant flux"}
 
 
 def test_a_malformed_number_has_the_usual_error():
     with pytest.raises(NumberError, match="'1,5lx' has a comma"):
-        search("1,5lx")
+        search_typical("1,5lx")
 
 
 @pytest.mark.parametrize("text", ["1.79e308ph", "1.79e308 lx", "2.3e-308 lx", "0 lx", "-1 lx"])
 def test_nothing_is_near_an_amount_that_no_light_has(text):
     with pytest.raises(UsageError, match="no typical value is near"):
-        search(text)
+        search_typical(text)
 
 
 def test_near_values_are_sorted_by_their_ratio():
     """By hand: 1 lx is 1; 0.25, 1/4; 2 to 3.5, 2; 2 to 15, 2; 0.1 to 0.3, 3.3 times."""
-    found = [value.what for value in search("1 lx")]
+    found = [value.what for value in search_typical("1 lx")]
     assert found[:3] == [
         "candle, 1 m away",
         "headlight, low beam, above its cut-off, 25 m away, at most",
@@ -397,7 +397,7 @@ def test_near_values_are_sorted_by_their_ratio():
 
 def test_rates_and_daily_doses_come_first_for_amounts_of_their_kind():
     for text, first in (("600 umol/m2/s", "s"), ("30 mol/m2/d", "day")):
-        ends = [value.unit.rpartition("/")[2] for value in search(text)]
+        ends = [value.unit.rpartition("/")[2] for value in search_typical(text)]
         assert ends[0] == first
         assert len(set(ends)) == 2
         assert ends == sorted(ends, key=lambda end: end != first)
@@ -415,11 +415,11 @@ def test_the_ratio_of_the_nearest_value_is_noted_if_none_is_near():
 
 @pytest.mark.parametrize("quantity", sorted({value.quantity for value in VALUES}))
 def test_a_quantity_lists_all_its_values(quantity):
-    assert search(quantity) == [value for value in VALUES if value.quantity == quantity]
+    assert search_typical(quantity) == [value for value in VALUES if value.quantity == quantity]
 
 
 def test_without_a_search_all_are_listed():
-    assert len(run("typical").stdout.splitlines()) == len(VALUES) == len(search(""))
+    assert len(run("typical").stdout.splitlines()) == len(VALUES) == len(search_typical(""))
 
 
 @pytest.mark.parametrize(
@@ -427,7 +427,7 @@ def test_without_a_search_all_are_listed():
 )
 def test_an_unknown_word_is_refused_with_a_hint(text):
     with pytest.raises(UsageError, match="no typical value") as refused:
-        search(text)
+        search_typical(text)
     assert refused.value.hint
 
 

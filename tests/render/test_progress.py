@@ -2,8 +2,8 @@
 
 import pytest
 
-from radcalc.render import progress as module
-from radcalc.render.progress import progress
+from radcalc.render import table as module
+from radcalc.render.table import progress
 
 
 @pytest.fixture

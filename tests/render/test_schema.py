@@ -15,7 +15,7 @@ from following import call
 from helpers import PLAIN, answers, example_of, for_each
 from test_cases import FILES, transcripts
 
-from radcalc.calculators.pages import COMMANDS
+from radcalc.calculators import COMMANDS
 from radcalc.cli.spelling import Shell
 
 SCHEMA = json.loads(Path(__file__).with_name("schema.json").read_text(encoding="utf-8"))

@@ -7,7 +7,7 @@ import numpy
 import pytest
 
 from radcalc.spectra import colorimetry
-from radcalc.spectra.rendition import load_colour
+from radcalc.spectra.colorimetry import load_colour
 from radcalc.spectra.sources import spectrum
 
 

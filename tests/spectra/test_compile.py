@@ -1,12 +1,12 @@
 import numpy
 
+from radcalc.spectra.colorimetry import load_colour
 from radcalc.spectra.compile import (
     HERE,
     compile_colours,
     compile_observers,
     compile_sources,
 )
-from radcalc.spectra.rendition import load_colour
 
 
 def test_the_committed_tables_agree_with_colour_science():

@@ -4,9 +4,8 @@ import warnings
 
 import pytest
 
-from radcalc.spectra.colorimetry import Undefined
+from radcalc.spectra.colorimetry import Undefined, load_colour, reference_of, rendition, similarity
 from radcalc.spectra.data.sources import SOURCES
-from radcalc.spectra.rendition import load_colour, reference_of, rendition, similarity
 from radcalc.spectra.sources import spectrum
 from radcalc.spectra.spectrum import Table
 

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from radcalc.conversion.plan import plan
 from radcalc.streams import blocks
 from radcalc.streams.blocks import Bulk
-from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
+from radcalc.units.values import resolve_any
 
 LX_FC = plan(resolve("lx"), resolve("fc"))
 

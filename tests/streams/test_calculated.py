@@ -14,7 +14,7 @@ import pytest
 
 from radcalc import cli, terminal
 from radcalc.maths import is_array
-from radcalc.quantities.light import KINDS
+from radcalc.quantities import KINDS
 from radcalc.quantities.symbols import light_unit
 from radcalc.streams import calculated
 from radcalc.streams.calculated import Calculated

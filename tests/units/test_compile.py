@@ -5,17 +5,18 @@ from fractions import Fraction
 import pytest
 from pint.util import UnitsContainer
 
-from radcalc.units.compile import (
+from radcalc.units import BASES
+from radcalc.units.registry import (
     BASE_UNITS,
+    DEFINITIONS,
     HERE,
     compile_units,
     every_spelling,
+    exact_registry,
     read,
     refuse_collisions,
 )
-from radcalc.units.registry import DEFINITIONS, exact_registry
 from radcalc.units.table import resolve
-from radcalc.units.unit import BASES
 
 TEXT = DEFINITIONS.read_text(encoding="utf-8")
 FOUND = read(TEXT)
@@ -65,8 +66,8 @@ def test_no_two_spellings_collide():
 
 
 def test_a_second_definition_is_fatal(tmp_path, monkeypatch):
-    from radcalc.units import compile as compiler
     from radcalc.units import registry
+    from radcalc.units import registry as compiler
 
     twice = tmp_path / "twice.txt"
     twice.write_text(TEXT + "\nlux = 2 * lumen / metre**2 = _\n", encoding="utf-8")

@@ -13,9 +13,9 @@ from radcalc.__main__ import run
 from radcalc.conversion.operands import read_operands
 from radcalc.conversion.plan import plan
 from radcalc.errors import ExpressionError, RadcalcError
-from radcalc.homework.answer import read_claim
+from radcalc.homework.question import read_claim
 from radcalc.inputs.reading import read
-from radcalc.units import constants
+from radcalc.units import values
 from radcalc.units.amounts import split_value
 from radcalc.units.compiled import CONSTANTS
 from radcalc.units.ranges import read_series
@@ -173,11 +173,11 @@ def test_derived_constants_have_the_printed_values(text, target):
 
 @pytest.mark.parametrize("constant", CONSTANTS)
 def test_every_constant_has_a_name_with_one_reading(constant):
-    name = constants.plain_spelling(constant)
+    name = values.plain_spelling(constant)
     top, bottom, dimension = CONSTANTS[constant]
     amount = read_amount(f"3*{name}")
     assert amount.number * amount.unit.factor == pytest.approx(3 * top / bottom, rel=1e-15)
-    assert amount.unit.dimension == constants.quantity(dimension, {constant: 1})
+    assert amount.unit.dimension == values.quantity(dimension, {constant: 1})
 
 
 def test_a_letter_with_two_meanings_is_said(capfd):

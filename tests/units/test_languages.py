@@ -7,9 +7,9 @@ import pytest
 from helpers import for_each
 
 from radcalc.errors import UnitError
+from radcalc.units import lookup
 from radcalc.units.languages import LANGUAGES, in_english
 from radcalc.units.table import resolve, unit_of
-from radcalc.units.unit import lookup
 
 # Typed by hand: the name in the language, and the unit in symbols.
 WRITTEN = [

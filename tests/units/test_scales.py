@@ -14,8 +14,8 @@ from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError, UnitError
 from radcalc.units.reading import read_amount
 from radcalc.units.scale_table import SCALES, spellings
-from radcalc.units.scales import ScaleUnit, find, resolve_any
 from radcalc.units.table import SCALE_NAMES, resolve
+from radcalc.units.values import ScaleUnit, find_scale, resolve_any
 
 ROWS = {f"{scale.name} ({scale.unit})": scale for scale in SCALES}
 
@@ -115,14 +115,14 @@ def test_published_values_are_found(number, source, target, printed, off):
 
 @for_each(spellings())
 def test_a_spelling_of_a_scale_is_not_a_unit(spelling):
-    assert isinstance(find(spelling), ScaleUnit)
+    assert isinstance(find_scale(spelling), ScaleUnit)
     with pytest.raises(UnitError):
         resolve(spelling)
 
 
 @pytest.mark.parametrize("unit", ["dBm/m2", "W/dB", "mag/m2", "OD.m-1", "EV s", "2 dBm", "mired2"])
 def test_a_scale_is_not_part_of_a_unit(unit):
-    assert find(unit) is None
+    assert find_scale(unit) is None
     with pytest.raises(UnitError):
         resolve_any(unit)
 
@@ -144,7 +144,7 @@ def test_magnitudes_per_square_second_of_arc_have_the_spellings_of_units(text):
      ("MIRED", "mired"), ("EV100", "EV")],
 )  # fmt: skip
 def test_other_spellings_are_understood(text, scale):
-    assert find(text).scale == find(scale).scale
+    assert find_scale(text).scale == find_scale(scale).scale
 
 
 def test_an_amount_on_a_scale_is_converted_with_a_remark():

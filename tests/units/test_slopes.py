@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from radcalc.units.slopes import sharpest, slopes
+from radcalc.units.functions import sharpest, slopes
 
 SMALL = 0.02  # of a change of 1: what is left of the curvature of a smooth number
 

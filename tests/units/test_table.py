@@ -7,9 +7,8 @@ import pytest
 from helpers import for_each
 
 from radcalc.errors import UnitError
-from radcalc.units import compiled
+from radcalc.units import compiled, lookup
 from radcalc.units.table import resolve
-from radcalc.units.unit import lookup
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,18 @@
-"""Picture files, read by their first bytes and written by their extension.
+"""Picture files, read by their first bytes and written by their extension; portable float maps.
 
-Each format has a module, loaded when needed: `rgbe`, `pfm` and `exr` define `read(data, name)` and
-`write(path, picture)`, which writes over an empty file and returns notes (a tuple of str).  They
-raise a ConditionError for a bad file or picture; this module handles OSError.
+The other formats have a module each, loaded when needed: `rgbe` and `exr` define
+`read(data, name)` and `write(path, picture)`, which writes over an empty file and returns notes (a
+tuple of str).  They raise a ConditionError for a bad file or picture; this module handles OSError.
+
+A portable float map (.pfm) has three lines of text, and 32-bit floats of one or three channels.
+Rows begin at the bottom, as in Debevec's HDR Shop and Netpbm's pfm(5); Photoshop begins at the top,
+which cannot be seen from the file.  The sign of the scale in the third line is the byte order
+(negative: little-endian).  Its absolute value multiplies all pixels here, as in OpenImageIO and
+pbrt; other programs ignore it.
 """
 
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import Any, NamedTuple
 
@@ -13,9 +20,8 @@ import numpy as np
 
 from radcalc.distributions import contents
 from radcalc.errors import ConditionError, quote, quote_path
-from radcalc.files import signatures
-from radcalc.geometry.directions import Vector
-from radcalc.geometry.projections import View
+from radcalc.files import columns, signatures
+from radcalc.geometry.projections import Vector, View
 
 # share of the sum of all values: smaller negative values are due to lossy encoding
 NOISE = 1e-6
@@ -32,7 +38,7 @@ MOST_BYTES = 16 * PIXELS  # of a file: four floats a pixel
 # by the bytes of the file.  A large map of one colour in RGBE has 15.7 a byte.
 FREE_PIXELS, PIXELS_PER_BYTE = 1 << 23, 16
 BRIGHTEST, FAINTEST = 3e38, 1e-36  # limits of 32 bits, and of RGBE, without loss of digits
-WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
+WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # formats, by extension
 PARALLEL = "parallel"  # a projection that does not show directions
 
 
@@ -99,11 +105,10 @@ def read_picture(path: str, channel: str = "") -> Picture:
         data = contents.whole(file, MOST_BYTES, path) if reader else b""
     if not reader:
         raise signatures.is_no_picture(head, name)
-    # load only the module that is needed
-    module = import_module(f"radcalc.distributions.maps.{reader}")
+    read, _ = _functions(reader)
     alone = (channel,) if channel and reader == "exr" else ()
     try:
-        return _without_noise(module.read(data, name, *alone))
+        return _without_noise(read(data, name, *alone))
     except MemoryError:
         raise ConditionError(f"{name} does not fit into memory", "a smaller picture") from None
 
@@ -122,10 +127,18 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
         If it cannot be written.
     """
     extension = check_target(path)
-    module = import_module(f"radcalc.distributions.maps.{WRITERS[extension]}")
+    _, write = _functions(WRITERS[extension])
     with contents.written(path) as temporary:
-        notes: tuple[str, ...] = module.write(temporary, picture)
+        notes: tuple[str, ...] = write(temporary, picture)
     return notes
+
+
+def _functions(name: str) -> tuple[Callable[..., Picture], Callable[..., tuple[str, ...]]]:
+    """Return the functions that read and write a format; load only the module that is needed."""
+    if name == "pfm":
+        return read_pfm, write_pfm
+    module = import_module(f"radcalc.distributions.maps.{name}")
+    return module.read, module.write
 
 
 def check_target(path: str) -> str:
@@ -208,3 +221,68 @@ def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float
         raise ConditionError(problem, "x and y of red, green, blue and white")
     weights = np.linalg.solve(mixed, white / white[1]) * xyz[:3, 1]
     return tuple(map(float, weights))
+
+
+PFM = "PFM"
+PFM_HEADER = re.compile(rb"P([Ff])\s+(-?\d{1,15})\s+(-?\d{1,15})\s+([^\s]{1,40})\s")
+PFM_FORM = "PF or Pf, width and height, and a scale that is not 0, in three lines"
+PFM_BLOCK = 1 << 20  # floats to write at a time
+
+
+def read_pfm(data: bytes, name: str) -> Picture:
+    """Read a portable float map; negative, infinite and NaN pixels are passed on.
+
+    Raise a ConditionError if the header is wrong, or the size does not fit it.
+
+    >>> pixels = bytes([0, 0, 0, 64, 0, 0, 128, 63])
+    >>> read_pfm(b"Pf\\n1 2\\n-1\\n" + pixels, "sky.pfm").pixels.tolist()
+    [[[1.0]], [[2.0]]]
+    """
+    head = PFM_HEADER.match(data[:200])
+    scale = columns.finite(head[4].decode("latin-1"), False) if head else None
+    if not head or not scale:
+        begin = data[:200].decode("latin-1").replace("\n", " ")
+        raise ConditionError(
+            f"{name} is not a PFM picture: it begins with '{quote(begin)}'", PFM_FORM
+        )
+    channels = RGB if head[1] == b"F" else Y
+    width, height = int(head[2]), int(head[3])
+    check_size(width, height, name)
+    size, start = 4 * width * height * len(channels), head.end()
+    if len(data) == start + size + 1 and data[start - 1 : start + 1] == b"\r\n":
+        start += 1
+    if len(data) != start + size:
+        problem = f"{name} has {len(data) - start} bytes of pixels, but its size requires {size}"
+        raise ConditionError(problem, "the complete file")
+    stored = np.frombuffer(data, "<f4" if scale < 0 else ">f4", offset=start)
+    pixels = np.array(stored.reshape(height, width, -1)[::-1], np.float32)
+    notes: tuple[str, ...] = ()
+    if abs(scale) != 1:
+        with np.errstate(over="ignore", invalid="ignore"):
+            pixels *= np.float32(abs(scale))
+        notes = (f"all pixels are multiplied by {abs(scale):g}, the scale of {name}",)
+    if len(channels) == 1:
+        return Picture(pixels, channels, (1.0,), PFM, notes=notes)
+    return Picture(pixels, channels, REC_709, PFM, assumptions=(BY_REC_709,), notes=notes)
+
+
+def write_pfm(path: str, picture: Picture) -> tuple[str, ...]:
+    """Write a portable float map, little-endian; return a note about lost information.
+
+    Raise a ConditionError for X, Y, Z, which a reader would interpret as R, G, B.
+    """
+    if picture.channels == XYZ:
+        raise ConditionError("PFM has no X, Y, Z", "a Radiance (.hdr) or OpenEXR (.exr) picture")
+    height, width, count = picture.pixels.shape
+    step = max(1, PFM_BLOCK // (width * count))
+    with open(path, "wb") as file:
+        file.write(f"P{'F' if count == 3 else 'f'}\n{width} {height}\n-1.0\n".encode())
+        for bottom in range(height, 0, -step):
+            rows: Any = picture.pixels[max(0, bottom - step) : bottom][::-1]
+            file.write(rows.astype("<f4").tobytes())
+    lost = [f"the unit ({quote(picture.unit)})"] if picture.unit else []
+    if count == 3 and picture.weights != REC_709:
+        lost.append("the primaries")
+    if picture.projection:
+        lost.append(f"the projection ({quote(picture.projection)})")
+    return (f"PFM does not store {', '.join(lost)}",) if lost else ()

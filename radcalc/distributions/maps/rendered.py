@@ -7,15 +7,18 @@ import numpy
 import numpy as np
 
 from radcalc.distributions.environments import Sky
-from radcalc.distributions.maps.light_sums import Progress
+from radcalc.distributions.maps import RadianceMap, check_shape
+from radcalc.distributions.maps.light_sums import Progress, half_edges, light_vectors
 from radcalc.distributions.maps.pictures import Picture, Y, as_floats, check_size
-from radcalc.distributions.maps.radiance_map import RadianceMap, check_shape
 from radcalc.errors import ConditionError
-from radcalc.geometry.directions import cartesian
-from radcalc.geometry.light_vectors import half_edges, light_vectors
-from radcalc.geometry.numerics.integrals import gauss
-from radcalc.geometry.projections import direction_at, middle_of_pixel, pixel_solid_angles
-from radcalc.geometry.sky import angle_between
+from radcalc.geometry.models import angle_between
+from radcalc.geometry.numerics import gauss
+from radcalc.geometry.projections import (
+    cartesian,
+    direction_at,
+    middle_of_pixel,
+    pixel_solid_angles,
+)
 from radcalc.quantities.symbols import LATLONG, light_unit
 from radcalc.units.table import resolve
 

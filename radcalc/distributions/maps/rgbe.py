@@ -35,9 +35,8 @@ from radcalc.distributions.maps.pictures import (
 )
 from radcalc.errors import ConditionError, quote
 from radcalc.files import columns
-from radcalc.geometry.directions import UP
-from radcalc.geometry.directions import upright as upright_axes
-from radcalc.geometry.projections import view_of_angles
+from radcalc.geometry.projections import UP, view_of_angles
+from radcalc.geometry.projections import upright as upright_axes
 from radcalc.quantities import symbols
 
 FORMAT = "Radiance RGBE"

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.numerics.integrals import gauss, lobatto
+from radcalc.geometry.numerics import gauss, lobatto
 
 POINTS = 10  # of the Gauss-Legendre rule along each side of a cell
 CHECKS = (7, 8)  # points along each side of the Gauss-Lobatto rules that check it

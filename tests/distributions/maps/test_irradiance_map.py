@@ -6,7 +6,7 @@ import numpy
 import pytest
 from distributions.maps.images import SIZES, TILTS, image, unit
 
-from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions.maps import RadianceMap
 from radcalc.distributions.maps.rendered import irradiance_map, irradiances_of_order_2
 from radcalc.errors import ConditionError
 

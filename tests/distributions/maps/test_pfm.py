@@ -6,8 +6,13 @@ import numpy as np
 import OpenImageIO
 import pytest
 
-from radcalc.distributions.maps.pfm import read
-from radcalc.distributions.maps.pictures import REC_709, Picture, read_picture, write_picture
+from radcalc.distributions.maps.pictures import (
+    REC_709,
+    Picture,
+    read_pfm,
+    read_picture,
+    write_picture,
+)
 from radcalc.errors import ConditionError
 
 NAME = "sky.pfm"
@@ -17,12 +22,12 @@ SIX = (1.5, -2.25, 3e38, 0.0, 1e-40, 7.0)
 @pytest.mark.parametrize("order", "<>")
 def test_rows_begin_at_the_bottom_and_the_sign_is_the_byte_order(order):
     scale = b"-1.0" if order == "<" else b"1"
-    grey = read(b"Pf\n2 3\n" + scale + b"\n" + struct.pack(order + "6f", *SIX), NAME)
+    grey = read_pfm(b"Pf\n2 3\n" + scale + b"\n" + struct.pack(order + "6f", *SIX), NAME)
     upwards = np.array(SIX, np.float32).reshape(3, 2)
     assert grey.pixels.tolist() == [[[value] for value in row] for row in upwards[::-1].tolist()]
     assert (grey.channels, grey.weights, grey.format, grey.unit) == (("Y",), (1.0,), "PFM", "")
     assert (grey.assumptions, grey.notes) == ((), ())
-    colour = read(b"PF 1 2 " + scale + b" " + struct.pack(order + "6f", *SIX), NAME)
+    colour = read_pfm(b"PF 1 2 " + scale + b" " + struct.pack(order + "6f", *SIX), NAME)
     assert colour.pixels.reshape(2, 3).tolist() == upwards.reshape(2, 3)[::-1].tolist()
     assert (colour.channels, colour.weights) == (("R", "G", "B"), REC_709)
     assert len(colour.assumptions) == 1
@@ -32,25 +37,25 @@ def test_rows_begin_at_the_bottom_and_the_sign_is_the_byte_order(order):
 
 def test_nan_and_infinity_are_read():
     values = struct.pack("<3f", float("nan"), float("inf"), -1)
-    found = read(b"PF\n1 1\n-1\n" + values, NAME).pixels
+    found = read_pfm(b"PF\n1 1\n-1\n" + values, NAME).pixels
     np.testing.assert_array_equal(found, [[[np.nan, np.inf, -1]]])
 
 
 def test_the_scale_multiplies_with_a_note():
-    found = read(b"Pf\n1 1\n-2.5\n" + struct.pack("<f", 3), NAME)
+    found = read_pfm(b"Pf\n1 1\n-2.5\n" + struct.pack("<f", 3), NAME)
     assert found.pixels.tolist() == [[[7.5]]]
     assert found.notes == ("all pixels are multiplied by 2.5, the scale of sky.pfm",)
-    too_large = read(b"Pf\n1 1\n-2.5\n" + struct.pack("<f", 3e38), NAME)
+    too_large = read_pfm(b"Pf\n1 1\n-2.5\n" + struct.pack("<f", 3e38), NAME)
     assert too_large.pixels.tolist() == [[[np.inf]]]
 
 
 def test_lines_may_end_as_in_windows():
     data = struct.pack("<f", 3)
-    assert read(b"Pf\r\n1 1\r\n-1\r\n" + data, NAME).pixels.tolist() == [[[3]]]
+    assert read_pfm(b"Pf\r\n1 1\r\n-1\r\n" + data, NAME).pixels.tolist() == [[[3]]]
     # a blank ends the header, and what looks like the end of a line is a part of a pixel
     data = b"\n\0\0\x40"
     expected = [[[struct.unpack("<f", data)[0]]]]
-    assert read(b"Pf\n1 1\n-1\r" + data, NAME).pixels.tolist() == expected
+    assert read_pfm(b"Pf\n1 1\n-1\r" + data, NAME).pixels.tolist() == expected
 
 
 PIXEL = struct.pack("<f", 3)
@@ -78,7 +83,7 @@ REFUSED = {
 def test_what_is_no_map_is_refused(case):
     data, said = REFUSED[case]
     with pytest.raises(ConditionError) as caught:
-        read(data, NAME)
+        read_pfm(data, NAME)
     assert caught.value.message.startswith(NAME)
     assert said in caught.value.message
     assert caught.value.hint

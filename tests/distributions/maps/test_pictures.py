@@ -8,7 +8,7 @@ import sys
 import numpy as np
 import pytest
 
-from radcalc.distributions.maps import pfm
+from radcalc.distributions.maps import pictures
 from radcalc.distributions.maps.pictures import (
     PIXELS,
     REC_709,
@@ -200,7 +200,7 @@ def test_a_failed_write_keeps_the_previous_file(error, tmp_path, monkeypatch):
             file.write(b"PF\n")
         raise error
 
-    monkeypatch.setattr(pfm, "write", write)
+    monkeypatch.setattr(pictures, "write_pfm", write)
     with pytest.raises((OutputError, KeyboardInterrupt)) as caught:
         write_picture(str(path), GREY._replace(pixels=GREY.pixels * 2))
     if isinstance(error, OSError):

@@ -6,8 +6,8 @@ import numpy
 import pytest
 from distributions.maps.images import SIZES, TILTS, directions, image, solid_angles, unit
 
-from radcalc.distributions.maps import radiance_map
-from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions import maps
+from radcalc.distributions.maps import RadianceMap
 from radcalc.errors import ConditionError
 
 
@@ -227,7 +227,7 @@ class Chunks:
 
 
 def test_no_more_than_a_strip_is_read_at_a_time(monkeypatch):
-    monkeypatch.setattr(radiance_map, "STRIP", 1 << 13)
+    monkeypatch.setattr(maps, "STRIP", 1 << 13)
     values = numpy.random.default_rng(7).random((128, 256, 1), dtype=numpy.float32)
     rows = Chunks(values)
     around, same = RadianceMap(rows, "latlong"), RadianceMap(values, "latlong")

@@ -9,8 +9,8 @@ import pytest
 from conftest import run
 
 from radcalc.distributions.environments import Sky
+from radcalc.distributions.maps import RadianceMap
 from radcalc.distributions.maps.pictures import read_picture
-from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.maps.rendered import Sun, sky_map
 from radcalc.errors import ConditionError
 
