@@ -18,7 +18,6 @@ import click
 
 from radcalc.answer import Row, Step
 from radcalc.calculators import COMMANDS, SUMMARIES, page_of
-from radcalc.calculators.lists import manual_pages
 from radcalc.calculators.page import (
     ALSO,
     HELPS,
@@ -29,9 +28,10 @@ from radcalc.calculators.page import (
     OUTPUTS,
     Option,
     Page,
+    manual_pages,
 )
+from radcalc.cli.answers import hear
 from radcalc.cli.command import command_of, examples_of
-from radcalc.cli.heard import hear
 from radcalc.cli.help import joined, narrowed
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED

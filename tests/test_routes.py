@@ -9,7 +9,7 @@ from conftest import ROOT, run
 
 from radcalc.cli.spelling import quoted, route
 from radcalc.errors import ConditionError
-from radcalc.routes.kinds import LOG, LUMINAIRE, MAP, NAMES, SCENE, SPECTRUM, TABLE, kind_of
+from radcalc.routes import LOG, LUMINAIRE, MAP, NAMES, SCENE, SPECTRUM, TABLE, kind_of
 
 SPECTRAL_ROWS = "\n".join(f"{nm},1.5" for nm in range(380, 785, 5))
 KINDS = {

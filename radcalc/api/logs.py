@@ -22,7 +22,7 @@ from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.calculators.dose import READINGS
 from radcalc.calculators.page import PERIODS
 from radcalc.errors import ConditionError, LineError, MissingInput, mention
-from radcalc.files.text import reading as opened
+from radcalc.files import reading as opened
 from radcalc.inputs import refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import article
 from radcalc.streams.clocks import TimeSettings

@@ -34,7 +34,7 @@ from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, NumberError, Try, mention, option, quote
-from radcalc.files.text import ENDINGS
+from radcalc.files import ENDINGS
 from radcalc.floats import divide
 from radcalc.inputs import Inputs
 from radcalc.laws import law

@@ -1,4 +1,4 @@
-"""Results in the requested units: floats, or arrays for a range."""
+"""Results of calculators: their values, how they are asked for, and names that people write."""
 
 import math
 from collections.abc import Sequence
@@ -8,15 +8,17 @@ from typing import TYPE_CHECKING, Any, cast
 from radcalc import errors
 from radcalc.answer import Answer, Row, Value, letter_of
 from radcalc.conversion import exact_ratio
-from radcalc.errors import quote
+from radcalc.errors import UsageError, ambiguous, corrections, quote
 from radcalc.floats import SMALLEST
 from radcalc.inputs import Input, Inputs
 from radcalc.inputs.quantities import DIFFERENCES, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
-from radcalc.quantities import GRID, symbols
+from radcalc.quantities import GRID, KINDS, read, symbols
 from radcalc.quantities import name_of as unit_name
 from radcalc.quantities.language import names_meant
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
+from radcalc.quantities.search import called, comparable, label_of, symbol_key
+from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, light_unit
 from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
@@ -273,10 +275,8 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 label, letter = of_kind(value, unit)
         row = Row(label, letter, number, text, case, name, is_given, 0.0, value.form)
         return _apart(row)
-    from radcalc.calculators import result_names
-
     dimension = measured_in(text).dimension if text else None
-    other, unit_text = result_names.results_meant(name, values, dimension)
+    other, unit_text = results_meant(name, values, dimension)
     if other:
         try:
             return pick(values, f"{other}:{text or unit_text}", case)
@@ -436,3 +436,79 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     if case:
         result_rows.sort(key=lambda row: not row.given)
     return result_rows
+
+
+def results_meant(
+    name: str, values: Sequence[Value], dimension: Dimension | None = None
+) -> tuple[str, str]:
+    """Return the result, and its unit or '', that a symbol or a foreign name means.
+
+    `dimension` is that of the unit that is asked for.  The result may be absent.  Both are '' if
+    the name means no result, or none of that dimension.  Raises UsageError if it means several.
+    """
+    if name in SPECIFIC or name in SYMBOLS:
+        return "", ""
+    present = [value for value in values if not value.is_absent]
+    found = _by_letter(name, present) or _by_name(name, present) or _by_name(name, values)
+    if dimension:
+        found = [way for way in found if _measures(way[1], dimension)]
+    if len(found) > 1:
+        ways = [":".join(filter(None, way)) for way in found]
+        raise UsageError(ambiguous(name), corrections(name, *ways))
+    return found[0] if found else ("", "")
+
+
+def _measures(unit: str, dimension: Dimension) -> bool:
+    """Return whether a unit of a result, '' for any, has a dimension."""
+    return not unit or resolve(unit).dimension == dimension
+
+
+def _by_letter(name: str, values: Sequence[Value]) -> list[tuple[str, str]]:
+    """Return the results with a symbol; a letter alone is that of any kind of light."""
+    typed = symbol_key(name)
+    if not typed:
+        return []
+    if exact := [value for value in values if symbol_key(value.letter) == typed]:
+        return _distinct(exact)
+    if bare := [value for value in values if _bare(value.letter) == typed]:
+        return _distinct(bare)
+    return _of_light([q for q in QUANTITIES if symbol_key(q.symbol) == typed], values)
+
+
+def _bare(letter: str) -> str:
+    head, _, below = letter.partition("_")
+    return symbol_key(head) if below in KINDS else ""
+
+
+def _by_name(name: str, values: Sequence[Value]) -> list[tuple[str, str]]:
+    """Return the results with that name in any language, or with that other word for it."""
+    folded = comparable(name)
+    labels = {label for label, names in LABELS.items() if folded in map(comparable, names)}
+    labels |= {label_of(name)} - {""}
+    if labelled := [value for value in values if value.label in labels or value.name in labels]:
+        return _distinct(labelled)
+    return _of_light([found.quantity for found in called(name)], values)
+
+
+def _of_light(quantities: Sequence[Quantity], values: Sequence[Value]) -> list[tuple[str, str]]:
+    """Return the results that are one of the quantities, in its unit; those at hand if any are."""
+    found = {}
+    by_name = {value.name: value for value in values}
+    for quantity in quantities:
+        name = quantity.name("en").replace(" ", "-")
+        reading = read(resolve(quantity.unit))
+        generic, kind = SPECIFIC.get(name, (name, reading.kind if reading else ""))
+        if name in SPECIFIC and name in by_name:
+            found[name, ""] = True
+            continue
+        value = by_name.get(generic)
+        if value is None:
+            continue
+        unit = light_unit(generic, kind) if kind and not (reading and reading.axis) else ""
+        own = bool(unit) and _measures(unit, value.dimensions[0])
+        found[generic, "" if own else unit] = own or not unit
+    return [way for way, is_own in found.items() if is_own] or list(found)
+
+
+def _distinct(values: Sequence[Value]) -> list[tuple[str, str]]:
+    return list(dict.fromkeys((value.name, "".join(value.units[:1])) for value in values))

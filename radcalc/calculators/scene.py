@@ -11,7 +11,7 @@ from radcalc.calculators.results import element, value
 from radcalc.calculators.scene_reader import NamedSource, Reader
 from radcalc.calculators.scene_rows import rows_of_dicts, rows_of_file
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
-from radcalc.files.text import ENDINGS
+from radcalc.files import ENDINGS
 from radcalc.geometry.projections import UP, Vector
 from radcalc.inputs import Inputs
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS

@@ -13,8 +13,8 @@ from radcalc import errors
 from radcalc.calculators.point_laws import CONE, LOBE
 from radcalc.distributions.sources import read_lines
 from radcalc.errors import listed, quote
-from radcalc.files import columns, text
-from radcalc.files.table import Table
+from radcalc.files import columns, refusal, where
+from radcalc.files.columns import Table
 from radcalc.quantities import describe
 from radcalc.quantities.column_titles import read_title
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
@@ -109,10 +109,10 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
     if delimiter is None:
         raise errors.ConditionError(
-            f"{text.where(name, number)}: there is only one column", "a header such as x,y,z,flux"
+            f"{where(name, number)}: there is only one column", "a header such as x,y,z,flux"
         )
     cells, below = _with_units(lines[begin:], delimiter)
-    titles, units = _header(cells, text.where(name, number))
+    titles, units = _header(cells, where(name, number))
     rows = _rows(name, below, delimiter, titles, units)
     notes = []
     like_rows = [
@@ -148,11 +148,11 @@ def _rows(
 ) -> list[Row]:
     """Return the rows of lines with their numbers, with the units of their columns."""
     rows = []
-    table = Table(partial(text.refusal, name), delimiter, len(titles), list(titles.values()))
+    table = Table(partial(refusal, name), delimiter, len(titles), list(titles.values()))
     for number, line in lines:
         cells = table.cells(number, line)
         filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
-        rows.append(Row(text.where(name, number), filled, titles))
+        rows.append(Row(where(name, number), filled, titles))
         _check_marks(rows[-1], number, table)
     _read_numbers(rows, units, bool(table.decimals.comma))
     return rows

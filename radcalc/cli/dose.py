@@ -19,12 +19,12 @@ from radcalc.cli.spelling import only_file, proposed, quoted
 from radcalc.cli.streams import complain
 from radcalc.errors import MINUS, ConditionError, RadcalcError, UsageError, quote_path
 from radcalc.errors import command as call_of
-from radcalc.files.text import reading
+from radcalc.files import reading
 from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
 from radcalc.quantities.names import DLI, offered
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
-from radcalc.routes.kinds import NAMES, ColumnSummary, contents_of, listing
+from radcalc.routes import NAMES, ColumnSummary, contents_of, listing
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where

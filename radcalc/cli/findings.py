@@ -16,7 +16,7 @@ from radcalc.answer import texts_of
 from radcalc.calculators import COMMANDS, SUBJECTS, SUMMARIES, page_of
 from radcalc.calculators.page import RESULT
 from radcalc.cli.command import define, examples_of
-from radcalc.cli.heard import hear
+from radcalc.cli.lane import hear
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.spelling import pasted
 from radcalc.completion import table

@@ -12,7 +12,7 @@ from radcalc.calculators.page import OF_ANSWERS
 from radcalc.calculators.results import said_of
 from radcalc.cli import sentence, spelling, trials
 from radcalc.cli.command import define
-from radcalc.cli.heard import Asked, asked
+from radcalc.cli.lane import Asked, asked
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.refusals import of_click
 from radcalc.cli.spelling import Shell, refuse_long, spelled, split

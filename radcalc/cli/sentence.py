@@ -13,8 +13,7 @@ from radcalc.calculators.page import CHECKS, DEFAULTS, GET, OF_ANSWERS, STEPS, O
 from radcalc.calculators.worksheet import on_page
 from radcalc.cli import spelling
 from radcalc.cli.command import option_of, parameters
-from radcalc.cli.heard import hear
-from radcalc.cli.lane import is_other, plain
+from radcalc.cli.lane import hear, is_other, plain
 from radcalc.cli.output import Output, decide, refuse_number_options
 from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, pasted, quoted, route, say, typed

@@ -205,8 +205,8 @@ def route(path: str) -> tuple[str, ...]:
     ConditionError
         If the file cannot be read, or is not of a known kind.
     """
-    from radcalc.routes.kinds import COMMANDS as FOR_KIND
-    from radcalc.routes.kinds import kind_of
+    from radcalc.routes import COMMANDS as FOR_KIND
+    from radcalc.routes import kind_of
 
     command, symbol = FOR_KIND[kind_of(path)]
     return (command, f"--{symbol}", path) if symbol else (command, path)
@@ -220,7 +220,7 @@ def call_of_file(words: list[str]) -> list[str]:
     routed = [*route(words[0]), *words[1:]]
     has_unit = any(word.partition("=")[0] == "--unit" for word in words)
     if routed[0] == "environment" and not has_unit:
-        from radcalc.routes.kinds import is_relative
+        from radcalc.routes import is_relative
 
         if is_relative(words[0]):
             routed[2:2] = ["--unit", "1"]
@@ -261,7 +261,7 @@ def redirected(error: RadcalcError, words: list[str]) -> RadcalcError:
 
 
 def _of_other_kind(path: str, expected: str) -> RadcalcError | None:
-    from radcalc.routes.kinds import NAMES, TABLE, kind_of
+    from radcalc.routes import NAMES, TABLE, kind_of
 
     try:
         kind = kind_of(path)
@@ -275,7 +275,7 @@ def _of_other_kind(path: str, expected: str) -> RadcalcError | None:
 
 def proposed(kind: str, path: str) -> Try:
     """Propose the command for a file of a kind."""
-    from radcalc.routes.kinds import call_of_file
+    from radcalc.routes import call_of_file
 
     return call(*call_of_file(kind, path))
 
@@ -302,7 +302,7 @@ def absent_file(args: list[str]) -> UsageError | None:
 
     Words after an option, such as the file of a picture, are not files to read.
     """
-    from radcalc.routes.kinds import ALL_ENDINGS
+    from radcalc.routes import ALL_ENDINGS
 
     before = takewhile(lambda word: word[:1] != "-", args)
     absent = [a for a in before if a.lower().endswith(ALL_ENDINGS) and not os.path.exists(a)]

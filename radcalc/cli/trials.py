@@ -20,7 +20,7 @@ from radcalc.cli.command import (
     protect_negatives,
     with_plot,
 )
-from radcalc.cli.heard import hear
+from radcalc.cli.lane import hear
 from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, Shell, pasted, spelled, typed
 from radcalc.errors import option, quote

@@ -24,7 +24,7 @@ from radcalc.calculators.page import (
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import spell
-from radcalc.files.text import ENDINGS as COLUMNS
+from radcalc.files import ENDINGS as COLUMNS
 from radcalc.plots.figure import FORMATS
 from radcalc.quantities import GEOMETRIES, symbols
 from radcalc.quantities.names import full_name, offered

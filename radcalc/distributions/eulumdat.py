@@ -44,8 +44,8 @@ from radcalc.distributions.distribution import (
     without_noise,
 )
 from radcalc.errors import ConditionError, quote
+from radcalc.files import refusal
 from radcalc.files.columns import MARKS, Decimals, finite, numbers_at_once
-from radcalc.files.text import refusal
 
 KILOLUMEN = 1000.0  # [lm]
 MOST = 10_000  # angles, planes, lamps

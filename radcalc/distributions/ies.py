@@ -32,8 +32,8 @@ from radcalc.distributions.distribution import (
     without_noise,
 )
 from radcalc.errors import ConditionError, quote
+from radcalc.files import refusal
 from radcalc.files.columns import has_odd_digits, is_number, numbers_at_once
-from radcalc.files.text import refusal
 
 # kind of light and SI value of each unit of intensity
 UNITS = {

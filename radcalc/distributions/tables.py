@@ -26,7 +26,7 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc.distributions import column_titles
+from radcalc.distributions import contents as column_titles
 from radcalc.distributions.distribution import (
     CLOSEST,
     SLACK,
@@ -38,10 +38,8 @@ from radcalc.distributions.distribution import (
     without_noise,
 )
 from radcalc.errors import ConditionError, Hint, listed, quote
-from radcalc.files import columns
-from radcalc.files.head import Head, is_number
-from radcalc.files.table import NumberedLine, Table
-from radcalc.files.text import refusal
+from radcalc.files import columns, refusal
+from radcalc.files.columns import Head, NumberedLine, Table, is_number
 from radcalc.quantities import read as facts_of
 
 FLAT = 180.0  # [deg]

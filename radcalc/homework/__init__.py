@@ -9,7 +9,6 @@ from itertools import repeat
 from typing import TYPE_CHECKING, NamedTuple, cast
 
 from radcalc.answer import Step, Value, format_number, with_unit
-from radcalc.calculators.result_names import results_meant
 from radcalc.calculators.results import (
     in_unit,
     is_alone,
@@ -17,6 +16,7 @@ from radcalc.calculators.results import (
     name_in,
     of_kind,
     pick,
+    results_meant,
     right_names,
 )
 from radcalc.errors import ConditionError, RadcalcError, option, quote

@@ -8,9 +8,8 @@ from radcalc import errors
 from radcalc.answer import Row, Value
 from radcalc.calculators.results import pick, rows
 from radcalc.errors import listed, option, quote
-from radcalc.files import columns
-from radcalc.files.table import Table
-from radcalc.files.text import Text, reading, refusal, where
+from radcalc.files import Text, columns, reading, refusal, where
+from radcalc.files.columns import Table
 from radcalc.homework import ROUNDED, Verdict, check
 from radcalc.homework.question import Claim, Question, is_rounded, of_conversion, read_claim
 from radcalc.units import NUMBER, unit_behind

@@ -15,7 +15,7 @@ from fractions import Fraction
 from typing import Any
 
 from radcalc.errors import ConditionError, Hint, RadcalcError, quote, quote_path
-from radcalc.files.text import readable
+from radcalc.files import readable
 from radcalc.units import OWN, compiled, lookup, scale_table, table
 from radcalc.units.languages import definition
 from radcalc.units.numbers import FUNCTIONS, OTHER_FUNCTIONS, find_constant

@@ -337,8 +337,7 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
 
     The file of a spectrum beside an amount of light is the spectrum of that light.
     """
-    from radcalc.routes import kinds
-    from radcalc.routes.kinds import LOG, LUMINAIRE, SPECTRUM
+    from radcalc.routes import LOG, LUMINAIRE, SPECTRUM, call_of_file, kind_of
 
     path, *others = sentence.files
     if others:
@@ -346,12 +345,12 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
         raise errors.UsageError(
             f"the sentence has several files: {listed}", "a call for each of them"
         )
-    kind = kinds.kind_of(path)
+    kind = kind_of(path)
     if kind == SPECTRUM and any(map(is_light, sentence.facts)):
         with_file = (*sentence.facts, Fact(("spectrum",), path, path))
         return _calls_of(sentence._replace(files=(), facts=with_file))
     facts = tuple(map(_toward, sentence.facts)) if kind == LUMINAIRE else sentence.facts
-    command, *operands = kinds.call_of_file(kind, path)
+    command, *operands = call_of_file(kind, path)
     if command not in SUMMARIES:  # a table, which has no results
         if sentence.facts or sentence.goals:
             raise errors.UsageError(f"{quote_path(path)} is a table", call(command, *operands))

@@ -13,10 +13,9 @@ from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc.errors import ConditionError, Hint, UsageError, call, listed, option, quote
-from radcalc.files import columns, signatures
-from radcalc.files.head import SEARCHED, Head, first_lines, is_number
-from radcalc.files.table import Table as TextTable
-from radcalc.files.text import Lines, Text, reading, refusal
+from radcalc.files import Lines, Text, columns, reading, refusal, signatures
+from radcalc.files.columns import SEARCHED, Head, first_lines, is_number
+from radcalc.files.columns import Table as TextTable
 from radcalc.quantities.column_titles import find
 from radcalc.spectra import column_titles, contents
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure

@@ -34,9 +34,8 @@ from typing import NamedTuple
 from xml.parsers import expat
 
 from radcalc.errors import ConditionError, listed, nearest, option, quote
-from radcalc.files import columns
+from radcalc.files import columns, refusal
 from radcalc.files.columns import plain
-from radcalc.files.text import refusal
 from radcalc.spectra.column_titles import KNOWN, PROPERTY, RELATIVE_WATTS, Meaning
 from radcalc.spectra.contents import Contents, Figure, Row
 from radcalc.spectra.observers import AVOGADRO

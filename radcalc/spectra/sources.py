@@ -6,7 +6,7 @@ from functools import cache
 
 from radcalc import errors
 from radcalc.errors import command, option, quote
-from radcalc.files.text import ENDINGS
+from radcalc.files import ENDINGS
 from radcalc.spectra import FORMS, example
 from radcalc.spectra.observers import LIGHT, PLANCK, standard_air_wavelength
 from radcalc.spectra.spectrum import (

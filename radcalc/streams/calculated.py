@@ -21,8 +21,15 @@ from radcalc.inputs.quantities import with_numbers
 from radcalc.maths import exactly
 from radcalc.render.plain import DIGITS, number
 from radcalc.streams import Source
-from radcalc.streams.blocks import numbers
-from radcalc.streams.readers import LONGEST_UNIT, MOST_UNITS, POINT, by_unit, decoded, pointed
+from radcalc.streams.readers import (
+    LONGEST_UNIT,
+    MOST_UNITS,
+    POINT,
+    by_unit,
+    decoded,
+    numbers,
+    pointed,
+)
 from radcalc.terminal import remarks
 from radcalc.units.numbers import parse_number
 

@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from radcalc import errors
 from radcalc.errors import listed, option, quote
-from radcalc.files import columns, signatures
-from radcalc.files.head import SEARCHED, Head, is_number
-from radcalc.files.table import NumberedLine, Table
-from radcalc.files.text import Text, where
+from radcalc.files import Text, columns, signatures, where
+from radcalc.files.columns import SEARCHED, Head, NumberedLine, Table, is_number
 from radcalc.quantities import PHOTON, RADIANT
 from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import (

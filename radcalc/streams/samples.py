@@ -26,9 +26,8 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.files import columns
-from radcalc.files.head import first_lines
-from radcalc.files.text import Text
+from radcalc.files import Text, columns
+from radcalc.files.columns import first_lines
 from radcalc.floats import divide
 from radcalc.inputs import Inputs
 from radcalc.quantities import describe

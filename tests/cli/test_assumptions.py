@@ -13,7 +13,7 @@ from radcalc.answer import Remark
 from radcalc.calculators import SUMMARIES
 from radcalc.calculators.results import pick, said_of
 from radcalc.cli.command import examples_of
-from radcalc.cli.heard import asked, hear
+from radcalc.cli.lane import asked, hear
 from radcalc.errors import RadcalcError
 from radcalc.laws.solver import Derivation
 

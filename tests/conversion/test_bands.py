@@ -10,7 +10,7 @@ import radcalc
 from radcalc.conversion.plan import plan
 from radcalc.errors import ConditionError
 from radcalc.inputs.reading import read
-from radcalc.streams.blocks import Bulk
+from radcalc.streams.readers import Bulk
 from radcalc.units.table import resolve
 
 C = 299792458.0  # SI Brochure

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from helpers import for_each
 
-from radcalc.distributions import column_titles
+from radcalc.distributions import contents as column_titles
 from radcalc.distributions.tables import read
 from radcalc.errors import RadcalcError
 

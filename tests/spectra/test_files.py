@@ -489,7 +489,7 @@ def test_corrections_are_noted(tmp_path):
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 @pytest.mark.parametrize("extra", ["", "# half way", '"410.00001","2"', "\n\n"])
 def test_a_file_of_many_blocks_is_read_line_by_line(extra, end, tmp_path, monkeypatch):
-    monkeypatch.setattr("radcalc.files.text.BLOCK", 1 << 16)
+    monkeypatch.setattr("radcalc.files.BLOCK", 1 << 16)
     rows = [f"{400 + k / 1000:.3f},{1 + k % 7}" for k in range(20_000)]
     rows.insert(9000, extra.replace("\n", end))
     path = tmp_path / "long.csv"

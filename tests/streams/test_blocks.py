@@ -4,8 +4,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from radcalc.conversion.plan import plan
-from radcalc.streams import blocks
-from radcalc.streams.blocks import Bulk
+from radcalc.streams import readers as blocks
+from radcalc.streams.readers import Bulk
 from radcalc.units.table import resolve
 from radcalc.units.values import resolve_any
 

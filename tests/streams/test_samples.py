@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radcalc import files as text
 from radcalc.errors import RadcalcError
-from radcalc.files import text
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.log_layout import LogSettings
 from radcalc.streams.samples import Log
