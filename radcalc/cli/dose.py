@@ -24,7 +24,7 @@ from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
 from radcalc.quantities.names import DLI, offered
 from radcalc.render.formats import Records
 from radcalc.render.plain import number
-from radcalc.routes import NAMES, ColumnSummary, contents_of, listing
+from radcalc.routes import NAMES, ColumnSummary, Contents, contents_of, listing
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import FirstRows, LogHead, LogSettings, rows_where
@@ -189,7 +189,7 @@ def columns_command(words: tuple[str, ...], output: Output) -> None:
         problem = f"{quote_path(path)} is {NAMES[found.kind]}, not a table"
         raise ConditionError(problem, proposed(found.kind, path))
     listed = listing(path, found.rows)
-    rows = [_row(path, found.rows, column, listed.rows, output.format) for column in listed.columns]
+    rows = [_row(path, found, column, listed.rows, output.format) for column in listed.columns]
     table = [{key: str(cell) for key, cell in row.items()} for row in rows]
     notes = (f"{listed.rows} rows", *listed.notes)
     right = ("numbers", "from", "to", "mean")
@@ -197,7 +197,7 @@ def columns_command(words: tuple[str, ...], output: Output) -> None:
 
 
 def _row(
-    path: str, rows: FirstRows, column: ColumnSummary, count: int, form: str
+    path: str, found: Contents, column: ColumnSummary, count: int, form: str
 ) -> dict[str, Any]:
     """Return the record of a column, with all digits of its numbers or a few."""
     is_exact = form in (JSON, CSV)
@@ -215,19 +215,20 @@ def _row(
         "from": low,
         "to": high,
         "mean": "" if mean is None and form != JSON else mean,
-        "command": _command(path, rows, column, count),
+        "command": _command(path, found, column, count),
     }
 
 
-def _command(path: str, rows: FirstRows, column: ColumnSummary, count: int) -> str:
+def _command(path: str, found: Contents, column: ColumnSummary, count: int) -> str:
     """Return the command that converts a column, or adds up its dose; "" without a unit."""
-    if column.unit is None or not column.count:
+    rows = found.rows
+    if column.unit is None or not column.count or rows is None:
         return ""
     skip = " --invalid ignore" if column.count < count else ""
     if _has_dose(path, rows, column, count):
         return f"radcalc dose {quoted(path)} --column {quoted(column.name)}{skip}"
     target = _another(column.unit)
-    if not target or not rows.names:
+    if not target or not rows.names or found.is_made:
         return ""
     is_whole = rows.names == rows.table.titles  # without a row of units
     is_own = is_whole and rows.names.count(column.name) == 1

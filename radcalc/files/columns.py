@@ -334,9 +334,8 @@ def _unquoted(lines: Sequence[str], delimiter: str) -> list[list[str]]:
 SEARCHED = 1000  # lines searched for the data, without comments and blank lines
 MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 # Rows of a logger below the titles (TOA5 of Campbell): how a column was sampled, and its units.
-SAMPLED = frozenset(
-    ["smp", "avg", "max", "min", "tot", "std", "med", "mean", "sum", "count", "ts", "rn"]
-)
+SAMPLED = ("smp", "avg", "tmn", "tmx", "max", "min", "tot", "std", "med", "mean", "sum", "ts", "rn")
+WITH_POWERS = re.compile(r"[^\W\d][^\s\d]{0,20}(?:-[12]|⁻[¹²])\S{0,20}")  # Wm-2, umolm-2s-1
 TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
 TITLES = (
     "a title for each column; quotation marks around a text with a delimiter, and 1000 for 1,000"
@@ -483,10 +482,12 @@ class Head:
                 break
             found.append(cells)
         count = len(rows) - len(found)
-        if is_named and count:
+        if is_named and count and not self._of_width(rows[0][1]):
             raise self.unlike(*rows[0])
         for k, (_, above) in enumerate(rows[:count]):
-            if (cells := self._of_width(above)) and self.are_titles(cells):
+            cells = self._of_width(above)
+            is_full = 2 * sum(map(bool, cells)) >= len(cells)  # unlike `Serial Number: 7,,,`
+            if cells and (is_named or (is_full and self.are_titles(cells))):
                 number, line = rows[min(k + 1, len(rows) - 1)]
                 problem = f"'{quote(line.strip())}' is between the titles and the numbers"
                 raise self.error(number, problem, "a row with a value in every column")
@@ -526,10 +527,14 @@ def _trimmed(cells: Sequence[str]) -> list[str]:
 
 def _is_below(cells: Sequence[str]) -> bool:
     """Return whether a row has the units of the titles above it, or how they were sampled."""
-    units = {cell: unit_of(cell.strip("()[] ")) for cell in cells if cell}
-    others = [cell for cell, unit in units.items() if not unit and cell.lower() not in SAMPLED]
-    has_quotient = any(unit and "/" in cell for cell, unit in units.items())
-    return has_quotient or all(cell[0] in "([" for cell in others)
+    texts = [cell.strip("()[] ") for cell in cells if cell]
+    bracketed = [cell[0] in "([" for cell in cells if cell]
+    sampled = [text.lower() in SAMPLED for text in texts]
+    if all(map(max, sampled, bracketed)):
+        return True
+    return not any(map(is_number, texts)) and any(
+        unit_of(text) is not None or WITH_POWERS.fullmatch(text) for text in texts
+    )
 
 
 def _bracketed(text: str) -> str:

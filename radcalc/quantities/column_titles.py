@@ -88,6 +88,7 @@ NO_UNIT = re.compile(  # places, statistics, zones of time, and words for relati
     r"|rel|a\.?u\.?|arb|norm|spd|n/a|s/n",
     re.IGNORECASE,
 )
+OF_PVGIS = re.compile(r"G[bdr]?\([hni]\)")  # irradiances of PVGIS: horizontal, normal, inclined
 PLACE = re.compile(r"\s*\((?:in|out|min|max|avg|[nshiab])\)", re.IGNORECASE)
 # Remarks in brackets: the above, directions and days, one letter, a number of a sensor, a position,
 # serial numbers, a band of wavelengths.
@@ -115,6 +116,7 @@ BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # the preposition, not an inch: E at 2
 # Subscripts of symbols, as in E_v or E_ph, are units only if the unit of that quantity is meant.
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
 SYMBOL = re.compile(r"[EL](?![^\W_²³])")  # symbols, not the einstein and the lambert
+RARE = ("exa", "zetta", "yotta", "ronna", "quetta", "atto", "zepto", "yocto", "ronto", "quecto")
 BRACKETS = re.compile(r"[()\[\]]")
 NUMBERED = re.compile(r"([^\W\d_]{2,})\d+")  # the second of several meters, lux2, not a square
 # Names of photon quantities: PPFD, but PAR may also be in watts; PPF was once a name of PPFD.
@@ -227,9 +229,11 @@ def _is_name(text: str) -> bool:
     return folded in index().names or folded in index().misnomers
 
 
-def unit_in(text: str, like: Unit | None = None) -> Unit | None:
-    """Return the unit in a title, ignoring the rest of it; None if there is none."""
-    return _read(text, like).unit
+def unit_in(text: str, like: Unit | None = None, at_end: bool = False) -> Unit | None:
+    """Return the unit in a title, or only at its end, ignoring the rest; None if there is none."""
+    title = _read(text, like)
+    is_there = not at_end or title.in_brackets or title.closing >= len(text.rstrip())
+    return title.unit if is_there else None
 
 
 def refuse_altered(title: Title) -> None:
@@ -411,6 +415,8 @@ def _without_places(text: str) -> str:
 
     They are also units: hours, seconds, minutes and inches.
     """
+    if OF_PVGIS.fullmatch(text.strip()):
+        return ""
     place = PLACE.search(text)
     before = text[: place.start()] if place else ""
     if place and (unit_of_name(before) or any(_fits(*one, None) for one in _candidates(before))):
@@ -518,7 +524,7 @@ def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title
     inner = text[start:end]
     start += len(inner) - len(inner.lstrip())
     inner = inner.strip()
-    if inner == DIRECT_NORMAL:
+    if DIRECT_NORMAL in inner:
         return None
     unit = find_scale(inner) or _unit_of(inner) or _of_words(inner)
     if unit is None:
@@ -568,6 +574,8 @@ def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
     is_word = sum(map(str.isalpha, unit.text)) > 1 and unit.text not in SUBSCRIPTS
     is_word = is_word and not (title.name and "magnitude" in unit.text.lower())  # of a vector
     is_word = is_word and not SYMBOL.match(unit.text)
+    if len(unit.atoms) == 1 and unit.atoms[0][0].startswith(RARE):  # RW, a coordinate
+        return False
     is_name_of_kind = len(unit.atoms) == 1 and unit.atoms[0][0] == "photon"  # photon irradiance
     return is_word and not is_name_of_kind and _is_light(unit)
 
@@ -578,6 +586,8 @@ def _is_light(unit: Unit) -> bool:
 
 def unit_of_name(title: str) -> str:
     """Return the unit that goes without a word with the name in a title: PPFD, GHI; else ''."""
+    if OF_PVGIS.fullmatch(title.strip()):
+        return light_unit("irradiance", RADIANT)
     words = {*words_of(title)}
     names = ((PPFD, light_unit("irradiance", PHOTON)), (SOLAR, light_unit("irradiance", RADIANT)))
     return next((unit for known, unit in names if not words.isdisjoint(known)), "")

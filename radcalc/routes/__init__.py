@@ -69,10 +69,14 @@ class LooseRows(FirstRows):
 
 
 class Contents(NamedTuple):
-    """The kind of a file, and the first rows of its table if it is one."""
+    """The kind of a file, and the first rows of its table if it is one.
+
+    The table of a public format of the sun is made of the file, not the file itself.
+    """
 
     kind: str
     rows: FirstRows | None = None
+    is_made: bool = False
 
 
 def kind_of(path: str) -> str:
@@ -96,21 +100,27 @@ def contents_of(path: str) -> Contents:
         return Contents(MAP)
     by_ending = ENDINGS.get(os.path.splitext(path)[1].lower(), "")
     found: Contents | None = None
+    lines: list[str] = []
     if not signatures.foreign(head):
-        lines: list[str] = []
         with suppress(ConditionError):  # not text
             lines = _lines(head, is_whole, name)
-        if signatures.of_sun(lines):
+        if is_made := bool(signatures.of_sun(lines)):
             with contents.opened(path, sys.maxsize, KNOWN) as file:
                 blocks, _ = blocks_of(Text(name, file.read, "a time and a value", inf))
                 lines = [line for _, block in blocks for line in block]
         with suppress(ConditionError):
             found = _of_text(lines, name)
+            found = found and found._replace(is_made=is_made)
     if found and not (by_ending and found.kind == TABLE):
         return found
     if by_ending:
         return Contents(by_ending)
     signatures.refuse_foreign(head, name, KNOWN)
+    try:
+        FirstRows(name, first_lines([(1, lines)]), LogSettings())
+    except LineError as error:
+        if error.message.startswith(f"{name}, "):  # with the line that is no row or title
+            raise
     raise ConditionError(f"{name} is not a file of light that radcalc knows", KNOWN)
 
 

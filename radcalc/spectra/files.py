@@ -80,7 +80,9 @@ def is_spectrum(lines: Lines) -> bool:
     try:
         head = SpectrumHead(partial(refusal, ""), rows)
     except ConditionError:  # of doubtful titles, which the reader reports
-        return any(map(_has_wavelengths, lines[:MOST_BEFORE]))
+        cells = [(columns.cells(line, columns.dialect(line)[0]) or [""]) for _, line in rows]
+        first = next((k for k, row in enumerate(cells) if is_number(row[0])), 0)
+        return any(map(_has_wavelengths, lines[max(first - 2, 0) : first]))
     table = head.table
     above = [*[line for _, line in head.preamble[-1:]], *head.comments]
     is_titled = any(map(_is_of_wavelengths, table.titles)) or any(map(_has_wavelengths, above))

@@ -1,8 +1,9 @@
 """Layout of a log, found from its first lines."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain, pairwise
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from radcalc import errors
@@ -53,6 +54,7 @@ PARTS = {
     }.items()
     for name in names.split()
 }
+TEXTS, DEVICES = "texts", "devices"
 OF_SERIES = ("id", "device", "sensor", "channel", "station", "logger", "node", "serial", "probe")
 PAR_ALSO = " (some meters give PAR in W/m2; a unit in the title decides: PAR [W/m2])"
 OF_HOURS = ("hour", "hours", "hr", "hh", "hhmm", "hora", "stunde", "heure", "hodina", "час")
@@ -113,7 +115,8 @@ class LogLayout(NamedTuple):
     unit: Unit
     units: int | None = None  # the column with the unit of each value
     title: str = ""
-    series: tuple[int, ...] = ()  # the columns whose texts may tell series apart
+    # The columns that may tell series apart: by their texts, or by numbers of devices, too.
+    series: Mapping[int, bool] = MappingProxyType({})
     where: tuple[tuple[int, str], ...] = ()  # the columns that choose rows, and their texts
 
 
@@ -301,7 +304,8 @@ class LogHead(FirstRows):
         unit = self._unit(title, None if units is None else cells[units])
         clock = self._clock(times, form, chain([lines], (block for _, block in more)))
         known = {*times, place, units, *[k for k, _ in where]}
-        series = tuple([k for k in range(len(cells)) if k not in known and self._is_series(k)])
+        kinds = {k: self._series(k) for k in range(len(cells)) if k not in known}
+        series = {k: kind == DEVICES for k, kind in kinds.items() if kind}
         return LogLayout(table, times, place, clock, unit, units, title, series, where)
 
     def _clock(self, times: tuple[int, ...], form: str, blocks: Iterable[Sequence[str]]) -> Clock:
@@ -324,13 +328,14 @@ class LogHead(FirstRows):
         except errors.RadcalcError as error:
             raise self.error(self.number, error.message, error.hint) from None
 
-    def _is_series(self, place: int) -> bool:
-        """Return whether a column of texts, or of numbers of devices, may tell series apart."""
+    def _series(self, place: int) -> str:
+        """Return what may tell series apart in a column: TEXTS, the numbers of DEVICES, or ""."""
         cell, title = self.cells[place], self._title(place)
         if _is_of_time(title) or self.is_start(cell) or looks_like_clock(cell):
-            return False
-        is_text = not is_number(cell) and cell.lower() not in MISSING
-        return is_text or not cell or not {*words_of(title)}.isdisjoint(OF_SERIES)
+            return ""
+        if not {*words_of(title)}.isdisjoint(OF_SERIES):
+            return DEVICES
+        return TEXTS if not is_number(cell) else ""
 
     def _title(self, place: int) -> str:
         return self.table.titles[place] if self.table.titles else ""
@@ -371,7 +376,7 @@ class LogHead(FirstRows):
             hint = f"{option('time-column', 'NAME')} twice, for the date and one of {choices}"
             raise self.error(0, f"there are {len(candidates)} columns of clocks", hint)
         hours = [k for k, name in enumerate(names) if columns.plain(name) in OF_HOURS]
-        if not candidates and hours and ":" not in cells[date]:
+        if not candidates and hours and date not in hours and ":" not in cells[date]:
             title = quote(names[hours[0]])
             ways = " ".join(option("time-column", quote(names[k])) for k in (date, hours[0]))
             hint = f"{ways} with {option('time-format', '%Y-%m-%d %H')}, or the like"
@@ -483,7 +488,7 @@ def _is_of_time(title: str) -> bool:
             return False  # d [m] is a distance
     except errors.UnitError:
         pass
-    unit = unit_in(title, SECONDS)
+    unit = unit_in(title, SECONDS, at_end=True)  # t_s, but not s_cone_opic
     if unit is None or unit.dimension != TIME:
         return False
     return not _may_be_light(title)

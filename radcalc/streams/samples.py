@@ -69,6 +69,10 @@ class Missing(LineError):
     """A value that the user's mark says is missing: its line is skipped."""
 
 
+class OtherSeries(LineError):
+    """A row of another series: no line is skipped for that."""
+
+
 class Log:
     """A log, read a block at a time."""
 
@@ -199,14 +203,14 @@ class Log:
         if not all(map(lt, times, times[1:])) or (self.last is not None and times[0] <= self.last):
             return None
         for place in layout.series:
-            self.seen[place] |= {*cells[place]} - BLANK
+            self.seen[place] = self._texts(place, cells[place])
         self.last, self.last_line = times[-1], numbers[-1]
         return times, values, numbers
 
     def _values_of(self, cells: list[list[str]], number: int) -> list[float]:
         """Return the values of many rows of one series and unit; raise ValueError for others."""
         layout = self.layout
-        is_one = all(len(self.seen[place] | {*cells[place]} - BLANK) < 2 for place in layout.series)
+        is_one = all(len(self._texts(place, cells[place])) < 2 for place in layout.series)
         if layout.units is not None:
             is_one = is_one and {*cells[layout.units]} == {layout.unit.text}
         values = columns.finite_numbers(layout.table.pointed(cells[layout.place], number))
@@ -277,11 +281,12 @@ class Log:
 
     def _leave_out(self, error: LineError) -> None:
         """Report the error of a line, or stop there."""
-        if self.settings.invalid == ABORT and not isinstance(error, Missing):
+        is_missing = isinstance(error, Missing)
+        if isinstance(error, OtherSeries) or (self.settings.invalid == ABORT and not is_missing):
             raise error
         self.first_left_out = self.first_left_out or error.message
         self.left_out += 1
-        if not isinstance(error, Missing):
+        if not is_missing:
             self.is_good = self.is_good and self.settings.invalid != FAIL
             if self.settings.invalid != IGNORE:
                 self.say(error)
@@ -338,15 +343,23 @@ class Log:
             raise self.error(number, error.message, hint) from None
         raise self.error(number, f"'{quote(text)}' is not a number", "a number")
 
+    def _texts(self, place: int, cells: Sequence[str]) -> set[str]:
+        """Return the texts of a column so far, without blanks, and numbers but those of devices."""
+        texts = {*cells} - BLANK - self.seen[place]
+        if not self.layout.series[place]:
+            texts = {text for text in texts if not columns.is_number(text)}
+        return self.seen[place] | texts
+
     def _check_series(self, place: int, text: str, number: int) -> None:
         """Raise for a row of another series than those before."""
-        seen = self.seen[place] | {text} - BLANK
-        if len(seen) > 1 and text in seen - self.seen[place]:
+        seen = self._texts(place, [text])
+        if len(seen) > 1:
             title = self.layout.table.names[place] if self.layout.table.names else str(place + 1)
             first, *_ = self.seen[place]
             problem = f"the column '{quote(title)}' has '{quote(first)}' and '{quote(text)}'"
             ways = [add("where", f"{title}={value}") for value in (first, text, ANY)]
-            raise self.error(number, problem, ways)
+            error = self.error(number, problem, ways)
+            raise OtherSeries(error.message, ways)
         self.seen[place] = seen
 
     def _factor(self, text: str, number: int) -> float:

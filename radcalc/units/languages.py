@@ -106,7 +106,8 @@ PREFIXES = (
     "кветта ронна йотта зетта экса пета тера гига мега кило гекто дека деци санти милли микро нано "
     "пико фемто атто зепто йокто ронто квекто",
 )
-RUN = r"(?:[^\W\d_]+(?:\^?[-\u2212\u207b]?[\d\u00b9\u00b2\u00b3\u2070-\u2079]+)?)+"
+POWER = r"\^?[-\u2212\u207b]?[\d\u00b9\u00b2\u00b3\u2070-\u2079]+"
+RUN = rf"[^\W\d_]+(?:{POWER}[^\W\d_]+)*(?:{POWER})?"  # one way to match it: titles may be long
 JOINED = re.compile(rf"({RUN})(?:/({RUN}))?")
 PARTS = re.compile(r"([^\W\d_]+)([^\w]*[\d\u00b9\u00b2\u00b3\u2070-\u2079]*)")
 DIFFERENCE = re.compile(r"[-\u2212]\d+[^\W\d_]+$")  # the end of 5m-2cm

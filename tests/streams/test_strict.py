@@ -32,6 +32,10 @@ TITLES = {
     of("PPFD [%]"): "%", of("PAR [a.u.]"): "a.u", of("lux raw counts"): "counts",
     of("E [lx] ±5%"): "function", of("d(E)/dt [lx]"): "function", of("GHI (0-1)"): "0-1",
     of("DNI [V]"): "V", of("PPFD (adu)"): "adu", of("Lux [bits]"): "bits",
+    # PVGIS's irradiances; a coordinate and a word with an s are no units
+    of("G(h)"): 3.6e5, of("G(i)"): 3.6e5, of("Gb(n)"): 3.6e5,
+    "time,RW,s_cone,lux\n2024-06-01T12:00,1,1,1\n2024-06-01T13:00,1,1,1\n": 3600,
+    of("Global (DNI) W/m2"): 3.6e5,
     # a bracket of a place, a statistic or a sensor is no factor
     of("Lux (min)"): 3.6e5, of("PAR (in)"): 3.6e5, of("GHI (s)"): 3.6e5, of("Lux (h)"): 3.6e5,
     of("PPFD (A)"): 3.6e5, of("light [lx] (max)"): 3.6e5, of("E [lx] (sensor 2)"): 3.6e5,
@@ -87,6 +91,12 @@ ROWS = {
     "time,flag,lux\n2024-06-01T12:00,ok,100\n2024-06-01T13:00,ok,100\n": 3.6e5,
     "time,flag,lux\n2024-06-01T12:00,ok,100\n2024-06-01T13:00,bad,100\n": "has 'ok' and 'bad'",
     "time,note,lux\n2024-06-01T12:00,,100\n2024-06-01T13:00,lamp on,100\n": 3.6e5,
+    # a column of numbers with gaps is no series; a row of units may have unknown ones
+    "time,par [umol/m2/s],net\n2024-06-01T12:00,10,\n2024-06-01T13:00,10,1.5\n": 36000,
+    "time,Rg,T,v\n-,Wm-2,degC,Knots\n2024-07-23 00:00,10,1,2\n2024-07-23 01:00,10,1,2\n": 36000,
+    '"TOA5","X","Y"\n"TIMESTAMP","RECORD","PAR"\n"TS","RN","umol/s/m^2"\n"","","Avg"\n'
+    '"2024-06-01 12:00:00",0,10\n"2024-06-01 13:00:00",1,10\n': 36000,
+    "date format M/d/yyyy,,\nday,time,lux\n2024-06-01,12:00,1\n2024-06-01,13:00,1\n": 3600,
     # rows that are no data
     of("E [lx]") + "Mean,100\n": "line 4: 'Mean' is not a date and time",
     of("E [lx]") + "Total:,200\n": "line 4: ",
@@ -135,6 +145,11 @@ TOLD = [
         "time,device,lux\n2024-06-01T06:00,A,0\n2024-06-01T06:30,B,5\n2024-06-01T07:00,B,5\n",
         {"where": ["device=*"]},
         4500 + 9000,
+    ),
+    (
+        "time,lux,state\n2024-06-01T12:00,1,on\n2024-06-01T13:00,1,off\n",
+        {"invalid": "ignore"},
+        "has 'on' and 'off'",
     ),
     (of("E [lx]"), {"where": "device=B"}, "no column 'device'"),
     (of("E [lx]"), {"where": "device"}, "is not COLUMN=VALUE"),
