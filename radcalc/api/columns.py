@@ -482,3 +482,11 @@ def _unit(value: Any) -> str:
 
 def _quantity(magnitude: Any, unit: str) -> Any:
     return Quantity(magnitude, unit) if unit else magnitude
+
+
+def in_columns(result: Result, columns: Columns | None) -> Result:
+    """Return a result with columns for arrays that depend on columns."""
+    if columns is None:
+        return result
+    every = {name: columns.result(name, value) for name, value in result._every.items()}
+    return Result(result.command, result._show, every, result._names, None, result._solved)

@@ -33,8 +33,8 @@ from radcalc.api.arguments import (
     symbol_name,
     unit_of,
 )
-from radcalc.api.columns import take_columns
-from radcalc.api.result import Result, in_columns, in_python, of_answer, with_keywords
+from radcalc.api.columns import in_columns, take_columns
+from radcalc.api.result import Result, in_python, of_answer, with_keywords
 from radcalc.calculators import page_of
 from radcalc.calculators.page import NOTHING, Page, words_of
 from radcalc.calculators.solved import Task, requesting

@@ -46,7 +46,6 @@ from radcalc.units.table import resolve
 from radcalc.units.values import in_which
 
 if TYPE_CHECKING:
-    from radcalc.api.columns import Columns
     from radcalc.homework.question import Question
     from radcalc.plots import Picture
 
@@ -450,14 +449,6 @@ def all_of(result: Result) -> dict[str, Any]:
 def names_of(result: Result) -> list[str]:
     """Return all names of the results, also of those that are calculated at the first access."""
     return [*result._every, *result._later]
-
-
-def in_columns(result: Result, columns: "Columns | None") -> Result:
-    """Return a result with columns for arrays that depend on columns."""
-    if columns is None:
-        return result
-    every = {name: columns.result(name, value) for name, value in result._every.items()}
-    return Result(result.command, result._show, every, result._names, None, result._solved)
 
 
 def waiting(result: Result, results: Mapping[str, Any]) -> Result:

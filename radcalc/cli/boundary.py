@@ -120,7 +120,7 @@ def run_or_refuse(words: list[str], listener: "Listener | None" = None) -> int:
         return explain(words, listener)
     if spelling.begins_with_file(words):
         words = spelling.call_of_file(words)
-        spelling.say(words, listener)
+        spelling.say(words, listener.settings if listener else None)
     words = protect_negatives(of_help(words))
     terminal.choose_color(_color_in(words, listener))
     settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None

@@ -178,7 +178,8 @@ def _answer(call: Words, options: Words, assumed: Words, gate: Gate) -> int:
         status = terminal.ANSWERED
     else:
         status = gate.run([*call, *options])
-    say([*call, *options], gate.listener, assumed)
+    settings = gate.listener.settings if gate.listener else None
+    say([*call, *options], settings, assumed)
     return status
 
 

@@ -32,10 +32,10 @@ from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
     from types import ModuleType
+    from typing import Any
 
-    from radcalc.cli.output import Listener
     from radcalc.errors import Hint
 
 # The groups of the help, in its order.  That of COMMANDS is the order of proposals.
@@ -236,10 +236,10 @@ def only_file(words: "Sequence[str]", contents: str, hint: "Hint") -> str:
 
 
 def say(
-    words: list[str], listener: "Listener | None" = None, assumptions: "Sequence[str]" = ()
+    words: list[str], settings: "Mapping[str, Any] | None" = None, assumptions: "Sequence[str]" = ()
 ) -> None:
     """Write how a call is read, and what that assumes, unless it is quiet."""
-    is_quiet = listener is not None and listener.settings.get("quiet")
+    is_quiet = settings is not None and settings.get("quiet")
     if not is_quiet and not {*words} & {*QUIET}:
         terminal.say([*terminal.remarks(assumptions, ()), f"read as: {pasted(words)}"])
 
