@@ -18,6 +18,7 @@ import click
 
 from radcalc.answer import Row, Step
 from radcalc.calculators import COMMANDS, SUMMARIES, page_of
+from radcalc.calculators.lists import manual_pages
 from radcalc.calculators.page import (
     ALSO,
     HELPS,
@@ -28,11 +29,10 @@ from radcalc.calculators.page import (
     OUTPUTS,
     Option,
     Page,
-    manual_pages,
 )
-from radcalc.cli.answers import hear
 from radcalc.cli.command import command_of, examples_of
 from radcalc.cli.help import joined, narrowed
+from radcalc.cli.lane import hear
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.bridge import WANTED
 from radcalc.conversion.plan import plan, target_of
