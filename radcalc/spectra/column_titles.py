@@ -8,7 +8,7 @@ from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.files.columns import plain, units_in
 from radcalc.quantities import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
 from radcalc.quantities.column_titles import read_title, refuse_altered, refuse_unknown
-from radcalc.units import NUMBER, Unit
+from radcalc.units import Unit
 from radcalc.units.dimensions import RESPONSIVITY
 from radcalc.units.table import resolve, unit_of
 
@@ -68,7 +68,6 @@ PHOTONS = re.compile(
 SAMPLED = re.compile(
     rf"(?:.*[:=\t,;])?\W*+(?:(?:percent|spectral|total|diffuse)\W++)*{PROPERTY}\W*(?:percent)?\W*"
 )
-RELATIVE = re.compile(r"\b(?:a\.? ?u|arb|rel|norm)")
 PREFIXED = re.compile(r"(?<![a-zA-Z])([µμumkn])(Watt|Mol)s?(?![a-z])")
 LONGEST = 500  # characters of a line before the table that are examined
 LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminances?|luminous)"))
@@ -186,8 +185,6 @@ def values(title: str) -> Meaning:
     text = plain(title).replace("_", " ").replace("photon counts", "photons")
     if NO_LIGHT.search(text):
         raise ConditionError(f"'{quote(title)}' is not a calibrated quantity of light", KNOWN)
-    if SCALED.search(text):
-        raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
     try:
         parsed = read_title(title)
         if parsed.unit is None:
@@ -200,12 +197,6 @@ def values(title: str) -> Meaning:
         if parsed.in_brackets or not _is_word(parsed.unit, facts):
             problem = f"values in {quote(parsed.unit.text)} are not power or photons per wavelength"
             raise ConditionError(problem, KNOWN)
-    brackets, endings = units_in(title)
-    other_units = [part for part in brackets if _is_of_another(part)]
-    other_units += filter(_is_of_a_detector, endings)
-    if other_units:
-        problem = f"values in {quote(other_units[0])} are not light, or in an unknown unit"
-        raise ConditionError(problem, KNOWN)
     if LUMENS.search(text):
         raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
     if PHOTONS.search(text):
@@ -320,14 +311,6 @@ def _is_word(unit: Unit, facts: Reading) -> bool:
     is_of_all = not (facts.axis or facts.area or facts.solid_angle or unit.is_scale)
     is_known = facts.kind == PHOTON or (facts.kind == RADIANT and not facts.time)
     return is_of_all and is_known and len(unit.atoms) == 1
-
-
-def _is_of_another(part: str) -> bool:
-    """Return whether a bracketed text is a unit of no light, or a ratio of unknown units."""
-    unit = unit_of(part)
-    if unit:
-        return unit.dimension != NUMBER
-    return "/" in part and not RELATIVE.search(plain(part))
 
 
 def _is_of_a_detector(part: str) -> bool:
