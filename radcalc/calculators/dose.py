@@ -196,7 +196,7 @@ class SummedLog(NamedTuple):
         return self.duration > DAY * (1 + SLACK)
 
     def check(self) -> None:
-        """Refuse a log with too few samples, or without covered time."""
+        """Refuse a log with too few samples, without covered time, or of noise alone."""
         dose = self.dose
         if dose.count < 2:
             problem = "one sample is not enough" if dose.count else "there is no sample"
@@ -207,6 +207,9 @@ class SummedLog(NamedTuple):
                 "every step is a gap, so there is nothing to add up",
                 f"{option('max-gap', longest)}, which bridges all of them",
             )
+        if sum(period.total + period.low for period in dose.periods) < 0:
+            problem = "the samples add up to less than 0, so all of them are a meter's noise"
+            raise ConditionError(problem, "samples with light")
 
     def refuse_dli(self, by: str, is_check: bool) -> None:
         """Refuse a DLI, which is the sum of one day, of each hour or of more than a day."""

@@ -18,7 +18,7 @@ from conftest import run
 from radcalc import dose
 from radcalc.errors import RadcalcError
 
-SHORT, LONG = 300, 20_000
+SHORT, LONG = 120, 20_000
 LUX, WATTS, PHOTONS = "lm/m2", "W/m2", "umol/m2/s"
 # Titles of light, with the number of SI (umol for photons) that 1 in the column is.
 TITLES = {

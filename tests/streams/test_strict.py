@@ -122,7 +122,8 @@ TOLD = [
     (of("E [lx]", "101"), {"dark": "1 lx"}, 3.6e5),
     (of("E [klx]", "0.101"), {"dark": "1 lx"}, 3.6e5),
     (of("E [lx]", "100"), {"dark": 100}, 0),
-    (of("E [lx]", "1"), {"dark": 3}, 3600 * -2),  # noise around the dark value
+    ("t_s,E [lx]\n0,1\n10,9\n", {"dark": 3}, 20),  # -2 and 6 lx, of which one is noise
+    (of("E [lx]", "1"), {"dark": 3}, "add up to less than 0"),
     (of("E [lx]", "1"), {"dark": 0.4, "missing": "1"}, "there is no sample"),
     (of("E [lx]", "1"), {"dark": "3 W"}, "is not in lx"),
     (of("E [lx]", '"1,000"'), {"thousands": ","}, 3.6e6),
