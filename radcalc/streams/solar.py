@@ -38,16 +38,8 @@ NO_LIGHT = re.compile(r"\bnet\b|temp|\bstd", re.IGNORECASE)  # MIDC has temperat
 # -99999, -7999 and the like of others.
 LEAST, MOST, MOST_LUX = -900.0, 9999.0, 999900.0
 BAD_FLAGS = (1, 3)  # of the network: of SURFRAD and SOLRAD, and of CRN
-# Networks of pyranometers, whose zero at night is as low as -4 W/m2: the physically possible limits
-# of BSRN (C. N. Long and E. G. Dutton, recommended QC tests V2.0).
-OF_PYRANOMETERS = (
-    signatures.BSRN,
-    signatures.SURFRAD,
-    signatures.SOLRAD,
-    signatures.MIDC,
-    signatures.MIDC_RAW,
-    signatures.CRN,
-)
+# The zero of a pyranometer at night [W/m2]: the physically possible limit of BSRN (C. N. Long and
+# E. G. Dutton, recommended QC tests V2.0).
 ZERO_OF_PYRANOMETERS = -4.0
 OFFSET = re.compile(r"Irradiance Time Offset \(h\):\s*(-?\d+(?:\.\d+)?)")  # of PVGIS
 PER_HOUR = re.compile(r"^DATA PERIODS,\d+,(?!1,)(\d+)", re.MULTILINE)
@@ -55,24 +47,31 @@ COMMON_YEAR, LEAP_YEAR = 2001, 2000  # of the months of several years
 
 
 class Format(NamedTuple):
-    """What the values of a format are: a setting of `--samples`, and words for it."""
+    """What the values of a format are: a setting of `--samples`, words for it, the least zero."""
 
     samples: str
     words: str
+    least: float = 0.0
 
 
 SATELLITE = Format(POINTS, "values at the times of satellite pictures")
-END_OF_MINUTES = Format(MEANS_BEFORE, "means of minutes, labelled at their end")
+END_OF_MINUTES = Format(
+    MEANS_BEFORE, "means of minutes, labelled at their end", ZERO_OF_PYRANOMETERS
+)
 FORMATS = {
     signatures.EPW: Format(MEANS, "means of hours, labelled at their start (hour 1 is 00:00)"),
     signatures.TMY3: Format(MEANS_BEFORE, "means, labelled at the end of their interval"),
     signatures.NSRDB: Format(MEANS_CENTRED, "values for the interval around their time"),
-    signatures.BSRN: Format(MEANS, "means of minutes, labelled at their start"),
+    signatures.BSRN: Format(
+        MEANS, "means of minutes, labelled at their start", ZERO_OF_PYRANOMETERS
+    ),
     signatures.SURFRAD: END_OF_MINUTES,
     signatures.SOLRAD: END_OF_MINUTES,
     signatures.MIDC: END_OF_MINUTES,
     signatures.MIDC_RAW: END_OF_MINUTES,
-    signatures.CRN: Format(MEANS_BEFORE, "means of five minutes, labelled at their end"),
+    signatures.CRN: Format(
+        MEANS_BEFORE, "means of five minutes, labelled at their end", ZERO_OF_PYRANOMETERS
+    ),
     signatures.PVGIS: SATELLITE,
     signatures.PVGIS_TMY: SATELLITE,
     signatures.CAMS: Format(MEANS, "means of their period, labelled at its start"),
@@ -121,8 +120,8 @@ def read(kind: str, name: str, lines: Sequence[str]) -> SunTable:
         ) from None
     if len(table[0].split("\t")) < 2:
         raise ConditionError(f"{name} is {kind} without a column of light", AS_DOWNLOADED)
-    least = ZERO_OF_PYRANOMETERS if kind in OF_PYRANOMETERS else 0.0
-    return SunTable(table, of_format.samples, f"{kind}: {of_format.words}{assumption}", least)
+    said = f"{kind}: {of_format.words}{assumption}"
+    return SunTable(table, of_format.samples, said, of_format.least)
 
 
 def _lines(frame: Any) -> list[str]:

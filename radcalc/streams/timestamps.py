@@ -185,7 +185,10 @@ def pattern_of(text: str, title: str, others: Iterable[str] = ()) -> Pattern:
         if len(orders) == 1:
             which = "day" if orders == ["dmY"] else "month"
             assumption = f"'{quote(parts[0])}' shows that the {which} is first"
-    form = f"{re.escape(joint)} ?".join(DIRECTIVES[part] for part in orders[0])
+    fields = [DIRECTIVES[part] for part in orders[0]]
+    if len(orders) > 1:  # 05/05/2018 alone so far: a date that shows the order later is refused
+        fields[1] = r"(?P<m>(?P=d))"
+    form = f"{re.escape(joint)} ?".join(fields)
     return Pattern(re.compile(form, re.ASCII), None, mark, assumption)
 
 

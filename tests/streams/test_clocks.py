@@ -141,6 +141,13 @@ def test_a_malformed_or_ambiguous_time_is_refused(text, told, said):
     assert refused.value.hint
 
 
+def test_dates_of_one_reading_do_not_decide_the_order_of_a_later_one():
+    clock = clock_for("05/05/2018 12:00", TimeSettings(), ["05/05/2018 13:00"])
+    assert clock.one("05/05/2018 13:00") == utc("2018-05-05T13:00")
+    with pytest.raises(RadcalcError, match="not a date and time"):
+        clock.one("05/06/2018 00:00")  # 5 June or 6 May, beyond the lines that were read first
+
+
 def test_an_offset_is_in_all_stamps_or_in_none():
     clock = clock_for("2024-06-01T12:35Z", TimeSettings())
     with pytest.raises(RadcalcError, match="no offset"):
