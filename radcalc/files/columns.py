@@ -46,6 +46,14 @@ def cells(line: str, delimiter: str | None) -> list[str]:
     return [cell.strip().strip('"').strip() for cell in parts]
 
 
+def cells_alone(line: str, delimiter: str | None = None) -> list[str]:
+    """Return the cells of a line of which no more is known: by its own delimiter, if none is given.
+
+    Those of a table are cut by the delimiter of the table.
+    """
+    return cells(line, delimiter or dialect(line)[0])
+
+
 def is_comment(line: str) -> bool:
     """Return whether a line is a comment."""
     return line.lstrip().startswith(COMMENTS)
@@ -66,7 +74,7 @@ def titles_in_comments(
 ) -> list[str]:
     """Return the titles in the last comment with that many columns, if any."""
     for comment in reversed(comments):
-        titles = cells(comment, delimiter or dialect(comment)[0])
+        titles = cells_alone(comment, delimiter)
         if len(titles) == width and not is_number(titles[0], False):
             return titles
     return []
@@ -231,7 +239,7 @@ class Table:
     @property
     def units_above(self) -> dict[str, str]:
         """The units that a row before the table gives by the titles above it: GHI Units, w/m2."""
-        rows = [cells(line, dialect(line)[0]) for _, line in self.preamble[:MOST_PAIRS]]
+        rows = [cells_alone(line) for _, line in self.preamble[:MOST_PAIRS]]
         return {
             plain(key).removesuffix(UNITS): value
             for keys, values in pairwise(rows)
@@ -444,7 +452,7 @@ class Head:
         return self.error(number, problem, TITLES)
 
     def is_row(self, line: str, is_named: bool) -> bool:
-        return self.is_data(cells(line, self.typed or dialect(line)[0]), is_named)
+        return self.is_data(cells_alone(line, self.typed), is_named)
 
     def _delimiter(self, above: Sequence[NumberedLine], line: str) -> str | None:
         """Return the delimiter of the table: that of its titles, if they have as many cells."""

@@ -17,7 +17,7 @@ from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import read_title, refuse_uncalibrated
 from radcalc.spectra.files import is_spectrum
 from radcalc.streams.log_layout import MISSING, FirstRows, LogHead, LogSettings, blocks_of
-from radcalc.streams.samples import LEAST, MARKED
+from radcalc.streams.samples import MARKED
 from radcalc.units import Unit
 
 LUMINAIRE, MAP, SPECTRUM, LOG, SCENE, TABLE = (
@@ -29,6 +29,7 @@ LUMINAIRE, MAP, SPECTRUM, LOG, SCENE, TABLE = (
     "table",
 )
 HEAD = 1 << 20  # bytes that are examined
+LEAST = -999.0  # marks of missing values, as in MARKED, are not greater
 KNOWN = (
     "a luminaire (IES, EULUMDAT), a map (.hdr, .exr, .pfm), a spectrum, a log or another table "
     "of numbers"
@@ -155,7 +156,7 @@ def _of_text(lines: list[str], name: str) -> Contents | None:
 def _is_scene(lines: Sequence[str]) -> bool:
     """Return whether one of the first lines has the titles of a scene, whose cells may be texts."""
     for line in lines[:MOST_BEFORE]:
-        titles = columns.cells(line, columns.dialect(line)[0])
+        titles = columns.cells_alone(line)
         if any(map(X.match, titles)):
             from radcalc.calculators.scene_rows import is_scene  # which needs NumPy
 

@@ -80,7 +80,7 @@ def is_spectrum(lines: Lines) -> bool:
     try:
         head = SpectrumHead(partial(refusal, ""), rows)
     except ConditionError:  # of doubtful titles, which the reader reports
-        cells = [(columns.cells(line, columns.dialect(line)[0]) or [""]) for _, line in rows]
+        cells = [(columns.cells_alone(line) or [""]) for _, line in rows]
         first = next((k for k, row in enumerate(cells) if is_number(row[0])), 0)
         return any(map(_has_wavelengths, lines[max(first - 2, 0) : first]))
     table = head.table
@@ -107,7 +107,7 @@ def _are_likely(grid: Sequence[float]) -> bool:
 
 def _has_wavelengths(line: str) -> bool:
     """Return whether a line is a title of wavelengths, or has one."""
-    cells = columns.cells(line, columns.dialect(line)[0])
+    cells = columns.cells_alone(line)
     return any(map(_is_of_wavelengths, (*cells, line)))
 
 

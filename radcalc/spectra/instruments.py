@@ -117,7 +117,7 @@ def _figures(lines: Sequence[str]) -> Mapping[str, Figure]:
     names = {spelling: name for name, spellings in FIGURES.items() for spelling in spellings}
     figures = {}
     for line in lines:
-        cells = columns.cells(line, columns.dialect(line)[0])
+        cells = columns.cells_alone(line)
         name = names.get(columns.plain(cells[0]), "") if len(cells) > 1 else ""
         if name:
             number = columns.finite(cells[1], True)

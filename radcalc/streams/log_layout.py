@@ -211,7 +211,7 @@ class FirstRows(Head):
 
     def skipped(self, rows: Sequence[NumberedLine]) -> int:
         """Return the row of titles of the largest table, if there are several; else 0."""
-        cells = [columns.cells(line, self.typed or columns.dialect(line)[0]) for _, line in rows]
+        cells = [columns.cells_alone(line, self.typed) for _, line in rows]
         starts = [
             k
             for k in range(1, len(rows) - 1)
@@ -236,7 +236,7 @@ class FirstRows(Head):
         refusal: errors.UsageError | None = None
         widest = 0
         for k, (_, line) in enumerate(rows):
-            cells = columns.cells(line, self.typed or columns.dialect(line)[0])
+            cells = columns.cells_alone(line, self.typed)
             try:
                 for name in wanted:
                     find(cells, name, self.name)

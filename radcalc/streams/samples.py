@@ -43,7 +43,6 @@ from radcalc.units.table import resolve
 
 FEW = 32  # lines read one by one
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # loggers mark missing values so: -9999.9
-LEAST = -999.0  # such marks are not greater
 THOUSANDS = re.compile(r"[-+]?\d{1,3}(?:,\d{3})+(?:\.\d*)?")
 ANY = "*"  # of a column that chooses rows
 BLANK = frozenset(MISSING)
