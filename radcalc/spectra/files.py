@@ -146,8 +146,8 @@ class SpectrumHead(Head):
     def is_row(self, line: str, is_named: bool) -> bool:
         delimiter, _ = columns.dialect(line)
         first, *others = columns.cells(line, delimiter)
-        words = sum(not is_number(cell) for cell in others)
-        return is_number(first) and (bool(delimiter) or words < WORDS)
+        words = (cell for cell in others if not is_number(cell))
+        return is_number(first) and (bool(delimiter) or sum(1 for _ in words) < WORDS)
 
     def skipped(self, rows: Sequence[tuple[int, str]]) -> int:
         """Return where titles of wavelengths are below another table, as of a meter's results."""
