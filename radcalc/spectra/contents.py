@@ -34,6 +34,7 @@ class Contents(NamedTuple):
     notes: tuple[str, ...] = ()
     figures: Mapping[str, Figure] = NO_FIGURES
     has_commas: bool = False  # numbers may have decimal commas
+    divisor: float = 1.0  # of the values
 
 
 CLOSE = 0.01  # relative deviation by other tables of the same spectrum

@@ -270,7 +270,7 @@ class _Reader:
         table = TextTable(self.error, None if contents.has_commas else ",", 2)
         for number, place, value in contents.rows:
             self.grid.append(table.number(place, number, is_value=False))
-            self.values.append(table.number(value, number))
+            self.values.append(table.number(value, number) / contents.divisor)
             self.lines.append(number)
         table.finish()
         if self.typed:

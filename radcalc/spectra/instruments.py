@@ -10,7 +10,9 @@ They do not state the unit of the spectrum; it is the unit that reproduces the i
 meter.
 
 CGATS files, of X-Rite's and other instruments, have a row per sample and a column per wavelength.
-Most contain the reflectances of a chart; light is data that the file calls emission or ambient.
+Most contain the reflectances of a chart; light is data that the file calls emission or ambient, or
+a .ccss (spectra of a display).  In the files of ArgyllCMS, SPECTRAL_NORM divides the values, and
+the wavelengths in the titles of the columns are rounded to 1 nm [1]_.
 
 IES TM-27-14 (spdx): XML files of spectral data, in nanometres and SI units, or relative.  The names
 of elements may have the namespace of the standard, another one or none.
@@ -25,6 +27,10 @@ Files of Ocean Optics' programs (OceanView, SpectraSuite, Jaz) have a preamble b
 A table of Jaz has the columns W (wavelength), D (dark), R (reference, optional), S (sample) and P
 (processed).  The files do not state that P of an absolute irradiance is in uW/cm2/nm; the R package
 photobiologyInOut reads it so.
+
+References
+----------
+.. [1] ArgyllCMS, xicc/xspect.c (`read_nxspect`, `getval_lxspec`) and xicc/ccss.c.
 """
 
 import re
@@ -134,6 +140,9 @@ BAND_TITLE = re.compile(
 )
 KEYS = ("MEAS_TYPE", "MEASUREMENT_SOURCE", "MEASUREMENT_TYPE", "MEASUREMENT_MODE")
 EMITTED = re.compile(r"\b(?:emission|emissive|emitted|ambient|telephoto)", re.IGNORECASE)
+CCSS = "CCSS"  # in the first line: spectra of a display
+NORM = "SPECTRAL_NORM"
+GRID = ("SPECTRAL_BANDS", "SPECTRAL_START_NM", "SPECTRAL_END_NM")
 SHOWN = 5
 
 
@@ -153,7 +162,8 @@ def read_cgats(lines: Sequence[str], name: str, column: str) -> Contents:
         raise refusal(name, number, "no columns of wavelengths", "columns such as nm380, nm390")
     data, last = _section(lines, name, DATA)
     facts = dict(map(_keyword, lines[:last]))
-    if not any(EMITTED.search(facts.get(key, "")) for key in KEYS):
+    is_light = lines[0].strip() == CCSS or any(EMITTED.search(facts.get(key, "")) for key in KEYS)
+    if not is_light:
         problem = "the file does not state that this is light: it may be a reflectance of samples"
         raise refusal(name, 0, problem, f'{KEYS[0]} "EMISSION" in the file, where it is light')
     rows = [(number, columns.cells(line, "\t" if "\t" in line else None)) for number, line in data]
@@ -164,8 +174,26 @@ def read_cgats(lines: Sequence[str], name: str, column: str) -> Contents:
     _hold(name, facts, "NUMBER_OF_FIELDS", len(titles), "fields")
     _hold(name, facts, "NUMBER_OF_SETS", len(rows), "rows")
     number, cells = _chosen(rows, titles, name, column)
-    values = [(number, band, cells[k]) for k, band in bands]
-    return Contents(values, (RELATIVE_WATTS,), has_commas=True)
+    places = _exact(name, facts, [band for _, band in bands])
+    values = [(number, place, cells[k]) for place, (k, _) in zip(places, bands, strict=True)]
+    norm = columns.finite(facts.get(NORM, "1"), False)
+    if not norm or norm < 0:
+        raise refusal(name, 0, f"{NORM} is {quote(facts[NORM])}", "a number above 0")
+    notes = (f"its values are divided by its {NORM} of {norm:g}",) if norm != 1 else ()
+    return Contents(values, (RELATIVE_WATTS,), notes, has_commas=True, divisor=norm)
+
+
+def _exact(name: str, facts: dict[str, str], titles: list[str]) -> list[str]:
+    """Return the wavelengths by the keywords of ArgyllCMS, whose titles are rounded to 1 nm."""
+    count, start, end = (columns.finite(facts.get(key, ""), False) for key in GRID)
+    if count is None or start is None or end is None:
+        return titles
+    exact = [start + k * (end - start) / (len(titles) - 1) for k in range(len(titles))]
+    differences = [abs(x - float(title)) for x, title in zip(exact, titles, strict=True)]
+    if count != len(titles) or max(differences) > 0.5:
+        problem = f"the columns of wavelengths do not agree with {', '.join(GRID)}"
+        raise refusal(name, 0, problem, "the whole file")
+    return [f"{x:.10g}" for x in exact]
 
 
 def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[int, str]], int]:

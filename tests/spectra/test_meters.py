@@ -9,6 +9,7 @@ import pytest
 
 from radcalc.errors import RadcalcError
 from radcalc.spectra.files import read_file
+from radcalc.spectra.observers import OBSERVERS
 
 KM = 683.002  # lm/W; h c N_A = 0.11962656564 J m/mol and Km of the SI
 # 1 W/m2/nm from 380 nm to 780 nm is 400 W/m2; the illuminance is Km times 106.857 nm, the sum of
@@ -303,6 +304,60 @@ def test_the_spectrum_of_an_argyll_file_is_read(tmp_path):
     for measured in ("TRANSMISSIVE", "REFLECTIVE", "SENSITIVITY"):
         with pytest.raises(RadcalcError, match="the file does not state that this is light"):
             read_file(save(tmp_path, ARGYLL.replace("EMISSION", measured)))
+
+
+def test_the_norm_of_an_argyll_file_divides_its_values(tmp_path):
+    """As in getval_lxspec of ArgyllCMS."""
+    normed = replaced(ARGYLL, 'NORM "1.000000"', 'NORM "100.000000"')
+    table = read_file(save(tmp_path, normed))
+    assert list(table.values) == pytest.approx([0.01, 0.03, 0.02])
+    assert table.notes[0] == "its values are divided by its SPECTRAL_NORM of 100"
+    for bad in ("0.0", "-1", "nan", "x"):
+        with pytest.raises(RadcalcError, match="SPECTRAL_NORM is"):
+            read_file(save(tmp_path, replaced(ARGYLL, "1.000000", bad)))
+    bands = range(400, 701, 10)
+    even = (
+        f'SPECT\nMEAS_TYPE "EMISSION"\nSPECTRAL_NORM "100.0"\nNUMBER_OF_FIELDS {len(bands)}\n'
+        f"BEGIN_DATA_FORMAT\n{' '.join(f'SPEC_{nm}' for nm in bands)}\nEND_DATA_FORMAT\n"
+        f"NUMBER_OF_SETS 1\nBEGIN_DATA\n{'50.0 ' * len(bands)}\nEND_DATA\n"
+    )
+    # the sum of CIE's V(lambda) from 400 to 700 nm in steps of 1 nm is 106.79
+    lumens = read_file(save(tmp_path, even), unit="mW/m2/nm").lumens(OBSERVERS["photopic"])
+    assert lumens == pytest.approx(683 * 0.5e-3 * 106.79, rel=2e-4)
+
+
+def ccss(bands, start, end, titles):
+    """Spectra of a display, as ccss.c of ArgyllCMS writes them: titles are rounded to 1 nm."""
+    values = "\n".join(
+        f"{row} " + " ".join(f"{row}.{k}" for k in range(len(titles))) for row in (1, 2)
+    )
+    columns = " ".join(f"SPEC_{nm}" for nm in titles)
+    return (
+        f'CCSS   \n\nDESCRIPTOR "x"\nDISPLAY "y"\nSPECTRAL_BANDS "{bands}"\n'
+        f'SPECTRAL_START_NM "{start}"\nSPECTRAL_END_NM "{end}"\n\n'
+        f"NUMBER_OF_FIELDS {1 + len(titles)}\n"
+        f"BEGIN_DATA_FORMAT\nSAMPLE_ID {columns}\nEND_DATA_FORMAT\n\nNUMBER_OF_SETS 2\n"
+        f"BEGIN_DATA\n{values}\nEND_DATA\n"
+    )
+
+
+def test_a_ccss_has_light_at_exact_wavelengths(tmp_path):
+    """From 350 to 740 nm in 118 bands the step is 10/3 nm; titles: ref/CRT.ccss of ArgyllCMS."""
+    path = save(tmp_path, ccss(4, "350.000000", "360.000000", [350, 353, 357, 360]))
+    with pytest.raises(RadcalcError, match="there are 2 samples"):
+        read_file(path)
+    table = read_file(path, "2")
+    assert list(table.grid) == pytest.approx([350, 353 + 1 / 3, 356 + 2 / 3, 360], abs=1e-6)
+    assert list(table.values) == [2.0, 2.1, 2.2, 2.3]
+    assert "relative watts" in table.described
+    for bands, start, titles in (
+        (5, "350.0", [350, 353, 357, 360]),
+        (1, "350.0", [350, 353, 357, 360]),
+        (4, "340.0", [350, 353, 357, 360]),
+        (4, "350.0", [350, 354, 357, 360]),
+    ):
+        with pytest.raises(RadcalcError, match="do not agree with SPECTRAL_BANDS"):
+            read_file(save(tmp_path, ccss(bands, start, "360.0", titles)), "2")
 
 
 CGATS = (
