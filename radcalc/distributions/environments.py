@@ -299,7 +299,7 @@ def of_picture(
     factor, kind = unit_of(picture, unit)
     statements, overruled = _file_statements(picture, unit, projection, field)
     alone = list[str]()
-    if channel:
+    if channel and not picture.is_chosen:
         picture = channel_of(picture, channel)
         if picture.channels != Y:
             alone.append(f"the channel {quote(picture.channels[0])} alone")
@@ -349,10 +349,8 @@ def channel_of(picture: "Picture", channel: str) -> "Picture":
     """Return a picture with one channel, in any case; raise a ConditionError without it."""
     names = [name.lower() for name in picture.channels]
     if channel.lower() not in names:
-        raise errors.ConditionError(
-            f"the map has no channel '{quote(channel)}'",
-            [errors.add("channel", name) for name in picture.channels],
-        )
+        problem = f"the map has no channel '{quote(channel)}'"
+        raise errors.ConditionError(problem, errors.leave_out("channel"))
     place = names.index(channel.lower())
     pixels = picture.pixels[:, :, place : place + 1]
     return picture._replace(
@@ -499,23 +497,26 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
     names = picture.channels
     if len(names) == 1:
         return Weighted((1.0,))
+    # of a file that declares these primaries, the weights have more digits
+    is_709 = numpy.allclose(picture.weights, REC_709, atol=1e-4)
     if kind in ("", LUMINOUS):
         sums = _sum(picture.weights, names)
         assumption, reference = f"the luminance is {sums}", ""
-        if picture.weights == REC_709:
+        if is_709:
             assumption, reference = f"{assumption}, of Rec. 709's primaries", "ITU-R BT.709"
         elif names == RGB:
             assumption += ", of the map's primaries"
         return Weighted(picture.weights, assumption, f"L = {sums}", reference)
-    if kind == RADIANT and names == RGB:
-        weights = BRIGHTNESS if picture.weights == REC_709 else picture.weights
+    # R, G and B are X, Y and Z if only the second has a luminance
+    if kind == RADIANT and names == RGB and picture.weights[::2] != (0.0, 0.0):
+        weights = BRIGHTNESS if is_709 else picture.weights
         sums = _sum(weights, names)
         primaries = "of Radiance's primaries" if weights == BRIGHTNESS else "of the map's primaries"
         assumption = f"the radiance is {sums}, {primaries}"
         return Weighted(weights, assumption, f"L = {sums}", RADIANCE, EFFICACY)
     raise errors.MissingInput(
         f"{', '.join(names)} have no sum that is a radiance in this unit",
-        [errors.add("channel", name) for name in names],
+        errors.option("unit", "cd/m2"),
     )
 
 

@@ -456,7 +456,7 @@ _ROWS = (
     _text(UNIT, "unit", "a unit of radiance", "cd/m2",
         "Unit of the map's values: cd/m2, W/m2/sr ...; 1 for relative values."),
     _text(WORD, "channel", "the name of a channel", "Y",
-        "Channel of the map to use (default: the luminance of all channels)."),
+        "Channel or layer of the map to use (default: the luminance of R, G, B)."),
     _symbol(NUMBER, "coverage", "", label="covered share of the sphere"),
     # The cinematographer's light.
     _text(POINT, "point", "a point", "X,Y,Z", ""),

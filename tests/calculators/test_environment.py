@@ -6,6 +6,7 @@ import math
 import re
 
 import numpy
+import OpenImageIO
 import pytest
 from conftest import python, run
 from distributions.maps import hdr
@@ -232,19 +233,71 @@ def test_the_unit_of_a_map_is_in_the_file_or_given(tmp_path):
     )
 
 
-def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path):
-    """A channel with any name and the value 7 everywhere."""
-    made = str(tmp_path / "blue.exr")
+@pytest.mark.parametrize("channel", ["B", "L"])
+def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path, channel):
+    """A channel with any name and the value 7 everywhere; blue alone is not proposed."""
+    made = str(tmp_path / "one.exr")
     pixels = numpy.full((16, 32, 1), 7.0, numpy.float32)
-    write_picture(made, Picture(pixels, ("B",), (1.0,), "", "1", "latlong"))
-    words = ["--unit", "1", "--channel", "b"]
+    write_picture(made, Picture(pixels, (channel,), (1.0,), "", "1", "latlong"))
+    words = ["--unit", "1", "--channel", channel.lower()]
     done = run("environment", made, "--unit", "1")
     assert done.returncode == 2
-    call = f"radcalc environment {made} --unit 1 --channel B"
+    call = f"radcalc environment {made} --unit 1 --channel L"
     # pi times the radiance of 7
-    assert f"it has B\ntry: {call}\n     irradiance 21.9911 sr" in done.stderr
+    hint = f"{call}\n     irradiance 21.9911 sr" if channel == "L" else "a picture with R, G and B"
+    assert f"it has {channel}\ntry: {hint}" in done.stderr
     assert asked(made, *words, "-g", "mean-radiance") == pytest.approx([7])
-    assert "assumed: the channel B alone\n" in run("environment", made, *words).stderr
+    assert f"assumed: the channel {channel} alone\n" in run("environment", made, *words).stderr
+
+
+def test_a_layer_is_a_map_of_its_colours(tmp_path):
+    """R, G and B of 1, 2 and 0.1: 0.2126 + 2 x 0.7152 + 0.1 x 0.0722, and 0.265 + 2 x 0.67 ..."""
+    spec = OpenImageIO.ImageSpec(16, 8, 3, "float")
+    for names, channel in ((".R .G .B", ()), ("beauty.R beauty.G beauty.B", ("beauty",))):
+        path, spec.channelnames = str(tmp_path / "layer.exr"), names.split()
+        file = OpenImageIO.ImageOutput.create(path)
+        assert file.open(path, spec)
+        assert file.write_image(numpy.full((8, 16, 3), [1, 2, 0.1], numpy.float32))
+        file.close()
+        words = [path, *(word for name in channel for word in ("--channel", name))]
+        found = asked(*words, "--unit", "cd/m2", "-g", "illuminance:lx")
+        assert found == pytest.approx([math.pi * (0.2126 + 2 * 0.7152 + 0.1 * 0.0722)])
+        found = asked(*words, "--unit", "W/m2/sr", "-g", "irradiance:W/m2")
+        assert found == pytest.approx([math.pi * (0.265 + 2 * 0.67 + 0.1 * 0.065)])
+    done = run("environment", path, "--unit", "cd/m2")
+    assert done.returncode == 2
+    assert f"try: radcalc environment {path} --unit cd/m2 --channel beauty\n" in done.stderr
+
+
+@pytest.mark.parametrize("picture", ["X Y Z", "lin_ciexyzd65_scene", "lin_rec709_scene", "hdr"])
+def test_tristimulus_values_have_a_luminance_and_no_radiance(tmp_path, picture):
+    """2, 1, 5 as X, Y, Z; as R, G, B of Rec. 709 they are a radiance as without a declaration."""
+    path = str(tmp_path / ("map.hdr" if picture == "hdr" else "map.exr"))
+    pixels = numpy.full((8, 16, 3), [2, 1, 5], numpy.float32)
+    spec = OpenImageIO.ImageSpec(16, 8, 3, "float")
+    if picture == "X Y Z":
+        spec.channelnames = picture.split()
+    elif picture != "hdr":
+        spec.attribute("oiio:ColorSpace", picture)
+    file = OpenImageIO.ImageOutput.create(path)
+    assert file.open(path, spec)
+    assert file.write_image(pixels)
+    file.close()
+    if picture == "hdr":
+        with open(path, "rb") as made:
+            data = made.read()
+        with open(path, "wb") as made:
+            made.write(data.replace(b"\n\n", b"\nPRIMARIES=1 0 0 1 0 0 .3333 .3333\n\n", 1))
+    if picture == "lin_rec709_scene":
+        found = asked(path, "--unit", "W/m2/sr", "-g", "mean-radiance")
+        assert found == pytest.approx([2 * 0.265 + 0.67 + 5 * 0.065])
+        return
+    assert asked(path, "--unit", "cd/m2", "-g", "mean-luminance") == pytest.approx([1])
+    for unit in ("W/m2/sr", "umol/m2/s/sr"):
+        done = run("environment", path, "--unit", unit)
+        assert done.returncode == 2
+        assert "have no sum that is a radiance in this unit\n" in done.stderr
+        assert f"try: radcalc environment {path} --unit cd/m2\n" in done.stderr
 
 
 @pytest.mark.parametrize("extension", [".hdr", ".exr"])
@@ -325,19 +378,9 @@ def test_the_derivation_has_the_weights_of_channels(tmp_path):
         ((16, 32), "--unit 1 --toward 60deg", "60deg has no azimuth", "--toward 60deg,90deg"),
         ((16, 16), "--unit 1 --projection latlong", "not a latlong map", "twice as wide"),
         ((16, 32), "--unit 1 --projection angular", "not an angular map", "square"),
-        ((16, 32), "--unit 1 --channel R", "no channel 'R'", "--channel Y"),
-        (
-            (16, 32, 3),
-            "--unit umol/m2/s/sr",
-            "R, G, B have no sum",
-            [f"--unit umol/m2/s/sr --channel {channel}" for channel in "RGB"],
-        ),
-        (
-            (16, 32, 3),
-            "--unit 1 --channel x",
-            "no channel 'x'",
-            [f"--unit 1 --channel {channel}" for channel in "RGB"],
-        ),
+        ((16, 32), "--unit 1 --channel R", "no channel 'R'", "--unit 1"),
+        ((16, 32, 3), "--unit umol/m2/s/sr", "R, G, B have no sum", "--unit cd/m2"),
+        ((16, 32, 3), "--unit 1 --channel x", "no channel 'x'", "--unit 1"),
         ((16, 32), "--unit 1 --sun-elevation 9deg", "--sun-elevation does not apply to a map", ""),
         ((16, 32), "--unit 1 --spectrum D65", "--spectrum does not apply to relative", ""),
         ((16, 32), "--unit 1 --aim 0,0,0", "--aim '0,0,0'", ""),

@@ -7,8 +7,8 @@ tuple of str).  They raise a ConditionError for a bad file or picture; this modu
 A portable float map (.pfm) has three lines of text, and 32-bit floats of one or three channels.
 Rows begin at the bottom, as in Debevec's HDR Shop and Netpbm's pfm(5); Photoshop begins at the top,
 which cannot be seen from the file.  The sign of the scale in the third line is the byte order
-(negative: little-endian).  Its absolute value multiplies all pixels here, as in OpenImageIO and
-pbrt; other programs ignore it.
+(negative: little-endian); a picture that has radiances only in the other order is refused.  Its
+absolute value multiplies all pixels here, as in OpenImageIO and pbrt; other programs ignore it.
 """
 
 import re
@@ -65,6 +65,8 @@ class Picture(NamedTuple):
         World directions of its middle and of its top.
     grain : float
         Largest error of a channel by its encoding, as a share of the pixel's brightest channel.
+    is_chosen : bool
+        Whether the pixels are the channel or the layer that the user named.
     """
 
     pixels: Any
@@ -81,13 +83,14 @@ class Picture(NamedTuple):
     aim: Vector | None = None
     up: Vector | None = None
     grain: float = 0.0
+    is_chosen: bool = False
 
 
 def read_picture(path: str, channel: str = "") -> Picture:
     """Read a picture in a format that its first bytes identify: Radiance, OpenEXR or PFM.
 
     Negative values become 0 if their sum is less than a millionth of all, as after lossy encoding.
-    `channel` selects a channel of an OpenEXR picture.
+    `channel` selects a channel or a layer of an OpenEXR picture.
 
     Raises
     ------
@@ -227,6 +230,7 @@ PFM = "PFM"
 PFM_HEADER = re.compile(rb"P([Ff])\s+(-?\d{1,15})\s+(-?\d{1,15})\s+([^\s]{1,40})\s")
 PFM_FORM = "PF or Pf, width and height, and a scale that is not 0, in three lines"
 PFM_BLOCK = 1 << 20  # floats to write at a time
+USUAL = (1e-30, 1e30)  # limits of the greatest value of a picture, in any unit
 
 
 def read_pfm(data: bytes, name: str) -> Picture:
@@ -255,6 +259,12 @@ def read_pfm(data: bytes, name: str) -> Picture:
         problem = f"{name} has {len(data) - start} bytes of pixels, but its size requires {size}"
         raise ConditionError(problem, "the complete file")
     stored = np.frombuffer(data, "<f4" if scale < 0 else ">f4", offset=start)
+    if not _is_usual(stored) and _is_usual(other := stored.view(stored.dtype.newbyteorder())):
+        problem = f"{name} has values up to {stored.max():.3g} in the byte order of its scale"
+        raise ConditionError(
+            f"{problem}, and up to {other.max():.3g} in the other one",
+            f"a copy whose scale, in its third line, has the other sign: {-scale:g}",
+        )
     pixels = np.array(stored.reshape(height, width, -1)[::-1], np.float32)
     notes: tuple[str, ...] = ()
     if abs(scale) != 1:
@@ -264,6 +274,12 @@ def read_pfm(data: bytes, name: str) -> Picture:
     if len(channels) == 1:
         return Picture(pixels, channels, (1.0,), PFM, notes=notes)
     return Picture(pixels, channels, REC_709, PFM, assumptions=(BY_REC_709,), notes=notes)
+
+
+def _is_usual(values: Any) -> bool:
+    """Return whether the values, negative noise apart, are of a size that radiances have."""
+    least, most = values.min(), values.max()
+    return bool(USUAL[0] < most < USUAL[1] and least > -most) or most == least == 0
 
 
 def write_pfm(path: str, picture: Picture) -> tuple[str, ...]:

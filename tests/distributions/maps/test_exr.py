@@ -7,11 +7,12 @@ import sys
 
 import numpy as np
 import OpenEXR
+import OpenImageIO
 import pytest
 
 from radcalc.distributions.maps import exr
 from radcalc.distributions.maps.pictures import Picture, read_picture, write_picture
-from radcalc.errors import ConditionError, option
+from radcalc.errors import ConditionError, Try, add
 
 RGB = ("R", "G", "B")
 ACES = (0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.0770, 0.32168, 0.33767)  # AP0
@@ -109,6 +110,195 @@ def test_luminance_follows_the_primaries_of_the_file(chromaticities, weights):
     assert found.weights == pytest.approx(weights, abs=1e-6)
 
 
+# The linear spaces: ASWF Color Interop Forum, Color Space Encodings for Texture Assets, 1.1.0.
+D60, D65 = (0.32168, 0.33767), (0.3127, 0.3290)
+SPACES = {
+    "lin_ap1_scene": ((0.713, 0.293), (0.165, 0.830), (0.128, 0.044), D60),
+    "lin_ap0_scene": ((0.7347, 0.2653), (0.0, 1.0), (0.0001, -0.0770), D60),
+    "lin_rec709_scene": ((0.640, 0.330), (0.300, 0.600), (0.150, 0.060), D65),
+    "lin_p3d65_scene": ((0.680, 0.320), (0.265, 0.690), (0.150, 0.060), D65),
+    "lin_rec2020_scene": ((0.708, 0.292), (0.170, 0.797), (0.131, 0.046), D65),
+    "lin_adobergb_scene": ((0.640, 0.330), (0.210, 0.710), (0.150, 0.060), D65),
+}
+ENCODED = [
+    "srgb_rec709_scene",
+    "g24_rec709_scene",
+    "g22_rec709_scene",
+    "g18_rec709_scene",
+    "srgb_ap1_scene",
+    "g22_ap1_scene",
+    "srgb_p3d65_scene",
+    "g22_adobergb_scene",
+    "srgb_rec709_display",
+    "g24_rec709_display",
+    "srgb_p3d65_display",
+    "srgbe_p3d65_display",
+    "pq_p3d65_display",
+    "pq_rec2020_display",
+    "hlg_rec2020_display",
+    "g22_rec709_display",
+    "g22_adobergb_display",
+    "g26_p3d65_display",
+    "g26_xyzd65_display",
+    "pq_xyzd65_display",
+    "sRGB",
+]
+
+
+def luminances(pixels, red, green, blue, white):
+    """Luminance of R, G, B by the matrix of the primaries: R = G = B = 1 is the white of Y = 1."""
+    columns = np.array(
+        [[x / y, 1, (1 - x - y) / y] if y else [0, 0, 0] for x, y in (red, green, blue)]
+    )
+    x, y = white
+    scales = np.linalg.solve(columns.T, [x / y, 1, (1 - x - y) / y])
+    return pixels.astype(float) @ scales
+
+
+def by_openimageio(path, pixels, space, **attributes):
+    """Write pixels in a colour space with OpenImageIO."""
+    spec = OpenImageIO.ImageSpec(*pixels.shape[1::-1], pixels.shape[2], "float")
+    if space:
+        spec.attribute("oiio:ColorSpace", space)
+    for name, value in attributes.items():
+        kind = "float[8]" if name == "chromaticities" else "string"
+        spec.attribute(name, kind, value)
+    file = OpenImageIO.ImageOutput.create(str(path))
+    assert file.open(str(path), spec), file.geterror()
+    assert file.write_image(pixels)
+    assert file.close()
+    return path.read_bytes()
+
+
+@pytest.mark.parametrize("space", SPACES)
+def test_the_luminance_is_that_of_the_colour_space(space, tmp_path):
+    data = by_openimageio(tmp_path / "sky.exr", colours(), space)
+    found = exr.read(data, "sky.exr")
+    expected = luminances(colours(), *SPACES[space])
+    assert found.pixels @ found.weights == pytest.approx(expected, rel=1e-5)
+    assert found.assumptions == (f"the file's colour space is {space}",)
+    flat = sum(SPACES[space], ())
+    both = by_openimageio(tmp_path / "sky.exr", colours(), space, chromaticities=flat)
+    assert exr.read(both, "sky.exr").weights == pytest.approx(found.weights, abs=1e-6)
+    other = ACES if space != "lin_ap0_scene" else sum(SPACES["lin_rec709_scene"], ())
+    contradictory = by_openimageio(tmp_path / "sky.exr", colours(), space, chromaticities=other)
+    assert "contradicts itself: the chromaticities are not" in refused(contradictory)
+
+
+def test_the_colour_space_decides_the_luminance_of_red(tmp_path):
+    """0.5 times the luminance of red: 0.2722, 0.2627 and 0.3440 (ACES, ITU-R BT.2020)."""
+    red = np.zeros((8, 16, 3), np.float32)
+    red[..., 0] = 0.5
+    for space, luminance in (
+        ("ACEScg", 0.1361),
+        ("lin_rec2020_scene", 0.1314),
+        ("lin_ap0", 0.1720),
+    ):
+        found = exr.read(by_openimageio(tmp_path / "red.exr", red, space), "red.exr")
+        assert found.pixels[0, 0] @ found.weights == pytest.approx(luminance, abs=5e-5)
+
+
+@pytest.mark.parametrize("space", ENCODED)
+def test_an_encoded_picture_is_refused(space, tmp_path):
+    for count in (1, 3):
+        data = by_openimageio(tmp_path / "sky.exr", colours()[..., :count].copy(), space)
+        assert "its pixels are encoded for display" in refused(data)
+    with pytest.raises(ConditionError, match="encoded for display"):
+        exr.read(data, "sky.exr", "R")
+
+
+@pytest.mark.parametrize(
+    "space", ["ocio:lin_ciexyzd65_display", "studio:lin_ap1_scene", "lin_awg3"]
+)
+def test_an_unknown_colour_space_is_refused(space, tmp_path):
+    data = by_openimageio(tmp_path / "sky.exr", colours(), "", colorInteropID=space)
+    said = f"sky.exr is in the colour space '{space}', which OpenEXR does not know"
+    assert refused(data) == said
+    with pytest.raises(ConditionError, match="does not know"):
+        exr.read(data, "sky.exr", "G")
+
+
+@pytest.mark.parametrize("space", ["unknown", ""])
+def test_without_a_colour_space_the_primaries_decide(space):
+    found = read(planes(colours()), colorInteropID=space)
+    assert found.weights == (0.2126, 0.7152, 0.0722)
+    assert "as the file declares none" in found.assumptions[0]
+    found = read(planes(colours()), colorInteropID=space, chromaticities=ACES)
+    assert found.weights == pytest.approx(ACES_WEIGHTS, abs=1e-6)
+
+
+def test_data_are_no_colours():
+    """A renderer may write normals as R, G and B; a single channel has no colour."""
+    data = made(planes(colours()), colorInteropID="data")
+    assert refused(data) == "sky.exr has data, not colours: its colorInteropID is data"
+    assert (exr.read(data, "sky.exr", "G").pixels[..., 0] == colours()[..., 1]).all()
+    assert "data, not colours" in refused(
+        made({"Y": colours()[..., 0].copy()}, colorInteropID="data")
+    )
+    layer = made(planes(colours(), ("n.R", "n.G", "n.B")), colorInteropID="data")
+    with pytest.raises(ConditionError, match="data, not colours"):
+        exr.read(layer, "sky.exr", "n")
+
+
+def test_a_container_of_aces_has_its_primaries():
+    """SMPTE ST 2065-4: the flag is 1, and R, G, B are of AP0."""
+    for header in ({}, {"chromaticities": ACES}, {"colorInteropID": "lin_ap0_scene"}):
+        found = read(planes(colours()), acesImageContainerFlag=1, **header)
+        assert found.weights == pytest.approx(ACES_WEIGHTS, abs=1e-6)
+    for header in (
+        {"acesImageContainerFlag": 1, "colorInteropID": "lin_ap1_scene"},
+        {"acesImageContainerFlag": 1, "chromaticities": sum(SPACES["lin_ap1_scene"], ())},
+        {"acesImageContainerFlag": 2},
+    ):
+        assert "contradicts itself: acesImageContainerFlag" in refused(
+            made(planes(colours()), **header)
+        )
+
+
+OF_XYZ, OF_AP1 = {"colorInteropID": "lin_ciexyzd65_scene"}, {"colorInteropID": "lin_ap1_scene"}
+
+
+@pytest.mark.parametrize(
+    ("names", "header", "contradictions"),
+    [
+        (("X", "Y", "Z"), {}, [OF_AP1, {"chromaticities": ACES}]),
+        (("X", "Y", "Z"), OF_XYZ, [{"chromaticities": ACES}]),
+        (RGB, OF_XYZ, [{"chromaticities": ACES}]),
+        (RGB, {"chromaticities": exr.XYZ_PRIMARIES}, [OF_AP1]),
+    ],
+)
+def test_of_x_y_z_the_second_is_the_luminance(names, header, contradictions):
+    found = read(planes(colours(), names), **header)
+    assert (found.channels, found.weights) == (names, (0.0, 1.0, 0.0))
+    for other in contradictions:
+        data = made(planes(colours(), names), **header, **other)
+        assert refused(data).startswith("sky.exr contradicts itself: ")
+
+
+def test_own_weights_contradict_another_colour_space():
+    """A program may have converted the pixels and kept the attributes that it does not know."""
+    own = {exr.WEIGHTS: np.array((0.25, 0.5, 0.25), np.float32)}
+    assert read(planes(colours()), **own).weights == (0.25, 0.5, 0.25)
+    data = made(planes(colours()), colorInteropID="lin_ap1_scene", **own)
+    assert "its radcalcWeights and its colorInteropID lin_ap1_scene differ" in refused(data)
+
+
+def test_the_colour_space_of_the_first_part_is_that_of_all():
+    """Identifying the Color Space of OpenEXR Files: it need only be set in the first header."""
+    header = {"compression": OpenEXR.ZIPS_COMPRESSION, "type": OpenEXR.scanlineimage}
+    first = {**header, "colorInteropID": "lin_ap0_scene"}
+    depth = np.zeros((4, 8), np.float32)
+    for own, weights in (({}, ACES_WEIGHTS), ({"colorInteropID": "lin_rec709_scene"}, None)):
+        file = io.BytesIO()
+        parts = [
+            OpenEXR.Part(dict(first), {"Z": depth}, "depth"),
+            OpenEXR.Part({**header, **own}, planes(colours()), "beauty"),
+        ]
+        OpenEXR.File(parts).write(file)
+        found = exr.read(file.getvalue(), "sky.exr")
+        assert found.weights == pytest.approx(weights or (0.2126, 0.7152, 0.0722), abs=1e-4)
+
+
 def test_with_a_white_luminance_pixels_are_in_cd_m2():
     """The standard attribute is the luminance of R = G = B = 1."""
     found = read(planes(colours()), whiteLuminance=179.0)
@@ -191,12 +381,50 @@ def test_a_grey_picture_has_one_channel():
     assert found.notes == ()
 
 
-def test_other_layers_are_ignored():
+def test_a_layer_is_read_by_its_name():
     other = planes(colours() * 2, ("diffuse.R", "diffuse.G", "diffuse.B"))
-    assert (read({**planes(colours()), **other}).pixels == colours()).all()
-    assert refused(made(other)) == (
-        "sky.exr has neither R, G, B nor Y; it has diffuse.B, diffuse.G, diffuse.R"
+    file = made({**planes(colours()), **other, "spot.Y": colours()[..., 0].copy()})
+    assert (exr.read(file, "sky.exr").pixels == colours()).all()
+    found = exr.read(file, "sky.exr", "Diffuse")
+    assert (found.pixels == 2 * colours()).all()
+    assert (found.channels, found.weights) == (RGB, (0.2126, 0.7152, 0.0722))
+    assert found.assumptions[0] == "the layer Diffuse"
+    assert exr.read(file, "sky.exr", "spot").channels == ("Y",)
+    with pytest.raises(ConditionError) as caught:
+        read({**other, "spot.Y": colours()[..., 0].copy()})
+    assert caught.value.message == (
+        "sky.exr has neither R, G, B nor Y; it has diffuse.B, diffuse.G, diffuse.R, spot.Y"
     )
+    assert caught.value.tries == (add("channel", "diffuse"), add("channel", "spot"))
+
+
+@pytest.mark.parametrize("names", [(".R", ".G", ".B"), ("r", "g", "b"), (".r", ".g", ".b")])
+def test_channels_without_a_layer_are_the_picture(names):
+    found = read({**planes(colours(), names), "n.R": colours()[..., 0].copy()})
+    assert (found.pixels == colours()).all()
+    assert found.channels == RGB
+
+
+def test_vectors_are_no_luminance():
+    """A motion has X and Y, a normal X, Y and Z in a layer of its own."""
+    motion = planes(colours()[..., :2], ("X", "Y"))
+    normal = planes(colours(), ("n.X", "n.Y", "n.Z"))
+    for channels, wanted in ((motion, ""), (normal, ""), (normal, "n")):
+        with pytest.raises(ConditionError, match=r"neither R, G, B nor Y|no channel 'n'"):
+            exr.read(made(channels), "sky.exr", wanted)
+
+
+def test_a_part_is_read_by_its_name():
+    header = {"compression": OpenEXR.ZIPS_COMPRESSION, "type": OpenEXR.scanlineimage}
+    parts = [
+        OpenEXR.Part(dict(header), planes(colours() * k), name)
+        for k, name in ((1, "left"), (2, "right"))
+    ]
+    file = io.BytesIO()
+    OpenEXR.File(parts).write(file)
+    found = exr.read(file.getvalue(), "sky.exr", "right")
+    assert (found.pixels == 2 * colours()).all()
+    assert found.notes == ()
 
 
 def test_a_single_channel_is_read_by_its_name():
@@ -213,10 +441,11 @@ def test_a_single_channel_is_read_by_its_name():
         assert found.channels[0].lower() == channel.lower()
     with pytest.raises(ConditionError, match="no channel 'Q'; it has A, B, G, R") as caught:
         exr.read(made(file), "sky.exr", "Q")
-    assert caught.value.hint == option("channel", "A")
-    with pytest.raises(ConditionError, match=r"neither R, G, B nor Y; it has R") as caught:
-        read({"R": colours()[..., 0].copy()})
-    assert caught.value.hint == option("channel", "R")
+    assert caught.value.tries == (Try(without=("channel",)),)
+    for names, proposed in (("R", ()), (("Blue", "Red"), ()), (("B", "Z"), (add("channel", "Z"),))):
+        with pytest.raises(ConditionError, match=r"neither R, G, B nor Y; it has") as caught:
+            read(planes(colours(), names))
+        assert caught.value.tries == proposed  # a colour alone is no radiance
 
 
 def test_alpha_has_a_note():
@@ -225,6 +454,10 @@ def test_alpha_has_a_note():
     assert read({**planes(colours()), "A": alpha.copy()}).notes == ()
     alpha[0] = 0.5
     found = read({**planes(colours()), "A": alpha})
+    assert found.notes[0].startswith("25 % of the pixels have an alpha below 1")
+    layer = planes(colours(), ("n.R", "n.G", "n.B"))
+    assert exr.read(made({**layer, "A": alpha}), "sky.exr", "n").notes == ()
+    found = exr.read(made({**layer, "n.A": alpha}), "sky.exr", "n")
     assert found.notes[0].startswith("25 % of the pixels have an alpha below 1")
     assert (found.pixels == colours()).all()
 
@@ -273,6 +506,30 @@ def test_a_deep_picture_is_refused():
         samples[place] = np.ones(2, np.float32)
     data = made({"R": samples}, type=OpenEXR.deepscanline, compression=OpenEXR.ZIPS_COMPRESSION)
     assert "is deep" in refused(data)
+
+
+def with_attributes(data, attributes):
+    """A file of one part with more attributes before the others; its pixels move."""
+    end = first_table(data, 1)
+    chunks = np.frombuffer(data, "<u8", 1, end) + len(attributes)
+    return data[:8] + attributes + data[8:end] + chunks.tobytes() + data[end + 8 :]
+
+
+def test_a_long_header_is_refused_before_the_library_reads_it(monkeypatch):
+    """The library's time grows with the square of the number of attributes."""
+    data = made(planes(colours()))
+    numbers = b"".join(b"a%d\0int\0" % k + struct.pack("<2i", 4, k) for k in range(5000))
+    text = b"text\0string\0" + struct.pack("<i", 1 << 20) + b"x" * (1 << 20)
+    few, short = numbers[: numbers.index(b"a4000\0")], text[:12] + struct.pack("<i", 9) + b"x" * 9
+    for attributes in (few, short):
+        found = exr.read(with_attributes(data, attributes), "sky.exr")
+        assert (found.pixels == colours()).all()
+    monkeypatch.setattr(exr, "_opened", None)
+    for attributes in (numbers, text):
+        assert refused(with_attributes(data, attributes)) == (
+            "the header of sky.exr has more than 1 MiB or 4096 attributes"
+        )
+    assert "its header cannot be read" in refused(data[:8] + text[:-1])
 
 
 def test_sizes_beyond_the_file_are_refused():

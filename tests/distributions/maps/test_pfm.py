@@ -49,6 +49,24 @@ def test_the_scale_multiplies_with_a_note():
     assert too_large.pixels.tolist() == [[[np.inf]]]
 
 
+def test_a_scale_whose_sign_contradicts_the_bytes_is_refused():
+    """Half floats are denormal in the other order; other values are huge or negative there."""
+    half = np.linspace(0, 2, 96).astype(np.float16).astype("<f4")
+    whole = np.random.default_rng(1).lognormal(0, 3, 96).astype("<f4")
+    for right in (half, whole, half * 0, half - 1e-3):
+        for order, right_scale, wrong_scale in (("<f4", b"-1.0", b"1.0"), (">f4", b"2", b"-2")):
+            data = right.astype(order).tobytes()
+            found = read_pfm(b"Pf\n12 8\n" + right_scale + b"\n" + data, NAME).pixels
+            assert (found[::-1].ravel() == right * abs(float(right_scale))).all()
+            if not right.any():
+                continue
+            with pytest.raises(ConditionError) as caught:
+                read_pfm(b"Pf\n12 8\n" + wrong_scale + b"\n" + data, NAME)
+            assert f"and up to {right.max():.3g} in the other one" in caught.value.message
+            sign = "other sign: -1" if order == "<f4" else "other sign: 2"
+            assert caught.value.hint.endswith(sign)
+
+
 def test_lines_may_end_as_in_windows():
     data = struct.pack("<f", 3)
     assert read_pfm(b"Pf\r\n1 1\r\n-1\r\n" + data, NAME).pixels.tolist() == [[[3]]]
