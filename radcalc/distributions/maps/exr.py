@@ -48,8 +48,13 @@ LINEAR = "the same in lin_rec709_scene (oiiotool converts it)"
 ENCODED = re.compile(r"(?:srgbe?|g\d\d|pq|hlg)_")
 # Warnings of the library that are no contradictions.
 GAPS = ("EMPTY_INTEROP_ID", "ACES_FLAG_NO_CHROMATICITIES", "DATA_HAS_CHROMATICITIES")
+# Attributes without effect, with their usual values.  OpenImageIO writes the one of Exif.
+UNREAD = {
+    "pixelAspectRatio": (1, "but its pixels are read as square"),
+    "Orientation": (1, "but its pixels are not turned"),
+}
 XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # with these, R, G, B are X, Y, Z
-COLOURS = ("r", "g", "b", "red", "green", "blue")  # channels that alone are no radiance
+COLOURS = ("r", "g", "b", "red", "green", "blue")  # no radiance alone
 # Attributes that radcalc writes; other programs ignore them.
 UNIT, WEIGHTS, PROJECTION = "radcalcUnit", "radcalcWeights", "radcalcProjection"
 ASCII = bytes(range(128)) + b"?" * 128  # of each byte
@@ -81,8 +86,11 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     _, _, width, height = part.pixels
     pixels = np.empty((height, width, len(channels)), np.float32)
     for k, key in enumerate(channels):
+        if planes[key].dtype.kind == "u":
+            problem = f"{name} has whole numbers (UINT) in {quote(key)}, whose scale is unknown"
+            raise ConditionError(problem, "a picture of floats")
         pixels[..., k] = planes[key]
-    assumptions, notes = [], []
+    assumptions, notes = [], [f"{name} has {text}" for text in part.unread]
     if channel:
         alone = chosen.channels == chosen.roles and len(channels) == 1
         text = f"the channel {quote(channels[0])} alone" if alone else f"the layer {quote(channel)}"
@@ -201,6 +209,11 @@ class _Part:
         self.space = quote(header.get(SPACE, ""))
         names = (SPACE, ACES, CHROMATICITIES)
         self.claims = {key: header[key] for key in names if key in header}
+        self.unread = [
+            f"{attribute}={quote(str(header[attribute]))}, {meaning}"
+            for attribute, (usual, meaning) in UNREAD.items()
+            if header.get(attribute, usual) != usual
+        ]
         self.unit = quote(str(header.get(UNIT, "")))
         self.projection = quote(str(header.get(PROJECTION, "")))
         self.weights = _floats(header, WEIGHTS, 3)
@@ -216,7 +229,8 @@ class _Part:
         split = [(channel.rpartition("."), channel) for channel in self.channels]
         own = {role: channel for (of, _, role), channel in split if of.lower() == layer.lower()}
         if roles == RGB:
-            own = {role.upper(): channel for role, channel in own.items()} | own
+            colours = {role[0].upper(): own[role] for role in own if role.lower() in COLOURS}
+            own = colours | own
         elif roles == Y and "X" in own:  # a vector
             return ()
         return tuple(own[role] for role in roles if set(roles) <= own.keys())
@@ -263,7 +277,8 @@ def _parts(file: io.BytesIO, name: str) -> list[_Part]:
         raise _damaged(name) from None
     if not declared >= WINDOWS:
         raise _damaged(name)
-    if ENVMAP in declared and all(part.environment is None for part in parts):
+    maps = [part.environment for part in parts if part.environment is not None]
+    if (ENVMAP in declared and not maps) or not all(isinstance(m, library().Envmap) for m in maps):
         raise ConditionError(
             f"{name} is an environment map of an unknown kind, which is not read", "a latlong map"
         )
@@ -400,7 +415,9 @@ def _colours(
     space = ACES_SPACE if ACES in claims else part.space or parts[0].space
     by_space = _weights_of(space, name)
     if space == DATA and not (wanted and len(chosen.channels) == 1):
-        raise ConditionError(f"{name} has data, not colours: its {SPACE} is {DATA}", "a picture")
+        raise ConditionError(
+            f"{name} has data, not colours: its {SPACE} is {DATA}", "a picture of colours"
+        )
     if len(chosen.channels) == 1:
         return (1.0,), []
     by_file = part.chromaticities and pictures.luminance_weights(part.chromaticities, name)

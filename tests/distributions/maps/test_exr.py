@@ -96,6 +96,24 @@ def test_a_latlong_map_is_read_and_a_cube_refused():
     data = made(planes(colours(24, 4)), envmap=OpenEXR.ENVMAP_CUBE)
     assert refused(data) == "sky.exr is an environment map that is a cube, which is not read"
     assert "environment map of an unknown kind" in refused(edited(data, "envmap", b"\7"))
+    assert "environment map of an unknown kind" in refused(
+        made(planes(colours()), envmap="latlong")
+    )
+
+
+def test_whole_numbers_are_refused():
+    """OpenImageIO scales them by 2^-32, OpenEXR's own interface does not."""
+    data = made(planes(colours().astype(np.uint32)))
+    assert refused(data) == "sky.exr has whole numbers (UINT) in R, whose scale is unknown"
+
+
+def test_attributes_of_shape_have_a_note():
+    found = read(planes(colours()), pixelAspectRatio=2.0, Orientation=3)
+    assert found.notes == (
+        "sky.exr has pixelAspectRatio=2.0, but its pixels are read as square",
+        "sky.exr has Orientation=3, but its pixels are not turned",
+    )
+    assert read(planes(colours()), pixelAspectRatio=1.0, Orientation=1).notes == ()
 
 
 @pytest.mark.parametrize(
@@ -398,7 +416,9 @@ def test_a_layer_is_read_by_its_name():
     assert caught.value.tries == (add("channel", "diffuse"), add("channel", "spot"))
 
 
-@pytest.mark.parametrize("names", [(".R", ".G", ".B"), ("r", "g", "b"), (".r", ".g", ".b")])
+@pytest.mark.parametrize(
+    "names", [(".R", ".G", ".B"), ("r", "g", "b"), (".r", ".g", ".b"), ("Red", "Green", "Blue")]
+)
 def test_channels_without_a_layer_are_the_picture(names):
     found = read({**planes(colours(), names), "n.R": colours()[..., 0].copy()})
     assert (found.pixels == colours()).all()
