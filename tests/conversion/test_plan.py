@@ -6,6 +6,7 @@ import pytest
 from helpers import for_each
 
 from radcalc.conversion.plan import plan, result_of_plan
+from radcalc.errors import Plain, spell
 from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 
@@ -142,11 +143,18 @@ def test_the_lobe_of_a_narrow_beam_keeps_its_digits(degrees):
     assert got == pytest.approx(float(expected), rel=1e-12)
 
 
-def test_a_disc_below_the_horizon_gives_0_with_a_note():
-    conditions = {"radius": "1m", "distance": "1m", "incidence": "136deg"}
+# Its edges are 45 deg from its axis: its lower edge sets at 45 deg, its upper one at 135 deg.
+@pytest.mark.parametrize(
+    ("incidence", "place"),
+    [("45deg", ""), ("46deg", "partly below"), ("134deg", "partly below"), ("136deg", "below")],
+)
+def test_a_disc_below_the_horizon_has_a_note(incidence, place):
+    conditions = {"radius": "1m", "distance": "1m", "incidence": incidence}
     made = plan(resolve("nit"), resolve("lx"), [read(k, v) for k, v in conditions.items()])
-    assert made.apply(1.0) == 0
-    assert "below the receiver's horizon" in made.notes[0]
+    assert (made.apply(1.0) == 0) is (place == "below")
+    notes = [spell(note, Plain) for note in made.notes]
+    text = f"incidence {incidence}: the disc is {place} the receiver's horizon"
+    assert notes == ([text] if place else [])
 
 
 def test_lengths_and_wavelengths_are_not_mixed_without_a_note():

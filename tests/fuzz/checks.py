@@ -147,3 +147,9 @@ def sweep(count: int, seed: int) -> str:
         except RadcalcError:
             seen["extreme, refused"] += 1
     return f"{len(questions())} questions, " + ", ".join(f"{n} {w}" for w, n in seen.items())
+
+
+if __name__ == "__main__":
+    from fuzz.command import main
+
+    main(sweep, LONG)

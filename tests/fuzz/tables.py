@@ -196,3 +196,9 @@ def sweep(count: int, seed: int) -> str:
             assert isclose(found, right, rel_tol=1e-9, abs_tol=1e-6), f"{found} != {right}\n{text}"
             counts["right"] += 1
     return ", ".join(f"{number} {what}" for what, number in sorted(counts.items()))
+
+
+if __name__ == "__main__":
+    from fuzz.command import main
+
+    main(sweep, LONG)
