@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 MOST_OF_A_UNIT = 5  # results to suggest for a unit
 LIKE = 4  # letters at the start of related words
+VAGUE = ("index", "value", "factor", "ratio", "number")  # words of unrelated names
 OF_UNCERTAINTY = "-uncertainty"  # suffix of the name of a result
 LINKS_HINT = errors.mention("{spectrum=sun}, {spectrum=LED-B3}, {wavelength} or {efficacy}")
 MISSING_LINK = "a wavelength, a spectrum or an efficacy that links them is missing"
@@ -369,7 +370,8 @@ def right_names(name: str, values: Sequence[Value]) -> Sequence[str]:
     present = [v for v in values if not v.is_absent]
     if word in (*names, *(v.also for v in present if v.also)):
         return [word]
-    lettered = [name for name in names if name in SYMBOLS and letter_of(name).lower() == word]
+    known = {name: letter_of(name).replace("_", "").lower() for name in names if name in SYMBOLS}
+    lettered = [name for name, letter in known.items() if letter == word.replace("_", "")]
     return (
         [*dict.fromkeys(lettered)]
         or names_meant(word, names)
@@ -380,7 +382,8 @@ def right_names(name: str, values: Sequence[Value]) -> Sequence[str]:
 
 def _related(name: str, values: Sequence[Value]) -> list[str]:
     """Return the results whose names or labels have words like those of a name."""
-    starts = tuple([word[:LIKE] for word in name.split("-") if len(word) >= 3])
+    words = [word for word in name.split("-") if len(word) >= 3]
+    starts = tuple([word[:LIKE] for word in words if word == name or word not in VAGUE])
     related = {
         value.name: sum(word.startswith(starts) for word in value.name.split("-"))
         for value in values

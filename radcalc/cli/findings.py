@@ -46,6 +46,11 @@ ALIKE = 0.7  # of similar names
 NAMED = 2  # commands with an option that are named
 EXACT, BEGINNING, WORDS, ELSEWHERE = range(4)  # where a text is found, best first
 SENTENCE_END = re.compile(r"(?<=[\w)])\. ")
+# Subjects that radcalc does not cover, with their words, and the nearest command.
+NOT_COVERED = {
+    "light in absorbing media": ("absorbing absorption extinction complex index", "refraction"),
+    "melanopic light": ("melanopic alpha-opic circadian edi medi", "spectrum"),
+}
 OTHER_NAMES = re.compile(r" \(also --[^)]*\)|; also --[^)]*(?=\))")  # of an option, for one kind
 
 
@@ -319,6 +324,9 @@ def command(words: tuple[str, ...], output: Output) -> None:
     if len(words) > 1 and all(word in COMMANDS for word in words):
         raise UsageError("help takes one command", [call(word, "--help") for word in words])
     found = find(text)
+    for subject, (known, nearest_command) in NOT_COVERED.items():
+        if matching(text, [known], str) and not any(one.place(text) < ELSEWHERE for one in found):
+            raise UsageError(f"{subject} is not covered", call(nearest_command, "--help"))
     if not found:
         similar = [call("help", *name.split()) for name in near(text, 3)]
         raise UsageError(

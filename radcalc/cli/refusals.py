@@ -5,7 +5,7 @@ from itertools import pairwise
 import click
 
 from radcalc import errors
-from radcalc.calculators import COMMANDS
+from radcalc.calculators import COMMANDS, SUMMARIES
 from radcalc.calculators.worksheet import on_page
 from radcalc.cli.command import called_in, parameters
 from radcalc.errors import quote
@@ -14,6 +14,7 @@ from radcalc.terminal import FORMATS
 from radcalc.units.numbers import is_sentence
 
 DIRECTION = ("--polar", "--azimuth")  # of --toward
+TARGETS = ("--to", "--unit", "--in", "--as")  # before the unit of a result
 # Words for the operand of a command, typed as options.
 MEANT_OPERANDS = {
     "spectrum": "file spectrum spd csv source illuminant lamp",
@@ -133,6 +134,9 @@ def _no_such_option(typed: str, called: str, words: list[str]) -> errors.Radcalc
     known = [name for p in parameters(called) for name in p.opts if name.startswith("--")]
     if doubled := _doubled(typed, known, words):
         return errors.RadcalcError(problem, doubled)
+    if called and typed in TARGETS:
+        hint = _results_in(typed, called, words) or errors.call(called, "--help")
+        return errors.RadcalcError(problem, hint)
     near = [f"--{name}" for name in names_meant(typed[2:], [name[2:] for name in known])]
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
         others = f" (also {', '.join(takers[1:])})" if takers[1:] else ""
@@ -181,12 +185,35 @@ def _operand(typed: str, called: str, words: list[str]) -> errors.Try | None:
 
 def _toward(called: str, words: list[str]) -> errors.Try | None:
     """Return the call with the direction of --polar and --azimuth as --toward, or None."""
+    from radcalc.calculators.page import GET
+
     values = {name: value for name, value in pairwise([*words, ""]) if name in DIRECTION}
     if not values or not any("--toward" in one.opts for one in parameters(called)):
         return None
     pairs = [pair for name in values for pair in (name, values[name])]
     kept = ["intensity-toward" if w == "intensity" else w for w in words if w not in pairs]
-    return errors.call(*kept, toward=",".join([values.get(name, "0deg") for name in DIRECTION]))
+    own = {} if {*GET.spellings} & {*words} else {"get": "intensity-toward"}
+    toward = ",".join([values.get(name, "0deg") for name in DIRECTION])
+    return errors.call(*kept, toward=toward, **own)
+
+
+def _results_in(typed: str, called: str, words: list[str]) -> list[errors.Try]:
+    """Return the calls with a result in the unit of --to; none if no result has it."""
+    from radcalc.calculators.results import names_of, right_names
+    from radcalc.cli.lane import asked
+
+    at = next(k for k, word in enumerate(words) if word.partition("=")[0] == typed)
+    joined = typed != words[at]
+    unit = words[at].partition("=")[2] if joined else "".join(words[at + 1 : at + 2])
+    text = words[at] if joined else f"{typed} {unit}"
+    if called not in SUMMARIES or called == "convert":
+        return [errors.correct(text, "to", unit)] if unit and called == "convert" else []
+    try:
+        values = asked([*words[:at], *words[at + 2 - joined :]]).question.answer.values
+    except (errors.RadcalcError, click.UsageError):
+        return []
+    names = [one for one in right_names(unit, values) if one.endswith(f":{unit}")]
+    return [errors.correct(text, "-g", name) for name in names]
 
 
 def _bare(words: list[str]) -> list[str]:

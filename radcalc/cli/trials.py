@@ -33,6 +33,7 @@ LONG = ("scene",)  # commands with many answers
 LARGEST = 1 << 20  # bytes of the files of a call that is made
 NUMERIC = "0123456789.,:"  # characters of numbers, lists and ranges
 IN_SHORT = {"get": "-g", "number": "-n"}
+TURNED = ("incidence", "tilt")  # angles that are 0 if they are left out
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
 # Options of calls that write, draw or list.
 WITH_EFFECTS = ("--plot", "--save", "--irradiance-map", "--list")
@@ -62,8 +63,9 @@ class Trial(NamedTuple):
 
         A call with an answer to check is made without it, and shows no result.
         """
-        words, _ = _without(_without(self.words, "--check", {})[0], "--tolerance", {})
+        words, _ = _without(self.words, "--check", {})
         has_check = len(words) < len(self.words)
+        words = _without(words, "--tolerance", {})[0] if has_check else words
         try:
             rows = _results(words) if _is_short(words) else ()
         except (errors.RadcalcError, click.UsageError) as error:
@@ -128,13 +130,15 @@ def trials(error: errors.RadcalcError, words: Words) -> list[Trial]:
 
 
 def _example_in(proposal: errors.Try, words: Words) -> str:
-    """Return the remark on a value that a proposal adds, and that the user did not type."""
+    """Return the remark on a value that was not typed: one that is added, or an angle of 0."""
     typed_text = " ".join(words)
     for name, value in proposal.inputs:
         number = value[: len(value) - len(value.lstrip(NUMERIC))]
-        if name != "get" and number and number not in typed_text:
+        parts = number.replace(":", ",").split(",")
+        if name != "get" and number and any(part not in typed_text for part in parts):
             return f"{option(name, value)} is an example"
-    return ""
+    turned = [name for name in proposal.without if name in TURNED and not proposal.inputs]
+    return f"at {option(turned[0], '0deg')}" if turned else ""
 
 
 def has_answers(error: errors.RadcalcError, words: Words) -> bool:
@@ -158,6 +162,7 @@ def _completed(trial: Trial, further: errors.RadcalcError, way: int) -> list[Tri
     typed_words = trial.words
     for _ in range(errors.MOST - 1):
         added = [one for one in further.tries if one.inputs and not one.without]
+        added = [one for one in added if trial.words.count(f"--{one.inputs[0][0]}") < 2]
         if not added:  # another word of the same kind: 1/2 m + 1/2 m
             added = [one for one in further.tries[way:] if one.instead]
         call = changed(trial.words, added[0]) if added else None

@@ -94,6 +94,9 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
         efficacy = luminous_efficacy(of.table, of.observer)
         if not is_length:
             assumption = f"{given.text} is {format_number(of.table * 1e9)} nm in standard air"
+        elif PHOTON not in (over, under):
+            curve = of.observer.label.partition(" ")[0]
+            assumption = f"{curve} is read at {given.text}, whether in air or in vacuum"
         if maths.any_true(efficacy == 0):
             notes = (
                 f"{given.text_where(efficacy == 0)} is invisible: the table spans "

@@ -84,8 +84,8 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
     variable = None
     if isinstance(value, str):
         text = " ".join(value.split()).replace(errors.MINUS, "-")  # on one line for messages
-        if symbol.name == "f-number":
-            text = text.removeprefix(MARKED[symbol.name])  # f/2.8
+        if symbol.name == "f-number" and text[:2].lower() == MARKED[symbol.name]:
+            text = text[2:]  # f/2.8
         amount = _typed_amount(symbol, text)
     else:
         amount, variable = _python_amount(symbol, value)

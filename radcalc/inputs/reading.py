@@ -23,8 +23,10 @@ def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     form = symbols.SYMBOLS[name].form
     if name == "aspect":
         text = _as_aspect(text)
-    if name in MARKED and MARKED[name] in str(text).lower():
-        return text.split(",")  # type: ignore[no-any-return]
+    if name in MARKED and (mark := MARKED[name]) in str(text).lower():
+        values: list[str] = text.split(",")  # f/2,8 is not a list, as 2,8 is not
+        is_list = all(mark in value.lower() for value in values)
+        return values if is_list or read_values(text.lower().replace(mark, ""))[1:] else [text]
     if form == symbols.SPECTRUM:
         from radcalc.spectra.sources import read_spectra
 

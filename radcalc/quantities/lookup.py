@@ -33,6 +33,8 @@ from radcalc.units.table import resolve
 from radcalc.units.values import ScaleUnit, find_scale, on, resolve_any
 from radcalc.units.values import unit as unit_of_constants
 
+SHORT = 3  # letters of a part of a name that begins a word
+
 
 class Entry(NamedTuple):
     """The entry of one unit."""
@@ -96,8 +98,14 @@ def constants(text: str = "") -> list[Entry]:
     return [
         constant(name)
         for name, (symbols, names, *_) in CATALOGUE_OF_CONSTANTS.items()
-        if text in symbols or (len(folded) != 1 and any(folded in each for each in names))
+        if text in symbols or (len(folded) != 1 and _is_in(folded, names))
     ]
+
+
+def _is_in(text: str, names: Iterable[str]) -> bool:
+    """Return whether a name has a text, a short one as the beginning of a word: not mpe in ampere."""
+    sought = text if len(text) > SHORT else f"_{text}"
+    return any(sought in f"_{name}" for name in names)
 
 
 def search_units(text: str) -> list[Entry]:
@@ -156,7 +164,7 @@ def _of_name(text: str) -> list[Entry]:
     constants_found = constants(text)
     if (exact or constants_found) and len(folded) < 3:
         return [entry(name) for name in exact] + constants_found
-    part = [n for n in UNITS if n not in exact and any(folded in k for k in CATALOGUE[n][1])]
+    part = [n for n in UNITS if n not in exact and _is_in(folded, CATALOGUE[n][1])]
     folded = folded.replace("_", " ")
     scales_found = [
         scale for scale in SCALES if any(folded in spelling.lower() for spelling in scale.spellings)

@@ -98,7 +98,7 @@ TIMES = ("x", "×", "by")  # between the sides of an area
 SIDES = re.compile(r"(\d[\d.]*)([a-z']*)[x×](\d[\d.]*)([a-z']+)", re.I)
 BARE_SIDES = re.compile(r"(\d[\d.]*)[x×](\d[\d.]*)")  # before their unit: 4x4 ft
 # f/5.6, and T4 of a lens of the cinema; T5 and T12 are tubes of fluorescent lamps.
-F_NUMBER = re.compile(r"(?:[fFtT]/|f|T(?!5$|12$))(\d+(?:\.\d+)?)")
+F_NUMBER = re.compile(r"(?:[fFtT]/|f|T(?!5$|12$))(\d+(?:[.,]\d+)?)")
 SHUTTERED = frozenset(["f/", "iso", "asa"])  # beside these, 1/60 is a time
 BEFORE_NUMBERS = (*PPFD, *PPF, *DLI)  # quantities that are units: DLI 43.2
 MICROMOLES = ("umol", "µmol", "μmol")  # of a PPFD, as growers say

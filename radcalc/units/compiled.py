@@ -644,6 +644,7 @@ REFUSED = {
     'internationalcandle': 'candela (the SI unit), international_candle_10187 (1.0187 cd) or international_candle_102 (1.02 cd)',
     'candle_int': 'candela (the SI unit), international_candle_10187 (1.0187 cd) or international_candle_102 (1.02 cd)',
     'j': 'J for the joule; a complex index, as of absorbing media, is not read',
+    'i': 'in for the inch; a complex index, as of absorbing media, is not read',
     'a': 'angstrom for the length, hectare or m2 for an area, year for the time',
     'mil': 'thou for 1/1000 inch, mrad for the angle',
     'lumerg': 'lumerg_cgs (1e-7 lm s) or lumerg_talbot (1 lm s): two values are in use',
