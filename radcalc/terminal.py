@@ -80,6 +80,9 @@ def can_show(text: str) -> bool:
     return True
 
 
+is_unread = False  # whether an answer was for a closed pipe
+
+
 def write(text: str) -> None:
     """Write a whole answer.  A closed pipe ends quietly; any other failure is an error."""
     out = _stdout()
@@ -94,7 +97,8 @@ def write(text: str) -> None:
     try:
         pour(data)
     except BrokenPipeError:  # the reader has stopped, but the exit status still matters
-        return
+        global is_unread
+        is_unread = True
 
 
 def _escaped(error: "Any") -> "tuple[str, int]":
@@ -204,7 +208,18 @@ def say(lines: "Iterable[str]") -> None:
         else:
             text = "".join([f"{line}\n" for line in printable_lines])
         _send(sys.stderr, text.encode(sys.stderr.encoding or "ascii", "backslashreplace"))
+    except BrokenPipeError:
+        _note_unread()
     except (OSError, ValueError, AttributeError):
+        pass
+
+
+def _note_unread() -> None:
+    """Note that answers are not read either, if they go where errors go: 2>&1."""
+    global is_unread
+    try:
+        is_unread = is_unread or os.path.sameopenfile(1, 2)
+    except OSError:  # standard output is closed
         pass
 
 

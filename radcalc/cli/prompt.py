@@ -88,6 +88,8 @@ def answer_lines(session: Session) -> int:
         if status == terminal.INTERRUPTED:
             return status
         statuses.add(status)
+        if terminal.is_unread:
+            break
     return next((candidate for candidate in WORST if candidate in statuses), terminal.ANSWERED)
 
 

@@ -4,6 +4,7 @@ import os
 import re
 import select
 import stat
+import subprocess
 import sys
 
 import pytest
@@ -71,6 +72,20 @@ def test_an_endless_line_is_not_kept_in_memory():
 def test_options_apply_to_every_line():
     assert lines("100 lx fc\n1 klx lx\n", "-n").stdout == "9.290304\n1000\n"
     assert lines("100 lx fc\n", "--json", "-n").returncode == 2
+
+
+# yes '100 lx fc' | radcalc prompt | head -1; with 2>&1 also for lines that are refused
+@pytest.mark.parametrize("line", ["100 lx fc", "100 lx zork"])
+def test_lines_end_once_nobody_reads_the_answers(line):
+    reader, writer = os.pipe()
+    with subprocess.Popen(
+        [entry_point(), "prompt"], stdin=subprocess.PIPE, stdout=writer, stderr=writer, bufsize=0
+    ) as done:
+        os.close(writer)
+        os.close(reader)
+        with pytest.raises(BrokenPipeError):  # it does not read what has no end
+            for _ in range(300_000 // len(line)):
+                done.stdin.write(f"{line}\n".encode())
 
 
 def test_without_a_terminal_radcalc_alone_is_not_a_prompt():
