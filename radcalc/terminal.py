@@ -216,11 +216,11 @@ def say(lines: "Iterable[str]") -> None:
 
 def _note_unread() -> None:
     """Note that answers are not read either, if they go where errors go: 2>&1."""
+    from contextlib import suppress  # after an error only
+
     global is_unread
-    try:
+    with suppress(OSError):  # standard output is closed
         is_unread = is_unread or os.path.sameopenfile(1, 2)
-    except OSError:  # standard output is closed
-        pass
 
 
 def _width_of_terminal() -> int:

@@ -263,6 +263,7 @@ TEXTS = {
     "expression": "cos(theta)",
     "unit": "W/m2",
     "time_zone": "Europe/Prague",
+    "thousands": ",",
     "time_unit": "s",
     "time_format": "%d.%m.%Y",
     "wanted": "illuminance:fc",
@@ -502,8 +503,8 @@ def in_metres(value: Any, what: str) -> tuple[Any, Unit | None]:
         unit = unit_of(value)
         if unit.dimension != LENGTH:
             raise errors.ConditionError("the point is a length", "metres")
-        value = value.magnitude * unit.factor
-    return real(value, what, "three numbers, [1, 0, 2]"), unit
+        value = value.magnitude
+    return real(value, what, "three numbers, [1, 0, 2]") * (unit.factor if unit else 1.0), unit
 
 
 def broadcast(work_out: Callable[[], T]) -> T:

@@ -293,7 +293,11 @@ def _joined(parts: Sequence[Value]) -> Value:
 def _rows(sources: Any) -> str | list[Any]:
     if isinstance(sources, (str, os.PathLike)):
         return os.fspath(sources)
-    if not isinstance(sources, Iterable) or isinstance(sources, bytes):
+    try:
+        rows = [] if isinstance(sources, bytes) else list(sources)
+    except TypeError:
+        rows = []
+    if not rows and type(sources) is not list:
         raise ConditionError(
             f"the sources are not rows, but of the type {type(sources).__name__}",
             "the path of a CSV file, or a list with a dict for each",
@@ -302,7 +306,7 @@ def _rows(sources: Any) -> str | list[Any]:
         {key: arguments.plain(value) for key, value in source.items()}
         if isinstance(source, dict)
         else source
-        for source in sources
+        for source in rows
     ]
 
 
@@ -520,6 +524,8 @@ def irradiance_map(
     >>> print(lit.shape, lit[0, 0, 0].round(1))
     (8, 16, 1) 9424.8 lux
     """
+    if order is not None and type(order) is not int:
+        raise ConditionError(f"order is {article(type(order).__name__)}, not a number", "2")
     around, given = _surroundings(source, {"size": size, **given})
     inputs = arguments.read_inputs(given)
     refuse_uncertain(inputs.values(), "a map")

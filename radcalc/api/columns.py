@@ -282,7 +282,7 @@ def _array(key: str, column: Any, unit: Unit | None) -> Any:
     values = arguments.magnitude_of(values)
     if not arguments.is_lazy(values):
         try:
-            values = floats(values)
+            values = floats(values, None)
         except (TypeError, ValueError):
             problem = (
                 f"{key} is a column with a value that is not a number: '{quote(str(column.name))}'"

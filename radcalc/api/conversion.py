@@ -15,8 +15,9 @@ from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan, source_of, target_of
 from radcalc.conversion.plan import result_of_plan as answer_of
 from radcalc.errors import ConditionError, ConversionError, NumberError, option, quote
+from radcalc.floats import INFINITE
 from radcalc.inputs import Input, any_uncertain, refuse_uncertain, shown_inputs
-from radcalc.maths import LARGEST, frozen, is_array, is_column, is_uncertain
+from radcalc.maths import LARGEST, any_true, frozen, is_array, is_column, is_uncertain
 from radcalc.quantities import describe, result_name
 from radcalc.units import Unit
 from radcalc.units.numbers import Amount as ReadAmount
@@ -216,8 +217,6 @@ def _again(given: Mapping[str, Any]) -> Any:
 
 def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
     """Return the value and the target of a call; of three operands the second is a unit."""
-    if isinstance(value, bool):
-        raise ConditionError("a truth value is not a number", WITH_UNIT)
     if to is None:
         return value, unit
     arguments.require_texts(unit=unit, to=to)
@@ -230,10 +229,10 @@ def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
     if start.is_scale:
         problem = f"'{quote(unit)}' is a scale, and the value is not a single number"
         raise ConversionError(problem, "a call for each reading")
-    if isinstance(value, (list, tuple)):
-        value = real(value, "the value", "real numbers")
     if arguments.library_of(value):
         return with_unit(value, start), to
+    if not (hasattr(value, "dtype") or is_uncertain(value)):
+        value = real(value, "the value", "real numbers")
     return Quantity(value, light_registry().container(start)), to
 
 
@@ -292,9 +291,13 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     if _has_uncertainty(magnitude):
         return conversion, magnitude, given
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
-    if not isinstance(magnitude, (int, float)) and kind not in ("i", "u", "f"):
+    if kind and kind in "iuf":  # the elements of a masked array stay masked
+        magnitude = magnitude.astype(float, copy=False)
+    elif not isinstance(magnitude, (int, float)) or isinstance(magnitude, bool):
         hint = "real numbers" if arguments.is_quantity(value) else "a text, a quantity or numbers"
         magnitude = real(magnitude, "the value", hint)
+    if any_true(abs(magnitude) == INFINITE):
+        raise NumberError("the value is infinite", "finite numbers, or NaN for a missing one")
     return conversion, magnitude, given
 
 

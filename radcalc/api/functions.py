@@ -15,6 +15,8 @@ from importlib import import_module
 from itertools import groupby
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
+import numpy
+
 from radcalc.answer import Answer, texts_of
 from radcalc.api import columns
 from radcalc.api.arguments import (
@@ -38,7 +40,16 @@ from radcalc.api.result import Result, in_python, of_answer, with_keywords
 from radcalc.calculators import page_of
 from radcalc.calculators.page import NOTHING, Page, words_of
 from radcalc.calculators.solved import Task, requesting
-from radcalc.errors import RadcalcError, UsageError, manual, mention, options, quote, spell
+from radcalc.errors import (
+    ConditionError,
+    RadcalcError,
+    UsageError,
+    manual,
+    mention,
+    options,
+    quote,
+    spell,
+)
 from radcalc.inputs import Input, Inputs, shown_inputs
 from radcalc.maths import is_column
 from radcalc.quantities import read as read_light
@@ -56,6 +67,7 @@ from radcalc.quantities.symbols import (
     SPECTRUM,
     VECTOR,
     Symbol,
+    article,
     in_kind,
     light_unit,
     names_of_kinds,
@@ -350,6 +362,7 @@ def of_page(
                     problem += f"; its parameters are {', '.join(signature.parameters)}"
                 raise TypeError(problem) from None
             given = bound.arguments
+            given = {key: _flag(key, value, signature) for key, value in given.items()}
             if unnamed and (values := given.pop(AMOUNTS.name, ())):
                 given = with_amounts(function, command, values, given)
             return in_python(function)(**given)
@@ -368,6 +381,15 @@ def of_page(
         return call
 
     return decorate
+
+
+def _flag(key: str, value: Any, signature: inspect.Signature) -> Any:
+    """Return a value, of a flag as a bool; refuse another one for a flag."""
+    if signature.parameters[key].annotation != "bool" or value is None:
+        return value
+    if isinstance(value, (bool, numpy.bool_)):
+        return bool(value)
+    raise ConditionError(f"{key} is {article(type(value).__name__)}", f"{key}=True, or False")
 
 
 def _keywords(page: Page, without: Sequence[str]) -> list[Keyword]:

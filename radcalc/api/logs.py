@@ -169,13 +169,13 @@ def dose(
     refuse_uncertain([inputs["max-gap"]] if "max-gap" in inputs else [], "a log")
     arguments.refuse_arrays(inputs, "the whole log")
     chosen = LogSettings(
-        tuple(map(str, filter(None, _listed(time_column)))),
+        tuple(filter(None, _listed("time_column", time_column))),
         "" if column is None else str(column),
         unit,
         invalid=invalid,
         clock=TimeSettings(time_zone, time_unit, time_format),
-        where=rows_where([where] if isinstance(where, str) else where),
-        missing=tuple(map(str, _listed(missing))),
+        where=rows_where(_listed("where", where)),
+        missing=tuple(_listed("missing", missing)),
         dark=str(dark),
         thousands=thousands,
     )
@@ -203,8 +203,14 @@ def _of_period(period: str, label: str) -> ShownInput:
     return ShownInput(period, text=label, tells=True)
 
 
-def _listed(texts: str | float | Sequence[str | float]) -> Sequence[str | float]:
-    return [texts] if isinstance(texts, (str, float, int)) else texts
+def _listed(key: str, given: Any) -> list[str]:
+    """Return one or several texts or numbers as texts; refuse other values."""
+    several = given if isinstance(given, (list, tuple)) else [given]
+    for one in several:
+        if isinstance(one, bool) or not isinstance(one, (str, float, int)):
+            problem = f"{key} is {article(type(one).__name__)}, not a text or a number"
+            raise ConditionError(problem, f"{key} as a text, or a list of texts")
+    return [*map(str, several)]
 
 
 def _table(readings: Any, times: Any, unit: str) -> Table:

@@ -199,7 +199,7 @@ def _toward(called: str, words: list[str]) -> errors.Try | None:
 
 def _results_in(typed: str, called: str, words: list[str]) -> list[errors.Try]:
     """Return the calls with a result in the unit of --to; none if no result has it."""
-    from radcalc.calculators.results import names_of, right_names
+    from radcalc.calculators.results import right_names
     from radcalc.cli.lane import asked
 
     at = next(k for k, word in enumerate(words) if word.partition("=")[0] == typed)

@@ -26,6 +26,7 @@ from radcalc.conversion.geometric import (
     Way,
 )
 from radcalc.errors import manual, option, quote
+from radcalc.maths import is_array
 from radcalc.quantities import PHOTON, Reading, coherent_text, describe, read
 from radcalc.tuples import NamedTuple
 from radcalc.units import Daily, Unit
@@ -214,7 +215,8 @@ class Bridge:
                 if len(rates) == 1
                 else ""
             )
-        if given.name == "reflectance" and start.area and not start.solid_angle:
+        is_one = not is_array(given.value)
+        if given.name == "reflectance" and is_one and start.area and not start.solid_angle:
             number = f"{self.number}*{given.value:.12g}"
             units = quote(self.source.text), quote(self.target.text)
             return errors.call("convert", number, *units, remark="the reflected part")

@@ -18,6 +18,7 @@ from radcalc.units import Unit
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import ANGLE, LENGTH
 from radcalc.units.numbers import parse_number
+from radcalc.units.ranges import floats
 from radcalc.units.table import resolve
 
 Point = tuple[float, float, float]
@@ -133,7 +134,7 @@ def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[
     return numbers
 
 
-def joined(value: Any, mark: str = ",", number: Callable[[Any], Any] = float) -> str:
+def joined(value: Any, mark: str = ",", number: Callable[[Any], Any] = floats) -> str:
     """Return Python numbers as typed text; the readers refuse other values."""
     if isinstance(value, str):
         return value

@@ -103,7 +103,7 @@ def constants(text: str = "") -> list[Entry]:
 
 
 def _is_in(text: str, names: Iterable[str]) -> bool:
-    """Return whether a name has a text, a short one as the beginning of a word: not mpe in ampere."""
+    """Return whether a name has a text, a short one at the start of a word: ampere has no mpe."""
     sought = text if len(text) > SHORT else f"_{text}"
     return any(sought in f"_{name}" for name in names)
 

@@ -347,29 +347,37 @@ def real(value: Any, what: str, hint: str) -> Any:
     """
     problem = f"{what} takes real numbers, not '{quote(str(value))}'"
     try:
-        if isinstance(value, (int, float)):
+        if isinstance(value, (int, float)) and not isinstance(value, bool):
             float(value)
             return value
-        import warnings
-
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")  # imaginary parts and units would be dropped
-            array = floats(value)
+        array = floats(value)
         refuse_masked(value, what)
     except OverflowError:
         problem = f"a number in {what} is out of range"
         raise errors.NumberError(problem, hint) from None
-    except (TypeError, ValueError, Warning):
+    except (TypeError, ValueError):
         raise errors.NumberError(problem, hint) from None
     return array if array.ndim else float(array)
 
 
-def floats(value: Any) -> Any:
-    """Return an array of floats; raise TypeError for dates, durations and booleans."""
+def floats(value: Any, missing: Any = ...) -> Any:
+    """Return an array of floats; raise TypeError for other elements, but for one that is `missing`.
+
+    NumPy would take truth values, texts, and the real parts of complex numbers, for numbers.
+    """
+    from decimal import Decimal
+    from numbers import Real
+
     import numpy
 
-    array = numpy.asarray(value)
-    if array.dtype.kind in "bMm":
+    if hasattr(value, "dimensionality"):
+        raise TypeError("the unit of a quantity would be lost")
+    array = numpy.asarray(value, None if hasattr(value, "dtype") else object)
+    if array.dtype.kind == "O":
+        others = (one for one in array.flat if one is not missing)
+        if any(isinstance(one, bool) or not isinstance(one, (Real, Decimal)) for one in others):
+            raise TypeError("an array of objects")
+    elif array.dtype.kind not in "iuf":
         raise TypeError(f"an array of {array.dtype}")
     return array.astype(float, copy=False)
 

@@ -175,7 +175,7 @@ def test_what_is_not_a_text_is_refused_in_words(name):
 
 
 def test_a_truth_value_and_a_result_are_not_taken_for_others():
-    with pytest.raises(RadcalcError, match="a truth value"):
+    with pytest.raises(RadcalcError, match="real numbers, not 'True'"):
         radcalc.convert(True, "lx", "fc")
     with pytest.raises(RadcalcError, match="not a source of light"):
         radcalc.convert("500 lx", "ppfd", spectrum=radcalc.spectrum("D65"))
