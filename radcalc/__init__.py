@@ -21,6 +21,8 @@ convert        Convert a quantity to another unit, or to another quantity
 ask            Answer a sentence, such as ``"20000 cd at 8 m to lx"``.
 check          Check an answer against a result, and name the mistakes that
                lead to it.
+define         Read the units, constants, reflectances and spectra of a file
+               of definitions.
 examples       List tasks with the commands that answer them, and how to
                read the answers.
 explain        Convert like `convert`, and return the assumptions, notes and
@@ -90,6 +92,7 @@ __all__ = [
     "calorimeter",
     "check",
     "convert",
+    "define",
     "direction",
     "dose",
     "environment",

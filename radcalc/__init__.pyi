@@ -81,6 +81,7 @@ __all__ = [
     "calorimeter",
     "check",
     "convert",
+    "define",
     "direction",
     "dose",
     "environment",
@@ -165,6 +166,9 @@ def convert(
     photoperiod: Amount = None,
     bandwidth: Amount = None,
 ) -> Quantity: ...
+def define(
+    path: Path,
+) -> None: ...
 def direction(
     vector: Points | None = None,
     *,

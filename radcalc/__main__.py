@@ -5,7 +5,14 @@ import os
 import sys
 
 # The module `signal` is slow to import.
-from _signal import SIGINT, default_int_handler, getsignal, signal  # type: ignore[import-not-found]
+from _signal import (  # type: ignore[import-not-found]
+    SIG_DFL,
+    SIGINT,
+    SIGTERM,
+    default_int_handler,
+    getsignal,
+    signal,
+)
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -13,6 +20,9 @@ if TYPE_CHECKING:
     from radcalc.units import Unit
 
     Operands = tuple[float, Unit, Unit]
+
+
+TERMINATED = 128 + SIGTERM  # the status that a shell gives the end by this signal
 
 
 def main() -> None:
@@ -25,11 +35,20 @@ def main() -> None:
     try:
         if callable(getsignal(SIGINT)):  # also the handler of the script that starts it
             signal(SIGINT, default_int_handler)
+        if getsignal(SIGTERM) == SIG_DFL:
+            signal(SIGTERM, _terminate)
         gc.set_threshold(50_000)
         status = run(sys.argv[1:])
     except KeyboardInterrupt:
         status = 130
+    except SystemExit:
+        status = TERMINATED
     os._exit(status)
+
+
+def _terminate(*_: object) -> None:
+    """End the process like a refusal does, so that no file with a temporary name remains."""
+    raise SystemExit
 
 
 def run(words: list[str]) -> int:
@@ -75,7 +94,7 @@ def quick_lane(words: list[str]) -> int | None:
     except Exception:  # an error or a bug, which Click's boundary reports
         return None
     try:
-        terminal.write(text)
+        terminal.write(text, exact=True)
     except _error_of_output() as error:
         return terminal.complain(error)
     terminal.say(terminal.remarks(made.assumptions, made.notes))

@@ -36,7 +36,21 @@ MARKS = "Mn", "Me", "Mc"  # and for marks without a column
 MEDIALS = "\u1160", "\u11ff"  # first and last letters of Hangul that join the letter before
 DOTS = "..."
 CALLS = "try: radcalc ", "or:  radcalc ", "read as: radcalc "  # lines to paste: not folded
+DEFINITIONS = "RADCALC_DEFINITIONS"  # the variable with the path of a user's definitions
 _chosen = AUTO
+
+
+def definitions_file(chosen: "str | None") -> str:
+    """Return the path of the user's definitions: as chosen, of the variable or the usual one.
+
+    Return '' if there is none.
+    """
+    chosen = os.environ.get(DEFINITIONS) if chosen is None else chosen
+    if chosen is not None:
+        return chosen
+    folder = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
+    path = os.path.join(folder, "radcalc", "definitions.txt")
+    return path if os.path.exists(path) else ""
 
 
 def is_terminal() -> bool:
@@ -83,22 +97,39 @@ def can_show(text: str) -> bool:
 is_unread = False  # whether an answer was for a closed pipe
 
 
-def write(text: str) -> None:
-    """Write a whole answer.  A closed pipe ends quietly; any other failure is an error."""
+def write(text: str, exact: bool = False) -> None:
+    """Write a whole answer.  A closed pipe ends quietly; any other failure is an error.
+
+    Characters that the encoding lacks are escaped, which a note says; an `exact` text is refused.
+    """
     out = _stdout()
     encoding = out.encoding or "ascii"
     try:
         data = text.encode(encoding, out.errors or "strict")
     except UnicodeEncodeError:
-        import codecs
-
-        codecs.register_error("radcalc", _escaped)
-        data = text.replace("±", "+-").encode(encoding, "radcalc")
+        data = _encoded(text.replace("±", "+-"), encoding, exact)
     try:
         pour(data)
     except BrokenPipeError:  # the reader has stopped, but the exit status still matters
         global is_unread
         is_unread = True
+
+
+def _encoded(text: str, encoding: str, exact: bool) -> bytes:
+    import codecs
+
+    try:
+        return text.encode(encoding)
+    except UnicodeEncodeError as error:
+        if exact:
+            from radcalc.errors import OutputError, quote
+
+            lacking = quote(text[error.start])
+            problem = f"cannot write the answer: the encoding {encoding} lacks '{lacking}'"
+            raise OutputError(problem, "PYTHONIOENCODING=utf-8, or JSON") from None
+    say(remarks((), [f"characters that {encoding} lacks are written as their codes"]))
+    codecs.register_error("radcalc", _escaped)
+    return text.encode(encoding, "radcalc")
 
 
 def _escaped(error: "Any") -> "tuple[str, int]":

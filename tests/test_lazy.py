@@ -170,7 +170,7 @@ def test_every_function_takes_lazy_arrays_or_refuses_them():
     """Functions that refuse them are listed below; `environment` reads maps strip by strip."""
     taken = {call[0].__name__ for call in CALLS.values()}
     refuse = {"explain", "factor", "scene", "environment", "spectrum", "check"}
-    refuse |= {"irradiance_map", "ask", "dose", "integrate", "examples", "typical"}
+    refuse |= {"irradiance_map", "ask", "define", "dose", "integrate", "examples", "typical"}
     assert taken | refuse == {one for one in radcalc.__all__ if isfunction(getattr(radcalc, one))}
 
 

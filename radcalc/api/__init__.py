@@ -16,6 +16,7 @@ MODULES = {
         "Verdict",
         "ask",
         "check",
+        "define",
         "direction",
         "environment",
         "examples",

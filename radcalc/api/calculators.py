@@ -64,6 +64,7 @@ from radcalc.errors import (
 )
 from radcalc.homework import Verdict as Judged
 from radcalc.inputs import Inputs, refuse_uncertain, shown_inputs
+from radcalc.inputs.definitions import load
 from radcalc.inputs.places import IN_METRES, read_coordinates, read_point
 from radcalc.inputs.reading import read
 from radcalc.quantities.lookup import FIELDS, Task, Typical, how_far
@@ -625,7 +626,8 @@ class Verdict(Judged):
     def __repr__(self) -> str:
         """Return the judgement and the likely mistakes as text."""
         row = Row(self.name, "", self.value, self.unit)
-        return words_of(Judgement(self, row, (), (), ()), Style()).rstrip()
+        text = words_of(Judgement(self, row, (), (), ()), Style()).rstrip()
+        return "\n".join([text, *(f"note: {note}" for note in self.notes)])
 
 
 @in_python
@@ -762,6 +764,37 @@ def _typical_value(value: Typical) -> TypicalValue:
     low, high = (end if unit.is_scale else quantity(end, unit) for end in (value.low, value.high))
     texts = {field: getattr(value, field) for field in FIELDS}
     return TypicalValue(**texts, low=low, high=high)
+
+
+@in_python
+def define(path: Path) -> None:
+    """Read the units, constants, reflectances and spectra of a file of definitions.
+
+    They are then known to every function, as they are at a shell (radcalc-units(7)); the notes of
+    a result state those that it uses.  Python does not read ``definitions.txt`` by itself.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        A file with lines such as ``mylamp = 54 lm/W`` or ``spectrum office = LED-B3``.
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        If a line is not a definition, with its place; nothing is then defined.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "own.txt"
+    >>> _ = path.write_text("smoot = 67 inch")
+    >>> define(path)
+    >>> explain("2 smoot", "m").notes
+    ('own definition: smoot = 67 inch, own.txt line 1',)
+    """
+    if not isinstance(path, os.PathLike):
+        require_texts(path=path)
+    load(os.fspath(path))
 
 
 @in_python

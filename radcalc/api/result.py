@@ -41,7 +41,7 @@ from radcalc.errors import ConditionError, RadcalcError, Try, quote
 from radcalc.inputs import Inputs
 from radcalc.maths import frozen, is_column
 from radcalc.quantities.symbols import FLAG, SYMBOLS
-from radcalc.units import table
+from radcalc.units import now, own_since, table
 from radcalc.units.table import resolve
 from radcalc.units.values import in_which
 
@@ -55,17 +55,33 @@ REFUSED = (RadcalcError, TypeError, ValueError, LookupError, AttributeError)  # 
 
 
 def in_python(function: Callable[P, T]) -> Callable[P, T]:
-    """Raise errors with keywords instead of options."""
+    """Raise errors with keywords instead of options; state the user's definitions that are read."""
 
     @wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> T:
+        time = now()
         try:
-            return function(*args, **kwargs)
+            found = function(*args, **kwargs)
+            return _stating(found, own) if (own := own_since(time)) else found
         except RadcalcError as error:
             given = signature(function).bind_partial(*args).arguments | kwargs
             raise with_keywords(error, function, given) from None
 
     return call
+
+
+def _stating(found: Any, own: Sequence[str]) -> Any:
+    """Return what a function returned, with the user's definitions in its notes if it has some."""
+    if isinstance(found, dict):  # by day
+        return {period: _stating(result, own) for period, result in found.items()}
+    if isinstance(found, Result):
+        found._own = tuple(dict.fromkeys((*found._own, *own)))
+    elif hasattr(found, "notes"):
+        notes = tuple(dict.fromkeys((*found.notes, *own)))
+        found = (
+            found._replace(notes=notes) if hasattr(found, "_replace") else type(found)(found, notes)
+        )
+    return found
 
 
 def with_keywords(
@@ -285,6 +301,7 @@ class Result(Mapping[str, Quantity]):
         self._ask = ask
         self._solved = solved
         self._later = later
+        self._own: tuple[str, ...] = ()  # notes on the user's definitions
 
     def __getitem__(self, name: str) -> Quantity:
         """Return a result by any of its names; hyphens are underscores."""
@@ -361,7 +378,7 @@ class Result(Mapping[str, Quantity]):
     def _renderable(self) -> answer.Result:
         result = self._show()
         self._show = lambda: result
-        return result
+        return result._replace(notes=tuple(dict.fromkeys((*result.notes, *self._own))))
 
     @property
     def inputs(self) -> tuple[ShownInput, ...]:

@@ -7,10 +7,12 @@ plain call of a calculator do without it.
 import os
 
 from radcalc import terminal
-from radcalc.cli.spelling import EXPLAIN, HELP_NAMES
-from radcalc.errors import RadcalcError
+from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, spelled
+from radcalc.errors import ConditionError, RadcalcError, add
 
-OPTION, VARIABLE = "--definitions", "RADCALC_DEFINITIONS"
+OPTION = "--definitions"
+# First words of calls that only show texts; they are answered whatever the file of definitions has.
+TEXTS = ("help", "manual", "--version")
 
 
 def run(words: list[str]) -> int:
@@ -18,7 +20,13 @@ def run(words: list[str]) -> int:
     try:
         _load_definitions(words)
     except RadcalcError as error:
-        return terminal.complain(error)
+        if words[:1] not in [[text] for text in TEXTS] and not {*HELP_NAMES} & {*words}:
+            message = f"{error.message}; try {error.hint}"
+            without = add("definitions", os.devnull, "without the file")
+            return _refuse(ConditionError(message, "", [without]), words)
+        terminal.say(terminal.remarks((), [spelled(error.message)]))
+    except Exception as error:
+        return _with_click(words, error)
     status: int | BaseException | None = None
     if EXPLAIN not in words and words[-1:] not in [[name] for name in HELP_NAMES]:
         from radcalc.cli import lane, spelling
@@ -45,19 +53,15 @@ def _refuse(error: RadcalcError, words: list[str]) -> int:
 
 def _load_definitions(words: list[str]) -> None:
     """Load the user's definitions, if there are any."""
-    if path := _file_of_definitions(words):
+    if path := terminal.definitions_file(_value_of_option(words)):
         from radcalc.inputs import definitions
 
         definitions.load(path)
 
 
-def _file_of_definitions(words: list[str]) -> str:
+def _value_of_option(words: list[str]) -> str | None:
     for word, following in zip(words, [*words[1:], ""], strict=False):
         name, is_joined, value = word.partition("=")
         if name == OPTION:
             return value if is_joined else following
-    if VARIABLE in os.environ:
-        return os.environ[VARIABLE]
-    folder = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
-    path = os.path.join(folder, "radcalc", "definitions.txt")
-    return path if os.path.exists(path) else ""
+    return None

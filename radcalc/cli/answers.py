@@ -147,7 +147,7 @@ def _show_columns(
         remarks[remark if remark.steps else remark[1:3]] = remark
     output.hear(heard)
     for text in texts:
-        terminal.write(text)
+        terminal.write(text, exact=True)
     output.remark(list(remarks.values()))
 
 

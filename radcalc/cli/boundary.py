@@ -156,7 +156,7 @@ def _bug(error: Exception) -> int:
         traceback.print_exc(file=sys.stderr)
     terminal.say(
         [
-            f"radcalc: this is a bug in radcalc {__version__}: {type(error).__name__}",
+            f"radcalc: this is a bug in radcalc {__version__}",
             "try: the same with RADCALC_DEBUG=1, and report what it prints with the command",
         ]
     )

@@ -1,5 +1,6 @@
 """The command `radcalc`, its subcommands, and their help with options in sections."""
 
+import os
 from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any
@@ -23,7 +24,7 @@ from radcalc.cli.help import HELPS, Helped
 from radcalc.cli.output import decide
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import EXPLAIN, GROUPS, HELP_NAMES, Shell, own_module, spelled
-from radcalc.errors import MINUS, Try, UsageError, add, mention, quote
+from radcalc.errors import MINUS, Hint, Try, UsageError, add, correct, mention, quote
 from radcalc.quantities.symbols import CHOICE, FLAG, SYMBOLS
 from radcalc.units.numbers import is_sentence
 
@@ -243,6 +244,12 @@ def with_plot(args: Sequence[str]) -> list[str]:
     for word in args:
         if words and words[-1] == "--plot":
             is_file = word.lower().endswith(FIGURES) and word[0] != "-"
+            ending = os.path.splitext(word)[1]
+            if not is_file and ending[1:].isalpha() and not os.path.exists(word):
+                problem = f"'{quote(word)}' is not a file, and a figure does not end in"
+                figure: Hint = [correct(word, word.removesuffix(ending) + FIGURES[0])]
+                hint = "a figure in .svg or .png" if len(args) == 2 else figure
+                raise UsageError(f"{problem} {quote(ending)}", hint)
             words[-1:] = [f"--plot={word}"] if is_file else [f"--plot={TO_TERMINAL}", word]
         else:
             words.append(word)

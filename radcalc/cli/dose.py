@@ -193,7 +193,8 @@ def columns_command(words: tuple[str, ...], output: Output) -> None:
     table = [{key: str(cell) for key, cell in row.items()} for row in rows]
     notes = (f"{listed.rows} rows", *listed.notes)
     right = ("numbers", "from", "to", "mean")
-    output.records(Records(rows, notes, table, right, texts_of({"file": path})), (JSON, TABLE))
+    records = Records(rows, notes, table, right, texts_of({"file": path}))
+    output.records(records, (JSON, TABLE), of_file=True)
 
 
 def _row(

@@ -40,6 +40,7 @@ from radcalc.spectra.sources import WORDS as TAKEN
 from radcalc.spectra.sources import aliases
 from radcalc.terminal import JSON
 from radcalc.tuples import NamedTuple
+from radcalc.units import OWN
 from radcalc.units.compiled import UNITS
 
 ALIKE = 0.7  # of similar names
@@ -256,7 +257,8 @@ def _of_spectra(text: str) -> Iterator[Finding]:
 
 def _spectrum(name: str, is_meant: bool = False) -> Finding:
     kind, _, parameters = name.partition(":")
-    what = FORMS[kind][1] if parameters else table.SPECTRA.get(name, "")
+    own = OWN[name][0] if name in OWN else ""
+    what = FORMS[kind][1] if parameters else own or table.SPECTRA.get(name, "")
     names = (kind,) if parameters else (name, *aliases(name))
     return Finding("spectrum", name, what, ("spectrum", name), names, is_meant=is_meant)
 

@@ -88,9 +88,11 @@ def typical_command(words: tuple[str, ...], output: Output) -> None:
     table = [{**row, **names} for row, names in zip(rows, translated, strict=True)]
     notes = [f"{v.what}, {v.value} {v.unit}: {v.note}" for v in matches if v.note]
     inputs = texts_of({"search": text})
-    output.records(Records(rows, notes, table, right=("value",), inputs=inputs))
-    if output.format != JSON and (far := how_far(text, matches)):
-        output.remark([Result((), notes=(far,))])
+    is_json = output.format == JSON
+    output.records(Records(rows, notes, table, right=("value",), inputs=inputs), answers=is_json)
+    if not is_json:
+        far = how_far(text, matches)
+        output.remark([Result((), notes=(far,) if far else ())])
 
 
 @define("quantities", page_of("quantities"))

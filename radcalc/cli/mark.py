@@ -111,9 +111,8 @@ def command(
     rows = [*_with_totals(sheet, marked)]
     table = [_cells(row, len(sheet.students) > 1) for row in rows]
     inputs = texts_of({"file": path, "points": points or "", "tolerance": tolerance or ""})
-    output.records(
-        Records(rows, notes, table, ("points", "of"), inputs, ("answer",)), (JSON, TABLE)
-    )
+    records = Records(rows, notes, table, ("points", "of"), inputs, ("answer",))
+    output.records(records, (JSON, TABLE), answers=True, of_file=True)
     is_right = all(one.mark.verdict == RIGHT for one in marked)
     return terminal.ANSWERED if is_right else terminal.WRONG
 

@@ -12,6 +12,7 @@ from radcalc.render.formats import Judgement, Records, Style, renderer
 from radcalc.render.plain import derivation, omitted
 from radcalc.terminal import CSV, FORMATS, JSON, PLAIN, TABLE
 from radcalc.tuples import NamedTuple
+from radcalc.units import now, own_since
 
 FEW = 3  # remarks that differ only in numbers and are all shown
 WITHOUT_NUMBERS = str.maketrans("", "", "0123456789.+-e")
@@ -35,12 +36,16 @@ if TYPE_CHECKING:
 
 
 class Output(NamedTuple):
-    """The output format of an answer; `is_chosen` if it was requested."""
+    """The output format of an answer; `is_chosen` if it was requested.
+
+    An answer states the user's definitions that are read after the time `since`.
+    """
 
     format: str
     style: Style
     is_chosen: bool = False
     listener: "Listener | None" = None
+    since: int = 0
 
     @property
     def is_bare(self) -> bool:
@@ -56,49 +61,71 @@ class Output(NamedTuple):
         """Return whether the results of `--get` are columns, however many lines there are."""
         return self.is_bare or self.format == CSV
 
-    def hear(self, results: Sequence[Result]) -> None:
+    def hear(self, results: Sequence[Result]) -> Sequence[Result]:
+        """Return the results with the user's definitions among their notes; a listener hears."""
+        own = own_since(self.since)
+        if own:
+            results = [r._replace(notes=tuple(dict.fromkeys((*r.notes, *own)))) for r in results]
         if self.listener:
             self.listener.hear(results)
+        return results
 
     def ask(self, question: "Question") -> None:
         if self.listener:
             self.listener.ask(question)
 
     def show(self, results: Sequence[Result]) -> None:
-        self.hear(results)
-        results = [result.spelled(spelled) for result in results]
+        results = [result.spelled(spelled) for result in self.hear(results)]
         if self.style.auto:
             from radcalc.render.prefixes import with_prefixes
 
             results = with_prefixes(results, self.format, self.style.precision)
         form = renderer(self.format)
-        terminal.write(form.results(results, self._on_terminal()))
+        terminal.write(form.results(results, self._on_terminal()), exact=True)
         if form.REMARKS_ARE_APART:
             if self.style.bare:
                 results = [r._replace(notes=(*r.notes, *omitted(r.rows))) for r in results]
             self.remark(results)
 
-    def records(self, records: Records, notes_in: Sequence[str] = FORMATS) -> None:
-        """Write a list, with its notes apart if its format is not among some."""
+    def records(
+        self,
+        records: Records,
+        notes_in: Sequence[str] = FORMATS,
+        answers: bool = False,
+        of_file: bool = False,
+    ) -> None:
+        """Write a list, with its notes apart if its format is not among some.
+
+        A list that `answers` states the user's definitions that it uses; in CSV, one `of_file`
+        has a note on cells that a spreadsheet may run.
+        """
+        notes = [*records.notes, *(own_since(self.since) if answers else ())]
+        if of_file and self.format == CSV:
+            from radcalc.render.csv import note_on_formulas
+
+            notes += note_on_formulas(records)
         is_apart = self.format not in notes_in
-        shown = records._replace(notes=()) if is_apart else records
+        shown = records._replace(notes=() if is_apart else notes)
         terminal.write(renderer(self.format).records(shown, self._on_terminal()))
         if is_apart:
-            self.remark([Result((), notes=tuple(records.notes))])
+            self._say([Result((), notes=tuple(notes))])
 
     def judge(self, judgement: Judgement) -> None:
         """Write whether an answer is right; the listener hears the right one."""
         self.hear([Result((judgement.right,))])
-        remarks = Result(
-            (), tuple(judgement.assumptions), tuple(judgement.notes), judgement.verdict.steps
-        ).spelled(spelled)
+        notes = (*judgement.notes, *own_since(self.since))
+        steps = judgement.verdict.steps
+        remarks = Result((), tuple(judgement.assumptions), notes, steps).spelled(spelled)
         judgement = judgement._replace(assumptions=remarks.assumptions, notes=remarks.notes)
-        terminal.write(renderer(self.format).verdict(judgement, self._on_terminal()))
+        terminal.write(renderer(self.format).verdict(judgement, self._on_terminal()), exact=True)
         if self.format != JSON:
-            self.remark([remarks])
+            self._say([remarks])
 
     def remark(self, results: Sequence[Result]) -> None:
-        """Write assumptions, notes (each once) and derivations to standard error."""
+        """Write assumptions, notes and derivations to standard error."""
+        self._say([*results, Result((), notes=own_since(self.since))])
+
+    def _say(self, results: Sequence[Result]) -> None:
         lines: list[str] = []
         if self.style.remarks:
             remarks = [line for r in results for line in terminal.remarks(r.assumptions, r.notes)]
@@ -174,7 +201,7 @@ def decide(
     colored = terminal.wants_color(color, is_terminal)
     brief = listener is not None and asked is None
     style = Style(precision, number, 80, colored, spoken, not quiet, command, brief, auto)
-    return Output(chosen, style, asked is not None, listener)
+    return Output(chosen, style, asked is not None, listener, now())
 
 
 def refuse_number_options(output: Output, command: str) -> None:

@@ -11,7 +11,7 @@ from radcalc.cli.calculator import run
 from radcalc.cli.command import define
 from radcalc.cli.output import Output, refuse_number_options
 from radcalc.cli.request import Case, Request, as_typed
-from radcalc.errors import UsageError, call, correct
+from radcalc.errors import RadcalcError, UsageError, call, correct
 from radcalc.inputs import Input
 from radcalc.inputs.reading import read
 from radcalc.quantities.language import ENGLISH
@@ -83,13 +83,19 @@ def _show_list(text: str, output: Output) -> None:
     rows: list[dict[str, Any]] = []
     table: list[dict[str, str]] = []
     fields, none = (KEYS, None) if output.format == JSON else (FIELDS, "")
+    notes: list[str] = []
     for source in search(text):
-        cct, lux = temperature_and_ratio(source.name)
+        cct: float | None = None
+        lux: Any = none
+        try:
+            cct, lux = temperature_and_ratio(source.name)
+        except RadcalcError as error:  # a file of the user's definitions
+            notes.append(error.message)
         cells = (
             source.name,
             source.kind_in(language),
             f"{cct:.0f}" if cct else "",
-            number(lux, DIGITS),
+            number(lux, DIGITS) if isinstance(lux, float) else "",
         )
         table.append(dict(zip(TITLES, cells, strict=True)))
         if output.format in (JSON, CSV):
@@ -102,4 +108,5 @@ def _show_list(text: str, output: Output) -> None:
         for form, what in other_forms.items():
             rows.append(dict(zip(fields, (form, what, none, none), strict=True)))
             table.append(dict(zip(TITLES, (form, what, "", ""), strict=True)))
-    output.records(Records(rows, (), table, TITLES[2:], texts_of({"search": text})))
+    records = Records(rows, notes, table, TITLES[2:], texts_of({"search": text}))
+    output.records(records, (JSON,), answers=True)

@@ -327,7 +327,7 @@ def typical_of(text: str) -> Try | None:
 def looked_up(word: str) -> Try | None:
     """Return the call that explains a unit, a quantity or a spectrum; None for other words."""
     from radcalc.quantities.search import is_name
-    from radcalc.spectra.sources import find_named
+    from radcalc.spectra.sources import is_named
     from radcalc.units.table import unit_of
     from radcalc.units.values import find_scale
 
@@ -335,7 +335,7 @@ def looked_up(word: str) -> Try | None:
         return call("units", word)
     if is_name(word):
         return call("quantities", word)
-    return call("spectrum", word) if find_named(word) else None
+    return call("spectrum", word) if is_named(word) else None
 
 
 ENDS = ("--from", "--to")

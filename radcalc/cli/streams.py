@@ -18,7 +18,7 @@ from radcalc.inputs import Input, refuse_uncertain, shown_inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.streams import Source
 from radcalc.terminal import ABORT, CSV, JSON, TABLE
-from radcalc.units import Unit
+from radcalc.units import Unit, own_since
 from radcalc.units.table import resolve
 from radcalc.units.values import resolve_any, resolve_given
 
@@ -78,16 +78,22 @@ class _Work:
         self.layout = layout
         self.style = output.style
         self.as_json = output.format == JSON
+        self.since = output.since
+        self.already_said: set[str] = set()
 
     def say(self, texts: Sequence[str]) -> None:
+        """Write remarks and the user's definitions that are used, each once."""
         if self.style.remarks and not self.as_json:
-            terminal.say(list(map(spelled, texts)))
+            said = dict.fromkeys([*texts, *terminal.remarks((), own_since(self.since))])
+            terminal.say([spelled(text) for text in said if text not in self.already_said])
+            self.already_said.update(said)
 
     def line_of(self, result: Result, line: int, field: int | None, column: str = "") -> str:
         from radcalc.render import json
 
         place = {"line": line, "field": field, "column": column}
         known = {name: value for name, value in place.items() if value}
+        result = result._replace(notes=(*result.notes, *own_since(self.since)))
         return json.line(result.spelled(spelled), self.style, known)
 
 
@@ -107,7 +113,6 @@ class _Conversion(_Work):
         self.target = target
         self.given = given
         self.titles: Header | None = None
-        self.already_said: set[str] = set()
         self.planned: list[Plan] = []
 
     def note_negative(self) -> None:
@@ -172,9 +177,7 @@ class _Conversion(_Work):
         return texts, self.target
 
     def _remark(self, assumptions: Sequence[str], notes: Sequence[str]) -> None:
-        texts = terminal.remarks(assumptions, notes)
-        self.say([text for text in dict.fromkeys(texts) if text not in self.already_said])
-        self.already_said.update(texts)
+        self.say(terminal.remarks(assumptions, notes))
 
 
 def calculate(

@@ -332,6 +332,7 @@ def _is_short(words: Words) -> bool:
             found.make_context(name, rest, parent=top)
         return False
     paths = {path for word in words for path in _paths(word) if os.path.exists(path)}
+    paths.discard(os.devnull)  # in place of a file of definitions
     return all(map(os.path.isfile, paths)) and sum(map(os.path.getsize, paths)) <= LARGEST
 
 
@@ -389,7 +390,7 @@ def _in_python(words: Words) -> str:
         name, equals, value = word.partition("=")
         if name not in known:
             operands.append(word)
-        elif known[name].name in ("format_", "json_", "quiet", "steps"):
+        elif known[name].name in ("format_", "json_", "quiet", "steps", "definitions"):
             _ = "" if equals or getattr(known[name], "is_flag", False) else next(rest, "")
         else:
             is_flag = getattr(known[name], "is_flag", False)

@@ -241,10 +241,23 @@ class Typed:
         if self.is_redirected:
             candidates = files(("",), self.word)
         else:
+            _load_definitions(self.words)
             candidates = completions(self.words[1:], self.word)
         return [
             candidate for candidate in candidates if not {"\n", "\r", "\t"} & set(candidate.text)
         ]
+
+
+def _load_definitions(words: "Sequence[str]") -> None:
+    """Load the user's definitions; a Tab never reports their errors."""
+    given = Line("convert", words).given.get("--definitions")
+    if path := terminal.definitions_file(given):
+        from radcalc.inputs import definitions
+
+        try:
+            definitions.load(path)
+        except RadcalcError:
+            return
 
 
 def _bash(typed: Typed) -> list[str]:

@@ -30,7 +30,7 @@ from radcalc.quantities import GEOMETRIES, symbols
 from radcalc.quantities.names import full_name, offered
 from radcalc.quantities.search import GENERIC, names_with_units
 from radcalc.spectra import listing
-from radcalc.units import NUMBER, Dimension, Unit
+from radcalc.units import NUMBER, OWN, Dimension, Unit
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.table import resolve
 from radcalc.units.values import on
@@ -57,7 +57,7 @@ def table() -> dict[str, Any]:
             for name, unit in names_with_units()
         },
         "ENDINGS": ENDINGS,
-        "SPECTRA": dict(listing.described(listing.search())),
+        "SPECTRA": dict(listing.described([s for s in listing.search() if s.name not in OWN])),
     }
 
 

@@ -4,11 +4,14 @@ import os
 
 from radcalc.completion.table import COMMANDS, ENDINGS, NAMES, SPECTRA, UNITS
 from radcalc.spectra import FORMS
+from radcalc.units import OWN, Unit
+from radcalc.units.compiled import CONSTANTS
+from radcalc.units.compiled import UNITS as COMPILED
 from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any
 
 HELP = "help"  # `radcalc help convert`
@@ -107,10 +110,15 @@ def starting(texts: "Iterable[str]", prefix: str, closes: bool = True) -> list[C
 def _quantities(values: "Sequence[Any]", incomplete: str) -> list[Completion]:
     """Return a number with units that fit, also at the end of a list or range; or an example."""
     example, quantities = values
+    own = [
+        Completion(name, OWN[name][0])
+        for name, quantity in _own(CONSTANTS).items()
+        if quantity in quantities and name.startswith(incomplete)
+    ]
     if not incomplete:
-        return [Completion(example, "an example")] if example else []
+        return [*([Completion(example, "an example")] if example else []), *own]
     likely = split_number(example)[2]
-    return in_units(quantities, incomplete, likely)
+    return [*own, *in_units(quantities, incomplete, likely)]
 
 
 def in_units(quantities: "Sequence[str]", incomplete: str, likely: str = "") -> list[Completion]:
@@ -124,12 +132,23 @@ def in_units(quantities: "Sequence[str]", incomplete: str, likely: str = "") -> 
 
 def units_of(quantities: "Iterable[str]", typed: str) -> list[Completion]:
     """Return the units with this beginning and their names; long names only once typed."""
+    quantities = [*quantities]
+    own = [(name, quantity) for name, quantity in _own(COMPILED).items() if quantity in quantities]
+    known = [unit for name in quantities for unit in UNITS[name]]
     return [
         Completion(text, description)
-        for name in quantities
-        for text, description in UNITS[name]
+        for text, description in dict([*known, *own]).items()
         if text.startswith(typed) and (typed or "_" not in text)
     ]
+
+
+def _own(table: "Mapping[str, Any]") -> dict[str, str]:
+    """Return the units or the constants of the user's definitions, with their quantities."""
+    if not OWN:
+        return {}
+    from radcalc.quantities.names import full_name
+
+    return {name: full_name(Unit("", 1, 1, table[name][2], ())) for name in OWN if name in table}
 
 
 def split_number(text: str) -> tuple[str, str, str]:
@@ -175,9 +194,14 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
         head, number, typed = split_number(parameters)
         units = [text for text in FORMS[kind][3] if number and text.startswith(typed)]
         return [Completion(f"{kind}:{head}{number}{text}") for text in units]
+    own = {
+        name: notes[0]
+        for name, notes in OWN.items()
+        if name not in COMPILED and name not in CONSTANTS
+    }
     named = [
         Completion(name, description)
-        for name, description in SPECTRA.items()
+        for name, description in {**own, **SPECTRA}.items()
         if name.startswith(incomplete)
     ]
     forms = [

@@ -60,7 +60,8 @@ class Verdict(NamedTuple):
     `name` is that of the result in the kind of its unit, `result` that of the calculator, and
     `label` the quantity.  `value` is the right value; `ratio` is the answer divided by it, if it is
     not 0.  The standard uncertainties are those of the right value and of the answer.  `is_chosen`
-    marks a result that the answer fits, of several with its dimension.
+    marks a result that the answer fits, of several with its dimension.  The notes are on the
+    user's definitions, of an answer in Python.
     """
 
     right: bool
@@ -78,6 +79,7 @@ class Verdict(NamedTuple):
     result: str = ""
     label: str = ""
     is_chosen: bool = False
+    notes: tuple[str, ...] = ()
 
 
 class Reading(NamedTuple):

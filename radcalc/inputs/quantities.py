@@ -12,7 +12,7 @@ from radcalc.maths import LARGEST
 from radcalc.quantities import describe
 from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
-from radcalc.units import NUMBER, Unit, is_own
+from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import ANGLE, ENERGY, SOLID_ANGLE, TIME
 from radcalc.units.numbers import Amount, parse_number, relative_rounding
 from radcalc.units.ranges import real, with_list
@@ -102,7 +102,7 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
         *amount.typed,
         not isinstance(value, str),
         amount.uncertainty * unit.factor if unit else amount.uncertainty,
-        (*amount.assumptions, *(_said(amount) if unit and unit.notes else ())),
+        (*amount.assumptions, *_said(amount)),
         variable,
         amount.rounding,
         amount.parts,
@@ -112,9 +112,8 @@ def quantity_input(symbol: Symbol, value: Any) -> Input:
 
 
 def _said(amount: Amount) -> tuple[str, ...]:
-    """Return the notes on the letters of an expression, and on definitions of one's own."""
-    notes = amount.unit.notes if amount.unit else ()
-    return notes if amount.rounding is not None else tuple(filter(is_own, notes))
+    """Return the notes on the letters of an expression."""
+    return amount.unit.notes if amount.unit and amount.rounding is not None else ()
 
 
 def _typed_amount(symbol: Symbol, text: str) -> Amount:

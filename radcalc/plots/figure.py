@@ -6,8 +6,9 @@ import os
 import sys
 import warnings
 from collections.abc import Callable, Sequence
-from contextlib import suppress
+from contextlib import chdir, suppress
 from functools import cache
+from importlib.util import find_spec
 from itertools import product
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -102,16 +103,28 @@ def write(path: str, picture: Picture) -> None:
 
 
 def load_apart() -> None:
-    """Load Matplotlib without the settings and the list of fonts that it keeps in the home folder.
+    """Load Matplotlib with its packaged settings and fonts alone.
 
-    It is for a process of radcalc alone, and does nothing if MPLCONFIGDIR names another folder.
+    It reads a matplotlibrc of the current folder or the home folder otherwise, and keeps a list of
+    the system's fonts there.  If MPLCONFIGDIR names a folder, that has the list of fonts.  This is
+    for a process of radcalc alone.
     """
-    if os.environ.get("MPLCONFIGDIR") or "matplotlib" in sys.modules:
+    found = find_spec("matplotlib")
+    if not found or not found.origin or "matplotlib" in sys.modules:
         return
-    with suppress(OSError, ImportError), TemporaryDirectory(prefix="radcalc-") as folder:
-        os.environ |= {"MPLCONFIGDIR": folder, "MPL_IGNORE_SYSTEM_FONTS": "1"}
-        import matplotlib.font_manager  # noqa: F401
-    os.environ.pop("MPLCONFIGDIR", None)
+    settings = os.path.join(os.path.dirname(found.origin), "mpl-data", "matplotlibrc")
+    kept = dict(os.environ)
+    own = os.path.abspath(kept["MPLCONFIGDIR"]) if kept.get("MPLCONFIGDIR") else ""
+    with suppress(OSError), TemporaryDirectory(prefix="radcalc-") as folder, chdir(folder):
+        os.environ["MATPLOTLIBRC"] = settings
+        os.environ["MPLCONFIGDIR"] = own or folder
+        if not own:
+            os.environ["MPL_IGNORE_SYSTEM_FONTS"] = "1"
+        import matplotlib.font_manager
+
+        matplotlib.get_configdir()  # it keeps what it returns first
+    os.environ.clear()
+    os.environ.update(kept)
 
 
 def _matplotlib() -> Any:

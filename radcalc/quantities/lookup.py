@@ -22,7 +22,7 @@ from radcalc.quantities.names import QUANTITIES, composed, data_rows, named
 from radcalc.quantities.search import called, comparable, matching
 from radcalc.terminal import HANGING, fold
 from radcalc.tuples import NamedTuple
-from radcalc.units import Unit
+from radcalc.units import OWN, Unit
 from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.catalogue import CONSTANTS as CATALOGUE_OF_CONSTANTS
 from radcalc.units.compiled import CONSTANTS, NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
@@ -257,11 +257,24 @@ class Typical(NamedTuple):
 VALUES = tuple([Typical(row[:3], *row[3:]) for row in data_rows("typical")])
 
 
+def values() -> tuple[Typical, ...]:
+    """Return the typical values, and the constants and reflectances of the user's definitions."""
+    own = []
+    for name in OWN:
+        if name in CONSTANTS:
+            _, _, text, source = CATALOGUE_OF_CONSTANTS[name]
+            number, unit = read_amount(text).typed
+            of_unit = unit.text if unit else "1"
+            own.append(Typical((name,) * len(LANGUAGES), f"{number:.12g}", of_unit, source))
+    return (*VALUES, *own)
+
+
 def words_of_typical() -> tuple[str, ...]:
     """Return suggestions for searches: subjects and names of quantities, each as one word."""
-    measured = {value.quantity for value in VALUES}
+    measured = {value.quantity for value in values()}
     quantities = [q for q in QUANTITIES if q.name(ENGLISH) in measured]
     return (
+        *(name for name in OWN if name in CONSTANTS),
         *THINGS,
         *(q.name(language).replace(" ", "-") for language in LANGUAGES for q in quantities),
     )
@@ -275,14 +288,14 @@ def search_typical(text: str) -> list[Typical]:
     """
     text = text.strip()
     if not text:
-        return list(VALUES)
+        return list(values())
     matches = _near(text) or _values_of_quantity(text) or _in_unit(text)
-    matches = matches or matching(text, VALUES, _names)
-    matches = matches or matching(text, VALUES, lambda v: f"{v.note} {v.source}", str.__eq__)
-    matches = matches or matching(text, VALUES, _names, _is_alike)
+    matches = matches or matching(text, values(), _names)
+    matches = matches or matching(text, values(), lambda v: f"{v.note} {v.source}", str.__eq__)
+    matches = matches or matching(text, values(), _names, _is_alike)
     if matches:
         return matches
-    words = {word for v in VALUES for word in comparable(_names(v)).split()}
+    words = {word for v in values() for word in comparable(_names(v)).split()}
     near = errors.nearest(comparable(text), words, cutoff=0.75)
     raise errors.UsageError(
         f"no typical value for '{quote(text)}'",
@@ -301,7 +314,7 @@ def _names(value: Typical) -> str:
 
 def _values_of_quantity(text: str) -> list[Typical]:
     meant = {f.quantity.name("en") for f in called(text)}
-    return [value for value in VALUES if value.quantity in meant]
+    return [value for value in values() if value.quantity in meant]
 
 
 def _is_alike(word: str, typed: str) -> bool:
@@ -315,10 +328,10 @@ def _in_unit(text: str) -> list[Typical]:
     except errors.RadcalcError:
         return []
     if unit.is_scale:
-        on_scale = [value for value in VALUES if value.unit == unit.text]
+        on_scale = [value for value in values() if value.unit == unit.text]
         if on_scale:
             return on_scale
-    return [value for value in VALUES if value.measured.dimension == unit.dimension]
+    return [value for value in values() if value.measured.dimension == unit.dimension]
 
 
 def how_far(text: str, values: list[Typical]) -> str:
@@ -357,7 +370,7 @@ def _near(text: str) -> list[Typical]:
     amount = _amount(text)
     if amount is None or amount.unit is None:
         return []
-    known = [value for value in VALUES if value.measured.dimension == amount.unit.dimension]
+    known = [value for value in values() if value.measured.dimension == amount.unit.dimension]
     if known and not LEAST <= _size(amount) <= MOST:
         hint = "less" if _size(amount) > MOST else "more than 0"
         raise errors.UsageError(f"no typical value is near '{quote(text)}'", hint)
@@ -367,7 +380,7 @@ def _near(text: str) -> list[Typical]:
         is_range = value.low != value.high
         return _is_of_day(value.measured) != is_of_day, _away(value, amount), is_range
 
-    named = [value for value in VALUES if _is_named(value, amount)]
+    named = [value for value in values() if _is_named(value, amount)]
     near = [value for value in sorted(known, key=order) if value not in named]
     return [*named, *near[:NEAREST]]
 

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -14,6 +15,7 @@ from radcalc.render.plain import DIGITS, fields, number, refuse_verdict, rounded
 from radcalc.units.values import resolve_given
 
 LINES = 1000  # lines to format at a time
+FORMULA = re.compile(r"[=@\t\r]|[+-](?![\d.][\w .,/%°]*$)")  # the beginning of a cell
 
 
 def lines(columns: Sequence[Any], precision: int | None, count: int = 1) -> str:
@@ -100,6 +102,13 @@ def units_of_varied(inputs: Sequence[Sequence[ShownInput]]) -> dict[str, str]:
 def records(records: Records, style: Style) -> str:
     """Return rows under a header."""
     return _write([list(records.rows[0]), *fields(records)])
+
+
+def note_on_formulas(records: Records) -> list[str]:
+    """Return a note on the cells that a spreadsheet may take as formulas: =1+1, but not +5 lx."""
+    count = sum(bool(FORMULA.match(field)) for row in fields(records) for field in row)
+    cells = "a cell begins" if count == 1 else f"{count} cells begin"
+    return [f"{cells} with =, +, - or @, which a spreadsheet may run"] if count else []
 
 
 def verdict(judgement: Judgement, style: Style) -> str:

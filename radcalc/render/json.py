@@ -11,6 +11,7 @@ from radcalc.answer import Result, Row, ShownInput, Step
 from radcalc.errors import RadcalcError
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import number, rounded
+from radcalc.terminal import can_show
 
 REMARKS_ARE_APART = False
 
@@ -117,6 +118,8 @@ def refusal(error: RadcalcError, message: str, hint: str, tries: Sequence[dict[s
 
 def _text(data: Any) -> str:
     text = json.dumps(data, ensure_ascii=False, allow_nan=False)
+    if not can_show(text):
+        return json.dumps(data, allow_nan=False)
     if text.isprintable():
         return text
     return "".join([c if c.isprintable() else json.dumps(c)[1:-1] for c in text])

@@ -20,8 +20,9 @@ from radcalc.quantities.search import comparable
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.sentences.phrases import FILLERS, PHRASES, Phrase
 from radcalc.tuples import NamedTuple
-from radcalc.units import LENGTH_ALONE, NUMBER, WAVELENGTH_UNITS, Dimension, Unit, table
+from radcalc.units import LENGTH_ALONE, NUMBER, OWN, WAVELENGTH_UNITS, Dimension, Unit, table
 from radcalc.units.dimensions import TIME
+from radcalc.units.numbers import find_constant
 from radcalc.units.reading import read_amount
 from radcalc.units.table import unit_of
 from radcalc.units.values import find_scale
@@ -304,8 +305,13 @@ def _in_arithmetic(text: str) -> str:
 
 
 def _operand(words: "list[Word]", start: int) -> Amount | None:
-    """Return a number with its unit, or what is in brackets: `20000 cd`, `1/60 s`, `(10 m)^2`."""
+    """Return a number with its unit, a constant of the user's definitions, or what is in brackets.
+
+    These are `20000 cd`, `1/60 s`, `mylamp`, `(10 m)^2`.
+    """
     text = words[start].text
+    if find_constant(text) in OWN:
+        return amount_of(text, start + 1)
     if not any(c.isdigit() for c in text) and "(" not in text:
         return None
     end = start + 1

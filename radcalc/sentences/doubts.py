@@ -16,7 +16,7 @@ from radcalc.sentences import Amount, amount_of
 from radcalc.sentences.phrases import FILTER, LAMP, LIGHT, SUN
 from radcalc.sentences.reader import Fact, Goal, Sentence
 from radcalc.tuples import NamedTuple
-from radcalc.units import NUMBER, dimensions
+from radcalc.units import NUMBER, OWN, dimensions
 from radcalc.units.dimensions import ANGLE, POWER, SOLID_ANGLE
 
 VALUE = "value"  # the amount that is converted
@@ -55,7 +55,8 @@ def is_bare(fact: Fact) -> bool:
 
 def is_lamp(fact: Fact) -> bool:
     """Return whether a fact is a spectrum by a word of everyday language: led, sun, daylight."""
-    return fact.symbols == ("spectrum",) and fact.text.replace(" ", "").isalpha()
+    is_word = fact.text.replace(" ", "").isalpha() and fact.text not in OWN
+    return fact.symbols == ("spectrum",) and is_word
 
 
 def light_of(amount: Amount) -> Reading | None:

@@ -45,8 +45,9 @@ from radcalc.sentences.phrases import (
     UNKNOWN,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units import NUMBER, Unit
+from radcalc.units import NUMBER, REFLECTANCES, Unit
 from radcalc.units.dimensions import AREA, ENERGY, LENGTH
+from radcalc.units.numbers import find_constant
 from radcalc.units.reading import read_amount
 from radcalc.units.table import PAR, PAR_RANGE, unit_of
 
@@ -180,12 +181,12 @@ def _apart(words: list[Word]) -> list[Word]:
 
 def _is_whole(word: Word) -> bool:
     """Return whether a word with a number is a unit, a spectrum, a filler or a file."""
-    from radcalc.spectra.sources import find_named
+    from radcalc.spectra.sources import is_named
 
     text = word.text
     known = word.folded in FILLERS or word.folded in names(ENGLISH_ALONE)
-    is_named = known or word.folded in literals() or find_named(text) is not None
-    return is_named or unit_in([text]) is not None or os.path.isfile(text)
+    known = known or word.folded in literals() or is_named(text)
+    return known or unit_in([text]) is not None or os.path.isfile(text)
 
 
 def _found(text: str, reading: "_Reading") -> Sentence:
@@ -528,13 +529,13 @@ class _Reading:
 
     def _spectrum(self, at: int) -> list[Found]:
         """Find the name of a spectrum; one of a single letter only after a word such as `with`."""
-        from radcalc.spectra.sources import find_named
+        from radcalc.spectra.sources import is_named
 
         start = at + 1 if self.words[at].folded in LONE and at + 1 < len(self.words) else at
         for end in range(min(len(self.words), start + LONGEST_NAME), start, -1):
             text = self.text(start, end)
             is_letter = len(text) < 2 and (start == at or not text.isupper())
-            if not is_letter and not text[0].isdigit() and find_named(text):
+            if not is_letter and not text[0].isdigit() and is_named(text):
                 return [(end, Fact(("spectrum",), text, self.text(at, end)))]
         return []
 
@@ -565,7 +566,8 @@ class _Reading:
             return []
         if amount.dimension == LENGTH and not amount.is_wavelength and self._is_size(at, amount):
             return [(min(amount.end + 1, len(self.words)), "")]
-        return [(amount.end, Fact((), amount.text, amount.text, amount))]
+        symbols = ("reflectance",) if find_constant(amount.text) in REFLECTANCES else ()
+        return [(amount.end, Fact(symbols, amount.text, amount.text, amount))]
 
     def _is_size(self, at: int, amount: Amount) -> bool:
         """Return whether a length may be the size of a thing next to it: a 30 cm lamp."""

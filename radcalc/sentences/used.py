@@ -26,8 +26,9 @@ from radcalc.sentences import Amount, size_of
 from radcalc.sentences.doubts import LEDS, generic, is_number
 from radcalc.sentences.frames import FRAMES, is_irradiance
 from radcalc.sentences.reader import Fact, Goal, Sentence
-from radcalc.units import NUMBER, Dimension, Unit
+from radcalc.units import NUMBER, OWN, Dimension, Unit
 from radcalc.units.dimensions import ANGLE, LENGTH, SOLID_ANGLE, TEMPERATURE, times
+from radcalc.units.numbers import find_constant
 from radcalc.units.table import resolve
 
 DISTANCE = ("distance",)
@@ -180,6 +181,7 @@ def _unit_text(fact: Fact) -> str:
 
 NUMBERS = re.compile(r"(?<![^\W\d_])\d+(?:\.\d+)?")
 EXPONENTS = re.compile(r"(?<=[^\W\d_])\^?-?[1-4](?![\w.°])")  # of units: m-2, m^2
+WORD = re.compile(r"[^\W\d]\w*")
 OF_LED = "spectrum=LED-"  # in place of a colour temperature
 DESCRIBING = frozenset(["wavelength", "spectrum"])  # what a light is: said, if it is not used
 ROUNDED = 1e-9  # relative difference of equal results, far below that of moved inputs
@@ -247,8 +249,9 @@ def _names(fact: Fact, call: Sequence[str]) -> set[str]:
 
 
 def _numbers(text: str) -> list[str]:
-    """Return the numbers of a text, without those in its units."""
-    return NUMBERS.findall(EXPONENTS.sub("", text))
+    """Return the numbers of a text, without those in its units, and the user's constants."""
+    own = [word for word in WORD.findall(text) if find_constant(word) in OWN] if OWN else []
+    return NUMBERS.findall(EXPONENTS.sub("", text)) + own
 
 
 def assumptions_of(sentence: Sentence, call: Sequence[str]) -> list[str]:

@@ -11,7 +11,7 @@ from radcalc.quantities.search import comparable, matching
 from radcalc.spectra.colorimetry import temperature_of
 from radcalc.spectra.contents import Counts
 from radcalc.spectra.observers import AVOGADRO, OBSERVERS
-from radcalc.spectra.sources import aliases, find_named, names
+from radcalc.spectra.sources import aliases, names
 from radcalc.spectra.sources import spectrum as read_spectrum
 
 # Kinds by patterns of names (CIE 15:2018, and codes of lamps), in English, Czech and Russian; the
@@ -109,7 +109,7 @@ def temperature_and_ratio(name: str) -> tuple[float | None, float]:
     >>> round(cct), round(lux_per_ppfd, 2)
     (6503, 55.5)
     """
-    source = find_named(name) or read_spectrum(name)  # one of the user's own
+    source = read_spectrum(name)
     counts = Counts(source, OBSERVERS["photopic"], None, None)
     lux_per_ppfd = counts.amount(LUMINOUS) / (counts.amount(PHOTON) / AVOGADRO * 1e6)
     return temperature_of(source), lux_per_ppfd

@@ -21,7 +21,8 @@ from radcalc.spectra.spectrum import (
     Table,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units import Dimension
+from radcalc.units import OWN as NOTES_ON_OWN
+from radcalc.units import Dimension, read_own
 from radcalc.units.amounts import UNCERTAIN, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
 from radcalc.units.numbers import Amount
@@ -53,7 +54,7 @@ WORDS = {
     "high-pressure sodium": ("HPS", "a high-pressure sodium lamp"),
     "metal halide lamp": ("Metal Halide", "a metal halide lamp"),
 }
-OWN: dict[str, tuple[str, str]] = {}  # names of a user's definitions: a source, and a note
+OWN: dict[str, str] = {}  # names of a user's definitions, each with its source
 LOOKED_AT = 100  # parts of a list that are checked
 # Suggestions for words that are not names of spectra; the temperatures of a candle and of moonlight
 # are those of Wikipedia, Color temperature.
@@ -93,10 +94,11 @@ def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     """
     text = text.strip()
     if text in OWN:
-        source, note = OWN[text]
-        made = spectrum(source, column, unit)
-        made.notes += (note,)
-        return made
+        read_own(text)
+        try:
+            return spectrum(OWN[text], column, unit)
+        except errors.RadcalcError as error:
+            raise error.reworded(f"{NOTES_ON_OWN[text][0]}: {error.message}") from None
     if (column or unit) and (
         find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)
     ):
@@ -116,7 +118,7 @@ def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
         from radcalc.spectra.files import read_file
 
         return read_file(path, column or name, unit)
-    raise _unknown(text)
+    raise unknown(text)
 
 
 def _is_path(text: str) -> bool:
@@ -153,7 +155,8 @@ def uncertain_parameter(text: str) -> Parameter | None:
     return None
 
 
-def _unknown(text: str) -> errors.RadcalcError:
+def unknown(text: str) -> errors.RadcalcError:
+    """Return the error for a text that is not a spectrum."""
     if "," in text and (error := _of_list(text)):
         return error
     if "/" in text or text.lower().endswith(ENDINGS):
@@ -184,7 +187,7 @@ def _of_list(text: str) -> errors.RadcalcError | None:
         what = "standard input is not allowed" if wrong[0] else "a spectrum is missing"
         right = ",".join(part for part in parts if part not in wrong)
         return errors.ConditionError(f"{what} in the list '{quote(text)}'", quote(right))
-    error = _unknown(wrong[0])
+    error = unknown(wrong[0])
     return errors.ConditionError(f"in the list '{quote(text)}': {error.message}", error.hint)
 
 
@@ -248,6 +251,11 @@ def aliases(name: str) -> list[str]:
     """Return the other names of a named source, and the words that are taken as it."""
     words = [word for word, (taken, _) in WORDS.items() if taken == name]
     return [*words, *(alias for alias, owner in SPELLED.items() if owner == name)]
+
+
+def is_named(text: str) -> bool:
+    """Return whether a text is the name of a source, also of the user's definitions."""
+    return text in OWN or find_named(text) is not None
 
 
 def find_named(text: str) -> Table | None:

@@ -114,10 +114,10 @@ def read(kind: str, name: str, lines: Sequence[str]) -> SunTable:
     except RadcalcError:
         raise
     except Exception as error:  # of any kind: these readers check little
-        why = " ".join(str(error).split()) or type(error).__name__
-        raise ConditionError(
-            f"{name} is not readable as {kind}: {quote(why)}", AS_DOWNLOADED
-        ) from None
+        # texts of other classes are about Python's objects
+        why = quote(" ".join(str(error).split())) if isinstance(error, ValueError) else ""
+        problem = ": ".join(filter(None, [f"{name} is not readable as {kind}", why]))
+        raise ConditionError(problem, AS_DOWNLOADED) from None
     if len(table[0].split("\t")) < 2:
         raise ConditionError(f"{name} is {kind} without a column of light", AS_DOWNLOADED)
     said = f"{kind}: {of_format.words}{assumption}"

@@ -3,6 +3,8 @@
 This module has dimensions and units.
 """
 
+from _thread import _local
+
 from radcalc.floats import divide
 from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, SYMBOLS, UNITS
 
@@ -161,17 +163,50 @@ def single(text: str) -> Unit | None:
     if entry is None:
         return None
     top, bottom, dimension = multiple(*entry)
-    if entry[1] in NOTES or dimension == INVERSE_LENGTH:
+    if entry[1] in NOTES or entry[1] in OWN or dimension == INVERSE_LENGTH:
         return None
     return Unit(text, top, bottom, dimension, (("".join(entry), 1),))
 
 
-OWN = "own definition"  # the beginning of the notes on a user's definitions
+# The names of a user's definitions: a note on each, and the names that it uses.
+OWN: dict[str, tuple[str, tuple[str, ...]]] = {}
+REFLECTANCES: dict[str, None] = {}  # those of reflectances
+_read = _local()  # names that were read in a thread, in order, with the time of the last reading
+_times = [0]  # the last time
 
 
-def is_own(note: str) -> bool:
-    """Return whether a note is on a definition of the user."""
-    return note.startswith(OWN)
+def now() -> int:
+    """Return a time for `own_since`."""
+    _times[0] += 1
+    return _times[0]
+
+
+def read_own(name: str) -> None:
+    """Keep a name that is being read, if it is one of a user's definitions."""
+    if name in OWN:
+        times = vars(_read)
+        times.pop(name, None)
+        times[name] = now()
+
+
+def names_since(time: int) -> tuple[str, ...]:
+    """Return the names of a user's definitions that were read since a time."""
+    times, names = vars(_read), []
+    for name in reversed(times):
+        if times[name] < time:
+            break
+        names.append(name)
+    return tuple([name for name in names[::-1] if name in OWN])
+
+
+def own_since(time: int) -> tuple[str, ...]:
+    """Return the notes on the definitions that were read since a time, and on those they use."""
+    names = [*names_since(time)]
+    known = {*names}
+    for name in names:
+        names += [used for used in OWN[name][1] if used not in known]
+        known.update(OWN[name][1])
+    return tuple([OWN[name][0] for name in names])
 
 
 def takes(prefix: str, symbol: str) -> bool:

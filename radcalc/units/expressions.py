@@ -20,7 +20,7 @@ import math
 from radcalc import errors
 from radcalc.errors import call, quote
 from radcalc.floats import SMALLEST, divide
-from radcalc.units import BASES, NUMBER, PI, Dimension, Unit, lookup, values
+from radcalc.units import BASES, NUMBER, PI, Dimension, Unit, lookup, read_own, values
 from radcalc.units.compiled import CONSTANTS, NAMES
 from radcalc.units.dimensions import ANGLE
 from radcalc.units.grammar import MAX_DEPTH, NAMED, SUPERSCRIPTS, Scanner, parse_unit, plain
@@ -401,6 +401,7 @@ class Calculator(Scanner):
             top, bottom, _ = functions.of_number("exp", 1, 1, 0.0)
             return Value(top, bottom, blur=KEPT / 1e6)
         name = find_constant(word)
+        read_own(name)
         top, bottom, dimension = CONSTANTS[name]
         return Value(top, bottom, dimension, {name: 1})
 

@@ -12,6 +12,7 @@ from typing import NamedTuple, TypeVar
 
 from radcalc.errors import NumberError, quote
 from radcalc.units import PI
+from radcalc.units.numbers import times
 
 DIGITS = 50  # of a result, in addition to those that distinguish its argument from its neighbours
 MAX_DIGITS = 2000
@@ -48,7 +49,7 @@ def of_power(base: Ratio, power: Ratio) -> Ratio:
         top, bottom, blur = root(*base)
         size = abs(power[0])
         over, under = (top, bottom) if power[0] > 0 else (bottom, top)
-        return over**size, under**size, blur * size
+        return times(1, over, size), times(1, under, size), blur * size
     top, bottom, blur = of_number("ln", *base)
     over, under = top * power[0], bottom * power[1]
     return of_number("exp", over, under, blur + power[2])

@@ -319,7 +319,7 @@ def definition(
     countable = [] if "$" in marks else names
     plurals = [n + "s" for n in countable if n[-1].isalpha() and not n.endswith(("s", "x", "ch"))]
     allowed = " ".join(marks.get("~", [])).split()
-    if allowed == ["all"]:
+    if "all" in allowed:
         prefixes = dict.fromkeys(prefix_symbols.values())
     else:
         prefixes = dict.fromkeys(prefix_symbols[p] for p in allowed)

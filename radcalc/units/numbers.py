@@ -9,7 +9,16 @@ A DECIMAL after a solidus cannot be followed by pi: `2/3pi` is ambiguous.
 
 import math
 
-from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, correct, corrections, quote
+from radcalc.errors import (
+    MINUS,
+    ExpressionError,
+    NumberError,
+    OutOfRange,
+    ambiguous,
+    correct,
+    corrections,
+    quote,
+)
 from radcalc.floats import INFINITE, SMALLEST, Typed
 from radcalc.units import Unit
 from radcalc.units.compiled import SPELLINGS_OF_CONSTANTS
@@ -46,6 +55,13 @@ def are_run_together(word: str) -> bool:
     return len(word) == 2 and all(map(find_constant, word))
 
 
+def times(number: int, base: int, power: int = 1) -> int:
+    """Return a whole number times a power of another; refuse a product of too many digits."""
+    if number.bit_length() + base.bit_length() * power > MAX_BITS:
+        raise ExpressionError("a number in the expression has too many digits", "fewer")
+    return number * int(base**power)
+
+
 def begins_formula(text: str) -> bool:
     """Return whether a text begins with a constant, or with two without a sign."""
     word = word_at(text, 0)
@@ -55,6 +71,8 @@ def begins_formula(text: str) -> bool:
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
 MAX_LENGTH = 1000
+MAX_BITS = 40_000  # of a whole number of a ratio: about 12 000 digits
+LARGEST_EXPONENT = 2000  # of a text of that length whose number is a float, unless it is 0
 
 EXACT = 1e-9  # relative error of arithmetic with exact numbers
 OF_ONE_DIGIT = 3  # 2m is read as 2.00 m, 20m as typed
@@ -140,8 +158,9 @@ def typed_digits(text: str) -> tuple[str, int] | None:
     if not mantissa or _exponent_ends(text, mantissa) != len(text):
         return None
     whole, _, part = text[:mantissa].partition(".")
-    exponent = text[mantissa + 1 :].replace(MINUS, "-")
-    return whole + part, int(exponent or 0) - len(part)
+    exponent = int(text[mantissa + 1 :].replace(MINUS, "-") or 0)
+    exponent = max(-LARGEST_EXPONENT, min(exponent, LARGEST_EXPONENT))  # 0e999999999 is 0
+    return whole + part, exponent - len(part)
 
 
 def parse_number(text: str) -> float:

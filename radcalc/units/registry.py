@@ -14,10 +14,13 @@ import pint
 from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError, quote
-from radcalc.units import BASES, MASS_AT, Unit, table
+from radcalc.floats import divide
+from radcalc.units import BASES, MASS_AT, OWN, Dimension, Unit, table
+from radcalc.units.compiled import UNITS
 from radcalc.units.languages import Definition, definition
 from radcalc.units.reading import read_amount
 from radcalc.units.uncertain import variable
+from radcalc.units.values import BASE_UNITS
 
 DEFINITIONS = Path(__file__).with_name("light.txt")
 
@@ -47,10 +50,24 @@ class LightRegistry(Registry):
 
     def container(self, unit: Unit) -> UnitsContainer:
         powers: dict[str, int] = {}
+        for name in OWN:
+            if name in UNITS and name not in self._units:
+                self._define_own(*UNITS[name][:3], name)
         for name, exponent in unit.atoms:
             self.get_name(name)  # defines a prefixed unit in Pint
             powers[name] = powers.get(name, 0) + exponent
         return UnitsContainer({name: power for name, power in powers.items() if power})
+
+    def _define_own(self, top: int, bottom: int, dimension: Dimension, name: str) -> None:
+        """Define a unit of the user's definitions in Pint."""
+        base = [
+            f"{unit}**{power}" for unit, power in zip(BASE_UNITS, dimension, strict=True) if power
+        ]
+        self.closed = False
+        try:
+            self.define(f"{name} = {divide(top, bottom)!r} * {' * '.join(base) or 1}")
+        finally:
+            self.closed = True
 
     def parse_units_as_container(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
         if not self.closed:
@@ -103,7 +120,7 @@ def exact_registry() -> Registry:
 
 
 HERE = Path(__file__).parent
-BASE_UNITS = {f"[{name}]": place for place, name in enumerate(BASES)}
+PLACES = {f"[{name}]": place for place, name in enumerate(BASES)}
 
 
 class Definitions(NamedTuple):
@@ -181,9 +198,9 @@ def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
     """Return Pint's exact factor of a unit to coherent SI units, and its dimension."""
     container = UnitsContainer({name: 1})
     factor, _ = registry.get_root_units(container)
-    powers = [0] * len(BASE_UNITS)
+    powers = [0] * len(PLACES)
     for base, power in registry.get_dimensionality(container).items():
-        powers[BASE_UNITS[base]] = int(power)
+        powers[PLACES[base]] = int(power)
     factor = Fraction(factor) / Fraction(1000) ** powers[MASS_AT]  # Pint's base is the gram
     return factor.numerator, factor.denominator, tuple(powers)
 

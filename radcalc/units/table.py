@@ -17,6 +17,7 @@ from radcalc.units import (
     LUMINOUS_AND_COUNTED,
     MASS_AT,
     NUMBER,
+    OWN,
     TIME_AT,
     Daily,
     Dimension,
@@ -24,6 +25,7 @@ from radcalc.units import (
     Unit,
     lookup,
     multiple,
+    read_own,
     single,
     takes,
 )
@@ -37,6 +39,7 @@ from radcalc.units.compiled import (
     UNITS,
 )
 from radcalc.units.grammar import NAMED, parse_unit
+from radcalc.units.numbers import times
 
 # Spellings of a degree of an offset scale, which is a kelvin in a product.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
@@ -98,7 +101,15 @@ def _read(text: str) -> Unit | str:
             _refuse_minus(unit, spelling)
     if is_light:
         _check_light(unit, loose)
+    _keep_own(unit)
     return _as_wavenumber(unit, inverted)
+
+
+def _keep_own(unit: Unit) -> None:
+    """Keep the notes on the units of a user's definitions in a unit that is read."""
+    for atom, _ in unit.atoms if OWN else ():
+        _, name = lookup(atom) or ("", atom)
+        read_own(name)
 
 
 def _named_in_words(text: str) -> Unit | None:
@@ -149,8 +160,9 @@ def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
     top, bottom, powers = multiple(prefix, name)
     if exponent < 0:
         top, bottom = bottom, top
-    unit.top *= top ** abs(exponent)
-    unit.bottom *= bottom ** abs(exponent)
+    size = abs(exponent)
+    unit.top = times(unit.top, top, size)
+    unit.bottom = times(unit.bottom, bottom, size)
     unit.dimension = tuple([a + exponent * b for a, b in zip(unit.dimension, powers, strict=True)])
     unit.atoms += ((prefix + name, exponent),)
     if name in NOTES and NOTES[name] not in unit.notes:

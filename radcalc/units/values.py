@@ -45,7 +45,7 @@ from radcalc.units import (
 from radcalc.units.compiled import CONSTANTS, NOTES, SPELLINGS_OF_CONSTANTS
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.grammar import plain
-from radcalc.units.numbers import DIGITS, Amount, read_number, word_at
+from radcalc.units.numbers import DIGITS, Amount, read_number, times, word_at
 from radcalc.units.scale_table import SCALES, SIZES, Scale, named, usual
 from radcalc.units.table import CELSIUS, FAHRENHEIT, PARTS, resolve, unit_of
 
@@ -171,7 +171,6 @@ def _head(dimension: Dimension) -> str:
     return ""
 
 
-MAX_BITS = 40_000  # of a number's numerator or denominator: about 12 000 digits
 KEPT = 1e-12  # largest relative error of a sum by cancellation of digits
 
 
@@ -195,21 +194,17 @@ class Value:
         blur: float = 0.0,
     ) -> None:
         common = math.gcd(top, bottom) or 1
-        self.top = top // common
-        self.bottom = bottom // common
+        self.top = times(1, top // common)
+        self.bottom = times(1, bottom // common)
         self.dimension = dimension
         self.units = units or {}
         self.had_units = had_units or bool(units)
         self.rounding = rounding
         self.blur = blur
-        if max(abs(self.top), self.bottom).bit_length() > MAX_BITS:
-            raise ExpressionError("a number in the expression has too many digits", "fewer")
 
     def times(self, other: "Value", power: int = 1) -> "Value":
         """Return the product with the power of another value; refuse 0 in a denominator."""
         top, bottom = (other.top, other.bottom) if power > 0 else (other.bottom, other.top)
-        if max(abs(top), bottom).bit_length() * abs(power) > MAX_BITS:
-            raise ExpressionError("a number in the expression has too many digits", "fewer")
         if bottom == 0:
             raise ExpressionError("the expression divides by zero", "a number other than 0")
         if bottom < 0:
@@ -219,8 +214,8 @@ class Value:
         for name, exponent in other.units.items():
             units[name] = units.get(name, 0) + power * exponent
         return Value(
-            self.top * top**size,
-            self.bottom * bottom**size,
+            times(self.top, top, size),
+            times(self.bottom, bottom, size),
             tuple([a + power * b for a, b in zip(self.dimension, other.dimension, strict=True)]),
             {name: exponent for name, exponent in units.items() if exponent},
             self.rounding + size * other.rounding,

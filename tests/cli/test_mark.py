@@ -371,3 +371,26 @@ def test_a_terminal_shows_every_verdict(tmp_path, width):
         for answer, *_ in changes.values():
             assert all(word in words for word in answer.split())
     assert "the distance was not squared" in " ".join(words.split()) or width < 120
+
+
+def test_cells_that_a_spreadsheet_may_run_have_a_note(tmp_path):
+    """As OWASP lists the beginnings of formulas (CSV Injection); +5 lx and -3 are answers."""
+    sheet = tmp_path / "sheet.csv"
+    sheet.write_text(
+        "question,expected,Ann,=Bob\n=1+1,2 lx,+2 lx,@SUM(1)\nB,-3 m,-3 m,-3+cmd|' /C x'!A0\n"
+    )
+    done = run("mark", str(sheet), "--format", "csv")
+    cells = "7 cells begin with =, +, - or @, which a spreadsheet may run"
+    assert f"note: {cells}\n" in done.stderr
+    assert "=Bob,=1+1,@SUM(1)," in done.stdout  # copied
+    for form in ("plain", "table", "json"):
+        done = run("mark", str(sheet), "--format", form)
+        assert "which a spreadsheet" not in done.stdout + done.stderr
+    sheet.write_text("question,expected,Ann\n@A,2 lx,2 lx\n")
+    assert "note: a cell begins with" in run("mark", str(sheet), "--format", "csv").stderr
+
+
+def test_titles_of_columns_are_counted_too(tmp_path):
+    table = tmp_path / "log.csv"
+    table.write_text("=time,E [lx]\n1,2\n2,3\n")
+    assert "note: a cell begins with =" in run("columns", str(table), "--format", "csv").stderr

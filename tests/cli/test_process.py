@@ -143,7 +143,7 @@ def test_an_unknown_completion_is_refused(asked, monkeypatch):
 def test_an_interrupt_exits_130_without_a_traceback():
     code = (
         "import sys, time, radcalc.terminal as c\n"
-        "def wait(*a):\n    print('ready', flush=True)\n    time.sleep(30)\n"
+        "def wait(*a, **k):\n    print('ready', flush=True)\n    time.sleep(30)\n"
         "c.write = wait\n"
         "sys.argv = ['radcalc', 'convert', '250', 'cd/m2']\n"
         "from radcalc.__main__ import main\n"

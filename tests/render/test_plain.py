@@ -9,7 +9,7 @@ def test_a_pipe_gets_plain_text():
     assert done.stderr == "assumed: uniform over 4 pi sr (isotropic)\n"
 
 
-def test_an_output_without_greek_still_gets_the_answer():
+def test_an_answer_that_the_encoding_lacks_is_refused():
     done = process(
         "convert", "100", "лк", "lx", "--format", "table",
         env=os.environ | {"PYTHONIOENCODING": "ascii"},
@@ -17,4 +17,5 @@ def test_an_output_without_greek_still_gets_the_answer():
     assert done.returncode == 0
     assert "100" in done.stdout
     done = process("convert", "1", "lx", "лк", env=os.environ | {"PYTHONIOENCODING": "ascii"})
-    assert (done.returncode, done.stdout) == (0, "1\t\\u043b\\u043a\n")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "the encoding ascii lacks" in done.stderr

@@ -7,9 +7,9 @@ from pint.util import UnitsContainer
 
 from radcalc.units import BASES
 from radcalc.units.registry import (
-    BASE_UNITS,
     DEFINITIONS,
     HERE,
+    PLACES,
     compile_units,
     every_spelling,
     exact_registry,
@@ -45,7 +45,7 @@ def test_every_spelling_with_every_prefix_has_pints_value(pint_registry):
         assert Fraction(ours.top, ours.bottom) == factor / Fraction(1000) ** mass, spelling
         expected = [0] * len(BASES)
         for base, power in powers.items():
-            expected[BASE_UNITS[base]] = int(power)
+            expected[PLACES[base]] = int(power)
         assert ours.dimension == tuple(expected), spelling
 
 
