@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 # The last parts of compound units, after a stroke and in other products.
 BELOW = ("m2", "sr", "s", "cm2", "mm2", "ft2", "in2", "nm", "um", "Hz", "THz", "m", "h", "day", "W")
 BESIDE = ("m-2", "sr-1", "s-1", "cm-2", "nm-1", "um-1", "Hz-1", "sr", "s", "h")
-AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1")  # in densities
+AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1", "/eV")  # in densities
 USUAL = [text.replace(" ", ".") for units, _ in LIGHT_UNITS.values() for text in units]
 USUAL.append("td")
 # Light at work is asked for more often than energy and exposure.

@@ -264,7 +264,7 @@ def _width(bridge: Bridge) -> Links:
 def _unlike(bridge: Bridge) -> errors.RadcalcError:
     """Return the error for two quantities that no condition links, with a hint for their kind."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
-    if dimensions.PER_TIME in (source.dimension, target.dimension):
+    if any(unit.dimension == dimensions.PER_TIME and not read(unit) for unit in (source, target)):
         hint: errors.Hint = "Hz, or cycle/s, for a frequency"
         if source.dimension == dimensions.PER_TIME:
             per = source.text.removeprefix("1")

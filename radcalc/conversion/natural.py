@@ -16,7 +16,7 @@ from radcalc.maths import any_true, is_lost, sqrt
 from radcalc.quantities import NONE, PHOTON_NAMES, RADIANT, describe, light_dimension
 from radcalc.tuples import NamedTuple
 from radcalc.units import WAVELENGTH_UNITS, Exitance, Unit
-from radcalc.units.dimensions import ENERGY, LENGTH, PHOTON_ENERGY, TEMPERATURE
+from radcalc.units.dimensions import LENGTH, TEMPERATURE
 
 TYPE_CHECKING = False  # typing is slow to import
 if TYPE_CHECKING:
@@ -115,7 +115,7 @@ def by_law(source: Unit, target: Unit, given: Sequence[Input]) -> LawPlan | None
         return None
     if all(dimension in PHOTON_NAMES for dimension in ends):
         is_width = any(condition.name == "wavelength" for condition in given)
-        if is_width and LENGTH in ends and not {ENERGY, PHOTON_ENERGY} & {*ends}:
+        if is_width and LENGTH in ends:
             return None
         _refuse(source, target, [condition.name for condition in given])
         return _of_photon(source, target)
@@ -149,7 +149,7 @@ def _of_photon(source: Unit, target: Unit) -> LawPlan:
         laws = laws if len(laws) == 2 else []
     plan = LawPlan((source, target), names, laws, form)
     assumption = "a photon in vacuum"
-    if "wavelength" in names and "photon-energy" not in names:
+    if "wavelength" in names:
         assumption += f", not the width of a band ({option('wavelength')})"
     if any(_is_per_mole(unit) for unit in (source, target)):
         assumption += f"; a mole has {AVOGADRO:.9g} photons"

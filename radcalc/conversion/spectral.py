@@ -8,15 +8,15 @@ from radcalc.conversion.geometric import BAND, LINK, Factor
 from radcalc.errors import option, quote
 from radcalc.inputs import Input, Inputs, require
 from radcalc.quantities import (
-    AXIS,
-    DENSITY_NAMES,
     KIND_NAMES,
     LUMINOUS,
     NONE,
+    PER_ENERGY,
     PER_FREQUENCY,
     PER_WAVELENGTH,
     PER_WAVENUMBER,
     PHOTON,
+    PHOTON_NAMES,
     RADIANT,
     RATIOS,
     Reading,
@@ -36,8 +36,16 @@ from radcalc.spectra.observers import (
     standard_air_wavelength,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units import Photosynthetic
-from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER
+from radcalc.units import Dimension, Photosynthetic
+from radcalc.units.dimensions import (
+    COHERENT,
+    ENERGY,
+    FREQUENCY,
+    LENGTH,
+    PHOTON_ENERGY,
+    WAVENUMBER,
+)
+from radcalc.units.table import resolve
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -279,44 +287,68 @@ def given_ratio(given: Input, over: str, under: str, observer: Input | None) -> 
     return None
 
 
-AXIS_UNITS = {axis: COHERENT[AXIS[axis]] for axis in DENSITY_NAMES}
+class Axis(NamedTuple):
+    """An axis of spectral densities, x = constant / wavelength; the wavelength itself has none.
+
+    `letters` are the factors of the constant.  The ends of a band are in `unit`; `example` is a
+    width.
+    """
+
+    letter: str
+    letters: tuple[str, ...]
+    constant: float
+    unit: str
+    example: str
+    dimensions: tuple[Dimension, ...]
+
+    def at(self, wavelength: Any) -> Any:
+        """Return the place of a wavelength on the axis [SI]."""
+        return self.constant / wavelength if self.constant else wavelength
+
+    def slope(self, wavelength: Any) -> Any:
+        """Return |dx / d(1/wavelength)|, to which densities are inversely proportional."""
+        return self.constant or maths.square(wavelength)
+
+
+AXES = {
+    PER_WAVELENGTH: Axis("lambda", ("lambda^2",), 0.0, "nm", "10nm", (LENGTH,)),
+    PER_FREQUENCY: Axis("nu", ("c",), LIGHT, "THz", "1THz", (FREQUENCY,)),
+    PER_WAVENUMBER: Axis("sigma", (), 1.0, "cm-1", "10cm-1", (WAVENUMBER,)),
+    PER_ENERGY: Axis("Q", ("h", "c"), PLANCK * LIGHT, "eV", "10meV", (ENERGY, PHOTON_ENERGY)),
+}
+AXIS_UNITS = {axis: COHERENT[row.dimensions[0]] for axis, row in AXES.items()}
+OF_DIMENSION = {dimension: axis for axis, row in AXES.items() for dimension in row.dimensions}
 
 
 def jacobian(of: Light | None, start: str, end: str) -> Factor:
     """Return the factor from a density on one axis to the density on another.
 
-    `of` may be None between frequency and wavenumber, whose ratio is c.
+    `of` may be None between frequency, wavenumber and photon energy, which are proportional.
     """
-    if of is None:
-        value = LIGHT if end == PER_WAVENUMBER else 1 / LIGHT
-        text = "J = d nu / d sigma = c" if end == PER_WAVENUMBER else "J = d sigma / d nu = 1/c"
-        step = Formula("density", text, "SI Brochure: exact c").with_numbers(
-            f"J = {format_number(value)}"
-        )
+    here, there = AXES[start], AXES[end]
+    vacuum = of.vacuum if of else None
+    value = here.slope(vacuum) / there.slope(vacuum)
+    over, under = (
+        " ".join([letter for letter in one.letters if letter not in other.letters])
+        for one, other in ((here, there), (there, here))
+    )
+    if under:
+        over = f"{over or 1} / {f'({under})' if ' ' in under else under}"
+    text = f"J = |d {here.letter} / d {there.letter}| = {over}"
+    numbers, source = f"J = {format_number(value)}", "SI Brochure: exact h and c"
+    assumption = "a photon of energy h nu"
+    if PER_WAVENUMBER in (start, end):
         assumption = "wavenumber in vacuum, 1 cycle per wavelength"
-        return Factor("J", value, f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})", assumption, (step,))
-    per_frequency = {
-        PER_WAVELENGTH: maths.square(of.vacuum) / LIGHT,
-        PER_FREQUENCY: 1.0,
-        PER_WAVENUMBER: 1 / LIGHT,
-    }
-    value = per_frequency[start] / per_frequency[end]
-    greek = {PER_WAVELENGTH: "lambda", PER_FREQUENCY: "nu", PER_WAVENUMBER: "sigma"}
-    forms = {
-        (PER_WAVELENGTH, PER_FREQUENCY): "lambda^2 / c",
-        (PER_FREQUENCY, PER_WAVELENGTH): "c / lambda^2",
-        (PER_WAVELENGTH, PER_WAVENUMBER): "lambda^2",
-        (PER_WAVENUMBER, PER_WAVELENGTH): "1 / lambda^2",
-    }
-    step = Formula(
-        "density",
-        f"J = |d {greek[start]} / d {greek[end]}| = {forms[start, end]}",
-        "E_nu = E_lambda lambda^2 / c",
-    ).with_numbers(f"J = {format_number(value)} at {format_number(of.vacuum * 1e9)} nm")
-    assumption = f"spectral density at {of.given.text}"
-    if of.given.dimension == LENGTH:
-        assumption += "; " + VACUUM.format(of.given.text)
-    return Factor("J", value, f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})", assumption, (step,))
+    if of:
+        numbers += f" at {format_number(of.vacuum * 1e9)} nm"
+        source = "E_nu = E_lambda lambda^2 / c"
+        assumption = f"spectral density at {of.given.text}"
+        if of.given.dimension == LENGTH:
+            assumption += "; " + VACUUM.format(of.given.text)
+    step = Formula("density", text, source).with_numbers(numbers)
+    below = AXIS_UNITS[end]
+    unit = f"{AXIS_UNITS[start]}/{f'({below})' if '/' in below else below}"
+    return Factor("J", value, unit, assumption, (step,))
 
 
 def width(bridge: "Bridge", given: Input) -> Factor | None:
@@ -324,8 +356,7 @@ def width(bridge: "Bridge", given: Input) -> Factor | None:
 
     None if the units are not of widths of a band, or if the wavelength does not matter.
     """
-    axes = {dimension: axis for axis, dimension in AXIS.items() if axis != NONE}
-    start, end = axes.get(bridge.source.dimension), axes.get(bridge.target.dimension)
+    start, end = (OF_DIMENSION.get(unit.dimension) for unit in (bridge.source, bridge.target))
     if start is None or end is None or PER_WAVELENGTH not in (start, end):
         return None
     bridge.conditions.used.add(LINK)
@@ -337,38 +368,36 @@ def width(bridge: "Bridge", given: Input) -> Factor | None:
 
     def check(value: Any) -> None:
         unit, size = quote(bridge.source.text), value * float(bridge.source.factor)
-        _check_narrow(of, size, start, lambda w: f"{format_number(maths.chosen(value, w))}{unit}")
+
+        def text_where(wide: Any) -> str:
+            return f"{format_number(maths.chosen(value, wide))}{unit}"
+
+        _check_narrow(of, size, start, end, text_where)
 
     return factor._replace(check=check)
 
 
-ENDS = {  # the unit for the ends of a band, its number per coherent unit, and the other axis
-    PER_WAVELENGTH: ("nm", 1e9, "frequency"),
-    PER_FREQUENCY: ("THz", 1e-12, "wavelength"),
-    PER_WAVENUMBER: ("/cm", 0.01, "wavelength"),
-}
-
-
-def _check_narrow(of: Light, width: Any, axis: str, text_where: "Callable[[Any], str]") -> None:
+def _check_narrow(
+    of: Light, width: Any, axis: str, other: str, text_where: "Callable[[Any], str]"
+) -> None:
     """Raise unless the width of a band is small compared with the place of the band on its axis."""
-    frequency = LIGHT / of.vacuum
-    place = {PER_WAVELENGTH: of.vacuum, PER_FREQUENCY: frequency, PER_WAVENUMBER: 1 / of.vacuum}
-    if maths.any_true(wide := width > NARROW * place[axis]):
-        unit, size, other = ENDS[axis]
-        both = place[axis] - width / 2, place[axis] + width / 2
-        ends = [maths.chosen(end, wide) * size for end in both]
-        listed = ",".join([f"{format_number(end)}{unit}" for end in ends])
+    on, name = AXES[axis], PHOTON_NAMES[AXES[other].dimensions[0]]
+    place = on.at(of.vacuum)
+    if maths.any_true(wide := width > NARROW * place):
+        both = place - width / 2, place + width / 2
+        ends = [maths.chosen(end, wide) / resolve(on.unit).factor for end in both]
+        listed = ",".join([f"{format_number(end)}{on.unit}" for end in ends])
         raise errors.ConditionError(
             f"a width of {text_where(wide)} is not small compared with "
             f"{option(of.given.name, of.given.text)}: its ends are not at equal distances on both "
             "axes",
-            errors.call("photon", listed, get=other, remark="the two ends of the band"),
+            errors.call("photon", listed, get=name, remark="the two ends of the band"),
         )
 
 
 def bandwidth(given: Input, of_kind: Input | None) -> Factor:
     """Return the width of a band [m, Hz or cycle/m], in which a kind may be at one wavelength."""
-    axis = band_axis(given)
+    axis = OF_DIMENSION[given.dimension]
     width = given.value
     if axis == PER_WAVELENGTH:
         require(given, not maths.any_true(width > 1e-3), "at most 1 mm, for a band of wavelengths")
@@ -376,11 +405,6 @@ def bandwidth(given: Input, of_kind: Input | None) -> Factor:
     if of_kind is not None and of_kind.name == "wavelength":
         assumption += f", in which all light is treated as light of {of_kind.text}"
     return Factor("B", width, AXIS_UNITS[axis], assumption)
-
-
-def band_axis(given: Input) -> str:
-    """Return the axis of a band's width: wavelength, frequency or wavenumber."""
-    return next(axis for axis in AXIS if axis != NONE and AXIS[axis] == given.dimension)
 
 
 def between(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
@@ -473,23 +497,27 @@ def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
     if band is None:
         strip = any(is_per_length(unit) for unit in (bridge.source, bridge.target))
         bridge.want("per length" if strip else BAND)
+        if not strip:
+            likely = errors.add("bandwidth", AXES[start.axis or end.axis].example)
+            bridge.lacking[BAND] = bridge.lacking[BAND]._replace(choices=(likely,))
         return []
     of_kind = bridge.conditions.given.get(LINK) if start.kind != end.kind else None
     width = bandwidth(band, of_kind)
     if end.axis == NONE:
-        return [*_jacobian(bridge, start.axis, band_axis(band), band), (width, 1)]
-    return [(width, -1), *_jacobian(bridge, band_axis(band), end.axis, band)]
+        return [*_jacobian(bridge, start.axis, OF_DIMENSION[band.dimension], band), (width, 1)]
+    return [(width, -1), *_jacobian(bridge, OF_DIMENSION[band.dimension], end.axis, band)]
 
 
 def _jacobian(bridge: "Bridge", start: str, end: str, band: Input | None = None) -> "Links":
     if start == end:
         return []
-    if {start, end} == {PER_FREQUENCY, PER_WAVENUMBER}:
+    if PER_WAVELENGTH not in (start, end):
         return [(jacobian(None, start, end), 1)]
     of = _wavelength(bridge)
     if of is None:
         bridge.want("axis")
         return []
     if band is not None:
-        _check_narrow(of, band.value, band_axis(band), band.text_where)
+        axis = OF_DIMENSION[band.dimension]
+        _check_narrow(of, band.value, axis, end if axis == start else start, band.text_where)
     return [(jacobian(of, start, end), 1)]

@@ -371,11 +371,10 @@ def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Step
     elif letter == "p":
         values["pupil"] /= 1e-3
         factor_law = PUPIL._replace(constant=math.pi / 4)
-    elif letter == "J" and "wavelength" in given:
+    elif letter == "J" and "lambda" in factor.steps[0].formula:
         values["wavelength"] = float(spectral.light(given["wavelength"], None).vacuum)
-        is_from_length = factor.unit.startswith("m/")
-        formula = "J = {wavelength}^2 / c" if is_from_length else "J = c / {wavelength}^2"
-        power = 2.0 if is_from_length else -2.0
+        text = factor.steps[0].formula.rpartition("= ")[2].replace("lambda", "{wavelength}")
+        formula, power = f"J = {text}", 2.0 if text.startswith("{") else -2.0
         factor_law = _of_factor("density", formula, letter, ("wavelength", power))
         factor_law = factor_law._replace(constant=size / values["wavelength"] ** power)
     elif name == letter:

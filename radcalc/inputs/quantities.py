@@ -165,10 +165,6 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> errors.Condit
         number = f"({quote(text)})" if is_expression else quote(text)
         return errors.MissingUnit(name, quote(text), with_likely_unit(symbol, number), number)
     example, is_array = symbol.example, maths.is_array(amount.number)
-    if name == "bandwidth" and unit.dimension == ENERGY and not is_array:
-        from radcalc.spectra.observers import PLANCK
-
-        example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
     problem = f"{option(name)} takes {symbol.takes}, not {describe(unit)}"
     light, other = read_light(unit), ""
     if light and symbol.kind and light.kind != symbol.kind:  # 5 W as a luminous flux

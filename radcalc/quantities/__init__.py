@@ -11,12 +11,20 @@ from radcalc.units import FIELD_STRENGTH, NUMBER, Dimension, Unit, dimensions
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
 NONE, PER_WAVELENGTH, PER_FREQUENCY, PER_WAVENUMBER = "", "lambda", "nu", "sigma"
+PER_ENERGY = "Q"  # of a photon
 DENSITY_NAMES = {
     PER_WAVELENGTH: "per wavelength",
     PER_FREQUENCY: "per frequency",
     PER_WAVENUMBER: "per wavenumber",
+    PER_ENERGY: "per photon energy",
 }
-DENSITY_SYMBOLS = {NONE: "", PER_WAVELENGTH: ",λ", PER_FREQUENCY: ",ν", PER_WAVENUMBER: ",σ"}
+DENSITY_SYMBOLS = {
+    NONE: "",
+    PER_WAVELENGTH: ",λ",
+    PER_FREQUENCY: ",ν",
+    PER_WAVENUMBER: ",σ",
+    PER_ENERGY: ",Q",
+}
 # Units of incident light only; lm/m2 is also a unit of exitance.
 INCIDENT_UNITS = ("lux", "footcandle", "metre_candle", "nox", "phot")
 
@@ -168,6 +176,12 @@ _DIMENSIONS = {
 GRID = {
     dimension: (kind, *geometry, axis) for (kind, geometry, axis), dimension in _DIMENSIONS.items()
 }
+# W/m2/eV has the dimension of 1/(m2 s), and photon/eV that of an efficacy: the units decide.
+_BY_ENERGY = {
+    dimensions.times(dimension, dimensions.ENERGY, -1): (*facts[:-1], PER_ENERGY)
+    for dimension, facts in GRID.items()
+    if facts[-1] == NONE
+}
 
 
 def read(unit: Unit) -> Reading | None:
@@ -175,7 +189,17 @@ def read(unit: Unit) -> Reading | None:
     if unit.dimension == dimensions.RETINAL_ILLUMINANCE:
         return Reading(LUMINOUS, 0, 1, 1, NONE, retinal=True)
     facts = GRID.get(unit.dimension)
+    if facts is None and _is_per_energy(unit):
+        facts = _BY_ENERGY.get(unit.dimension)
     return Reading(*facts) if facts else None
+
+
+def _is_per_energy(unit: Unit) -> bool:
+    """Return whether a unit is divided by a photon energy; umol/J and lm.s/J are efficacies."""
+    below = [name for name, power in unit.atoms if power == -1]
+    if any(name.endswith("electronvolt") for name in below):
+        return True
+    return unit.dimension not in OTHERS and any(name.endswith(("joule", "erg")) for name in below)
 
 
 def is_per_length(unit: Unit) -> bool:
@@ -237,6 +261,7 @@ COHERENT_AXES = {
     PER_WAVELENGTH: "/m",
     PER_FREQUENCY: "/Hz",
     PER_WAVENUMBER: "/(cycle/m)",
+    PER_ENERGY: "/J",
 }
 
 

@@ -18,6 +18,7 @@ from typing import NamedTuple
 from radcalc.quantities import (
     LUMINOUS,
     NONE,
+    PER_ENERGY,
     PER_FREQUENCY,
     PER_WAVELENGTH,
     PER_WAVENUMBER,
@@ -145,6 +146,7 @@ AXES = {
     PER_WAVELENGTH: ("/nm", "/um"),
     PER_FREQUENCY: ("/Hz", "/THz"),
     PER_WAVENUMBER: ("/cm-1",),
+    PER_ENERGY: ("/eV",),
 }
 PER_LENGTH = ("/m", "/cm", "/ft")
 PREFIXES = "km"

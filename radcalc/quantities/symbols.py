@@ -218,8 +218,9 @@ _ROWS = (
     _text(WAVELENGTHS, "photon-range", "two wavelengths", "400nm:700nm",
         "Photon quantities of {spectrum} include only these wavelengths (default 400nm:700nm)."),
     _symbol(LENGTH, "bandwidth", "B", "10nm",
-        "Width of a band of constant spectral density.", also=(FREQUENCY, WAVENUMBER),
-        takes="a width in wavelength, frequency or wavenumber"),
+        "Width of a band of constant spectral density.",
+        also=(FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY),
+        takes="a width in wavelength, frequency, wavenumber or photon energy"),
     # Sizes and places.
     _length("radius", "R", "10cm", "Radius of the source."),
     _length("diameter", "D", "20cm", "Diameter of the source."),

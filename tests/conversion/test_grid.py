@@ -9,7 +9,7 @@ from radcalc.units.table import resolve
 
 HEADS = {"e": ("W", "J"), "v": ("lm", "lm.s"), "p": ("photon/s", "photon")}
 SHAPES = ("", "/sr", "/m2", "/m2/sr")
-AXES = ("", "/nm", "/THz", "/cm-1")
+AXES = ("", "/nm", "/THz", "/cm-1", "/eV")
 # One unit for each quantity of the grid: kind x time x area x solid angle x axis of density.
 GRID = [
     head + shape + axis
@@ -22,11 +22,14 @@ OTHERS = ["td", "lm/W", "umol/J", "lm.s/umol", "1", "sr", "deg", "m2.sr", "nm", 
           "s", "eV/photon", "K", "kg"]  # fmt: skip
 
 
-def _only_c_between(one: str, other: str) -> bool:
-    for a, b in (("/THz", "/cm-1"), ("/cm-1", "/THz")):
-        if one.endswith(a) and one.removesuffix(a) == other.removesuffix(b) and other.endswith(b):
-            return True
-    return False
+# Densities per photon energy that are also efficacies, or numbers, of the same dimension.
+ALSO = ({"lm.s/eV", "lm/W"}, {"photon/eV", "umol/J"}, {"J/eV", "1"})
+
+
+def _only_constants_between(one: str, other: str) -> bool:
+    """Return whether c and h link two densities: per frequency, wavenumber and photon energy."""
+    (head, _, axis), (tail, _, below) = one.rpartition("/"), other.rpartition("/")
+    return {one, other} in ALSO or (head == tail and {axis, below} < {"THz", "cm-1", "eV"})
 
 
 PHOTON = {"nm", "THz", "cm-1", "eV/photon", "J"}  # a photon has all of them
@@ -40,7 +43,7 @@ def _linked_by_nature(one: str, other: str) -> bool:
 @for_each([*GRID, *OTHERS])
 def test_no_two_different_quantities_convert_without_a_condition(source):
     for target in [*GRID, *OTHERS]:
-        if source == target or _only_c_between(source, target):
+        if source == target or _only_constants_between(source, target):
             continue
         if _linked_by_nature(source, target):
             assert plan(resolve(source), resolve(target)).assumptions

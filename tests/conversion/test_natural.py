@@ -164,7 +164,7 @@ def test_a_width_needs_the_place_of_its_band():
     assert "not the width of a band" in radcalc.explain("1 nm", "THz").assumptions[0]
 
 
-@for_each([("532 nm", "eV", {"time": "3 s"}), ("532 nm", "eV", {"wavelength": "500 nm"}),
+@for_each([("532 nm", "eV", {"time": "3 s"}), ("532 THz", "eV", {"wavelength": "500 nm"}),
            ("5778 K", "um", {"emissivity": 0.9}), ("5778 K", "W/m2", {"area": "1 m2"}),
            ("532 nm", "eV", {"emissivity": 0.9})])  # fmt: skip
 def test_a_condition_without_use_is_refused(value, target, given):

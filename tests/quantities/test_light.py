@@ -53,6 +53,8 @@ NAMES = {
     "W/m2/nm": ("spectral irradiance (per wavelength)", "E_e,λ"),
     "Jy": ("spectral irradiance (per frequency)", "E_e,ν"),
     "mW/(m2 sr cm-1)": ("spectral radiance (per wavenumber)", "L_e,σ"),
+    "photon/s/cm2/keV": ("spectral photon irradiance (per photon energy)", "E_p,Q"),
+    "W/m2/J": ("spectral irradiance (per photon energy)", "E_e,Q"),
     "flick": ("spectral radiance (per wavelength)", "L_e,λ"),
     "lm/m": ("luminous flux per length", ""),
     "lm/nm": ("spectral luminous flux (per wavelength)", "Φ_v,λ"),
