@@ -79,7 +79,7 @@ CONVERSIONS = {
         ""),
     "an efficacy above the observer's maximum is refused": (
         "W", "lm", {"efficacy": "1701lm/W", "observer": "scotopic"},
-        "no light gives more than 1700.06 lm/W", "1700lm/W"),
+        "no light gives more than 1700.06 lm/W", "1700.06 lm/W"),
     "isotropic light is not in a cone": (
         "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradicts", "leave out"),
     "an apex angle is twice the half angle": (
@@ -125,7 +125,7 @@ CONVERSIONS = {
     "a reflectance above 100 % is out of range": (
         "lx", "cd/m2", {"reflectance": "101%"}, "out of range", "from 0 to 1"),
     "an efficacy above 683 lm/W is out of range": (
-        "W", "lm", {"efficacy": "684lm/W"}, "out of range", "683lm/W"),
+        "W", "lm", {"efficacy": "684lm/W"}, "out of range", "683.002 lm/W"),
     "photons per joule do not link watts and lumens": (
         "W", "lm", {"efficacy": "2.1umol/J"}, "does not link radiant and luminous", "93lm/W"),
     "a negative distance is out of range": (
@@ -189,6 +189,9 @@ CONVERSIONS = {
         "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength does not apply", "leave out"),
     "an efficacy of 149 lumens per micromole per second is refused": (
         "umol/s", "lm", {"efficacy": "149lm.s/umol"}, "out of range: no light gives more", "147"),
+    "light of 1 mm has 8359.35 umol/J": (
+        "W/m2", "umol/m2/s", {"efficacy": "0.01mol/J"}, "no light gives more than 8359.35 umol/J",
+        "up to 8359.35 umol/J"),
     "a bandwidth of metres is out of range": (
         "lm/m", "lm", {"bandwidth": "5m"}, "out of range", "1 mm"),
     "a huge distance is refused": (
@@ -230,6 +233,12 @@ def test_a_refusal_of_a_condition_is_a_condition_error():
 
 # words of a command, parts of its output
 COMMANDS = {
+    "photons from 400 nm to 700 nm have at most 5.85154 umol/J": (
+        "convert 100 W/m2 ppfd --efficacy 2.1mol/J", "light gives 3.34374 to 5.85154 umol/J",
+        "2.1umol/J"),
+    "photons from 400 nm to 700 nm have at least 0.0808881 lm s/umol": (
+        "convert 100 lx ppfd --efficacy 54lm.s/mol", "gives 0.0808881 to 147.805 lm s/umol",
+        "54lm.s/umol"),
     # options before the command
     "a format before the command is refused with its place": (
         "--json convert 100 lx fc", "'--json' is before the command",

@@ -25,14 +25,14 @@ from radcalc.quantities import (
 )
 from radcalc.quantities.symbols import EFFICACIES
 from radcalc.spectra.observers import (
-    AVOGADRO,
     LIGHT,
     OBSERVERS,
     PLANCK,
     TRAPEZOIDS,
     Observer,
+    bounds,
     luminous_efficacy,
-    most_lumens_per_photon,
+    ratio_text,
     standard_air_wavelength,
 )
 from radcalc.tuples import NamedTuple
@@ -206,10 +206,10 @@ def spectral_factor(
         f"{TRAPEZOIDS}; {seen_by.described}" if LUMINOUS in amounts else TRAPEZOIDS,
     )
     top, bottom = (over, under) if (over, under) in SHOWN else (under, over)
-    ratio_text = contents.ratio_text(amounts[top] / amounts[bottom], top, bottom)
+    in_words = ratio_text(amounts[top] / amounts[bottom], top, bottom)
     ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
-    step = formula.with_numbers(f"K = {ratio} = {format_number(value)}; that is {ratio_text}")
-    remarks.insert(1, ratio_text)
+    step = formula.with_numbers(f"K = {ratio} = {format_number(value)}; that is {in_words}")
+    remarks.insert(1, in_words)
     notes = source.notes + tuple(counted.notes((over, under)))
     if LUMINOUS in amounts:
         notes += _of_other_eye(seen_by)
@@ -252,39 +252,90 @@ PER_WATT_OF_LIGHT = (
 )
 
 
-def given_ratio(given: Input, over: str, under: str, observer: Input | None) -> Factor | None:
-    """Return a given efficacy as over / under, or None if it links two other kinds."""
+NOT_OF_PAR = (
+    "{} is outside {}, the efficacies of light from 400 nm to 700 nm: some of its light is not of "
+    "these wavelengths"
+)
+PART_OF_WATTS = (
+    "{} is less than the {} of light from 400 nm to 700 nm: the watts include other light, or are "
+    "electrical"
+)
+LONGEST = 1e6  # nm: the end of the infrared, and of light
+AS_IN_AIR = 1.0003  # wavelengths in vacuum over those in air
+
+
+USUAL_UNITS = dict(zip(SHOWN, ("lm/W", "umol/J", "lm.s/umol"), strict=True))
+
+
+def given_ratio(
+    given: Input, over: str, under: str, observer: Input | None, ppfd: str = ""
+) -> Factor | None:
+    """Return a given efficacy as over / under, or None if it links two other kinds.
+
+    `ppfd` is the word for photons from 400 nm to 700 nm only, if there is one.
+    """
     value = given.value
     pairs = {dimension: pair for pair, dimension in RATIOS.items()}
     pair = pairs[given.dimension]
+    seen_by = OBSERVERS[observer.value if observer else "photopic"]
+    notes = _bounded(given, pair, seen_by, ppfd)
     text = f"an efficacy of {given.text}, as given"
-    notes: tuple[str, ...] = ()
-    if LUMINOUS in pair:
-        seen_by = OBSERVERS[observer.value if observer else "photopic"]
-        if RADIANT in pair:
-            most, limit_text, scale, unit = seen_by.maximum, "{:g} lm/W", 1.0, "lm/W"
-            notes = (PER_WATT_OF_LIGHT.format(given.text),)
-        else:
-            most, limit_text = most_lumens_per_photon(seen_by), "{:.4g} lm s/umol"
-            scale, unit = AVOGADRO * 1e-6, "lm.s/umol"
-        lumens_per = value if pair[0] == LUMINOUS else 1 / value
-        is_beyond = maths.any_true(lumens_per > most * (1 + 1e-12))
-        if is_beyond and pair[0] == RADIANT:  # 75 uW/lm, the UV of museums
-            notes = (PART_OF_LIGHT.format(given.text, most),)
-        elif is_beyond:
-            raise errors.Impossible(
-                given.name,
-                given.text,
-                f"an efficacy of up to {int(most * scale)}{unit}",
-                because=f"no light gives more than {limit_text.format(most * scale)}",
-            )
-        if observer:
-            text += f", by {seen_by.label}"
+    if observer and LUMINOUS in pair:
+        text += f", by {seen_by.label}"
     if pair == (over, under):
         return Factor("K", value, KIND_UNITS[over, under], text, notes=notes)
     if pair == (under, over):
         return Factor("(1/K)", 1 / value, KIND_UNITS[over, under], text, notes=notes)
     return None
+
+
+def _bounded(given: Input, pair: tuple[str, str], seen_by: Observer, ppfd: str) -> tuple[str, ...]:
+    """Refuse an efficacy that no light has; return notes on what its light or its watts are."""
+    kinds, ratio = (pair, given.value) if pair in SHOWN else (pair[::-1], 1 / given.value)
+    _, most = bounds(*kinds, seen_by, (0.0, LONGEST))
+    is_beyond = maths.any_true(ratio > most * (1 + 1e-12))
+    if PHOTON not in kinds:
+        if is_beyond and pair == (RADIANT, LUMINOUS):  # 75 uW/lm, the UV of museums
+            return (PART_OF_LIGHT.format(given.text, most),)
+        if is_beyond:
+            raise _impossible(given, kinds, 0.0, most)
+        return (PER_WATT_OF_LIGHT.format(given.text),)
+    from radcalc.spectra.spectrum import PAR
+
+    low, high = bounds(*kinds, seen_by, PAR)
+    has_watts = RADIANT in kinds  # which may be those of other light, too
+    outside = ratio > high * AS_IN_AIR if has_watts else ratio < low / AS_IN_AIR
+    is_outside = maths.any_true(outside)
+    if is_outside and ppfd:
+        raise _impossible(given, kinds, low, high, ppfd)
+    if is_beyond:
+        raise _impossible(given, kinds, 0.0, most)
+    if is_outside:
+        return (NOT_OF_PAR.format(given.text_where(outside), _range_text(low, high, kinds)),)
+    if ppfd and has_watts and maths.any_true(small := ratio < low / AS_IN_AIR):
+        return (PART_OF_WATTS.format(given.text_where(small), _range_text(low, high, kinds)),)
+    return ()
+
+
+def _range_text(low: float, high: float, kinds: tuple[str, str]) -> str:
+    first = f"{ratio_text(low, *kinds).partition(' ')[0]} to " if low else "up to "
+    return first + ratio_text(high, *kinds)
+
+
+def _impossible(
+    given: Input, kinds: tuple[str, str], low: float, high: float, ppfd: str = ""
+) -> errors.Impossible:
+    """Return the error for an efficacy out of limits, with its number in the usual unit if in."""
+    limit = _range_text(low, high, kinds)
+    because = f"no light gives more than {ratio_text(high, *kinds)}"
+    if ppfd:
+        because = f"{quote(ppfd)} counts photons from 400 nm to 700 nm, whose light gives {limit}"
+        low, limit = (0.0, _range_text(0.0, high, kinds)) if RADIANT in kinds else (low, limit)
+    unit = resolve(USUAL_UNITS[kinds])
+    nearest = ""
+    if isinstance(given.number, float) and low <= given.number * unit.factor <= high:
+        nearest = f"{given.number:.12g}{unit.text}"
+    return errors.Impossible(given.name, given.text, f"an efficacy of {limit}", because, nearest)
 
 
 class Axis(NamedTuple):
@@ -455,7 +506,9 @@ def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
     if given.name == "spectrum":
         return [(_of_spectrum(bridge, given, start, end), 1)]
     seen_by = bridge.conditions.use("observer") if LUMINOUS in (start.kind, end.kind) else None
-    factor = given_ratio(given, end.kind, start.kind, seen_by)
+    units = bridge.source, bridge.target
+    ppfd = "".join([unit.name for unit in units if isinstance(unit, Photosynthetic)][:1])
+    factor = given_ratio(given, end.kind, start.kind, seen_by, ppfd)
     if factor is None:
         both = f"{KIND_NAMES[start.kind]} and {KIND_NAMES[end.kind]}"
         raise errors.ConditionError(

@@ -13,7 +13,7 @@ from radcalc.quantities import describe
 from radcalc.quantities import read as read_light
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
 from radcalc.units import NUMBER, Unit
-from radcalc.units.dimensions import ANGLE, ENERGY, SOLID_ANGLE, TIME
+from radcalc.units.dimensions import ANGLE, SOLID_ANGLE, TIME
 from radcalc.units.numbers import Amount, parse_number, relative_rounding
 from radcalc.units.ranges import real, with_list
 from radcalc.units.reading import read_amount

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from radcalc.errors import TooNarrow, option
 from radcalc.quantities import LUMINOUS, PHOTON, RADIANT
 from radcalc.spectra.column_titles import Meaning
-from radcalc.spectra.observers import AVOGADRO, OBSERVERS, Observer, most_lumens_per_photon, photons
+from radcalc.spectra.observers import AVOGADRO, OBSERVERS, Observer, bounds, ratio_text
 from radcalc.spectra.spectrum import PAR, WHOLE, Range, Spectrum, Table, range_text
 
 Row = tuple[int, str, str]  # line number, wavelength [nm] and value, as written
@@ -156,13 +156,8 @@ class Counts:
         top = LUMINOUS if LUMINOUS in kinds else PHOTON
         (bottom,) = kinds - {top}
         ratio = self.amount(top) / self.amount(bottom)
-        if kinds == {LUMINOUS, RADIANT}:
-            most = self.eye.maximum
-        elif kinds == {LUMINOUS, PHOTON}:
-            most = most_lumens_per_photon(self.eye)
-        else:
-            longest = min(self.ranges[PHOTON][1], self.source.longest)
-            most = photons(longest)
+        longest = min(self.ranges[PHOTON][1], self.source.longest)
+        _, most = bounds(top, bottom, self.eye, (0.0, longest) if top == PHOTON else WHOLE)
         if ratio <= most * SLACK:
             return None
         counted = "that are seen" if top == LUMINOUS else f"of photons over {self.over(PHOTON)}"
@@ -173,13 +168,6 @@ class Counts:
             f"({ratio_text(most, top, bottom)})",
             f"a wider {refine}",
         )
-
-
-def ratio_text(ratio: float, over: str, under: str) -> str:
-    """Return a ratio of kinds in its usual unit: lm/W, umol/J or lm s/umol."""
-    if RADIANT not in (over, under):
-        return f"{ratio * AVOGADRO * 1e-6:.6g} lm s/umol"
-    return f"{ratio:.6g} lm/W" if over == LUMINOUS else f"{ratio / AVOGADRO * 1e6:.6g} umol/J"
 
 
 def _count(source: Spectrum, kind: str, limits: Range, eye: Observer) -> float:

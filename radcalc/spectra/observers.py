@@ -11,6 +11,7 @@ import math
 from collections.abc import Sequence
 
 from radcalc.maths import Number, is_array, larger, rounded, smaller, square
+from radcalc.quantities import LUMINOUS, PHOTON, RADIANT
 from radcalc.spectra.data.observers import (
     CIE_1964,
     CIE_2008_2,
@@ -169,11 +170,37 @@ def luminous_efficacy(wavelength: Number, observer: Observer) -> Number:
     return observer.maximum * luminous_efficiency(wavelength, observer)
 
 
-def most_lumens_per_photon(observer: Observer) -> float:
-    """Return the maximum over wavelengths [lm s], which no mixture of wavelengths exceeds."""
+def lumens_per_photon(observer: Observer, limits: tuple[float, float]) -> tuple[float, float]:
+    """Return the least and the most at a wavelength within limits [lm s].
+
+    Mixtures of wavelengths are between them.  The limits are in nm, within the table; between two
+    of its points, the ratio of two linear functions rises or falls.
+    """
     places = range(observer.start, observer.end + 1)
-    shares = (v / nm for v, nm in zip(observer.values, places, strict=True))
-    return observer.maximum * max(shares) * 1e9 * PLANCK * LIGHT
+    shares = [
+        v / nm
+        for v, nm in zip(observer.values, places, strict=True)
+        if limits[0] <= nm <= limits[1]
+    ]
+    per_share = observer.maximum * 1e9 * PLANCK * LIGHT
+    return min(shares) * per_share, max(shares) * per_share
+
+
+def bounds(
+    top: str, bottom: str, eye: Observer, limits: tuple[float, float]
+) -> tuple[float, float]:
+    """Return the least and the greatest ratio of two kinds, of light within a range."""
+    if PHOTON not in (top, bottom):
+        return 0.0, eye.maximum
+    low, high = limits
+    return (photons(low), photons(high)) if top == PHOTON else lumens_per_photon(eye, limits)
+
+
+def ratio_text(ratio: float, over: str, under: str) -> str:
+    """Return a ratio of kinds in its usual unit: lm/W, umol/J or lm s/umol."""
+    if RADIANT not in (over, under):
+        return f"{ratio * AVOGADRO * 1e-6:.6g} lm s/umol"
+    return f"{ratio:.6g} lm/W" if over == LUMINOUS else f"{ratio / AVOGADRO * 1e6:.6g} umol/J"
 
 
 def standard_air_wavelength(vacuum: Number) -> Number:

@@ -6,6 +6,7 @@ from helpers import for_each
 
 import radcalc
 from radcalc.errors import ConditionError, MissingCondition, RadcalcError, UnitError
+from radcalc.spectra.observers import OBSERVERS, lumens_per_photon, luminous_efficacy
 from radcalc.units.table import GROWERS_WORDS, unit_of
 
 # micromoles per second times the seconds of light in a day
@@ -80,3 +81,59 @@ def test_par_is_photons_or_watts(value, target):
 def test_a_ppfd_has_no_photons_beyond_its_range(given):
     with pytest.raises(RadcalcError, match="from 400 nm to 700 nm only"):
         radcalc.convert("700 ppfd", "W/m2", **given)
+
+
+# 1e6 / N_A photons of h c / wavelength are the wavelength in nm / 119.626566 umol/J; with
+# K_m = 683.002 lm/W and V of CIE 018:2019, at 400 nm 683.002 * 0.000396 / 3.343745 lm s/umol
+PER_NM = 1e-9 / (6.62607015e-34 * 299792458 * 6.02214076e23) * 1e6
+AT_400 = 683.002 * 0.000396 / (400 * PER_NM)
+LEAST, MOST = 400 * PER_NM, 700 * PER_NM
+BOUNDS = [("W/m2", "umol/J", MOST, 1), ("lx", "lm.s/umol", AT_400, -1)]
+
+
+@for_each(BOUNDS)
+def test_an_efficacy_of_no_light_from_400_to_700_nm_is_refused_for_a_ppfd(unit, of, bound, sign):
+    """In each order of the ratio, the call, the sentence, the stream, Python and arrays."""
+    over, _, under = of.rpartition("/")
+    for word in ("ppfd", "PPFD"):
+        for text, is_good in (
+            (f"{bound * (1 - sign * 1e-6):.9g}{of}", True),
+            (f"{bound * (1 + sign * 1e-3):.9g}{of}", False),
+            (f"{1 / bound / (1 - sign * 1e-6):.9g}{under}/({over})", True),
+            (f"{1 / bound / (1 + sign * 1e-3):.9g}{under}/({over})", False),
+        ):
+            for words in ([unit, word], [word, unit]):
+                done = run("convert", "100", *words, "--efficacy", text)
+                piped = run("convert", "-", *words, "--efficacy", text, input="100\n")
+                for outcome in (done, piped):
+                    assert outcome.returncode == (0 if is_good else 2), outcome
+                    assert is_good or "photons from 400 nm to 700 nm, whose light" in outcome.stderr
+    wrong = f"{bound * (1 + sign * 1e-3):.9g}"
+    sentence = run(f"100 {unit} at {wrong}{of} to ppfd")
+    assert (sentence.returncode, "whose light gives" in sentence.stderr) == (2, True)
+    values = radcalc.Quantity([bound, float(wrong)], of)
+    with pytest.raises(ConditionError, match="whose light gives"):
+        radcalc.convert(f"100 {unit}", "ppfd", efficacy=values)
+
+
+def test_other_photons_and_electrical_watts_are_noted():
+    for efficacy, target, part, is_noted in (
+        ("20 umol/J", "umol/m2/s", "outside 3.34374 to 5.85154 umol/J", True),
+        ("2.1 umol/J", "ppfd", "the watts include other light, or are electrical", True),
+        ("4.6 umol/J", "ppfd", "umol/J", False),
+    ):
+        notes = radcalc.explain("100 W/m2", target, efficacy=efficacy).notes
+        assert any(part in note for note in notes) == is_noted
+    done = run("convert", "100", "lx", "umol/m2/s", "--efficacy", "0.05lm.s/umol")
+    assert done.stdout.split()[0] == "2000"
+    assert "outside 0.0808881 to 147.805 lm s/umol" in done.stderr
+
+
+@for_each(OBSERVERS)
+def test_the_bounds_of_lumens_per_photon_are_those_of_the_table(eye):
+    """The extremes of K_m V(lambda) h c N_A / lambda over each 1 nm of the observer's table."""
+    observer = OBSERVERS[eye]
+    places = range(400, 701)
+    per_umol = [luminous_efficacy(nm * 1e-9, observer) / (nm * PER_NM) for nm in places]
+    found = [one * 6.02214076e17 for one in lumens_per_photon(observer, (400.0, 700.0))]
+    assert found == pytest.approx([min(per_umol), max(per_umol)], rel=1e-12)
