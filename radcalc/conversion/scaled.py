@@ -18,10 +18,11 @@ from radcalc.conversion import Plan, are_reciprocal, between
 from radcalc.conversion.natural import by_law
 from radcalc.errors import ConversionError, NumberError, option, quote
 from radcalc.inputs import Input
-from radcalc.quantities import describe
+from radcalc.quantities import describe, read
+from radcalc.quantities.symbols import LINKS
 from radcalc.units import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit
 from radcalc.units.reading import read_amount
-from radcalc.units.scale_table import CONSTANTS, Scale
+from radcalc.units.scale_table import CONSTANTS, IN_AB, Scale
 from radcalc.units.values import ScaleUnit, reciprocal
 
 IMPEDANCE = 376.730313412  # ohm, CODATA 2022
@@ -117,7 +118,7 @@ def refuse_difference(text: str, target: Unit) -> None:
     shift = "".join([term if k % 2 else f"1/({term})" for k, term in enumerate(terms)])
     raise errors.ConversionError(
         f"'{quote(text)}' is a sum or a difference, whose reciprocal is not a colour temperature",
-        errors.call("convert", shift, "MK-1", remark="the shift"),
+        errors.computed(errors.call("convert", shift, "MK-1", remark="the shift")),
     )
 
 
@@ -228,7 +229,22 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
         planned.assumptions = (*assumptions, *planned.assumptions)
         return planned
     assert error is not None
-    raise error
+    raise _in_ab(error, source, target)
+
+
+def _in_ab(error: errors.RadcalcError, source: Unit, target: Unit) -> errors.RadcalcError:
+    """Return an error with AB magnitudes in the hint, if one of the V band is to be a density."""
+    for unit, other in ((source, target), (target, source)):
+        ab = IN_AB.get(unit.scale.name) if isinstance(unit, ScaleUnit) else None
+        facts = read(_unit(other))
+        if ab and facts and facts.axis and isinstance(error, errors.MissingCondition):
+            change, remark = (unit.text, ab), "if it is an AB magnitude"
+            return error.reworded(
+                f"cannot convert {describe(source)} to {describe(target)}: {quote(unit.text)} is a "
+                "magnitude of the V band, without a zero point per wavelength or frequency",
+                [errors.Try((), names, change, remark=remark) for names in ((), LINKS)],
+            )
+    return error
 
 
 def _lacks_less(problem: errors.RadcalcError, other: errors.RadcalcError) -> bool:

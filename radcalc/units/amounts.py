@@ -16,7 +16,6 @@ BEFORE_NUMBERS = tuple(" */(+×·")  # characters before a number in an expressi
 OPERATORS = ("+", "-", "*", "/", "·", "×", MINUS)
 UNCERTAIN = "±+("  # marks of an uncertainty in 100±3, 100+-3 and 100(3)
 LONGEST_SUM = 100  # characters of a text for which a hint suggests a sum
-EXAMPLE = command("convert", "100", "lx", "fc")
 STREAM_EXAMPLE = f"{command('convert', '-', 'lx', 'fc')}, or "
 STREAM_EXAMPLE += f"{command('convert', '-', 'fc')} for lines with their own unit"
 

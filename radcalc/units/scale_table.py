@@ -98,6 +98,12 @@ MAGNITUDE = Scale(
     "V band, above the atmosphere; published zero points differ by up to a third",
     "Allen, Astrophysical Quantities",
 )  # fmt: skip
+# 0 is 10^(-48.60 / 2.5) erg/s/cm2/Hz, in Jy.
+AB_MAGNITUDE = Scale(
+    ("ABmag", "AB mag", "mag AB", "mag(AB)"), "E_nu", "Jy", 10 ** (23 - 48.6 / 2.5), 10, -2.5, 0,
+    "an AB magnitude, at one frequency", "Oke and Gunn 1983, Astrophysical Journal 266, 713",
+)  # fmt: skip
+IN_AB = {"mag": "ABmag", "mag/arcsec2": "ABmag/arcsec2"}  # of a magnitude of the V band
 LUMINANCE_EV = Scale(
     ("EV", "EV100"), "L", "cd/m2", K / 100, 2, 1, 0,
     "a luminance at ISO 100", "ISO 2720", "k",
@@ -114,6 +120,11 @@ SCALES = (
         spellings=("mag/arcsec2", "mpsas"),
         meaning="V band; published zero points differ by up to a third", letter="L", unit="cd/m2",
         size=MAGNITUDE.size * (180 * 3600 / math.pi) ** 2,
+    ),
+    AB_MAGNITUDE,
+    AB_MAGNITUDE._replace(
+        spellings=("ABmag/arcsec2",), letter="L_nu", unit="Jy/arcsec2",
+        meaning="an AB magnitude of a square second of arc, at one frequency",
     ),
     LUMINANCE_EV,
     ILLUMINANCE_EV,
@@ -177,11 +188,12 @@ def named(text: str) -> list[Scale]:
         return rows
     try:  # mag/arcsec^2, mag arcsec-2
         atoms = [(name, power) for name, power, _ in parse_unit(text)]
-        area = [(lookup(name), power) for name, power in atoms if name != "mag"]
+        area = [(lookup(name), power) for name, power in atoms if not name.endswith("mag")]
     except RadcalcError:
         return []
-    is_area = ("mag", 1) in atoms and area == [(("", "arcsecond"), -2)]
-    return [scale for scale in SCALES if "mpsas" in scale.spellings and is_area]
+    of_area = [f"{name}/arcsec2" for name, power in atoms if name.endswith("mag") and power == 1]
+    is_area = area == [(("", "arcsecond"), -2)] and len(atoms) == 2
+    return [row for name in of_area * is_area for row in BY_SPELLING.get(name, [])]
 
 
 def refuse(spelling: str) -> UnitError | None:

@@ -47,7 +47,7 @@ FAHRENHEIT = ("°f", "degf", "deg_f", "degree_fahrenheit", "degrees_fahrenheit",
 COMMON_PREFIXES = "GMkcmun"
 SUGGESTED = 3  # spellings near an unknown one
 # Names of scales; they are handled above and not looked up in other languages.
-SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
+SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "ABmag", "EV", "mired", "OD", "stops", "dB", "bril")
 WHOLES = ("hemisphere", "spat")  # an irradiance is not a radiance times one of these
 PARTS = ("percent", "permille", "ppm", "ppb")
 
@@ -354,7 +354,9 @@ PAR_RANGE = "400nm:700nm"  # of watts of PAR
 def refuse_par(text: str) -> None:
     """Raise for PAR, which is a range of wavelengths and is measured in photons or in watts."""
     if text.strip().lower() in PAR:
-        watts = Try((("range", PAR_RANGE),), instead=(text, "W/m2"), remark="the watts")
+        watts = Try(
+            (("range", PAR_RANGE),), instead=(text, "W/m2"), remark="the watts", follow=True
+        )
         raise UnitError(
             ambiguous(text, "photons (PPFD, in umol/m2/s) or watts (W/m2) from 400 nm to 700 nm"),
             [*corrections(text, "ppfd", remark="the photons"), watts],

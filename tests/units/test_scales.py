@@ -92,6 +92,11 @@ def test_a_mired_is_a_reciprocal_megakelvin(kelvins):
         (21.31, "mag/arcsec2", "ucd/m2", 323.16, 2e-3),
         (21.30, "mag/arcsec2", "ucd/m2", 326.15, 2e-3),
         (0.0, "mag/arcsec2", "cd/m2", 10.8e4, 1e-3),
+        # Oke and Gunn 1983: AB = -2.5 lg(f) - 48.60, f in erg/s/cm2/Hz; astropy 6 for 0 ABmag
+        (0.0, "ABmag", "Jy", 3630.7805477010035, 1e-14),
+        (0.0, "mag(AB)", "erg/s/cm2/Hz", 3.6307805477010035e-20, 1e-14),
+        (5.0, "AB mag", "Jy", 36.307805477010035, 1e-14),
+        (22.0, "ABmag/arcsec2", "Jy/arcsec2", 3630.7805477010035 * 10**-8.8, 1e-14),
         # Federal Standard 1037C: zero dBm equals one milliwatt; dBW from its definition
         (0.0, "dBm", "mW", 1.0, 1e-15),
         (0.0, "dBW", "dBm", 30.0, 1e-15),
