@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any
 
-from radcalc.errors import RadcalcError
+from radcalc.errors import RadcalcError, Try, option, quote
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.tuples import NamedTuple
@@ -248,6 +248,43 @@ def in_short(rows: Sequence[Row], named: bool = False, remark: str = "") -> str:
     text = ", ".join([*texts, *["..."] * (len(rows) > RESULTS and not named)])
     mark = " " if remark.startswith("(") else ", "
     return mark.join(filter(None, [text, remark]))
+
+
+OF_LIGHT = ("spectrum", "reference")
+Pairs = Sequence[tuple[str, str]]  # the inputs of a call by name, and operands without a name
+
+
+def remark_on(proposal: Try, call: Pairs, typed: Pairs) -> str:
+    """Return the remark on a proposed call, with its values that the user did not type."""
+    if proposal.follow or not (proposal.inputs or proposal.is_call):
+        return proposal.remark
+    names = {*dict(proposal.inputs)}
+    if not proposal.instead and names <= SYMBOLS.keys():
+        names.add("")  # an operand
+    new = [
+        (name, value)
+        for name, value in call
+        if value and (name, value) not in typed and (proposal.words or name in names)
+    ]
+    if not new:
+        return proposal.remark
+    gone = [value for name, value in typed if proposal.words or (name, value) not in call]
+    known = _numbers(" ".join(gone))
+    new = [
+        (name, value)
+        for name, value in new
+        if not _numbers(value) <= known or (name in OF_LIGHT and value not in gone)
+    ]
+    *texts, last = [option(name, quote(value)) for name, value in new if name in SYMBOLS] or [""]
+    marked = f"{', '.join(texts)} and {last} are examples" if texts else f"{last} is an example"
+    return ", ".join(filter(None, [proposal.remark, marked if last else "an example" * bool(new)]))
+
+
+def _numbers(text: str) -> set[float]:
+    """Return the numbers in a text; digits in a name are none."""
+    import re
+
+    return {*map(float, re.findall(r"(?<![\w.])(?<![A-Za-z]-)\d+\.?\d*(?:e[-+]?\d+)?", text))}
 
 
 def _in_short(row: Row) -> str:

@@ -152,10 +152,11 @@ class Try:
     `inputs` are symbols that are added or replaced, with their values: `True` for a flag, and ""
     for the example of the command.  `without` are symbols that are left out, and `instead` is a
     word of the call with its replacement, or alone if it goes.  `words` are another call: a
-    command, its operands and NAME=VALUE.  `remark` says what the call assumes.
+    command, its operands and NAME=VALUE.  `remark` says what the call assumes.  Values that
+    `follow` are computed from those of the user; others that the user did not type are examples.
     """
 
-    __slots__ = ("inputs", "instead", "remark", "without", "words")
+    __slots__ = ("follow", "inputs", "instead", "remark", "without", "words")
 
     def __init__(
         self,
@@ -164,9 +165,10 @@ class Try:
         instead: tuple[str, ...] = (),
         words: tuple[str, ...] = (),
         remark: str = "",
+        follow: bool = False,
     ) -> None:
         self.inputs, self.without, self.instead = inputs, without, instead
-        self.words, self.remark = words, remark
+        self.words, self.remark, self.follow = words, remark, follow
 
     @property
     def is_call(self) -> bool:
@@ -201,6 +203,12 @@ class Try:
 def add(name: str, value: str = "", remark: str = "") -> Try:
     """Propose a symbol with a value, in place of its former value if it has one."""
     return Try(((name, value),), remark=remark)
+
+
+def computed(proposal: Try) -> Try:
+    """Return a proposal whose values follow from those of the user."""
+    proposal.follow = True
+    return proposal
 
 
 def leave_out(*names: str) -> Try:
@@ -309,7 +317,8 @@ def _of_mentions(mentions: "list[str]") -> "Try | None":
     if mentions[0].startswith(VALUE + WORD):
         return Try(words=(mentions[0][2:], "help=")) if len(mentions) == 1 else None
     if mentions[0].startswith(VALUE):
-        return Try(words=tuple(mentions[0][1:].split(WORD))) if len(mentions) == 1 else None
+        words = tuple(mentions[0][1:].split(WORD))
+        return computed(Try(words=words)) if len(mentions) == 1 else None
     pairs = [mention.split(VALUE) for mention in mentions]
     return Try(tuple([(name, "" if _is_placeholder(value) else value) for name, value in pairs]))
 
@@ -564,7 +573,9 @@ class Impossible(ConditionError):
         self, symbol: str, text: str, limit: str, because: str = "", nearest: str = ""
     ) -> None:
         reason = f": {because}" if because else ""
-        tries = [add(symbol, nearest, f"({option(symbol)}: {limit})")] if nearest else []
+        tries = []
+        if nearest:
+            tries = [computed(add(symbol, nearest, f"({option(symbol)}: {limit})"))]
         super().__init__(f"{option(symbol, quote(text))} is out of range{reason}", limit, tries)
         self.symbol, self.text, self.limit, self.because = symbol, text, limit, because
 

@@ -93,7 +93,7 @@ def unlike(words: Words, answer: str, lines: bytes) -> str:
     if not good:
         return f"refused: {outcomes[0].error}"
     outcome = good[0]
-    if not answer or "--check" in words:
+    if not answer or "--check" in words or answer.startswith("--"):  # a remark alone
         return ""
     shown = NUMBER.search(answer.rpartition(" ")[0] or answer)
     numbers = [float(number) for number in NUMBER.findall(outcome.output)]

@@ -1,5 +1,6 @@
 """Every hint of a refusal leads to an answer when it is followed."""
 
+import re
 import shlex
 from pathlib import Path
 
@@ -58,6 +59,39 @@ def test_few_hints_are_sentences():
     assert len(needless) <= MOST_PROSE * len(refused), "\n".join(needless)
 
 
+VALUE = re.compile(r"(?<![\w.^])(?<![A-Za-z]-)\d+\.?\d*(?:e[-+]?\d+)?")  # not that of m2 or cm-1
+OF_PAR = {400.0, 700.0}  # nm: the range of PAR is a definition
+OF_FORM = {0.0, 1.0}  # in a plane; in 1/x and (1 + 10%)
+NOTATIONS = ("ND", "0x")  # of numbers that are not moved
+
+
+def values(words):
+    return {float(number) for word in words for number in VALUE.findall(word)}
+
+
+def moved(words):
+    """Return the words of a call with other numbers, each by a few per cent."""
+    return [VALUE.sub(lambda number: f"{float(number[0]) * 1.03:.5g}", word) for word in words]
+
+
+def test_a_value_that_the_user_did_not_type_is_an_example_or_follows_from_what_was_typed():
+    """A value that follows moves with the typed numbers; one that stays was made up."""
+    marked, made_up = 0, []
+    for words in CALLS.values():
+        if any(word.startswith(NOTATIONS) for word in words):
+            continue
+        for proposed, answer in call(words).proposed:
+            own = {word for word in proposed if values([word]) - values(words) - OF_PAR - OF_FORM}
+            marked += bool(own) and "example" in answer
+            if not own or "example" in answer:
+                continue
+            again = [other for other, _ in call(moved(words)).proposed]
+            if stays := own & {word for other in again for word in other}:
+                made_up.append(f"{shlex.join(words)}: {shlex.join(proposed)} ({stays})")
+    assert not made_up, "\n".join(made_up)
+    assert marked > 150
+
+
 # words of a command, a part of the hint that fits the request
 MEANT = [
     ("convert 500 lx umol/m2/s --efficacy 0.0185", "--efficacy 0.0185umol/lm/s"),
@@ -77,6 +111,11 @@ MEANT = [
     ("convert 100 cd lx --distance 1:5:2", "--distance 1m:5m:2m"),
     ("5 to fc", "radcalc 5 lx to fc"),
     ("7 cd to", "radcalc 7 cd\n"),
+    # 3630.78 Jy 10^-2: Oke and Gunn 1983
+    ("5 mag Jy", "radcalc 5 ABmag Jy\n     36.3078 Jy, if it is an AB magnitude"),
+    ("5 Jy Vmag", "radcalc 5 Jy ABmag\n     7.15257 ABmag"),
+    ("convert 5 mag Jy --wavelength 555nm", "radcalc convert 5 ABmag Jy\n     36.3078 Jy"),
+    ("convert 22 mag/arcsec2 MJy/sr", "22 ABmag/arcsec2 MJy/sr\n     0.244822 MJy/sr"),
     ("12 EV W/m2", "12 EV W/m2 --spectrum sun\n     93.55"),  # 2.5 lx 2^12 / (109.455 lm/W)
     ("10 dBm uW mW", "radcalc convert 10 dBm uW,mW\n     10000 uW, 10 mW"),
     ("2^3^2 lx fc", "radcalc 2^9 lx fc"),

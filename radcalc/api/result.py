@@ -104,13 +104,25 @@ def proposals(error: RadcalcError, function: Callable[..., Any], given: Mapping[
     for proposal in error.tries[: errors.MOST]:
         with suppress(*REFUSED):
             words = proposal.words or _changed(proposal, function, given)
-            results = _results(call_function(words), errors.spell(proposal.remark, PythonHint))
+            made = [errors.input_of(word) for word in words[1:]]
+            remark = errors.spell(answer.remark_on(proposal, made, _pairs(given)), PythonHint)
+            results = _results(call_function(words), remark)
             lines.append(f"{Python.command(*words)}\n     {results}")
-    text = "\nor:  ".join(lines)
+    text = "\nor:  ".join(dict.fromkeys(lines))
     if text and (others := error.others):
         help_ = Python.manual(symbol_name(function.__name__))
         text += f"\nor {', '.join(map(keyword, others))} ({help_})"
     return text
+
+
+def _pairs(given: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Return the single values of a call by the names of their symbols, '' for operands."""
+    pairs = []
+    for key, value in given.items():
+        name = symbol_name(key)
+        with suppress(TypeError):  # an array has no text
+            pairs.append((name if name in SYMBOLS else "", _text_in_call(value)))
+    return pairs
 
 
 def _text_in_call(value: Any) -> str:

@@ -112,7 +112,7 @@ def _read(coordinates: list[str]) -> tuple[projections.Vector, str]:
     if len(coordinates) != 3:
         problem = f"a vector has three coordinates, not {len(coordinates)}"
         raise errors.UsageError(
-            problem, _of_two(coordinates) or errors.command("direction", "1", "1", "1")
+            problem, _of_two(coordinates) or errors.call("direction", "1", "1", "1")
         )
     (x, y, z), unit = read_coordinates(coordinates)
     return (x, y, z), unit
@@ -122,7 +122,8 @@ def _of_two(words: list[str]) -> list[errors.Try]:
     """Propose the direction of two angles, or of a vector in a plane."""
     units = [unit_of(split_value(word)[1]) for word in words]
     if len(words) == 2 and not any(split_value(word)[1] for word in words):
-        return [errors.call("direction", *words, "0", remark="in the plane of x and y")]
+        flat = errors.call("direction", *words, "0", remark="in the plane of x and y")
+        return [errors.computed(flat)]
     if len(words) != 2 or any(unit is None or unit.dimension != ANGLE for unit in units):
         return []
     first, second = words

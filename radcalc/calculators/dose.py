@@ -33,7 +33,7 @@ from radcalc.calculators.page import FILE, PERIODS, Operand, Page, choice, text
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
-from radcalc.errors import ConditionError, NumberError, Try, mention, option, quote
+from radcalc.errors import ConditionError, NumberError, Try, add, computed, mention, option, quote
 from radcalc.files import ENDINGS
 from radcalc.floats import divide
 from radcalc.inputs import Inputs
@@ -203,10 +203,8 @@ class SummedLog(NamedTuple):
             raise ConditionError(problem, "two samples or more")
         if not any(period.covered for period in dose.periods):
             longest = _duration_text(self.seconds(dose.widest.length))
-            raise ConditionError(
-                "every step is a gap, so there is nothing to add up",
-                f"{option('max-gap', longest)}, which bridges all of them",
-            )
+            bridging = computed(add("max-gap", longest, "which bridges all of them"))
+            raise ConditionError("every step is a gap, so there is nothing to add up", bridging)
         if sum(period.total + period.low for period in dose.periods) < 0:
             problem = "the samples add up to less than 0, so all of them are a meter's noise"
             raise ConditionError(problem, "samples with light")

@@ -110,7 +110,7 @@ def solve_facing(
         if angle is None or is_array(angle):
             raise
         turned = errors.add("incidence", f"{math.degrees(angle):.6g}deg", "would explain it")
-        raise error.reworded(hint=[turned, *error.tries]) from None
+        raise error.reworded(hint=[errors.computed(turned), *error.tries]) from None
 
 
 def _explaining_incidence(sheet: Worksheet, laws: list[AnyLaw], placed: Placed) -> Any:

@@ -275,7 +275,7 @@ def _without_photons(source: Spectrum, counts: Counts) -> list[Value]:
     if not counted:
         ranges = {"all photons of the range, none of which is PAR": chosen}
     tries = [
-        errors.add("photon-range", f"{low:g}nm:{high:g}nm", remark)
+        errors.computed(errors.add("photon-range", f"{low:g}nm:{high:g}nm", remark))
         for remark, (low, high) in ranges.items()
     ]
     text = range_text(chosen)

@@ -461,5 +461,5 @@ def on_page(error: errors.RadcalcError, command: str) -> errors.RadcalcError:
     is_shutter = page.bare.get(error.symbol) == "s" and error.number.isdigit()
     if is_shutter and not error.several:
         marked = errors.add(error.symbol, f"1/{error.number}s", "as cameras are marked")
-        return error.reworded(hint=[marked, *likely.tries])
+        return error.reworded(hint=[errors.computed(marked), *likely.tries])
     return likely

@@ -222,7 +222,11 @@ def _as_operand(read: Callable[[], T]) -> T:
         return read()
     except RadcalcError as error:
         calls = [
-            call("photon", value, remark="" if mentioned(proposal.remark) else proposal.remark)
+            Try(
+                words=("photon", value),
+                remark="" if mentioned(proposal.remark) else proposal.remark,
+                follow=proposal.follow,
+            )
             for proposal in error.tries
             for _, value in proposal.inputs
         ]

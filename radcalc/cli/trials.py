@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import click
 
 from radcalc import errors, terminal
-from radcalc.answer import Row, in_short
+from radcalc.answer import Row, in_short, remark_on
 from radcalc.calculators import SUMMARIES, page_of
 from radcalc.cli.command import (
     called_in,
@@ -23,15 +23,14 @@ from radcalc.cli.command import (
 from radcalc.cli.lane import hear
 from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import EXPLAIN, HELP_NAMES, Shell, pasted, spelled, typed
-from radcalc.errors import option, quote
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.errors import quote
+from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.units.ranges import size_of
 
 Words = list[str]
 ANSWERS = 100  # of a call that is made
 LONG = ("scene",)  # commands with many answers
 LARGEST = 1 << 20  # bytes of the files of a call that is made
-NUMERIC = "0123456789.,:"  # characters of numbers, lists and ranges
 IN_SHORT = {"get": "-g", "number": "-n"}
 TURNED = ("incidence", "tilt")  # angles that are 0 if they are left out
 WITHOUT_VALUE = ("header", "plot")  # options whose value may be omitted
@@ -78,6 +77,8 @@ class Trial(NamedTuple):
         """Return the fields of JSON."""
         first = [{"value": row.value, "unit": row.unit} for row in self.rows[:1]]
         record: dict[str, Any] = {"command": self.command}
+        if self.remark:
+            record["remark"] = spelled(self.remark)
         with suppress(errors.RadcalcError):  # a stream has no call in Python
             record["call"] = _in_python(self.words)
         return record | dict(*first)
@@ -105,17 +106,18 @@ def trials(error: errors.RadcalcError, words: Words) -> list[Trial]:
     """
     made: list[Trial] = []
     lacking: list[tuple[Trial, errors.RadcalcError, int]] = []
+    given = _pairs(words)
     for way, proposal in enumerate(error.tries[: errors.MOST]):
         call = changed(words, proposal)
         if call is None or call in (words, *(trial.words for trial in made)):
             continue
         if not all(map(str.isprintable, call)):  # cannot be pasted
             continue
-        trial = Trial(call, proposal.remark)
+        trial = Trial(call, remark_on(proposal, _pairs(call), given))
         try:
             answered = trial.answered()
             if answered.rows and not trial.remark:
-                answered = answered._replace(remark=_example_in(proposal, words))
+                answered = answered._replace(remark=_turned(proposal))
             made.append(answered)
         except errors.RadcalcError as further:
             if proposal.inputs or not proposal.without or isinstance(error, errors.Exclusive):
@@ -129,16 +131,24 @@ def trials(error: errors.RadcalcError, words: Words) -> list[Trial]:
     return sorted(unique.values(), key=lambda trial: len(trial.words))
 
 
-def _example_in(proposal: errors.Try, words: Words) -> str:
-    """Return the remark on a value that was not typed: one that is added, or an angle of 0."""
-    typed_text = " ".join(words)
-    for name, value in proposal.inputs:
-        number = value[: len(value) - len(value.lstrip(NUMERIC))]
-        parts = number.replace(":", ",").split(",")
-        if name != "get" and number and any(part not in typed_text for part in parts):
-            return f"{option(name, value)} is an example"
+def _turned(proposal: errors.Try) -> str:
+    """Return the remark on an angle that is left out, and is 0 then."""
     turned = [name for name in proposal.without if name in TURNED and not proposal.inputs]
     return f"at {option(turned[0], '0deg')}" if turned else ""
+
+
+def _pairs(words: Words) -> list[tuple[str, str]]:
+    """Return the inputs of a call by name, and its other words but options."""
+    pairs = []
+    rest = iter(words)
+    for word in rest:
+        name, equals, value = word.removeprefix("--").partition("=")
+        if word[:2] != "--" and word != "-g":
+            pairs.append(("", word))
+        elif word == "-g" or name in SYMBOLS:
+            is_whole = equals or (name in SYMBOLS and SYMBOLS[name].form == FLAG)
+            pairs.append((name, value if is_whole else next(rest, "")))
+    return pairs
 
 
 def has_answers(error: errors.RadcalcError, words: Words) -> bool:
@@ -159,7 +169,6 @@ def _completed(trial: Trial, further: errors.RadcalcError, way: int) -> list[Tri
             with suppress(errors.RadcalcError):
                 readings.append(Trial([*typed(one.words)], one.remark).answered())
         return readings
-    typed_words = trial.words
     for _ in range(errors.MOST - 1):
         added = [one for one in further.tries if one.inputs and not one.without]
         added = [one for one in added if trial.words.count(f"--{one.inputs[0][0]}") < 2]
@@ -168,7 +177,7 @@ def _completed(trial: Trial, further: errors.RadcalcError, way: int) -> list[Tri
         call = changed(trial.words, added[0]) if added else None
         if call is None or call == trial.words:
             return []
-        example = added[0].remark or _example_in(added[0], typed_words)
+        example = remark_on(added[0], _pairs(call), _pairs(trial.words))
         remark = ", ".join(dict.fromkeys(filter(None, [trial.remark, example])))
         trial = Trial(call, remark)
         try:
@@ -189,8 +198,8 @@ def lines(error: errors.RadcalcError, words: Words, shown: Sequence[Trial]) -> l
     texts = []
     for start, trial in zip(("try: ", *["or:  "] * len(shown)), shown, strict=False):
         texts.append(start + trial.command)
-        if trial.outcome:
-            texts.append("     " + trial.outcome)
+        if outcome := trial.outcome:
+            texts.append("     " + outcome)
     if others := [f"--{name}" for name in error.others]:
         texts.append(f"or {', '.join(others)} (radcalc {called_in(words)} --help)")
     words_instead = [one.instead[1:] for one in error.tries[errors.MOST :]]
@@ -230,7 +239,8 @@ def changed(words: Words, proposal: errors.Try) -> Words | None:
             return None
         call, place = _without(call, f"--{name}", known)
         call[place:place] = added
-    if any(("-g", name) in pairwise(call) for name, _ in proposal.inputs):  # asked for itself
+    asked = [after.partition(":")[0] for word, after in pairwise(call) if word == "-g"]
+    if any(name in asked for name, _ in proposal.inputs):
         return None
     return _once(call) or None
 

@@ -85,7 +85,7 @@ class Wanted(NamedTuple):
 
 _WAVELENGTH = option("wavelength", "LAMBDA")
 _CONE = option("half-angle", "ANGLE")
-_INTO_CONE = errors.add("half-angle", "30deg", "evenly into a cone of half angle 30 deg")
+_INTO_CONE = errors.add("half-angle", "30deg", "evenly into a cone")
 WANTED = {
     KIND: Wanted(
         "a wavelength, a spectrum or an efficacy",
@@ -109,24 +109,21 @@ WANTED = {
     "photoperiod": Wanted(
         "the time of light in a day",
         option("photoperiod", "T"),
-        tuple(
-            [
-                errors.add("photoperiod", f"{hours}h", f"{hours} h of light")
-                for hours in (12, 16, 18)
-            ]
-        ),
+        tuple([errors.add("photoperiod", f"{hours}h") for hours in (12, 16, 18)]),
     ),
     PUPIL: Wanted(
         "the pupil's diameter",
         option("pupil", "DIAMETER"),
-        (errors.add("pupil", "3mm", "a pupil of 3 mm, in daylight"),),
+        (errors.add("pupil", "3mm", "a pupil in daylight"),),
     ),
     RESPONSIVITY: Wanted(
         "the detector's responsivity",
         option("responsivity", "S"),
         (errors.add("responsivity", "0.4A/W", "silicon, in red light"),),
     ),
-    AREA: Wanted("an area", option("area", "A"), (errors.add("area", "1m2", "evenly over 1 m2"),)),
+    AREA: Wanted(
+        "an area", option("area", "A"), (errors.add("area", "1m2", "evenly over an area"),)
+    ),
     CONE: Wanted(
         "a solid angle",
         f"{option('isotropic')}, {_CONE} or {option('solid-angle', 'OMEGA')}",
@@ -141,7 +138,7 @@ WANTED = {
     REFLECTANCE: Wanted(
         "a reflectance",
         option("reflectance", "RHO"),
-        (errors.add("reflectance", "0.5", "a matte surface that reflects half of the light"),),
+        (errors.add("reflectance", "0.5", "a matte surface"),),
     ),
 }
 
@@ -245,7 +242,11 @@ class Bridge:
         tries = [*self._as_ppfd(), *together(choices, tuple(unused))]
         if PER_LENGTH in self.lacking and not unused:
             product = f"{self.number} {quote(self.source.text)} * 1 m"
-            tries = [errors.call("convert", product, quote(self.target.text), remark="over 1 m")]
+            tries = [
+                errors.call(
+                    "convert", product, quote(self.target.text), remark="over 1 m, an example"
+                )
+            ]
         return errors.MissingCondition(
             message, hint, self.source.text, self.target.text, missing, tries
         )

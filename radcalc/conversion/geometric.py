@@ -240,7 +240,7 @@ def _slanting(given: Input, turn: Input) -> Factor:
             raise ConditionError(
                 f"{option('solid-angle', quote(given.text))} is too large for one "
                 f"{option(turn.name)}: its directions are at different angles to the normal",
-                Try((("half-angle", size),), ("solid-angle",), remark="a cone"),
+                Try((("half-angle", size),), ("solid-angle",), remark="a cone", follow=True),
             )
         omega = given.value * cosine
         good = geometry.percent(maths.square(maths.tan(half / 2)))
@@ -285,6 +285,7 @@ def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
                 (("half-angle", f"{half:.6g}deg"),),
                 (given.name, "distance"),
                 remark="exact for a round receiver",
+                follow=True,
             )
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "receiver", format_number(size), hint, "A / d^2")
@@ -352,7 +353,7 @@ def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Inpu
     hint: Hint = geometry.MORE_ROOM
     if tilt is None:
         radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
-        hint = Try((("radius", radius),), (source.name,), remark="exact for a disc")
+        hint = Try((("radius", radius),), (source.name,), remark="exact for a disc", follow=True)
     if geometry.is_near(distance.value, size):
         distance_text = option("distance", quote(distance.text))
         raise TooNear(distance_text, "source", format_number(size), hint)

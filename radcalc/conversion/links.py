@@ -124,7 +124,7 @@ def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radia
         bridge.lacking["size"] = Wanted(
             "the size of the source",
             f"{option('radius', 'R')} or {option('area', 'A')}",
-            (errors.add("radius", "10cm", "a round source with a radius of 10 cm"),),
+            (errors.add("radius", "10cm", "a round source"),),
         )
     else:
         bridge.want_space(ways, given)
@@ -265,12 +265,7 @@ def _unlike(bridge: Bridge) -> errors.RadcalcError:
     """Return the error for two quantities that no condition links, with a hint for their kind."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
     if any(unit.dimension == dimensions.PER_TIME and not read(unit) for unit in (source, target)):
-        hint: errors.Hint = "Hz, or cycle/s, for a frequency"
-        if source.dimension == dimensions.PER_TIME:
-            per = source.text.removeprefix("1")
-            cycles = f"cycle{per}" if per.startswith("/") else f"cycle.{source.text}"
-            hint = errors.call("convert", f"{bridge.number} {quote(cycles)}", quote(target.text))
-        return errors.ConversionError(f"{heading}: a frequency counts cycles", hint)
+        return _unlike_cycles(bridge)
     if source.dimension in PHOTON_NAMES and target.dimension in PHOTON_NAMES:
         return errors.ConversionError(
             f"{heading}: no condition links them, but a photon has both",
@@ -316,6 +311,18 @@ def _unlike(bridge: Bridge) -> errors.RadcalcError:
     return errors.ConversionError(
         f"{heading}: they are different quantities, and no condition links them", hint
     )
+
+
+def _unlike_cycles(bridge: Bridge) -> errors.RadcalcError:
+    """Return the error for a frequency and a rate without cycles, such as 3/s."""
+    source, target = bridge.source, bridge.target
+    hint: errors.Hint = "Hz, or cycle/s, for a frequency"
+    if source.dimension == dimensions.PER_TIME:
+        per = source.text.removeprefix("1")
+        cycles = f"cycle{per}" if per.startswith("/") else f"cycle.{source.text}"
+        amount = f"{bridge.number} {quote(cycles)}"
+        hint = errors.computed(errors.call("convert", amount, quote(target.text)))
+    return errors.ConversionError(f"{bridge.heading}: a frequency counts cycles", hint)
 
 
 def _unlike_heat(bridge: Bridge) -> errors.RadcalcError:

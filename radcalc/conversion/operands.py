@@ -8,7 +8,7 @@ links them.  An amount alone fits if its unit is one word, a quotient, or that o
 from radcalc import errors
 from radcalc.errors import quote
 from radcalc.units import NUMBER, Unit
-from radcalc.units.amounts import EXAMPLE, OPERATORS, STREAM_EXAMPLE
+from radcalc.units.amounts import OPERATORS, STREAM_EXAMPLE
 from radcalc.units.compiled import NAMES
 from radcalc.units.grammar import ALSO, DIVIDERS, TO
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, Amount
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from radcalc.errors import Try
     from radcalc.units import Dimension
 
+EXAMPLE = errors.call("convert", "100", "lx", "fc")
 OF_LISTS = ",:"  # characters of a list or a range
 PER = "per"
 LABELS = ("ev", "nd", "dli", "ppfd", "ppf")  # before a number, their value
@@ -94,7 +95,7 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
                 continue
             if meant := sum_meant(" ".join(words[:end])):
                 typed = quote(" ".join(words[:end]))
-                hint = errors.call("convert", meant, *words[end:])
+                hint = errors.computed(errors.call("convert", meant, *words[end:]))
                 raise errors.UsageError(f"'{typed}' has several numbers", hint) from None
         raise
 

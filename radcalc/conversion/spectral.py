@@ -438,11 +438,12 @@ def _check_narrow(
         both = place - width / 2, place + width / 2
         ends = [maths.chosen(end, wide) / resolve(on.unit).factor for end in both]
         listed = ",".join([f"{format_number(end)}{on.unit}" for end in ends])
+        remark = "the two ends of the band"
         raise errors.ConditionError(
             f"a width of {text_where(wide)} is not small compared with "
             f"{option(of.given.name, of.given.text)}: its ends are not at equal distances on both "
             "axes",
-            errors.call("photon", listed, get=name, remark="the two ends of the band"),
+            errors.computed(errors.call("photon", listed, get=name, remark=remark)),
         )
 
 
@@ -542,6 +543,7 @@ def _refinements(bridge: "Bridge", start: Reading, end: Reading) -> list[Input |
 
 
 def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
+    """Return the factors between two axes of density, or a density and the whole of a band."""
     if start.axis == end.axis:
         return []
     if NONE not in (start.axis, end.axis):

@@ -43,7 +43,7 @@ from functools import reduce
 from typing import Any
 
 from radcalc import geometry, maths
-from radcalc.errors import ConditionError, Try, add
+from radcalc.errors import ConditionError, Try, add, computed
 from radcalc.geometry import FULL, HEMISPHERE, bounded, check_tilt, cone, cone_of, facing, refuse
 from radcalc.geometry.numerics import adaptive, cel, integral, less_arctangent
 from radcalc.geometry.projections import NO_NORMAL, UP, dot, unit, vector
@@ -616,7 +616,7 @@ def _from_surface(radius: maths.Number, distance: maths.Number) -> list[Try]:
     if maths.is_array(radius) or maths.is_array(distance):
         return []
     remark = f"if {distance:g} m is the distance from the surface"
-    return [add("distance", f"{radius + distance:.6g}m", remark)]
+    return [computed(add("distance", f"{radius + distance:.6g}m", remark))]
 
 
 def sphere(radius: maths.Number, distance: maths.Number) -> maths.Number:

@@ -180,10 +180,9 @@ def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> errors.Condit
     )
     error = errors.WrongQuantity(problem, hint, name, text)
     if name == "wavelength" and unit.dimension == TIME and text and amount.number > 0:
+        remark = f"the frequency of a period of {quote(text)}"
         period = f"{1 / (amount.number * unit.factor):.6g}Hz"
-        return error.reworded(
-            tries=[errors.add(name, period, f"the frequency of a period of {quote(text)}")]
-        )
+        return error.reworded(tries=[errors.computed(errors.add(name, period, remark))])
     return error
 
 
@@ -275,7 +274,7 @@ def _check_factor(text: str, number: str, factor: float) -> None:
         problem = f"{option('nd', quote(text))} is ambiguous: a factor or {stops} stops"
         of_stops = errors.add("nd", f"{(factor - 100) * 0.3:.1f}", f"for {stops} stops")
         of_factor = errors.add("nd", f"{math.log10(factor):.4f}", f"for a factor of {number}")
-        raise errors.ConditionError(problem, [of_stops, of_factor])
+        raise errors.ConditionError(problem, list(map(errors.computed, (of_stops, of_factor))))
 
 
 def with_likely_unit(symbol: Symbol, number: str) -> str:

@@ -189,17 +189,17 @@ def read(unit: Unit) -> Reading | None:
     if unit.dimension == dimensions.RETINAL_ILLUMINANCE:
         return Reading(LUMINOUS, 0, 1, 1, NONE, retinal=True)
     facts = GRID.get(unit.dimension)
-    if facts is None and _is_per_energy(unit):
-        facts = _BY_ENERGY.get(unit.dimension)
+    if unit.dimension in _BY_ENERGY and _is_per_energy(unit):
+        facts = _BY_ENERGY[unit.dimension]
     return Reading(*facts) if facts else None
 
 
 def _is_per_energy(unit: Unit) -> bool:
     """Return whether a unit is divided by a photon energy; umol/J and lm.s/J are efficacies."""
-    below = [name for name, power in unit.atoms if power == -1]
-    if any(name.endswith("electronvolt") for name in below):
-        return True
-    return unit.dimension not in OTHERS and any(name.endswith(("joule", "erg")) for name in below)
+    for name, power in unit.atoms:
+        if power == -1 and name.endswith(("electronvolt", "joule", "erg")):
+            return name.endswith("electronvolt") or unit.dimension not in OTHERS
+    return False
 
 
 def is_per_length(unit: Unit) -> bool:

@@ -13,6 +13,7 @@ from radcalc.errors import (
     UnitError,
     UsageError,
     add,
+    computed,
     leave_out,
     listed,
     nearest,
@@ -327,7 +328,7 @@ def refuse_linked(title: str, unit: Unit, given: Collection[str], hint: str = ""
     is_of_watts = light is not None and light.kind == RADIANT
     if is_par and is_of_watts and "spectrum" in given and "range" not in given:
         problem = "the values are PAR in watts, which are counted from 400 nm to 700 nm"
-        raise MissingInput(problem, add("range", PAR_RANGE))
+        raise MissingInput(problem, computed(add("range", PAR_RANGE)))
 
 
 def unit_of_meter(text: str) -> Unit | None:

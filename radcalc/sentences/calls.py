@@ -137,8 +137,8 @@ def _refuse_room(call: Sequence[str]) -> None:
     room = ("room", f"area={size}", *inputs, "utilance=0.6")
     remark = "luminaires of a room, with a utilance of 0.6 as an example"
     tries = [
-        errors.Try(words=room, remark=remark),
-        errors.Try(words=(*call, "get=distance"), remark="distance of one lamp"),
+        errors.Try(words=room, remark=remark, follow=True),
+        errors.Try(words=(*call, "get=distance"), remark="distance of one lamp", follow=True),
     ]
     raise errors.SeveralReadings(f"{quote(size)} is the area of a receiver or of a room", tries)
 
@@ -150,9 +150,13 @@ def _refuse_lamp_above(call: Sequence[str], values: Mapping[str, str]) -> None:
         return
     light, size = (errors.input_of(values[name])[1] for name in ("irradiance", "receiver-area"))
     tries = [
-        errors.Try(words=("convert", light, unit or "lm", f"area={size}"), remark="lit evenly"),
+        errors.computed(
+            errors.call("convert", light, unit or "lm", area=size, remark="lit evenly")
+        ),
         errors.Try(
-            words=tuple(call), remark="by one lamp above the middle, which has that irradiance"
+            words=tuple(call),
+            remark="by one lamp above the middle, which has that irradiance",
+            follow=True,
         ),
     ]
     raise errors.SeveralReadings("the light may be even, or that of one lamp at this height", tries)
@@ -289,7 +293,7 @@ def _refuse_wide(sentence: Sentence, goal: Goal | None, calls: Sequence[Sequence
     is_crossed = len(calls) == 1 and _is_crossed(calls[0])
     if is_point and (is_crossed or (directed and (is_flux or has_unit))):
         tries = [
-            errors.Try(words=(*calls[0], f"{name}={value}"), remark=remark)
+            errors.Try(words=(*calls[0], f"{name}={value}"), remark=remark, follow=True)
             for name, value, remark in EXAMPLES_OF_BEAMS
         ]
         problem = "the directions of the light are missing"
@@ -323,7 +327,7 @@ def _with_led(sentence: Sentence) -> Sentence:
         return Way(first, "").of(others, leds[0])
     names = (first, second)
     tries = [
-        errors.Try(words=call, remark=f"an LED of {LEDS[name]} K")
+        errors.Try(words=call, remark=f"an LED of {LEDS[name]} K", follow=True)
         for name in names
         for call in _answerable(Way(name, "").of(others, leds[0]))[:1]
     ]
@@ -401,7 +405,7 @@ def _goal_of(sentence: Sentence) -> Goal | None:
         if len(units) == len(goals):  # 10 dBm uW mW
             text = ",".join([goal.text for goal in units])
             calls = _answerable(sentence._replace(goals=(Goal(text, units[0].unit),)))
-        tries = [errors.Try(words=words) for words in calls[:1]]
+        tries = [errors.Try(words=words, follow=True) for words in calls[:1]]
         problem = f"the sentence asks for several results: {texts}"
         raise errors.UsageError(problem, tries or "one of them")
     if units and named:

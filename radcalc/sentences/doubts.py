@@ -161,7 +161,7 @@ def refuse(
                 label = symbols.SYMBOLS[fact.symbols[0]].label if _has_no_text(fact) else ""
                 problem = doubt.problem.format(quote(fact.typed), quote(fact.text), label)
                 tries = [
-                    errors.Try(words=call, remark=way.remark)
+                    errors.Try(words=call, remark=way.remark, follow=True)
                     for way in doubt.ways(sentence, fact, goal)
                     for call in ([way.call] if way.call else calls_of(way.of(sentence, fact)))[:1]
                 ]

@@ -535,7 +535,7 @@ def explained(calls: Sequence[tuple[str, ...]]) -> list[Try]:
         if not own:  # another command, or another result
             own = [text.partition(":")[0] for name, text in pairs if name == "get"]
         texts = [_meaning(page, name) for name in own if name in SYMBOLS]
-        tries.append(Try(words=(command, *words), remark="; ".join(texts)))
+        tries.append(Try(words=(command, *words), remark="; ".join(texts), follow=True))
     return tries
 
 

@@ -144,6 +144,7 @@ def moved_either_way(facts: Sequence[Fact], goal: Goal | None) -> list[Try]:
             remark="from {} to {}, by the inverse square law".format(
                 *[quote(f.text) for f in both]
             ),
+            follow=True,
         )
         for both in (places, places[::-1])
     ]
@@ -306,7 +307,9 @@ def unneeded(call: Sequence[str]) -> tuple[set[str], list[Try]]:
             _plan(operands, [*given.values()])
         elif results and (work_out := _function(command, operands)):
             names = [result.partition(":")[0] for text in results for result in text.split(",")]
-            return _idle(work_out, given, names), [Try(words=(command, *words[: -len(results)]))]
+            return _idle(work_out, given, names), [
+                Try(words=(command, *words[: -len(results)]), follow=True)
+            ]
     except Unused as error:
         kept = [one for one in error.tries if not one.without]
         kept = [one for one in kept if one.instead[:1] in ((), (operands[-1],))]
@@ -369,4 +372,4 @@ def _whole(proposal: Try, call: Sequence[str]) -> Try:
     words = [" ".join(new) if word == old else word for word in call]
     words = [word for word in words if word and input_of(word)[0] not in gone]
     words += [f"{name}={value}" for name, value in proposal.inputs]
-    return Try(words=tuple(words), remark=proposal.remark)
+    return Try(words=tuple(words), remark=proposal.remark, follow=True)

@@ -64,7 +64,7 @@ MEANT = {
     "blackbody": example("blackbody"),
     "black body": example("blackbody"),
     "planck": example("blackbody"),
-    "halogen": "A, blackbody:3000K",
+    "halogen": "A, blackbody:3000K (3000 K as an example)",
     "white": "LED-B3, D65, E",
     "fluorescent": "F11, F2",
     "sodium": "HPS, LPS",
@@ -163,7 +163,7 @@ def unknown(text: str) -> errors.RadcalcError:
         return errors.ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
     problem = f"unknown spectrum '{quote(text)}' (and no such file)"
     if meant := MEANT.get(text.strip().lower()):
-        return errors.ConditionError(problem, errors.corrections(text, *meant.split(", ")))
+        return errors.ConditionError(problem, errors.alternatives(text, meant))
     if fitting := [form for kind in FORMS if _is_spectrum(form := f"{kind}:{text}")]:
         return errors.ConditionError(problem, errors.corrections(text, *fitting))
     known = {_bare(name): name for name in names()}

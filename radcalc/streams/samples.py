@@ -408,7 +408,7 @@ def _dark(text: str, unit: Unit) -> float:
     own = amount.typed[1]
     if own is None or (own.dimension, own.is_exitance) != (unit.dimension, unit.is_exitance):
         problem = f"{option('dark', quote(text))} is not in {quote(unit.text)}"
-        raise UsageError(problem, add("dark", f"0.1{unit.text}"))
+        raise UsageError(problem, add("dark", f"0.1{unit.text}", "0.1 as an example"))
     return amount.number * divide(own.top * unit.bottom, own.bottom * unit.top)
 
 
