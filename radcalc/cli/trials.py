@@ -134,7 +134,7 @@ def trials(error: errors.RadcalcError, words: Words) -> list[Trial]:
 def _turned(proposal: errors.Try) -> str:
     """Return the remark on an angle that is left out, and is 0 then."""
     turned = [name for name in proposal.without if name in TURNED and not proposal.inputs]
-    return f"at {option(turned[0], '0deg')}" if turned else ""
+    return f"at {errors.option(turned[0], '0deg')}" if turned else ""
 
 
 def _pairs(words: Words) -> list[tuple[str, str]]:
