@@ -157,7 +157,8 @@ MEANT = [
     ("point-source --lumens 800lm", "radcalc point-source --luminous-flux 800lm"),
     ("lamp", "radcalc point-source --help"),
     ("-g", "radcalc --help"),
-    ("convert 5600K+134mired K", "may be a factor or a shift"),
+    ("convert 5600K+134mired K", "1/(1/(5600K) + 1/(134 mired))"),
+    ("convert 500lx-1EV lx", "may be a factor or a shift"),
     ("spectrum D65 -g cri:%", "radcalc spectrum D65 -g cri\n     "),
     ("convert 400 umol/m2/s mol/m2/day --photoperiod 16h", "23.04 mol/m2"),  # 400 16 3600 / 1e6
     ("convert 23.04 mol/m2/d ppfd --photoperiod 16h", "radcalc convert 23.04 dli ppfd"),

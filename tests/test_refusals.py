@@ -542,7 +542,7 @@ COMMANDS = {
     "the reading of a sky quality meter needs its unit": (
         "convert 21.5 SQM cd/m2", "'SQM' is not accepted", "21.5 mag/arcsec2 cd/m2"),
     "levels are not added": (
-        "convert 10 dBm + 3 dB in dBm", "calculates with dBm", "then arithmetic"),
+        "convert 10 dBm + 3 lx in dBm", "calculates with dBm", "then arithmetic"),
     "unexpected words are quoted as they were typed": (
         "convert 10 dBm uW mW", "too many words: 'dBm uW mW'", "10 dBm uW,mW"),
     "a level beyond the range of numbers is refused": (
@@ -579,7 +579,7 @@ COMMANDS = {
     "an exposure value is not given as a ratio": (
         "ev --luminance 12EV", "--luminance 12EV is an exposure value", "--ev100 12"),
     "a filter is quoted as it was typed": (
-        "ev --ev100 15 --iso 200 --f-number 16 --nd 3stops", "not stops", "--nd 0.9"),
+        "ev --ev100 15 --iso 200 --f-number 16 --nd 3EV", "not EV", "--nd 0.9"),
     "a designation of a filter is quoted as it was typed": (
         "ev --ev100 15 --iso 200 --f-number 16 --nd ND8x2stops", "'8x2stops'"),
     "two uncertain parameters are refused": (

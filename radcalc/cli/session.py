@@ -7,6 +7,7 @@ names of variables before a line is read, so the commands do not know them.
 import re
 from collections.abc import Mapping, Sequence
 from functools import partial
+from itertools import pairwise
 from string import ascii_letters
 from typing import TYPE_CHECKING, Any
 
@@ -260,7 +261,8 @@ class Session:
             return terminal.ANSWERED
         if called == "prompt" and not words[1:]:
             raise UsageError("this is the prompt", "help, or exit")
-        if not self.has_stdin and any(map(is_stream, words)):
+        streams = [one for last, one in pairwise(words) if last == called or last[:2] == "--"]
+        if not self.has_stdin and any(map(is_stream, streams)):
             problem = "- cannot be used at the prompt, which reads standard input"
             raise UsageError(problem, "the same at a shell")
         return boundary.run_or_refuse(words, self) if words else terminal.ANSWERED

@@ -176,7 +176,7 @@ def unit_first(parts: "Sequence[str]") -> list[Reading]:
 
     The unit after a connective is the target; without one, the number may be of either unit.
     """
-    if len(parts) < 3 or parts[0].lower() in LABELS or not parts[1][:1].isdigit():
+    if len(parts) < 3 or parts[0].lower() in (*LABELS, "1") or not parts[1][:1].isdigit():
         return []
     if not _target(parts[0]):
         return []
@@ -377,12 +377,7 @@ def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
 
 def _is_of_numbers(text: str) -> bool:
     """Return whether a unit or a scale is of bare numbers: 1, % or dB."""
-    unit = unit_of(text)
-    if unit is None:
-        from radcalc.units.values import find_scale
-
-        unit = find_scale(text)
-    return unit is not None and unit.dimension == NUMBER
+    return dimensions_of(text) == (NUMBER,)
 
 
 def _has_unit(text: str) -> bool:

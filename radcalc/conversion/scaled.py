@@ -9,7 +9,7 @@ where Z0 is the characteristic impedance of vacuum.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from radcalc import errors, maths
@@ -20,10 +20,16 @@ from radcalc.errors import ConversionError, NumberError, option, quote
 from radcalc.inputs import Input
 from radcalc.quantities import describe, read
 from radcalc.quantities.symbols import LINKS
-from radcalc.units import FIELD_STRENGTH, INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit
+from radcalc.units import (
+    FIELD_STRENGTH,
+    INVERSE_TEMPERATURE,
+    TEMPERATURE_ALONE,
+    Unit,
+    unit_behind,
+)
 from radcalc.units.reading import read_amount
-from radcalc.units.scale_table import CONSTANTS, IN_AB, Scale
-from radcalc.units.values import ScaleUnit, reciprocal
+from radcalc.units.scale_table import CONSTANTS, IN_AB, Scale, usual
+from radcalc.units.values import ScaleUnit, reciprocal, scale_of
 
 IMPEDANCE = 376.730313412  # ohm, CODATA 2022
 PEAK, RMS = "peak", "rms"
@@ -81,7 +87,7 @@ class FieldUnit(ScaleUnit):
             raise ConversionError("a negative irradiance has no field strength", "0 or more")
         return self.scale.reading(quantity) + 0.0
 
-    def with_constants(self, values: dict[str, float]) -> "FieldUnit":
+    def with_constants(self, values: Mapping[str, float]) -> "FieldUnit":
         """Return the same unit: the constants of light meters do not affect fields."""
         return self
 
@@ -186,16 +192,17 @@ class ScaledPlan(Plan):
 
 
 def _refuse_gain_as_loss(source: Unit, target: ScaleUnit, value: Any, factor: Any) -> None:
-    """Raise for 3 stops or 3 dB as a negative density: a loss is meant."""
-    if target.scale.name == LOSS and isinstance(source, ScaleUnit) and source.scale != target.scale:
-        from radcalc.maths import any_true
-
-        if any_true(factor > 1):
-            unit = quote(source.text)
-            raise errors.ConversionError(
-                f"{value:.6g} {unit} is more light, but a density above 0 is less",
-                errors.correct(f"{value:.6g} {unit}", f"-{value:.6g} {unit}", remark="a loss"),
-            )
+    """Raise for 3 stops, 3 dB or 200 % as a negative density: a loss is meant."""
+    is_loss = target.scale.name == LOSS and scale_of(source) != target.scale
+    if is_loss and maths.any_true(factor > 1):
+        name = quote(source.text)
+        problem = "{} is more light, but a density above 0 is less"
+        if not isinstance(value, float):
+            raise errors.ConversionError(problem.format("one of the values"), "at most 100 %")
+        typed, part = f"{value:.6g}{unit_behind(name)}", f"{value / factor**2:.6g}"
+        words = (f"-{typed}",) if source.is_scale else (part, name)
+        loss = errors.call("convert", *words, target.text, remark="a loss")
+        raise errors.ConversionError(problem.format(typed), loss)
 
 
 def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> ScaledPlan:
@@ -209,6 +216,12 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
     conditions = [condition for condition in given if condition.name not in CONSTANTS]
     if FIELD_STRENGTH in (source.dimension, target.dimension):
         source, target, conditions = _fields(source, target, conditions)
+    for name, condition in meter.items():
+        if any(usual(name) in note for note in source.notes):  # (10 EV) * 2
+            problem = (
+                f"{option(name, quote(condition.text))} does not apply to a reading in arithmetic"
+            )
+            raise errors.ConditionError(problem, "the value in a unit")
     sources, targets = _readings(source, target, constants), _readings(target, source, constants)
     error: errors.RadcalcError | None = None
     pairs = [(start, end) for start in sources for end in targets]

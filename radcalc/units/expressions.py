@@ -6,7 +6,8 @@ numbers, rounded once in the answer; pi is the ratio in the table of units.
     SUM      = [sign] PRODUCT { ("+" | "-") PRODUCT }
     PRODUCT  = TERM { ("*" | "/") TERM | FACTOR }
     TERM     = FACTOR { UNIT } | NUMBER [EXPONENT] { UNIT } | UNIT { UNIT }
-    FACTOR   = (CONSTANT | "(" SUM ")" | "(" READING SCALE ")" | FUNCTION "(" SUM ")") [EXPONENT]
+    FACTOR   = (CONSTANT | "(" SUM ")" | "(" LEVEL ")" | FUNCTION "(" SUM ")") [EXPONENT]
+    LEVEL    = READING { ("+" | "-") GAIN }, each a number on a scale: 10 dBm + 3 dB
     EXPONENT = ("^" | "**") (NUMBER | "(" SUM ")") | superscripts
 
 Units belong to the number before them: `800 lm / 2 m2` is 400 lm/m2.  Ambiguous expressions
@@ -16,6 +17,7 @@ quantity that is asked for.
 """
 
 import math
+from contextlib import suppress
 
 from radcalc import errors
 from radcalc.errors import call, quote
@@ -35,14 +37,13 @@ from radcalc.units.numbers import (
     SIGNS,
     are_run_together,
     find_constant,
-    parse_number,
     read_term,
     refuse_lookalikes,
     relative_rounding,
     typed_digits,
     word_at,
 )
-from radcalc.units.table import resolve, unit_of
+from radcalc.units.table import resolve
 from radcalc.units.values import KEPT, Term, Value, is_part
 
 TYPE_CHECKING = False  # typing is slow to import
@@ -50,6 +51,8 @@ if TYPE_CHECKING:
     from radcalc.units.values import ScaleUnit
 
 MAX_POWER = 1000  # of a number
+LONGEST_SCALE = 40  # characters of its name
+AFTER_SCALES = f"{SIGNS}*/·×⋅)"
 OF_SCALES = 1e-15  # relative error of a scale's quantity
 OF_ANGLES = ("sin", "cos", "tan")
 NO_ANGLE, NOT_A_NUMBER = "has no angle in {}", "has {} in {}"  # also of functions of direction
@@ -66,23 +69,26 @@ def _as_factor(terms: str) -> str:
 
 
 Leaves = dict[int, tuple[int, Value]]
+Names = tuple[str, ...]
+Wanted = tuple[Dimension, ...]
 
 
 class Calculator(Scanner):
     """One pass over the text of an expression.
 
     `leaves` are parts of the text that are already read: start, end and value.  `units` are the
-    homonyms that are not constants; `lone` are the places of those that were read alone.
+    homonyms that are not constants; `lone` are the places of those that were read alone.  The
+    `dimensions` that are asked for decide between two scales of one name.
     """
 
     divides = True
 
     def __init__(
-        self, text: str, leaves: Leaves | None = None, units: tuple[str, ...] = ()
+        self, text: str, leaves: Leaves | None = None, units: Names = (), dimensions: Wanted = ()
     ) -> None:
         super().__init__(text)
         self.leaves = leaves or {}
-        self.units = units
+        self.units, self.dimensions = units, dimensions
         self.lone: dict[int, str] = {}
         self.notes: dict[str, None] = {}
         self.depth = 0
@@ -129,6 +135,8 @@ class Calculator(Scanner):
     def sum(self) -> Value:
         """Read terms with + and - between them, each with a number and of the same quantity."""
         self.skip_blanks()
+        if (level := self.level()) is not None:
+            return level
         begin = self.at
         is_negative = self.peek() in MINUSES and bool(self.peek())
         if self.peek() and self.peek() in SIGNS:
@@ -158,6 +166,8 @@ class Calculator(Scanner):
                     f"has no number at '{quote(bare)}'", errors.correct(self.text, better)
                 )
             self.refuse_unlike(value, term, sign, begin, start)
+            if value.is_mired or term.is_mired:
+                self.refuse_reciprocals(sign, begin, start)
             value = value.plus(term, sign)
         return value
 
@@ -192,6 +202,14 @@ class Calculator(Scanner):
         raise errors.ExpressionError(
             f"cannot {'add' if sign > 0 else 'subtract'} {link.join(named)}", hint
         )
+
+    def refuse_reciprocals(self, sign: int, begin: int, start: int) -> None:
+        """Raise for (200 mired) - (100 mired): a sum of reciprocals, or of temperatures."""
+        terms = self.slice(begin, start)[:-1].rstrip(), self.slice(start, self.at)
+        first, second = [term if term[0] == "(" else f"({term})" for term in terms]
+        shift = f"1/{first} {'+' if sign > 0 else '-'} 1/{second}"
+        hint = errors.corrections(self.text, self.with_part(begin, f"1/({shift})"))
+        raise self.wrong("adds a reading in mired, which is a reciprocal", hint)
 
     def refuse_share(self, value: Value, other: Value, sign: int, begin: int, start: int) -> None:
         """Raise for 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
@@ -330,8 +348,9 @@ class Calculator(Scanner):
             end = self.at
             self.skip_blanks()
         if count:
+            self.refuse_scale(begun, start, value)
             self.at = end
-            unit = self.unit(self.text[begun:end], start, value)
+            unit = self.unit(self.text[begun:end])
             value = value.times(unit) if value else unit
             self.skip_blanks()
         if value is None:
@@ -433,45 +452,30 @@ class Calculator(Scanner):
                 return 1
         return super().exponent()
 
-    def reading_of(self, scale: "ScaleUnit", start: int, number_text: str) -> "errors.Hint":
-        """Propose what to do with a reading of a scale in arithmetic: 10 dBm + 3 dB is 13 dBm."""
-        before, after = self.text[:start].strip(), self.text[self.at :].strip()
-        name = scale.text
-        if not (before + after).strip(f"{SIGNS} "):
-            sign = "-" * before.count("-")
-            return [errors.correct(self.text, f"{sign}{number_text} {name}")]
-        is_level = name.startswith("dB") and name != "dB"
-        if before and before[-1] in SIGNS and not is_level:  # 500 lx - 1 EV, 5600 K + 134 mired
-            return f"a value in units: after a sign, {quote(name)} may be a factor or a shift"
+    def refuse_scale(self, begun: int, start: int, number: Value | None) -> None:
+        """Raise for a reading of a scale in arithmetic, in a term from `start`: 2 * 10 dBm."""
+        found, before = self.scale_at(begun), self.text[:start].strip()
+        after = self.text[found[1] :].strip() if found else ""
+        if not found or not (self.is_arithmetic or f"{before}{after}".strip(SIGNS)):
+            return
+        self.is_arithmetic = True
+        name, unit = found[0].text, found[0].unit.text
+        number_text = f"{divide(number.top, number.bottom):.12g}" if number else "1"
         level = f"{before.removeprefix('+')}{number_text}" if before in SIGNS else number_text
-        tries = [call("convert", level, name, scale.unit.text, remark="then arithmetic with it")]
-        gain = after.removesuffix("dB").strip()
-        if not before and gain != after and is_level:
-            try:
-                total = float(number_text) + float(gain.replace(" ", ""))
-            except ValueError:
-                return tries
-            tries.insert(
-                0, errors.correct(self.text, f"{total:.12g} {name}", remark="a level and a gain")
-            )
-        return tries
+        hint: errors.Hint = [call("convert", level, name, unit, remark="then arithmetic with it")]
+        if before[-1:] in tuple(SIGNS) and not found[0].scale.steps:  # 5600 K + 134 mired
+            terms = f"1/({before[:-1].strip()}) {before[-1]} 1/({number_text} {name})"
+            hint = errors.correct(self.text, f"1/({terms}){after}")
+        elif before[-1:] in tuple(SIGNS) and not name.startswith("dB"):  # 500 lx - 1 EV
+            hint = f"a value in units: after a sign, {quote(name)} may be a factor or a shift"
+        raise self.wrong(f"calculates with {quote(name)}, which is a scale, not a unit", hint)
 
-    def unit(self, text: str, start: int = 0, number: Value | None = None) -> Value:
-        """Return the value of adjacent units, in a term that begins at `start`."""
+    def unit(self, text: str) -> Value:
+        """Return the value of adjacent units."""
         text = " ".join(text.split())
         joined = text.lower().replace(" ", "_")
         is_name = " " in text and joined in NAMES  # foot lambert
-        try:
-            unit = resolve(joined if is_name else text)
-        except errors.UnitError:
-            scale = values.find_scale(text)
-            other_terms = (self.text[:start] + self.text[self.at :]).strip(f"{SIGNS} ")
-            if scale is None or not (self.is_arithmetic or other_terms):
-                raise
-            self.is_arithmetic = True
-            number_text = f"{divide(number.top, number.bottom):.12g}" if number else "1"
-            problem = f"calculates with {quote(text)}, which is a scale, not a unit"
-            raise self.wrong(problem, self.reading_of(scale, start, number_text)) from None
+        unit = resolve(joined if is_name else text)
         atoms = parse_unit(joined if is_name else text)
         dimension = unit.dimension
         units: dict[str, int] = {}
@@ -557,12 +561,10 @@ class Calculator(Scanner):
         return value
 
     def bracket(self) -> Value:
-        """Read a number, a unit, a function, a reading of a scale, or a sum in brackets."""
+        """Read a number, a unit, a function, a level, or a sum in brackets."""
         if (leaf := self.leaf()) is not None:
             return leaf
         self.is_arithmetic |= self.begins_number()
-        if (reading := self.reading()) is not None:
-            return reading
         if self.depth >= MAX_DEPTH:
             raise self.wrong("has too many brackets", f"at most {MAX_DEPTH}, one in the other")
         self.depth += 1
@@ -579,30 +581,78 @@ class Calculator(Scanner):
         self.depth -= 1
         return value
 
-    def reading(self) -> Value | None:
-        """Read a bracket around a reading of a scale, (10 dBm), as its quantity; else None."""
-        inside, closed, _ = self.text[self.at + 1 :].partition(")")
-        name = inside.strip(f"{DIGITS}{SIGNS}. e")
-        if not closed or not name[:1].isalpha() or unit_of(name):
-            return None
+    def scale_at(self, at: int) -> "tuple[ScaleUnit, int] | None":
+        """Return the scale with the longest name that begins at a place, and its end; else None."""
+        depth, found = 0, None
+        is_name = self.text[at : at + 1].isalpha()
+        for end in range(at + 1, min(at + LONGEST_SCALE, len(self.text)) + 1) if is_name else ():
+            c = self.text[end : end + 1]
+            if not depth and (not c or c in AFTER_SCALES):
+                scale = values.find_scale(self.text[at:end])
+                found = (scale, end) if scale else found
+            depth += (c == "(") - (c == ")")
+            if depth < 0:
+                break
+        return found
 
-        if (scale := values.find_scale(name)) is None:
-            return None
-        if scale.others:
-            read = [one.unit.text for one in (scale, *scale.others)]
-            problem = f"has {quote(name)}, which is a scale of {' and of '.join(read)}"
-            raise self.wrong(problem, [call("convert", inside.strip(), one) for one in read])
-        number = parse_number(inside.strip().removesuffix(name))
+    def reading(self) -> "tuple[ScaleUnit, float, float] | None":
+        """Read a number on a scale, also in brackets, with its rounding; None for other texts."""
+        start, opened = self.at, self.peek() == "("
+        self.at += opened
+        self.skip_blanks()
+        begun = self.at
+        self.at += bool(self.peek()) and self.peek() in SIGNS
+        if start not in self.leaves and self.peek() in (".", *DIGITS):
+            with suppress(errors.NumberError):
+                number, _, self.at = read_term(self.text, self.at)
+                digits = self.text[begun : self.at]
+                self.skip_blanks()
+                scale, self.at = self.scale_at(self.at) or (None, start)
+                if scale and typed_digits(digits) and (not opened or self.peek() == ")"):
+                    self.at += opened
+                    self.skip_blanks()
+                    off = number * relative_rounding(digits)
+                    return scale, -number if digits[0] in MINUSES else number, off
+        self.at = start
+        return None
+
+    def level(self) -> Value | None:
+        """Read a sum that is a reading of a scale, with any gains; None for another sum."""
+        start, sign, number, off = self.at, 1, 0.0, 0.0
+        scale: ScaleUnit | None = None
+        while reading := self.reading():
+            change = scale.scale.change(reading[0].scale) if scale else 1.0
+            number, off = number + sign * change * reading[1], off + abs(change) * reading[2]
+            is_sum, scale, following = bool(scale), scale or reading[0], self.peek()
+            if change and following in ("", ")"):
+                self.is_arithmetic |= is_sum or self.text[start] == "("
+                return self.quantity(scale, number, off)
+            if not change or following not in SIGNS:
+                break
+            sign = -1 if following in MINUSES else 1
+            self.at += 1
+            self.skip_blanks()
+        self.at = start
+        return None
+
+    def quantity(self, scale: "ScaleUnit", number: float, off: float) -> Value:
+        """Return the quantity of a reading; `off` is the rounding of its digits."""
+        scales = (scale, *scale.others)
+        fitting = [one for one in scales if one.dimension in self.dimensions or not scale.others]
+        if not fitting:
+            text, read = f"{number:.12g} {scale.text}", [one.unit.text for one in scales]
+            problem = f"has {quote(scale.text)}, which is a scale of {' and of '.join(read)}"
+            raise self.wrong(problem, [call("convert", text, one) for one in read])
+        scale = fitting[0]
         quantity = scale.quantity(number)
-        digits = relative_rounding(inside.strip().removesuffix(name).strip())
-        rounding = abs(scale.slope(number) * number * digits / quantity)
-        self.at += len(inside) + 2
-        self.is_arithmetic = True
+        rounding = abs(scale.slope(number) * off / quantity)
         self.notes[scale.assumption] = None
         top, bottom = quantity.as_integer_ratio()
         is_number = scale.unit.text == "1"
         size = Value(top, bottom, NUMBER, {}, rounding, is_number, OF_SCALES)
-        return size if is_number else size.times(self.unit(scale.unit.text))
+        size = size if is_number else size.times(self.unit(scale.unit.text))
+        size.is_mired = not scale.scale.steps
+        return size
 
     def pi_ends(self) -> int:
         """Return the end of a pi that starts here, or this place: 40piW has one."""
@@ -778,8 +828,8 @@ def _is_even(power: "int | Value") -> bool:
 class _Reading:
     """An expression with its homonyms read as constants, or some of them as units."""
 
-    def __init__(self, text: str, leaves: Leaves | None, units: tuple[str, ...]) -> None:
-        calculator = Calculator(text, leaves, units)
+    def __init__(self, text: str, leaves: Leaves | None, units: Names, dimensions: Wanted) -> None:
+        calculator = Calculator(text, leaves, units, dimensions)
         self.value: Value | None = None
         self.problem: errors.RadcalcError | None = None
         try:
@@ -810,7 +860,7 @@ class _Reading:
         words = dict.fromkeys(self.lone.values())
         return [f"{word} is read as {self.meaning(word)}" for word in words]
 
-    def fits(self, dimensions: "tuple[Dimension, ...]", is_counted: bool) -> bool:
+    def fits(self, dimensions: Wanted, is_counted: bool) -> bool:
         """Return whether the value is of one of the dimensions, if need be with cycles counted."""
         if self.unit is None:
             return NUMBER in dimensions
@@ -823,16 +873,16 @@ class TwoReadings(errors.ExpressionError):
     """An expression that means two quantities; the one that is asked for may decide."""
 
 
-def _chosen(text: str, leaves: Leaves | None, dimensions: "tuple[Dimension, ...]") -> _Reading:
+def _chosen(text: str, leaves: Leaves | None, dimensions: Wanted) -> _Reading:
     """Return the reading of an expression that fits the dimensions; raise if several do."""
-    first = _Reading(text, leaves, ())
+    first = _Reading(text, leaves, (), dimensions)
     letters = values.homonyms(text) if first.lone or first.problem else []
     if not letters:
         return first
     readings = [first]
     for number in range(1, 1 << len(letters)):
         units = tuple([word for k, word in enumerate(letters) if number >> k & 1])
-        readings.append(_Reading(text, leaves, units))
+        readings.append(_Reading(text, leaves, units, dimensions))
     if not any(reading.lone for reading in readings):
         return first
     valid: dict[str, _Reading] = {}
@@ -861,7 +911,7 @@ def _begins_with_constant(text: str) -> bool:
 
 
 def evaluate(
-    text: str, leaves: Leaves | None = None, dimensions: "tuple[Dimension, ...]" = ()
+    text: str, leaves: Leaves | None = None, dimensions: Wanted = ()
 ) -> tuple[Value, Unit | None] | None:
     """Return the value of an expression and its unit, None for a text that is not an expression.
 
@@ -891,7 +941,7 @@ def evaluate(
 
 
 def read_expression(
-    text: str, leaves: Leaves | None = None, dimensions: "tuple[Dimension, ...]" = ()
+    text: str, leaves: Leaves | None = None, dimensions: Wanted = ()
 ) -> tuple[float, Unit | None, float, tuple[int, int]] | None:
     """Return the number, unit, relative rounding error and exact ratio of an expression, or None.
 

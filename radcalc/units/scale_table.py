@@ -6,7 +6,8 @@ from typing import Any
 from radcalc import maths
 from radcalc.errors import RadcalcError, UnitError, alternatives, mention, quote
 from radcalc.tuples import NamedTuple
-from radcalc.units import lookup
+from radcalc.units import single
+from radcalc.units.dimensions import SOLID_ANGLE
 from radcalc.units.grammar import parse_unit
 
 K, C = 12.5, 250.0  # cd s/m2 and lx s: the constants of most makers of light meters
@@ -14,6 +15,7 @@ CONSTANTS = {  # the assumed constants of a light meter, and values of other met
     "k": ("K = 12.5 cd s/m2", "some makers use 14"),
     "c": ("C = 250 lx s", "meters with a dome-shaped diffuser use 320 to 340"),
 }
+GAINS = ("dB", "stops")  # scales of ratios on which more is more light
 
 
 class Scale(NamedTuple):
@@ -78,6 +80,12 @@ class Scale(NamedTuple):
     def of_meter(self, constant: Any) -> "Scale":
         """Return the scale of a light meter with its own constant [SI]."""
         return self._replace(size=constant / 100)
+
+    def change(self, of: "Scale") -> float:
+        """Return the change of a reading by a gain of 1 on another scale; 0 if it has no gains."""
+        if of.name not in GAINS or not self.steps or self.unit == "1":
+            return 0.0
+        return self.steps / of.steps * math.log(of.base, self.base)
 
     def slope(self, reading: Any) -> Any:
         """Return the derivative of the quantity, in the scale's unit, over the reading."""
@@ -186,14 +194,17 @@ def named(text: str) -> list[Scale]:
     rows = BY_SPELLING.get(bare) or BY_NAME.get(folded) or []
     if rows or "mag" not in text:
         return rows
-    try:  # mag/arcsec^2, mag arcsec-2
-        atoms = [(name, power) for name, power, _ in parse_unit(text)]
-        area = [(lookup(name), power) for name, power in atoms if not name.endswith("mag")]
-    except RadcalcError:
+    try:  # mag/arcsec^2, mag arcsec-2, mag/arcmin2
+        (mag, one, _), (name, power, _) = parse_unit(text)
+    except (RadcalcError, ValueError):
         return []
-    of_area = [f"{name}/arcsec2" for name, power in atoms if name.endswith("mag") and power == 1]
-    is_area = area == [(("", "arcsecond"), -2)] and len(atoms) == 2
-    return [row for name in of_area * is_area for row in BY_SPELLING.get(name, [])]
+    unit, rows = single(name), BY_SPELLING.get(f"{mag}/arcsec2", [])
+    if one != 1 or not unit or tuple([-power * n for n in unit.dimension]) != SOLID_ANGLE:
+        return []
+    ratio = unit.factor**power * (math.pi / 180 / 3600) ** 2
+    if math.isclose(ratio, 1):
+        return rows
+    return [row._replace(spellings=(text,), size=row.size * ratio) for row in rows]
 
 
 def refuse(spelling: str) -> UnitError | None:

@@ -28,7 +28,7 @@ from radcalc.units.numbers import (
     split_quantity,
     typed_digits,
 )
-from radcalc.units.values import resolve_any, scale_of
+from radcalc.units.values import ScaleUnit, resolve_any, scale_of
 
 SIGN = "±"
 TYPED = SIGNS_OF_UNCERTAINTY[1:]  # other spellings of the sign
@@ -227,7 +227,7 @@ def _with_expression(text: str, dimensions: tuple[Dimension, ...]) -> Reading | 
             size = Calculator(repr(reading.number)).sum()
             if k == moved:
                 size = size.plus(Value(*shift.as_integer_ratio()), 1)
-            unit = reading.unit and Calculator(text).unit(reading.unit.text, number=size)
+            unit = reading.unit and Calculator(text).unit(reading.unit.text)
             places[leaf.start()] = leaf.end(), size.times(unit) if unit else size
         read = read_expression(text, places, dimensions)
         if read is None:
@@ -281,6 +281,11 @@ def _leaf(text: str) -> Reading:
         raise errors.NumberError(f"'{quote(text)}' is not a number and its uncertainty", HINT)
     if reading.uncertainty < 0:
         raise errors.NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
+    if isinstance(reading.unit, ScaleUnit):
+        problem = f"'{quote(text)}' is in {quote(reading.unit.text)}, which is a scale, not a unit"
+        remark = "then arithmetic with it"
+        hint = errors.call("convert", _inside(text), reading.unit.unit.text, remark=remark)
+        raise errors.ExpressionError(problem, hint)
     return reading
 
 

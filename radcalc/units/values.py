@@ -15,7 +15,7 @@ so readings cannot be multiplied or added.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from radcalc import maths
@@ -171,6 +171,8 @@ def _head(dimension: Dimension) -> str:
     return ""
 
 
+# Of a temperature times or over a number or another one, which its reciprocal would give unlike.
+MULTIPLIED = (NUMBER, TEMPERATURE_ALONE, tuple([2 * power for power in TEMPERATURE_ALONE]))
 KEPT = 1e-12  # largest relative error of a sum by cancellation of digits
 
 
@@ -178,10 +180,11 @@ class Value:
     """A number top / bottom in coherent SI units, with the typed units and their powers.
 
     `rounding` is the relative rounding error of the typed digits, `blur` that of functions.
-    `had_units` is true also if all units cancelled: such a number takes no unit.
+    `had_units` is true also if all units cancelled: such a number takes no unit.  `is_mired`
+    marks a temperature that was read as its reciprocal, in mired.
     """
 
-    __slots__ = ("blur", "bottom", "dimension", "had_units", "rounding", "top", "units")
+    __slots__ = ("blur", "bottom", "dimension", "had_units", "is_mired", "rounding", "top", "units")
 
     def __init__(
         self,
@@ -201,6 +204,7 @@ class Value:
         self.had_units = had_units or bool(units)
         self.rounding = rounding
         self.blur = blur
+        self.is_mired = False
 
     def times(self, other: "Value", power: int = 1) -> "Value":
         """Return the product with the power of another value; refuse 0 in a denominator."""
@@ -213,10 +217,15 @@ class Value:
         units = dict(self.units)
         for name, exponent in other.units.items():
             units[name] = units.get(name, 0) + power * exponent
+        powers = zip(self.dimension, other.dimension, strict=True)
+        dimension = tuple([a + power * b for a, b in powers])
+        if (self.is_mired or other.is_mired) and dimension in MULTIPLIED:
+            problem = "the expression multiplies a reading in mired, which is a reciprocal"
+            raise ExpressionError(problem, "the temperature in K, or one reading")
         return Value(
             times(self.top, top, size),
             times(self.bottom, bottom, size),
-            tuple([a + power * b for a, b in zip(self.dimension, other.dimension, strict=True)]),
+            dimension,
             {name: exponent for name, exponent in units.items() if exponent},
             self.rounding + size * other.rounding,
             self.had_units or other.had_units,
@@ -387,10 +396,10 @@ class ScaleUnit(Unit):
         wanted = tuple(dimensions)
         return next((scale for scale in (self, *self.others) if scale.dimension in wanted), self)
 
-    def with_constants(self, values: dict[str, float]) -> "ScaleUnit":
+    def with_constants(self, values: Mapping[str, float]) -> "ScaleUnit":
         others = tuple([other.with_constants(values) for other in self.others])
         scale = self.scale
-        if scale.constant in values:
+        if scale.constant and scale.constant in values:
             scale = scale.of_meter(values[scale.constant])
         return ScaleUnit(self.text, scale, others)
 
@@ -472,13 +481,6 @@ def degree(text: str) -> Unit | None:
 def resolve_given(text: str) -> Unit:
     """Return the unit of an input, with degrees as units of temperature differences."""
     return degree(text) or resolve_any(text)
-
-
-def in_which(text: str, dimensions: Iterable[Dimension]) -> Unit:
-    """Return the unit for the value of an input that is a reading or in degrees."""
-    if scale := find_scale(text):
-        return scale.measures(dimensions).unit
-    return resolve("K" if degree(text) else text)
 
 
 def on(dimension: Dimension) -> list[Scale]:

@@ -5,11 +5,13 @@ import re
 import subprocess
 
 import pytest
-from conftest import ROOT, python
+from conftest import ROOT, python, run
+from following import call
 from helpers import for_each, require
 from hypothesis import given
 from hypothesis import strategies as st
 
+import radcalc
 from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError, UnitError
 from radcalc.units.reading import read_amount
@@ -112,10 +114,109 @@ def test_a_mired_is_a_reciprocal_megakelvin(kelvins):
         (3.0, "stops", "1", 8.0, 1e-15),
         (3.0, "dB", "1", 1.995, 1e-3),
         (100.0, "bril", "lambert", 1.0, 1e-15),
+        # 60^2 square seconds of arc in a square minute: 21.2 - 2.5 lg 3600; 21.2 - 5 lg 3600
+        (21.2, "mag/arcsec2", "mag/arcmin2", 12.30924, 1e-6),
+        (21.2, "mag/arcsec2", "mag/deg2", 3.418487, 1e-6),
+        (12.30924, "mag arcmin-2", "mpsas", 21.2, 1e-6),
     ],
 )
 def test_published_values_are_found(number, source, target, printed, off):
     assert convert(number, source, target) == pytest.approx(printed, rel=off)
+
+
+# Arithmetic with readings, by hand: twice the light is 2.5 lg 2 = 0.7526 mag less, or one stop
+# more; 2.5 lx 2^10 are 2560 lx; 3 dB and 3 stops are steps of dBm and EV; a stop is 2.5 lg 2 mag.
+SUMS = {
+    ("(21 mag/arcsec2) + (21 mag/arcsec2)", "mag/arcsec2"): 21 - 2.5 * math.log10(2),
+    ("(21 mag/arcsec2)*2", "mag/arcsec2"): 21 - 2.5 * math.log10(2),
+    ("(21 mag arcsec-2) * 2", "mag/arcmin2"): 21 - 2.5 * math.log10(2 * 3600),
+    ("(12 mag/arcmin2)*1", "mag/arcsec2"): 12 + 2.5 * math.log10(3600),
+    ("(10 EV)*2", "lx"): 5120.0,
+    ("(10 EV)*2", "cd/m2"): 256.0,
+    ("2 (10 EV100)", "EV"): 11.0,
+    ("13 EV - 3 stops", "EV"): 10.0,
+    ("13 EV - 3 stops", "lx"): 2560.0,
+    ("(13 EV) - 3 stops + 1 stop", "EV"): 11.0,
+    ("(13 EV - 3 stops) * 2", "EV"): 11.0,
+    ("10 dBm + 3 dB", "dBm"): 13.0,
+    ("(10 dBm) - (3 dB)", "dBW"): -23.0,
+    ("-10 dB(1 mW) - 3 dB", "dBm"): -13.0,
+    ("(10 dBm + 3 dB) * 2", "dBm"): 13 + 10 * math.log10(2),
+    ("(10 dBm) + (10 dBm)", "dBm"): 10 + 10 * math.log10(2),
+    ("21 mag/arcsec2 - 1 stop", "mpsas"): 21 + 2.5 * math.log10(2),
+    ("20 bril + 3 stops", "bril"): 23.0,
+    # kelvins of sums of reciprocals: 1e6/(200 - 100), 1/(1/3200 - 1/5000), 1e6/200
+    ("1/(1/(200 mired) - 1/(100 mired))", "K"): 10000.0,
+    ("1/(1/(3200 K) - 1/(200 mired))", "K"): 8888.888889,
+    ("((200 mired))", "K"): 5000.0,
+    ("1/(200 mired)", "MK-1"): 200.0,
+}
+
+
+@for_each(SUMS)
+def test_readings_in_brackets_and_levels_with_gains_are_quantities(text, target):
+    right = pytest.approx(SUMS[text, target], rel=1e-9)
+    found = radcalc.convert(text, target)
+    assert getattr(found, "magnitude", found) == right
+    assert float(run("convert", text, target, "-n").stdout) == right
+    assert float(run("prompt", input=f"{text} to {target}\n").stdout.split()[0]) == right
+
+
+# What is refused, with the answer to the first call that the hint proposes, if it proposes one.
+REFUSED_SUMS = {
+    ("(200 mired)-(100 mired)", "K"): 10000.0,
+    ("(200 mired) - (100 mired)", "mired"): 100.0,
+    ("(3200 K)-(200 mired)", "K"): 8888.888889,
+    ("5600 K + 134 mired", "mired"): 1e6 / 5600 + 134,
+    ("-(200 mired)", "K"): None,
+    ("2*(200 mired)", "K"): None,
+    ("(200 mired)/2", "K"): None,
+    ("(200 mired)/(100 mired)", "1"): None,
+    ("10 dBm + 10 dBm", "dBm"): None,
+    ("10 dBm + 3", "dBm"): None,
+    ("3 dB + 3 dB", "dB"): None,
+    ("21 mag/arcsec2 * 2", "mag/arcsec2"): None,
+    ("21 mag/arcsec2 - 1 mag", "mag/arcsec2"): None,
+    ("500 lx - 1 EV", "lx"): None,
+    ("(10 EV)*2 m2", "lm"): None,
+    # a density counts losses, and none of these is one
+    ("200%", "OD"): math.log10(2),
+    ("(3 dB)", "OD"): 0.3,
+    ("3 dB", "OD"): 0.3,
+    ("2 stops", "OD"): 0.60206,
+}
+
+
+@for_each(REFUSED_SUMS)
+def test_sums_of_readings_and_gains_as_losses_are_refused(text, target):
+    right = REFUSED_SUMS[text, target]
+    outcome = call(["convert", text, target])
+    assert outcome.status == 2
+    assert outcome.error.hint
+    if right:
+        words, _ = next(outcome.proposed)
+        assert float(run(*words, "-n").stdout) == pytest.approx(right, rel=1e-6)
+    with pytest.raises(RadcalcError):
+        radcalc.convert(text, target)
+    assert run("prompt", input=f"{text} to {target}\n").returncode == 2
+
+
+def test_a_factor_above_one_has_no_density():
+    assert run("convert", "1", "1", "OD", "-n").stdout == "0\n"
+    assert run("convert", "1", "1", "dB", "-n").stdout == "0\n"
+    assert run("convert", "1", "1", "%", "-n").stdout == "100\n"
+    assert "a density above 0 is less" in run("convert", "2", "1", "OD").stderr
+    assert "a density above 0 is less" in run("convert", "-", "1", "OD", input="0.5\n2\n").stderr
+    assert radcalc.convert([0.1, 1.0], "OD") == pytest.approx([1.0, 0.0])
+    with pytest.raises(RadcalcError, match="a density above 0 is less"):
+        radcalc.convert([0.1, 2.0], "OD")
+
+
+def test_the_constant_of_a_meter_is_not_that_of_a_reading_in_arithmetic():
+    assert float(run("convert", "10 EV", "cd/m2", "--k", "14", "-n").stdout) == 0.14 * 2**10
+    done = run("convert", "13 EV - 3 stops", "EV", "--k", "14")
+    assert done.returncode == 2
+    assert "--k 14 does not apply to a reading in arithmetic" in done.stderr
 
 
 @for_each(spellings())
