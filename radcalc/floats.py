@@ -42,3 +42,13 @@ def divide(over: int, under: int) -> float:
         return over / under
     except OverflowError:
         return INFINITE
+
+
+def last_place(off: float) -> int:
+    """Return the power of ten of the last digit of an uncertainty, which is printed with two."""
+    return int(f"{off:.1e}".partition("e")[2]) - 1
+
+
+def as_printed(value: float, off: float) -> tuple[float, float]:
+    """Return a number and its uncertainty as they are printed."""
+    return round(float(value), -last_place(off)), float(f"{off:.1e}")

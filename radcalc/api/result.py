@@ -12,7 +12,7 @@ from contextlib import suppress
 from functools import cached_property, partial, wraps
 from inspect import Parameter, signature
 from itertools import chain
-from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, ParamSpec, TypeVar, cast
 
 from radcalc import answer, errors
 from radcalc.answer import Answer, Row, ShownInput, Step, in_short
@@ -35,19 +35,19 @@ from radcalc.api.arguments import (
 )
 from radcalc.calculators import SUMMARIES, page_of
 from radcalc.calculators.page import NOTHING
-from radcalc.calculators.results import in_unit, name_in, name_of, rows
+from radcalc.calculators.results import in_unit, name_in, name_of, rows, unit_for
 from radcalc.calculators.worksheet import on_page
 from radcalc.errors import ConditionError, RadcalcError, Try, quote
 from radcalc.inputs import Inputs
 from radcalc.maths import frozen, is_column
-from radcalc.quantities.symbols import FLAG, SYMBOLS
+from radcalc.quantities.symbols import FLAG, READINGS, SYMBOLS
 from radcalc.units import now, own_since, table
 from radcalc.units.table import resolve
-from radcalc.units.values import in_which
 
 if TYPE_CHECKING:
     from radcalc.homework.question import Question
     from radcalc.plots import Picture
+    from radcalc.units.values import ScaleUnit
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -602,7 +602,8 @@ def _on_request(again: Callable[[str], Answer], name: str) -> Any:
 
 
 def _quantity(value: answer.Value) -> Any:
-    unit = in_which(value.units[0], value.dimensions)
+    unit = unit_for(value, "1" if value.name in READINGS else value.units[0])
+    unit = cast("ScaleUnit", unit).unit if unit.is_scale else unit
     return quantity(in_unit(value, unit), unit)
 
 

@@ -1,7 +1,7 @@
 """Results of calculators: their values, how they are asked for, and names that people write."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
@@ -11,15 +11,15 @@ from radcalc.conversion import exact_ratio
 from radcalc.errors import UsageError, ambiguous, corrections, quote
 from radcalc.floats import SMALLEST
 from radcalc.inputs import Input, Inputs
-from radcalc.inputs.quantities import DIFFERENCES, takes_scale
+from radcalc.inputs.quantities import measured_in, takes_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities import GRID, KINDS, read, symbols
 from radcalc.quantities import name_of as unit_name
 from radcalc.quantities.language import names_meant
 from radcalc.quantities.names import LABELS, QUANTITIES, Quantity
 from radcalc.quantities.search import called, comparable, label_of, symbol_key
-from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, light_unit
-from radcalc.units import NUMBER, Dimension, Unit
+from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, is_alone, light_unit
+from radcalc.units import INVERSE_TEMPERATURE, NUMBER, Dimension, Unit
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, unit_of
 
@@ -82,15 +82,10 @@ def known(given: Input, *more_units: str) -> Value:
     return value(given.name, given.value, *units)._replace(given=given.number)
 
 
-def is_alone(name: str, unit: Unit) -> bool:
-    """Return whether a result is a number alone, and a unit a part of a whole: %, ppm."""
-    return name in symbols.NUMBERS_ALONE and unit.dimension == NUMBER and unit.factor != 1
-
-
 def in_unit(value: Value, unit: Unit, among: Sequence[Value] = ()) -> Any:
     """Return a value in a unit, or its reading on a scale; `among` are results to suggest."""
     _refuse_absent(value)
-    if is_alone(value.name, unit):
+    if unit.dimension == NUMBER and is_alone(value.name, unit):
         typed = f"{value.name}:{unit.text}"
         problem = f"{value.name} is a number without a unit, not in {quote(unit.text)}"
         raise errors.UnitError(problem, errors.correct(typed, value.name))
@@ -131,7 +126,7 @@ def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
     if value.in_first is not None and unit.text == value.units[0]:
         return value.in_first + 0.0
     scale = unit.measures((*value.dimensions, *value.reach))
-    if not takes_scale(value.name, scale):
+    if not _takes(value, scale):
         raise _wrong_unit(value, unit, among)
     try:
         return scale.reading(in_unit(value, scale.unit, among))
@@ -141,22 +136,43 @@ def _on_scale(value: Value, unit: "ScaleUnit", among: Sequence[Value]) -> Any:
         raise _wrong_unit(value, unit, among) from None
 
 
-def measured_in(text: str, *names: str) -> Unit:
-    """Return the unit or the scale of results; a difference may be in degrees Celsius."""
-    is_difference = any(name in DIFFERENCES for name in names)
-    from radcalc.units.values import degree, resolve_any
+def unit_for(value: Value, text: str, constants: Mapping[str, Any] | None = None) -> Unit:
+    """Return the unit or the scale of a text for a result; of scales, that of its dimension.
 
-    return (degree(text) if is_difference else None) or resolve_any(text)
-
-
-def _unit_of(text: str, name: str, values: Sequence[Value]) -> Unit:
-    unit = measured_in(text, name)
-    if not unit.is_scale:
+    `constants` are those of a light meter.
+    """
+    dimensions = (*value.dimensions, *value.reach)
+    unit = unit_of(text)
+    if unit and unit.dimension in dimensions:
         return unit
+    unit = measured_in(text, value.name)
+    if unit.is_scale:
+        return cast("ScaleUnit", unit).with_constants(constants or {}).measures(dimensions)
+    if unit.dimension == INVERSE_TEMPERATURE not in dimensions:
+        from radcalc.units.values import reciprocal
+
+        return reciprocal(unit)
+    return unit
+
+
+def fits(value: Value, unit: Unit) -> bool:
+    """Return whether a result can be in a unit for it, or on a scale."""
+    is_like = unit.dimension in (*value.dimensions, *value.reach)
+    return is_like and not is_alone(value.name, unit) and _takes(value, unit)
+
+
+def _takes(value: Value, unit: Unit) -> bool:
+    """Return whether a result has readings on a scale: a ratio on any, if it is shown on one."""
+    if not unit.is_scale or takes_scale(value.name, unit):
+        return True
+    return not value.is_absent and measured_in(value.units[0], value.name).is_scale
+
+
+def constants_of(values: Sequence[Value]) -> dict[str, Any]:
+    """Return the constants of a light meter among results."""
     from radcalc.units.scale_table import CONSTANTS
 
-    scale = cast("ScaleUnit", unit)
-    return scale.with_constants({v.name: v.amount for v in values if v.name in CONSTANTS})
+    return {value.name: value.amount for value in values if value.name in CONSTANTS}
 
 
 def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]:
@@ -165,15 +181,10 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
     for name, _, text in [result.partition(":") for result in wanted]:
         if not text or text in COHERENT.values():  # not a scale
             continue
-        from radcalc.units.values import find_scale
-
-        if not find_scale(text):
-            continue
-        unit = _unit_of(text, name, values)
         for value in values:
-            if unit.is_scale and name.strip() in (value.name, value.also):
-                scale = cast("ScaleUnit", unit)
-                assumptions.append(scale.measures((*value.dimensions, *value.reach)).assumption)
+            if name.strip() in (value.name, value.also):
+                unit = unit_for(value, text, constants_of(values))
+                assumptions += [cast("ScaleUnit", unit).assumption] if unit.is_scale else []
     return tuple(assumptions)
 
 
@@ -182,7 +193,7 @@ def _in_shown_unit(value: Value, text: str) -> Any:
         return typed + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
     if text == COHERENT.get(value.dimensions[0]):
         return check_representable(value.name, value.amount)
-    return in_unit(value, unit_of(text) or measured_in(text))
+    return in_unit(value, unit_for(value, text))
 
 
 def _refuse_absent(value: Value, case: str = "") -> None:
@@ -270,14 +281,13 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
             text = value.units[0]
             number = _in_shown_unit(value, text)
         else:
-            unit = _unit_of(text, value.name, values)
+            unit = unit_for(value, text, constants_of(values))
             number = in_unit(value, unit, values)
             if unit.dimension not in value.dimensions and not unit.is_scale:
                 label, letter = of_kind(value, unit)
         row = Row(label, letter, number, text, case, name, is_given, 0.0, value.form)
         return _apart(row)
-    dimension = measured_in(text).dimension if text else None
-    other, unit_text = results_meant(name, values, dimension)
+    other, unit_text = results_meant(name, values, text)
     if other:
         try:
             return pick(values, f"{other}:{text or unit_text}", case)
@@ -322,10 +332,7 @@ def _in_its_kind(values: Sequence[Value], row: Row) -> tuple[str, str]:
     """Return the generic name of a result, and the kind of light of its unit, if any."""
     name = row.name.removesuffix(OF_UNCERTAINTY)
     value = next(iter(_called(values, name, row.unit)), values[0])
-    unit = measured_in(row.unit, name)
-    if unit.is_scale:
-        unit = cast("ScaleUnit", unit).measures((*value.dimensions, *value.reach)).unit
-    place = GRID.get(unit.dimension)
+    place = GRID.get(unit_for(value, row.unit).dimension)
     return symbols.generic_name(value.name), place[0] if place else ""
 
 
@@ -352,11 +359,9 @@ def _results_in(text: str, values: Sequence[Value]) -> list[str]:
     """Return the results that can be in a unit or on a scale, with it; given ones if no others."""
     from radcalc.units.values import find_scale
 
-    scale = find_scale(text)
-    units = (scale, *scale.others) if scale else (unit_of(text),)
-    read = {unit.dimension for unit in units if unit}
-    suitable = [v for v in values if not v.is_absent and read & {*v.dimensions, *v.reach}]
-    suitable = [v for v in suitable if not scale or takes_scale(v.name, scale)]
+    if not (find_scale(text) or unit_of(text)):
+        return []
+    suitable = [v for v in values if not v.is_absent and fits(v, unit_for(v, text))]
     suitable = [v for v in suitable if v.given is None] or suitable
     return [f"{v.name}:{quote(text)}" for v in suitable[:MOST_OF_A_UNIT]]
 
@@ -441,29 +446,29 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     return result_rows
 
 
-def results_meant(
-    name: str, values: Sequence[Value], dimension: Dimension | None = None
-) -> tuple[str, str]:
+def results_meant(name: str, values: Sequence[Value], text: str = "") -> tuple[str, str]:
     """Return the result, and its unit or '', that a symbol or a foreign name means.
 
-    `dimension` is that of the unit that is asked for.  The result may be absent.  Both are '' if
+    `text` is the unit or the scale that is asked for.  The result may be absent.  Both are '' if
     the name means no result, or none of that dimension.  Raises UsageError if it means several.
     """
     if name in SPECIFIC or name in SYMBOLS:
         return "", ""
     present = [value for value in values if not value.is_absent]
     found = _by_letter(name, present) or _by_name(name, present) or _by_name(name, values)
-    if dimension:
-        found = [way for way in found if _measures(way[1], dimension)]
+    if text:
+        found = [way for way in found if _measures(*way, text)]
     if len(found) > 1:
         ways = [":".join(filter(None, way)) for way in found]
         raise UsageError(ambiguous(name), corrections(name, *ways))
     return found[0] if found else ("", "")
 
 
-def _measures(unit: str, dimension: Dimension) -> bool:
-    """Return whether a unit of a result, '' for any, has a dimension."""
-    return not unit or resolve(unit).dimension == dimension
+def _measures(name: str, unit: str, text: str) -> bool:
+    """Return whether a unit of a result, '' for any, has a dimension of the unit of a text."""
+    asked = measured_in(text, name)
+    dimensions = [one.dimension for one in (asked, *getattr(asked, "others", ()))]
+    return not unit or measured_in(unit, name).dimension in dimensions
 
 
 def _by_letter(name: str, values: Sequence[Value]) -> list[tuple[str, str]]:
@@ -508,7 +513,7 @@ def _of_light(quantities: Sequence[Quantity], values: Sequence[Value]) -> list[t
         if value is None:
             continue
         unit = light_unit(generic, kind) if kind and not (reading and reading.axis) else ""
-        own = bool(unit) and _measures(unit, value.dimensions[0])
+        own = bool(unit) and resolve(unit).dimension == value.dimensions[0]
         found[generic, "" if own else unit] = own or not unit
     return [way for way, is_own in found.items() if is_own] or list(found)
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from radcalc import errors
 from radcalc.answer import Answer, Remark, Result, Step, Value, format_number, with_unit
-from radcalc.calculators.results import in_unit
+from radcalc.calculators.results import in_unit, unit_for
 from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
 from radcalc.errors import quote
@@ -24,7 +24,6 @@ from radcalc.quantities import name_of
 from radcalc.quantities.symbols import ANY, QUANTITY, Symbol, generic_name
 from radcalc.units.functions import check_uncertainty, sharpest, slopes
 from radcalc.units.numbers import Amount
-from radcalc.units.table import resolve
 from radcalc.units.uncertain import variable
 
 STANDARD = "standard uncertainty (k = 1)"  # of a single result
@@ -337,7 +336,7 @@ class _WithShares(Sequence[Step]):
             if value.is_absent or value.given is not None:
                 continue
             unit = value.units[0]
-            yield from _shares(value.label, in_unit(value, resolve(unit)), unit)
+            yield from _shares(value.label, in_unit(value, unit_for(value, unit)), unit)
 
     def __len__(self) -> int:
         """Return the number of steps."""

@@ -72,8 +72,9 @@ def judge(
 ) -> int:
     """Write whether an answer is right, or its likely mistake; return the exit status."""
     output.ask(question)
-    from radcalc.calculators.results import measured_in, of_kind, said_of
+    from radcalc.calculators.results import of_kind, said_of
     from radcalc.homework import check
+    from radcalc.inputs.quantities import measured_in
     from radcalc.render.formats import Judgement
 
     output.refuse_auto("--check compares it with the answer given", errors.leave_out("auto"))

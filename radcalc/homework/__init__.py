@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 
 from radcalc.answer import Step, Value, format_number, with_unit
 from radcalc.calculators.results import (
+    fits,
     in_unit,
-    is_alone,
-    measured_in,
     name_in,
     of_kind,
     pick,
     results_meant,
     right_names,
+    unit_for,
 )
 from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework import diagnosis
@@ -32,11 +32,12 @@ from radcalc.homework.question import (
     read_tolerance,
 )
 from radcalc.homework.wording import Translatable
-from radcalc.inputs.quantities import takes_scale
+from radcalc.inputs.quantities import DIFFERENCES, measured_in
 from radcalc.quantities import describe
+from radcalc.quantities.symbols import READINGS
 from radcalc.units import NUMBER, Unit
-from radcalc.units.scale_table import CONSTANTS, SCALES, Scale
-from radcalc.units.values import ScaleUnit
+from radcalc.units.scale_table import BY_SPELLING, Scale
+from radcalc.units.values import ScaleUnit, degree
 
 if TYPE_CHECKING:
     from radcalc.homework.question import Candidate
@@ -49,8 +50,6 @@ REMARKS = ("error",)  # results that are error estimates of others
 # Approximations and relatives of results with the same unit, which count only if they are named.
 RELATIVES = ("far-field-", "projected-", "scotopic-", "saturation-")
 ASKED = {"sky": ("irradiance",)}  # by command: preferred among results with the same unit
-# Numbers that are logarithms, with their scales.
-LOGARITHMS = {"ev": "stops", "ev100": "stops", "stops": "stops", "nd": "OD"}
 WAYS = 4  # unambiguous answers in a hint
 
 
@@ -85,8 +84,8 @@ class Verdict(NamedTuple):
 class Reading(NamedTuple):
     """A result in the unit of an answer; on a scale, `right` is its reading.
 
-    `size` is the quantity in the `unit`, which a scale's reading stands for.  A number that is a
-    logarithm stands for a ratio, with the size 1.
+    `size` is the quantity in the `unit`, which a scale's reading stands for; that of a number that
+    is a reading of a scale is not known, and 1.  `off` is the standard uncertainty of `right`.
     """
 
     target: Value
@@ -95,7 +94,24 @@ class Reading(NamedTuple):
     right: float
     size: float
     scale: Scale | None = None
-    is_logarithm: bool = False
+    off: float = 0.0
+
+    @property
+    def is_number(self) -> bool:
+        """Whether the result is a number: a reading of a scale, if it has one."""
+        return self.scale is None or self.target.name in READINGS
+
+    @property
+    def whole(self) -> float:
+        """The change of `right` over the relative change of the quantity, if both are small."""
+        if self.scale is None or not self.scale.steps:
+            return abs(self.right)
+        return abs(self.scale.steps) / math.log(self.scale.base)
+
+    @property
+    def per_unit(self) -> float:
+        """The change of `right` over the change of the number that the result is."""
+        return 1.0 if self.is_number else self.whole / abs(self.size)
 
     def times(self, claimed: float, right: float) -> float:
         """Return the ratio of the quantities of two readings."""
@@ -108,19 +124,23 @@ class Reading(NamedTuple):
             return math.inf
 
     def is_near(self, claimed: float, allowed: Tolerance) -> bool:
-        is_of_number = allowed.kind == "digits" or (
-            self.is_logarithm and allowed.kind == "absolute"
-        )
-        if self.scale is None or is_of_number:
+        if self._is_of_numbers(allowed):
             return allowed.holds(claimed, self.right)
         return allowed.holds(self.size * self.times(claimed, self.right), self.size)
 
+    def width(self, allowed: Tolerance) -> float:
+        """Return the largest allowed difference of an answer."""
+        if self._is_of_numbers(allowed):
+            return allowed.width(self.right)
+        return allowed.width(self.size) * self.whole / abs(self.size)
+
+    def _is_of_numbers(self, allowed: Tolerance) -> bool:
+        return self.scale is None or allowed.kind not in ("relative", "absolute")
+
     def slope(self, reading: float) -> float:
         """Return the derivative of the quantity over the reading; infinite if out of range."""
-        if self.scale is None or self.is_logarithm:
-            return 1.0
         try:
-            return abs(float(self.scale.slope(reading)))
+            return abs(float(cast("Scale", self.scale).slope(reading)))
         except ArithmeticError:
             return math.inf
 
@@ -181,15 +201,11 @@ def _judged(
 ) -> Verdict:
     """Return the verdict on an answer to one result, without the likely mistakes."""
     target, right, unit = reading.target, reading.right, reading.unit
-    number = diagnosis.of_result(question, target, unit)
-    off = getattr(number, "std_dev", 0.0)
-    allowed = read_tolerance(asked_tolerance or TOLERANCE, unit)
-    slope = abs(reading.scale.slope(0.0)) if reading.scale and reading.is_logarithm else 1.0
-    if not asked_tolerance and off * slope > ONE_PERCENT * abs(reading.size):
-        allowed = diagnosis.tolerance(off, unit.text)
-    is_number = reading.scale is None or reading.is_logarithm
-    ratio = claim.value / right if right and is_number else math.inf
-    is_part = reading.scale is not None and "%" in allowed.text
+    allowed = read_tolerance(asked_tolerance or TOLERANCE, unit, reading.scale)
+    if not asked_tolerance and reading.off > ONE_PERCENT * reading.whole:
+        allowed = diagnosis.tolerance(reading.off, reading.text)
+    ratio = claim.value / right if right and reading.is_number else math.inf
+    is_part = reading.scale is not None and allowed.kind == "relative"
     tolerance = Translatable("{0} of the quantity", allowed.text) if is_part else allowed.text
     verdict = Verdict(
         False,
@@ -202,18 +218,18 @@ def _judged(
         tolerance,
         (),
         question.steps,
-        off / reading.slope(right),
+        reading.off,
         claim.uncertainty,
         target.name,
         of_kind(target, unit)[0],
     )
     claim = _turned(claim, reading)
-    if not asked_tolerance and not off and reading.spans(claim):
+    if not asked_tolerance and not reading.off and reading.spans(claim):
         return verdict._replace(right=True, tolerance="within the uncertainty given")
     if reading.is_near(claim.value, allowed):
-        width = allowed.width(reading.size)
-        claim = claim._replace(uncertainty=claim.uncertainty * reading.slope(claim.value))
-        diagnoses = diagnosis.judge(number, claim, unit.text, width)
+        number = diagnosis.of_result(question, target, unit)
+        width, per_unit = reading.width(allowed), reading.per_unit
+        diagnoses = diagnosis.judge(number, claim, reading.text, width, per_unit)
         return verdict._replace(right=not diagnoses, diagnoses=diagnoses)
     rounded = _rounded(question, claim, reading)
     if not rounded or asked_tolerance:
@@ -245,7 +261,7 @@ def _explained(
 
     target, results_meant = reading.target, _turned(claim, reading)
     right, scale = reading.right, reading.unit.factor
-    if reading.scale is not None and not reading.is_logarithm:
+    if not reading.is_number:
         slope, right = reading.slope(claim.value), reading.size
         results_meant = claim._replace(
             value=right * reading.times(claim.value, reading.right),
@@ -255,8 +271,7 @@ def _explained(
     if not math.isfinite(results_meant.value):
         return verdict
     scale = float(target.amount) / right if right else scale
-    is_on_scale = reading.scale is not None and not reading.is_logarithm
-    readings = _misread(reading, float(target.amount)) if is_on_scale else []
+    readings = [] if reading.is_number else _misread(reading, float(target.amount))
     diagnoses = diagnose(question, target, results_meant, scale, readings)
     if not diagnoses and not asked_tolerance and (zeros := _zeros(claim, reading)):
         return verdict._replace(diagnoses=(zeros,))
@@ -375,10 +390,12 @@ def _in_wrong_unit(question: Question, claim: Claim, asked_tolerance: str | None
     for value in pool:  # the first result that the number fits, if any
         for text in value.units:
             other = _reading(question, value, text)
-            if not is_near and other.is_near(claim.value, read_tolerance(tolerance, other.unit)):
+            if not is_near and other.is_near(
+                claim.value, read_tolerance(tolerance, other.unit, other.scale)
+            ):
                 reading, is_near = other, True
     inputs = [v for v in question.answer.values if v.given is not None and not claim.name]
-    if not is_near and (same := [v for v in inputs if _fits(v, measured_in(claim.unit, v.name))]):
+    if not is_near and (same := _fitting(question, inputs, claim.unit)):
         problem = f"{option('check', quote(claim.text))} has the unit of {same[0].name}, an input"
         raise ConditionError(problem, _ways(same, claim))
     wrong = _judged(question, claim, reading, asked_tolerance)
@@ -413,43 +430,38 @@ def _readings(question: Question, claim: Claim, asked_tolerance: str | None) -> 
             problem = f"{typed} is ambiguous: it may answer several results"
             raise ConditionError(problem, _ways(pool, claim))
         return fitting
-    unit = measured_in(claim.unit, *(value.name for value in pool))
-    fitting_values = [value for value in pool if _fits(value, unit)]
-    fitting_values.sort(
-        key=lambda value: (claim.unit not in value.units, unit.dimension not in value.dimensions)
-    )
-    return [_reading(question, value, claim.unit) for value in fitting_values]
+    return [_reading(question, v, claim.unit) for v in _fitting(question, pool, claim.unit)]
 
 
-def _fits(value: Value, unit: Unit) -> bool:
-    dimensions = (*value.dimensions, *value.reach)
-    if is_alone(value.name, unit):
-        return False
-    if isinstance(unit, ScaleUnit):
-        if unit.text in value.units:
-            return True
-        unit = unit.measures(dimensions)
-        return unit.dimension in dimensions and takes_scale(value.name, unit)
-    return unit.dimension in dimensions
+def _fitting(question: Question, values: Sequence[Value], text: str) -> list[Value]:
+    """Return the results that can be in a unit, those that are shown in it first."""
+    differences = [v for v in values if v.name in DIFFERENCES] if degree(text) else []
+    found = [(value, _unit_for(question, value, text)) for value in differences or values]
+    fitting = [(value, unit) for value, unit in found if fits(value, unit)]
+    fitting.sort(key=lambda f: (text not in f[0].units, f[1].dimension not in f[0].dimensions))
+    return [value for value, _ in fitting]
+
+
+def _unit_for(question: Question, value: Value, text: str) -> Unit:
+    return unit_for(value, text, {name: given.value for name, given in question.given.items()})
 
 
 def _reading(question: Question, target: Value, text: str) -> Reading:
     """Return a result in a unit, or its reading on a scale."""
-    unit = measured_in(text, target.name)
-    scale = None
-    if isinstance(unit, ScaleUnit):
-        constants = {n: k.value for n, k in question.given.items() if n in CONSTANTS}
-        scale = unit.with_constants(constants).measures((*target.dimensions, *target.reach))
-        unit = scale.unit
+    unit = _unit_for(question, target, text)
+    scale = unit if isinstance(unit, ScaleUnit) else None
+    unit = scale.unit if scale else unit
     size = in_unit(target, unit)
     if not isinstance(size, float):
         raise ConditionError(f"{option('check')} takes one answer, not several", "one value a call")
+    reading = Reading(target, text, unit, size, size)
     if scale:
-        return Reading(target, text, unit, scale.reading(size), size, scale.scale)
-    if (name := LOGARITHMS.get(target.name)) and unit.factor == 1:
-        row = next(row for row in SCALES if row.name == name)
-        return Reading(target, text, unit, size, 1.0, row, True)
-    return Reading(target, text, unit, size, size)
+        reading = reading._replace(right=scale.reading(size), scale=scale.scale)
+    elif steps := READINGS.get(target.name):
+        own = text if text in steps else next(iter(steps))
+        reading = reading._replace(size=1.0, scale=BY_SPELLING[own][0])
+    number = diagnosis.of_result(question, target, unit)
+    return reading._replace(off=getattr(number, "std_dev", 0.0) * reading.per_unit)
 
 
 def _named(question: Question, claim: Claim) -> list[Value]:
@@ -462,13 +474,12 @@ def _named(question: Question, claim: Claim) -> list[Value]:
     if named:
         pick(named, claim.name)  # its error names the missing input
     present = [v for v in question.answer.values if not v.is_absent]
-    dimension = measured_in(claim.unit).dimension if claim.unit else None
-    other, _ = results_meant(claim.name, present, dimension)
+    other, _ = results_meant(claim.name, present, claim.unit)
     if other:
         return _named(question, claim._replace(name=other))
     right = [name.partition(":")[0] for name in right_names(claim.name, present)]
     alike = [v for v in present if v.name in right] or (present if claim.unit else [])
-    fitting = [v for v in alike if not claim.unit or _fits(v, measured_in(claim.unit, v.name))]
+    fitting = _fitting(question, alike, claim.unit) if claim.unit else alike
     hint = _ways(fitting, claim) or ", ".join(dict.fromkeys(v.name for v in present))
     raise ConditionError(f"{option('check')}: unknown result '{quote(claim.name)}'", hint)
 

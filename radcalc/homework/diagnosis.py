@@ -276,15 +276,18 @@ def of_result(question: Question, target: Value, unit: Unit) -> Any:
 def tolerance(off: float, unit: str) -> Tolerance:
     """Return a tolerance of one standard uncertainty."""
     text = Translatable("within {0}, the standard uncertainty", _in(off, unit))
-    return Tolerance(text, "absolute", off)
+    return Tolerance(text, "uncertainty", off)
 
 
-def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnosis, ...]:
+def judge(
+    number: Any, claim: Claim, unit: str, allowed: float, per_unit: float
+) -> tuple[Diagnosis, ...]:
     """Return the mistake in a claimed uncertainty, or nothing if it is right.
 
-    For an exact result it may be as large as the tolerance `allowed`, in the `unit`.
+    For an exact result it may be as large as `allowed`, in the `unit`.  `per_unit` is the change
+    of a reading over that of the number.
     """
-    off, claimed = getattr(number, "std_dev", 0.0), claim.uncertainty
+    off, claimed = getattr(number, "std_dev", 0.0) * per_unit, claim.uncertainty
     if not off:
         too_large = claimed > allowed
         return (Diagnosis(WRONG, "an uncertainty is claimed", EXACT),) if too_large else ()
@@ -292,13 +295,13 @@ def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnos
         return ()
     right = Translatable("it is {0}", _in(off, unit))
     components = number.error_components()
-    parts = [abs(size) for size in components.values()]
+    parts = [abs(size) * per_unit for size in components.values()]
     sizes = [
         component.std_dev / component.nominal_value
         for component in components
         if component.nominal_value
     ]
-    without_slopes = abs(number.nominal_value) * math.hypot(*sizes)
+    without_slopes = abs(number.nominal_value) * math.hypot(*sizes) * per_unit
     mistakes = [
         ("uncertainties-added", sum(parts), "the uncertainties were added up", SQUARES),
         (

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from radcalc import errors
 from radcalc.answer import Row, Value
-from radcalc.calculators.results import pick, rows
+from radcalc.calculators.results import pick, rows, unit_for
 from radcalc.errors import listed, option, quote
 from radcalc.files import Text, columns, reading, refusal, where
 from radcalc.files.columns import Table
@@ -257,7 +257,8 @@ def _judged(asked: Key, answer: str) -> tuple[Verdict, bool]:
         return check(asked.question, text, asked.tolerance), False
     if claim.number not in answer:  # arithmetic
         text = f"{claim.name or asked.right.name}={claim.number}"
-    if asked.target.dimensions[0] == NUMBER:
+    own = unit_for(asked.target, asked.target.units[0])
+    if own.dimension == NUMBER and not own.is_scale:  # 8 is not an answer of 3 stops
         verdict = check(asked.question, f"{text} 1", asked.tolerance)
         if verdict.right or unit == "1":
             return verdict, False

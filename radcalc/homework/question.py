@@ -16,7 +16,7 @@ from radcalc.calculators.uncertainty import value_of, with_uncertainties
 from radcalc.conversion import Plan
 from radcalc.conversion.plan import plan
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, add, option, quote
-from radcalc.floats import divide
+from radcalc.floats import as_printed, divide
 from radcalc.homework.chain import FAILURES, Worked, of_answer, of_laws
 from radcalc.homework.wording import USUAL, Translatable
 from radcalc.inputs import Input, Inputs, any_uncertain
@@ -29,7 +29,8 @@ from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol
 from radcalc.spectra.spectrum import BlackBody
 from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import UNCERTAIN
-from radcalc.units.numbers import Amount, read_number, typed_digits
+from radcalc.units.numbers import DIGITS, Amount, read_number, typed_digits
+from radcalc.units.scale_table import Scale
 from radcalc.units.table import unit_of
 from radcalc.units.values import find_scale, refuse_product
 
@@ -386,7 +387,11 @@ class Diagnosis(NamedTuple):
 
 
 class Tolerance(NamedTuple):
-    """A tolerance: relative, absolute in the unit of the answer, or in significant digits."""
+    """A tolerance: relative, absolute in the unit of the answer, or in significant digits.
+
+    One of a reading is absolute on the scale of the answer; a standard uncertainty is that of the
+    right value, and both count as they are printed.
+    """
 
     text: str
     kind: str
@@ -397,6 +402,9 @@ class Tolerance(NamedTuple):
         if not math.isfinite(value):
             return False
         claimed = decimal(value)
+        if self.kind == "uncertainty":
+            printed, off = as_printed(right, self.size)
+            return abs(claimed - decimal(printed)) <= decimal(off)
         texts = {Decimal(repr(right)), decimal(right), decimal(right, PRINTED)}
         return any(abs(claimed - text) <= self._width(text) for text in texts)
 
@@ -408,13 +416,13 @@ class Tolerance(NamedTuple):
         size = decimal(self.size)
         if self.kind == "relative":
             return size * abs(right)
-        if self.kind == "absolute":
+        if self.kind in ("absolute", "reading", "uncertainty"):
             return size
         return Decimal(5).scaleb((right.adjusted() if right else 0) - int(self.size))
 
 
-def read_tolerance(text: str, unit: Unit) -> Tolerance:
-    """Read a tolerance: 1%, 0.01, 0.5lx or 3sf."""
+def read_tolerance(text: str, unit: Unit, scale: Scale | None = None) -> Tolerance:
+    """Read a tolerance: 1%, 0.01, 0.5lx or 3sf, for a number in a unit or a reading on a scale."""
     text = text.strip().lower() if text.strip().lower().endswith("sf") else text.strip()
     typed = option("tolerance", quote(text))
     hint = add("tolerance", "1%", "or a size such as 0.5lx, or 3sf for three significant digits")
@@ -424,6 +432,10 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         count = int(text[:-2])
         digits = Translatable("within half a unit of digit {0}", count)
         return Tolerance(digits, "digits", count)
+    if step := find_scale(text.lstrip(f"{DIGITS}. ")):  # 0.5 dB, for an answer in dBm
+        if not scale or (scale.base, scale.steps) != (step.scale.base, step.scale.steps):
+            raise ConditionError(f"{typed} is not a step of the answer", add("tolerance", "1%"))
+        return Tolerance(Translatable("within {0}", text), "reading", read_number(text)[0])
     takes = "a part or a quantity"
     symbol = Symbol("tolerance", "", (NUMBER, unit.dimension), "1%", limits=ANY, takes=takes)
     try:

@@ -11,7 +11,7 @@ from radcalc.inputs import DigitsMatter, Input, check_limits
 from radcalc.maths import LARGEST
 from radcalc.quantities import describe
 from radcalc.quantities import read as read_light
-from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, Symbol, specific_name
+from radcalc.quantities.symbols import READINGS, SPECTRUM, SYMBOLS, Symbol, is_alone, specific_name
 from radcalc.units import NUMBER, Unit
 from radcalc.units.dimensions import ANGLE, SOLID_ANGLE, TIME
 from radcalc.units.numbers import Amount, parse_number, relative_rounding
@@ -25,10 +25,6 @@ if TYPE_CHECKING:
 
 MARKED = {"f-number": "f/", "nd": "nd"}  # prefixes of numbers: f/8,f/11 is a list, not 8.11
 MARKS_OF_STOPS = range(101, 114)  # marks of filters for 1 to 13 stops
-NO_SHARES = (  # numbers that are not a part of a whole and do not take %
-    "exponent", "beam-exponent", "falloff", "f-number", "working-f-number", "ev", "ev100", "iso",
-    "nd", "stops", "luminaires", "room-index", "electrons", "snr",
-)  # fmt: skip
 DIFFERENCES = ("temperature-rise",)  # may be in degrees Celsius, but not in mired
 
 
@@ -122,7 +118,11 @@ def _typed_amount(symbol: Symbol, text: str) -> Amount:
         amount = _difference(text)
     elif symbol.name == "nd":
         amount = _density(text)
-    return amount or _read_amount(symbol, text)
+    amount = amount or _read_amount(symbol, text)
+    if amount.scale and amount.scale.text in READINGS.get(symbol.name, ()):
+        unit = measured_in(amount.scale.text, symbol.name)
+        return Amount(text, amount.reading, unit, amount.typed_uncertainty)
+    return amount
 
 
 def _python_amount(symbol: Symbol, value: Any) -> tuple[Amount, Any]:
@@ -146,8 +146,10 @@ def _check_unit(symbol: Symbol, amount: Amount) -> None:
         dimension = unit.dimension if unit else NUMBER
         if dimension not in symbol.dimensions or not takes_scale(symbol.name, scale):
             refused = f"{symbol.takes}, not {quote(scale.text)}"
-    elif symbol.name in NO_SHARES and unit is not None and unit.factor != 1:
+    elif unit and NUMBER in symbol.dimensions and is_alone(symbol.name, unit):
         refused = f"a number, not {quote(unit.text)}"
+    elif unit and unit.notes and symbol.name in READINGS:  # (0.3 OD) is a ratio
+        refused = "a number, not a reading in arithmetic"
     if refused:
         name = option(symbol.name)
         raise errors.ConditionError(f"{name} takes {refused}", option(symbol.name, symbol.example))
@@ -191,6 +193,18 @@ def takes_scale(name: str, scale: Unit) -> bool:
     if scale.dimension == NUMBER:
         return name in LEFT_OF_LIGHT
     return name not in DIFFERENCES
+
+
+def measured_in(text: str, name: str = "") -> Unit:
+    """Return the unit or the scale of a text, for a symbol.
+
+    A difference may be in degrees Celsius.  A number that is a reading has its scale for a unit.
+    """
+    from radcalc.units.values import degree, resolve_any
+
+    if step := READINGS.get(name, {}).get(text):
+        return Unit(text, *step.as_integer_ratio(), NUMBER, ())
+    return (degree(text) if name in DIFFERENCES else None) or resolve_any(text)
 
 
 def is_number_with_unit(value: Any) -> bool:

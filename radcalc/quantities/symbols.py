@@ -21,7 +21,7 @@ from radcalc.quantities import (
     light_dimension,
 )
 from radcalc.tuples import NamedTuple
-from radcalc.units import NUMBER, Dimension
+from radcalc.units import NUMBER, Dimension, Unit
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,
@@ -592,11 +592,29 @@ NUMBERS_ALONE = frozenset(
     [
         *("ev", "ev100", "iso", "nd", "stops", "f-number", "working-f-number", "index", "exponent"),
         *("luminaires", "luminaires-to-install", "room-index", "samples", "gaps", "electrons"),
+        *("beam-exponent", "falloff", "snr"),
         *("duv", "cri", "rf", "rg", "ssi", "srgb-red", "srgb-green", "srgb-blue"),
         *(f"r{k}" for k in range(1, 15)),
         *(f"{name}-h{k}" for name in ("rf", "rhs") for k in range(1, 17)),
     ]
 )
+# Numbers that are readings of scales, first their own, with the sizes of the steps; a filter's are
+# losses.
+STOP = math.log10(2)  # in densities
+READINGS = {
+    "ev": {"EV": 1.0},
+    "ev100": {"EV": 1.0, "EV100": 1.0},
+    "stops": {"stops": 1.0, "stop": 1.0, "OD": 1 / STOP, "dB": 0.1 / STOP},
+    "nd": {"OD": 1.0, "stops": STOP, "stop": STOP, "dB": 0.1},
+}
+
+
+def is_alone(name: str, unit: Unit) -> bool:
+    """Return whether a symbol is a number alone, and a unit a part of a whole: %, ppm."""
+    is_part = unit.dimension == NUMBER and unit.factor != 1
+    return is_part and name in NUMBERS_ALONE and unit.text not in READINGS.get(name, ())
+
+
 INNER = frozenset({*(symbol.name for symbol in _INNER), "scale"})
 
 # Light quantities by generic names, which serve every kind: geometry, letter, help, and the pattern

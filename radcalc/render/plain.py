@@ -1,5 +1,6 @@
 """Plain text: one result per line, fields separated by tabs."""
 
+from radcalc.floats import as_printed, last_place
 from radcalc.units import unit_behind
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -29,7 +30,7 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
     """
     if not off:
         return number(value, precision or digits)
-    tens = int(f"{off:.1e}".partition("e")[2]) - 1  # of the last digit
+    tens = last_place(off)
     first = tens + 1  # of the first digit of both
     if rounded := round(value, -tens):  # 9.9999 ± 0.01 is 10.00
         first = max(first, int(f"{abs(rounded):e}".partition("e")[2]))
@@ -62,8 +63,7 @@ def rounded(value: "Any", off: float, precision: int | None) -> "tuple[Any, floa
         return value, off
     if not off:
         return float(number(value, precision)), off
-    tens = int(f"{off:.1e}".partition("e")[2]) - 1
-    return round(float(value), -tens), float(f"{off:.1e}")
+    return as_printed(value, off)
 
 
 def line(

@@ -394,3 +394,36 @@ def test_titles_of_columns_are_counted_too(tmp_path):
     table = tmp_path / "log.csv"
     table.write_text("=time,E [lx]\n1,2\n2,3\n")
     assert "note: a cell begins with =" in run("columns", str(table), "--format", "csv").stderr
+
+
+# A key on a scale: the command or the expected value, and an answer that is right, has no unit, is
+# wrong.  12 + lb 8 = 15; lb 8 = 3; 0.9 OD is 9 dB; 1e6/200 = 5000; 250 lx 2^15/100 = 81920 lx.
+ON_SCALES = (
+    ("ev --ev100 12 --iso 800 -g ev:EV", "", "15 EV", None, "14 EV"),
+    ("ev --ev100 12 --iso 800 -g luminance:EV", "", "512 cd/m2", "12", "12.1 EV"),
+    ("ev --nd 0.9 --time 1/60s -g nd:OD", "", "3 stops", None, "0.8"),
+    ("ev --nd 0.9 --time 1/60s -g stops", "3 stops", "9 dB", None, "-3 stops"),
+    ("convert 8 1 stops", "", "3 stops", "3", "8"),
+    ("", "3 stops", "800%", "3", "8"),
+    ("", "0.9 OD", "-9 dB", "0.9", "0.126"),
+    ("", "-3 dB", "0.3 OD", "-3", "3 dB"),
+    ("", "15 EV", "15EV", "15", "14.9EV"),
+    ("", "21 mag/arcsec2", "21 mpsas", "21", "21.1"),
+    ("", "200 mired", "5000 K", "200", "210 mired"),
+    ("", "10+-0.5 dBm", "-20.5 dBW", "10.5", "10.6 dBm"),
+)
+
+
+def test_a_key_may_be_on_a_scale(tmp_path):
+    lines = ["question;command;expected;A;B;C"]
+    for k, (command, expected, right, bare, wrong) in enumerate(ON_SCALES):
+        lines.append(f"{k};{command};{expected};{right};{bare or right};{wrong}")
+    sheet = tmp_path / "sheet.csv"
+    sheet.write_text("\n".join(lines), encoding="utf-8")
+    done = run("mark", str(sheet), "--json")
+    found = {
+        (r["question"], r["student"]): r["verdict"] for r in json.loads(done.stdout)["records"]
+    }
+    for k, (*_, bare, _) in enumerate(ON_SCALES):
+        verdicts = [found[f"{k}", student] for student in "ABC"]
+        assert verdicts == ["right", "unit missing" if bare else "right", "wrong"], ON_SCALES[k]

@@ -173,6 +173,105 @@ def test_exposure_values_are_judged_alike_by_ev_and_convert(ev, is_right):
         assert check(asked(words, claim.rpartition("=")[0]), claim).right is is_right
 
 
+# 12 + lb(800 / 100) = 15; 0.125 cd/m2 2^12 = 512 cd/m2; a density of 0.9 is 9 dB and 0.9 / lg 2 =
+# 2.98974 stops; 1 % of the light is 0.0144 EV and stops, 0.0043 OD and 0.043 dB.
+CAMERA, FILTER = "ev --ev100 12 --iso 800", "ev --nd 0.9 --time 1/60s"
+
+
+@for_each(
+    [
+        (CAMERA, "15EV", True), (CAMERA, "ev=15 EV", True), (CAMERA, "ev=15.01EV", True),
+        (CAMERA, "ev=15.02EV", False), (CAMERA, "14EV", False), (CAMERA, "ev100=12EV", True),
+        (CAMERA, "ev100=12EV100", True), (CAMERA, "ev=15EV100", False), (CAMERA, "12EV", True),
+        (CAMERA, "luminance=12EV", True), (CAMERA, "luminance=15EV", False),
+        (CAMERA, "EV=15EV", True), (CAMERA, "EV=15", True), (CAMERA, "E_v=12EV", True),
+        (FILTER, "nd=0.903OD", True), (FILTER, "nd=0.905OD", False), (FILTER, "nd=9dB", True),
+        (FILTER, "nd=2.99stops", True), (FILTER, "stops=3 stops", True),
+        (FILTER, "stops=2.97 stops", False), (FILTER, "stops=-3stops", False),
+        (FILTER, "stops=0.9OD", True), (FILTER, "nd=0.9EV", False), (FILTER, "nd=3OD", False),
+        # 1e6/4000 = 250
+        ("convert 4000 K mired", "250/MK", True), ("convert 4000 K MK-1", "250 mired", True),
+        ("convert 250 /MK K", "240mired", False),
+        # the ratio of a conversion on a scale is on all of them: 1/2 is lg 2 = 0.30103 OD
+        ("convert 0.5 1 dB", "0.301OD", True), ("convert 0.5 1 OD", "-1stop", True),
+        ("convert 0.5 1 stops", "3dB", False),
+    ]
+)  # fmt: skip
+def test_a_result_that_is_a_reading_is_judged_on_its_scales(words, claim, is_right):
+    assert verdict(words, claim).right is is_right
+    done = run(*words.split(), "--check", claim)
+    assert done.returncode == 1 - is_right, done.stderr
+
+
+@for_each(
+    [
+        (f"{CAMERA} -g ev:EV", 15.0), (f"{CAMERA} -g ev100:EV100", 12.0),
+        (f"{CAMERA} -g EV:EV", 15.0), (f"{CAMERA} -g E_v:EV", 12.0),
+        (f"{FILTER} -g nd:OD", 0.9), (f"{FILTER} -g nd:dB", 9.0),
+        (f"{FILTER} -g nd:stops", 0.9 / math.log10(2)), (f"{FILTER} -g stops:OD", 0.9),
+        ("ev --nd 3stops --time 1/60s -g nd", 3.0), ("ev --stops 0.9OD --time 1/60s -g nd:1", 0.9),
+        ("ev --ev100 12EV --iso 800 -g ev", 15.0), ("spectrum blackbody:4000K -g cct:MK-1", 250.0),
+    ]
+)  # fmt: skip
+def test_a_result_that_is_a_reading_is_asked_for_on_its_scales(words, right):
+    found = float(run(*words.split(), "-q").stdout)
+    assert found == pytest.approx(right, rel=1e-6)
+
+
+@for_each(
+    [
+        *("--nd (0.3OD)", "--nd (3stops)*1", "--stops 2*(3dB)"),
+        *("--nd 3EV", "--stops 50%", "--nd -3stops"),
+    ]
+)  # fmt: skip
+def test_a_reading_in_arithmetic_is_not_a_density(words):
+    done = run("ev", *words.split(), "--time", "1s")
+    assert done.returncode == 2
+    assert "takes a number, not" in done.stderr or "out of range" in done.stderr
+
+
+@for_each(["ev:OD", "ev:stops", "ev:EV100", "nd:EV", "stops:mag", "iso:EV", "nd:%"])
+def test_another_scale_is_refused(wanted):
+    words = FILTER if wanted[0] in "ns" else CAMERA
+    done = run(*words.split(), "-g", wanted)
+    assert done.returncode == 2
+    assert done.stderr.startswith("radcalc: ")
+
+
+@for_each(
+    [
+        # printed -20.00 +- 0.50 dBW, 21.00 +- 0.30, 12.00 +- 0.50, 200 +- 20, 5000 +- 500
+        ("10+-0.5 dBm", "dBW", (-20.5, -19.5), (-20.51, -19.49)),
+        ("10+-0.5 dBm", "dBm", (9.5, 10.5), (9.49, 10.51)),
+        ("21+-0.3 mag/arcsec2", "mag/arcsec2", (20.7, 21.3), (20.69, 21.31)),
+        ("12+-0.5 EV", "EV", (11.5, 12.5), (11.49, 12.51)),
+        ("200+-20 mired", "mired", (180, 220), (179, 221)),
+        ("200+-20 mired", "K", (4500, 5500), (4499, 5501)),
+        # 100 lx are 100 * 0.3048^2 = 9.2903 fc, 3.04 lx 0.28243 fc: 9.29 +- 0.28
+        ("100+-3.04 lx", "fc", (9.01, 9.57), (9.005, 9.575)),
+    ]
+)
+def test_an_interval_decides_as_it_is_printed(value, target, right, wrong):
+    for claim in (*right, *wrong):
+        done = run("convert", value, target, f"--check={claim}")
+        assert done.returncode == (claim in wrong), done.stdout
+        steps = run("convert", value, target, f"--check={claim}", "--steps")
+        assert steps.returncode == done.returncode, steps.stderr
+
+
+@for_each(
+    [
+        ("luminance=12.2EV", "0.2EV", 0), ("luminance=12.3EV", "0.2EV", 1),
+        ("luminance=12.3EV", "0.3 stops", 0), ("ev=15.1", "0.2EV", 0), ("ev=15.3", "0.2EV", 1),
+        ("luminance=512cd/m2", "0.2EV", 2), ("luminance=12.3EV", "0.5dB", 2),
+    ]
+)  # fmt: skip
+def test_a_tolerance_is_a_step_of_the_scale(claim, tolerance, status):
+    done = run(*CAMERA.split(), "--check", claim, "--tolerance", tolerance)
+    assert done.returncode == status
+    assert "Traceback" not in done.stderr
+
+
 @pytest.mark.parametrize("claim", ["0", "0.00", "0e309"])
 def test_zero_is_not_a_rounded_answer(claim):
     found = verdict("convert 1 lx fc", claim)

@@ -34,7 +34,8 @@ FAR = ("convert", "400+-400", "cd", "lx", "--distance", "1m")
         # 2 % and 2 * 1 %; without the factor 2, sqrt(2^2 + 1^2) % of 25 lx are 0.56 lx
         ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "it is 0.71 lx"),
         ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "twice that of d"),
-        (("convert", "10.0+-2.3", "mW", "dBm"), "10+-2dBm", False, "it is 2.3 mW"),
+        # 10 lg(e) * 2.3/10 = 0.9989
+        (("convert", "10.0+-2.3", "mW", "dBm"), "10+-2dBm", False, "it is 1 dBm"),
         (("convert", "(100±3) lx * (2.0±0.1) m2", "lm"), "200+-16lm", False, "added up"),
         (("convert", "(100±3) lx * (2.0±0.1) m2", "lm"), "200+-12lm", True, "200 ± 12 lm"),
         (EXACT, "25.2+-0.1lx", True, "within 1%"),
