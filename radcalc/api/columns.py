@@ -121,7 +121,7 @@ class Columns(NamedTuple):
     like: Any
     quantities: bool = False
 
-    def result(self, name: str, value: Any, title: str = "") -> Any:
+    def result(self, name: str, value: Any, title: str = "", scale: str = "") -> Any:
         """Return a result, or readings on a scale, as a column if it depends on columns."""
         magnitude = arguments.magnitude_of(value)
         if not numpy.ndim(magnitude):
@@ -129,10 +129,11 @@ class Columns(NamedTuple):
         if numpy.shape(magnitude) != self.like.shape:
             problem = f"{name} has the shape {numpy.shape(magnitude)}, and the columns another"
             raise ConditionError(problem, "radcalc.Quantity(column.to_numpy(), UNIT)")
-        unit = arguments.unit_of(value).text if arguments.is_quantity(value) else ""
+        is_quantity = arguments.is_quantity(value)
+        unit = arguments.unit_of(value).text if is_quantity else scale
         if self.library == XARRAY:
             column = self.like.copy(data=value if self.quantities else magnitude)
-            column.attrs = {} if self.quantities or not unit else {UNITS: unit}
+            column.attrs = {UNITS: unit} if unit and not (self.quantities and is_quantity) else {}
             return column.rename(name)
         title = title or (f"{name} [{unit}]" if unit not in ("", "1") else name)
         if self.library == POLARS:
@@ -303,8 +304,8 @@ def of_conversion(columns: Columns, value: Any, target: Unit, name: str) -> Any:
     column_name = str(columns.like.name) if columns.like.name is not None else ""
     title = read_title(column_name) if column_name and columns.library != XARRAY else None
     if title and title.unit and title.unit.dimension == target.dimension:
-        return columns.result(name, value, title.with_unit(target.text))
-    return columns.result(name, value, f"{name} [{target.text}]")
+        return columns.result(name, value, title.with_unit(target.text), target.text)
+    return columns.result(name, value, f"{name} [{target.text}]", target.text)
 
 
 ALONE = ""  # the name of a function's only result

@@ -19,7 +19,7 @@ from radcalc.floats import INFINITE
 from radcalc.inputs import Input, any_uncertain, refuse_uncertain, shown_inputs
 from radcalc.maths import LARGEST, any_true, frozen, is_array, is_column, is_uncertain
 from radcalc.quantities import describe, result_name
-from radcalc.units import Unit
+from radcalc.units import Unit, unit_behind
 from radcalc.units.numbers import Amount as ReadAmount
 from radcalc.units.ranges import real
 from radcalc.units.reading import read_amount, read_for
@@ -76,6 +76,10 @@ def convert(value: Number, target: str, to: str | None = None, **conditions: Any
     columns, arrays = take_columns({"value": value, **conditions})
     if columns:
         unit = target_of(target)
+        if unit.is_scale and arguments.is_quantity(source := arrays["value"]):
+            one = arguments.quantity(1.0, arguments.unit_of(source))
+            given_arrays = {name: array for name, array in arrays.items() if name != "value"}
+            unit = _plan(one, target, given_arrays)[0].target
         name = keyword(result_name(unit) or "value")
         column: Quantity = of_conversion(columns, convert(target=target, **arrays), unit, name)
         return column
@@ -225,7 +229,7 @@ def _with_unit(value: Any, unit: str, to: str | None) -> tuple[Any, str]:
         problem = f"the value '{quote(str(value))}' has a unit, and '{quote(unit)}' is another"
         raise ConversionError(problem, f'radcalc.convert("{quote(str(value))}", "{quote(to)}")')
     if isinstance(value, str) or type(value) in (int, float):
-        return f"{value} {unit}", to
+        return f"{value}{unit_behind(unit)}", to
     if start.is_scale:
         problem = f"'{quote(unit)}' is a scale, and the value is not a single number"
         raise ConversionError(problem, "a call for each reading")

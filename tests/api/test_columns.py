@@ -146,9 +146,25 @@ def test_a_column_is_converted_to_readings_on_a_scale_and_to_another_quantity():
     power = pd.Series([1.0, 100.0], index=[3, 4], name="P [mW]")
     assert radcalc.convert(power, "dBm").to_dict() == {3: 0.0, 4: 20.0}
     lux = pd.Series([54.0], name="E [lx]")
+    # lb(54 / 2.5) = 4.43296; 54 cd at 2 m are 13.5 lx, lb 5.4 = 2.43296
+    for light, name in ((lux, "E [EV]"), (lux.rename("L [cd/m2]"), "L [EV]")):
+        assert radcalc.convert(light, "EV").name == name
+    assert radcalc.convert(lux, "EV").tolist() == pytest.approx([4.43296], rel=1e-6)
+    candela = radcalc.convert(lux.rename("I [cd]"), "EV", distance="2 m")
+    assert (candela.name, candela.tolist()) == ("illuminance [EV]", pytest.approx([2.43296]))
+    assert radcalc.convert(pl.Series("E [lx]", [54.0]), "mag").name == "E [mag]"
     ppfd = radcalc.convert(lux, "umol/m2/s", efficacy="54 lm s/umol")
     assert ppfd.name == "photon_irradiance [umol/m2/s]"
     assert ppfd.tolist() == pytest.approx([1.0])
+
+
+@pytest.mark.parametrize("unit", ["EV", "mag"])
+def test_an_array_of_xarray_keeps_its_unit_on_a_scale(unit):
+    lux = xr.DataArray([54.0, 108.0], dims="t", attrs={"units": "lx"}, name="E")
+    for light in (lux, xr.DataArray(radcalc.Quantity([54.0, 108.0], "lx"), dims="t")):
+        found = radcalc.convert(light, unit)
+        assert (found.name, found.attrs) == ("illuminance", {"units": unit})
+        np.testing.assert_allclose(found.data[1], radcalc.convert("108 lx", unit))
 
 
 @pytest.mark.parametrize(
