@@ -16,14 +16,12 @@ from helpers import PLAIN, example_of
 from homework.questions import RIGHT, asked, claim_of
 
 from radcalc.answer import Value
-from radcalc.calculators.results import in_unit
+from radcalc.calculators.results import fits, in_unit, unit_for
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError
 from radcalc.homework import RELATIVES, REMARKS, Question, check
-from radcalc.inputs.quantities import takes_scale
 from radcalc.units import Dimension, scale_table
 from radcalc.units.table import spellings, unit_of
-from radcalc.units.values import find_scale
 
 SHORT, LONG = 200, 40_000
 LINKS = ("", "--spectrum D65", "--wavelength 555nm", "--efficacy 200lm/W")
@@ -107,17 +105,12 @@ def units() -> dict[Dimension, list[str]]:
 def _right_claims(value: Value, dice: random.Random) -> Iterator[tuple[str, float]]:
     """Yield a random unit and a random scale of a result, with its numbers."""
     dimensions = [d for d in (*value.dimensions, *value.reach) if units().get(d)]
-    scales = [scale for text in scale_table.spellings() if (scale := find_scale(text))]
     texts = [dice.choice(units()[dice.choice(dimensions)])] if dimensions else []
-    texts += [
-        scale.text
-        for scale in [dice.choice(scales)]
-        if (measured := scale.measures(dimensions)).dimension in dimensions
-        and takes_scale(value.name, measured)
-    ]
+    text = dice.choice(scale_table.spellings())
+    texts += [text] if fits(value, unit_for(value, text)) else []
     for text in texts:
         try:
-            yield text, in_unit(value, find_scale(text) or unit_of(text))  # type: ignore[arg-type]
+            yield text, in_unit(value, unit_for(value, text))
         except RadcalcError:  # too large for a number, or 0 on a scale
             continue
 
