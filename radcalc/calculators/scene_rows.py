@@ -3,25 +3,23 @@
 A row is a line of a file or a Python dict, with values for some of the columns.
 """
 
-import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from functools import partial
 from typing import Any, NamedTuple
 
 from radcalc import errors
 from radcalc.calculators.point_laws import CONE, LOBE
 from radcalc.distributions.sources import read_lines
 from radcalc.errors import listed, quote
-from radcalc.files import columns, refusal, where
-from radcalc.files.columns import Table
+from radcalc.files import columns, where
+from radcalc.files.columns import NamedHead, Table
 from radcalc.quantities import describe
 from radcalc.quantities.column_titles import read_title
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
 from radcalc.units import NUMBER, Unit
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import LENGTH
-from radcalc.units.table import resolve, unit_of
+from radcalc.units.table import resolve
 
 PLACE, AIM, DIRECTION = (
     tuple(f"{word}{axis}" for axis in "xyz") for word in ("", "aim-", "direction-")
@@ -45,6 +43,7 @@ COLUMNS: dict[str, Symbol] = {
     },
 }
 COMMENT = "#"
+HEADER = "a header such as x,y,z,flux and rows below it"
 TEXTS = ("name", "distribution")
 KNOWN = (*TEXTS, *COLUMNS)
 OF_LIGHT = ("distribution", *(n for g in (*STRENGTH, *SURFACE) for n in (g, *names_of_kinds(g))))
@@ -95,79 +94,28 @@ def is_scene(titles: Sequence[str]) -> bool:
 
 def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     """Return the rows of a file with a header and a line for each source, and notes."""
-    name, all_lines = read_lines(path, "a CSV file with a row for each source")
-    lines = [(number, line) for number, line in enumerate(all_lines, 1) if line.strip(" \t;,|")]
-    comments = [entry for entry in lines if entry[1].lstrip().startswith(COMMENT)]
-    lines = [entry for entry in lines if entry not in comments]
-    if len(lines) < 2:
-        problem = "the file has a header but no source" if lines else "the file has no source"
-        raise errors.ConditionError(
-            f"{name}: {problem}", "a header such as x,y,z,flux and rows below it"
-        )
-    begin = _header_place([line for _, line in lines])
-    number, header = lines[begin]
-    delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
-    if delimiter is None:
-        raise errors.ConditionError(
-            f"{where(name, number)}: there is only one column", "a header such as x,y,z,flux"
-        )
-    cells, below = _with_units(lines[begin:], delimiter)
-    titles, units = _header(cells, where(name, number))
-    rows = _rows(name, below, delimiter, titles, units)
-    notes = []
-    like_rows = [
-        str(place) for place, line in comments if len(columns.cells(line, delimiter)) == len(titles)
-    ]
-    if like_rows:
-        lines_text = f"lines {listed(like_rows)}"
-        notes.append(f"{name}: comments with as many cells as the rows, skipped: {lines_text}")
-    if begin:
-        skipped = "the lines of text above are skipped"
-        notes.append(f"{name}: the titles are in line {number}; {skipped}")
-    return rows, notes
-
-
-def _with_units(
-    lines: Sequence[tuple[int, str]], delimiter: str
-) -> tuple[list[str], Sequence[tuple[int, str]]]:
-    """Return the titles of a table, with a row of units if it has one, and the lines below."""
-    cells = columns.cells(lines[0][1], delimiter)
-    units = columns.cells(lines[1][1], delimiter) if len(lines) > 2 else []
-    if len(units) != len(cells) or not all(not unit or unit_of(unit) for unit in units):
-        return cells, lines[1:]
-    pairs = zip(cells, units, strict=True)
-    return [f"{title} ({unit})" if unit else title for title, unit in pairs], lines[2:]
-
-
-def _rows(
-    name: str,
-    lines: Sequence[tuple[int, str]],
-    delimiter: str,
-    titles: dict[str, str],
-    units: Mapping[str, Unit],
-) -> list[Row]:
-    """Return the rows of lines with their numbers, with the units of their columns."""
+    name, texts = read_lines(path, "a CSV file with a row for each source")
+    lines = [*enumerate(texts, 1)]
+    head = NamedHead(name, lines, _heads, "source", HEADER, COMMENT)
+    table = head.table
+    titles, units = _header(table.titles, where(name, head.title_line))
     rows = []
-    table = Table(partial(refusal, name), delimiter, len(titles), list(titles.values()))
-    for number, line in lines:
-        cells = table.cells(number, line)
-        filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
+    for number, line in head.below:
+        cells = zip(titles, table.cells(number, line), strict=True)
+        filled = {column: cell for column, cell in cells if cell}
         rows.append(Row(where(name, number), filled, titles))
         _check_marks(rows[-1], number, table)
     _read_numbers(rows, units, bool(table.decimals.comma))
-    return rows
-
-
-def _header_place(lines: Sequence[str]) -> int:
-    """Return the place of the titles: the first line with a column x, if it is below text alone."""
-    for place, line in enumerate(lines):
-        mark = next((mark for mark in columns.DELIMITERS if mark in line), None)
-        cells = columns.cells(line, mark) if mark else [line]
-        if any(re.fullmatch(r"x(?![^\W_]).*", _name(cell)) for cell in cells):
-            return place
-        if any(columns.is_number(cell, True) for cell in cells[1:]):
-            return 0
-    return 0
+    notes = []
+    comments = [(number, line) for number, line in lines if line.lstrip()[:1] == COMMENT]
+    like_rows = [str(k) for k, line in comments if len(head.cells_of(line)) == table.width]
+    if like_rows:
+        lines_text = f"lines {listed(like_rows)}"
+        notes.append(f"{name}: comments with as many cells as the rows, skipped: {lines_text}")
+    if head.preamble:
+        skipped = "the lines of text above are skipped"
+        notes.append(f"{name}: the titles are in line {head.title_line}; {skipped}")
+    return rows, notes
 
 
 def _check_marks(row: Row, line: int, table: Table) -> None:
@@ -219,12 +167,7 @@ def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str
 def _column(title: str, where: str) -> tuple[str, Unit | None]:
     """Return the name of a column and its unit: x (m), x [cm], x_m, x / m, or x."""
     normalized = _name(title)
-    heads = [
-        head
-        for head in KNOWN
-        if normalized.startswith(head) and not normalized[len(head) :][:1].isalpha()
-    ]
-    name = max(heads, key=len, default="")
+    name = max(_heads(title), key=len, default="")
     if name and name == normalized:
         return name, None
     if name in TEXTS:
@@ -236,6 +179,12 @@ def _column(title: str, where: str) -> tuple[str, Unit | None]:
     near = [typed(head) for head in errors.nearest(normalized, KNOWN, 3)]
     hint = ", ".join(near) or "x, y, z, flux, intensity, distribution, aim_x, rotate, name ..."
     raise errors.ConditionError(f"{where}: unknown column '{quote(title)}'", hint)
+
+
+def _heads(title: str) -> list[str]:
+    """Return the names of columns with which a title begins."""
+    text = _name(title)
+    return [h for h in KNOWN if text.startswith(h) and not text[len(h) :][:1].isalpha()]
 
 
 def _name(title: str) -> str:

@@ -115,11 +115,7 @@ class _Reader:
         if self.head.preamble:
             self.assumptions.append(f"the titles are in line {self.head.title_line}")
         self.comments = [*self.head.comments, *[line.strip() for _, line in self.head.preamble]]
-        self.rows = [
-            (number, line)
-            for number, line in enumerate(lines, 1)
-            if number >= self.head.begin and not columns.is_remark(line)
-        ]
+        self.rows = self.head.below
 
     def refuse(self, number: int, problem: str, hint: str) -> NoReturn:
         raise refusal(self.name, number, problem, hint)

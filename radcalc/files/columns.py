@@ -2,9 +2,10 @@
 
 import re
 from collections.abc import Callable, Iterable, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from radcalc.errors import Hint, RadcalcError, quote
+from radcalc.files import refusal
 from radcalc.units.table import unit_of
 
 DELIMITERS = ("\t", ";", "|", ",")
@@ -195,6 +196,7 @@ def units_in(title: str) -> tuple[list[str], list[str]]:
 
 
 UNITS = " units"
+RULE = " \t;,|-:+="  # characters of a line below the titles of a text, and of a blank row
 MOST_PAIRS = 1000  # lines before a table that are searched for pairs
 
 Refuse = Callable[[int, str, str], RadcalcError]  # the error of a line, a problem and a hint
@@ -375,7 +377,7 @@ class Head:
         """Read the first lines; `wanted` are names of columns, which the titles must have."""
         self.typed, self.lines = delimiter, lines
         self.assumptions: list[str] = []
-        rows = [row for row in lines if not is_remark(row[1])][:SEARCHED]
+        rows = [row for row in lines if not self.is_remark(row[1])][:SEARCHED]
         rows = rows[self.skipped(rows) :]
         named = self.named_row(rows, wanted) if any(wanted) else None
         start = 0 if named is None else named + 1
@@ -402,6 +404,15 @@ class Head:
         self.cells = self.cells[:width]
         self.table = Table(self.error, self.delimiter, width, titles, rows[:first], names)
 
+    @property
+    def below(self) -> list[NumberedLine]:
+        """The rows from the first one on, among the lines that were read."""
+        return [
+            (number, line)
+            for number, line in self.lines
+            if number >= self.begin and not self.is_remark(line)
+        ]
+
     # What a subclass knows.
 
     def error(self, number: int, problem: str, hint: Hint) -> RadcalcError:
@@ -411,6 +422,10 @@ class Head:
     def is_data(self, cells: Sequence[str], is_named: bool) -> bool:
         """Return whether the cells of a line are data, below titles with the names or without."""
         raise NotImplementedError
+
+    def is_remark(self, line: str) -> bool:
+        """Return whether a line is blank or a comment, and so not a row."""
+        return is_remark(line)
 
     def is_start(self, cell: str) -> bool:
         """Return whether a cell can only be in a row of data, as the date of a log."""
@@ -523,6 +538,60 @@ class Head:
         if not self.delimiter:
             splits += [re.split(r"\s{2,}|\t", line.strip()), TITLE.findall(line)]
         return next((one for one in splits if len(one) == width), [])
+
+
+class NamedHead(Head):
+    """The head of a table that has columns of certain names; its cells may be texts."""
+
+    def __init__(
+        self,
+        name: str,
+        lines: Sequence[NumberedLine],
+        is_known: Callable[[str], object],
+        what: str,
+        hint: str,
+        mark: str = "",
+    ) -> None:
+        """Take the test of a name, what a row is, a hint, and the mark of comments."""
+        self.name, self.is_known, self.what, self.hint = name, is_known, what, hint
+        self.mark = mark
+        super().__init__(lines, wanted=(what,))
+
+    def error(self, number: int, problem: str, hint: Hint) -> RadcalcError:
+        return refusal(self.name, number, problem, str(hint))
+
+    def is_remark(self, line: str) -> bool:
+        """Return whether a line has no text, or is a comment: others may begin with blank cells."""
+        return not line.strip(RULE) or bool(self.mark and line.lstrip().startswith(self.mark))
+
+    def named_row(self, rows: Sequence[NumberedLine], wanted: Sequence[str]) -> int | None:
+        """Return the first row with the most known names, at the delimiter that gives them.
+
+        Rows of numbers above it are not skipped: then it is the first.
+        """
+        best, found = (0, 0), 0
+        for place, (_, line) in enumerate(rows):
+            for mark in DELIMITERS:
+                titles = cells(line, mark)
+                size = len([*filter(self.is_known, titles)]), len(titles)
+                if size > best:
+                    best, found, self.typed = size, place, mark
+        above = [cells(line, self.typed)[1:] for _, line in rows[:found]]
+        return 0 if any(map(is_number, chain.from_iterable(above))) else found
+
+    def is_data(self, cells: Sequence[str], is_named: bool) -> bool:
+        """Return whether cells are not only units."""
+        return any(cell and (is_number(cell) or unit_of(cell) is None) for cell in cells)
+
+    def are_names(self, cells: Sequence[str]) -> bool:
+        return True
+
+    def no_data(self, rows: Sequence[NumberedLine]) -> RadcalcError:
+        problem = f"a header but no {self.what}" if rows else f"no {self.what}"
+        return self.error(0, f"the file has {problem}", self.hint)
+
+    def _of_width(self, line: str) -> list[str]:
+        return self.cells_of(line)
 
 
 def _trimmed(cells: Sequence[str]) -> list[str]:

@@ -9,7 +9,7 @@ from radcalc.answer import Row, Value
 from radcalc.calculators.results import pick, rows, unit_for
 from radcalc.errors import listed, option, quote
 from radcalc.files import Text, columns, reading, refusal, where
-from radcalc.files.columns import Table
+from radcalc.files.columns import NamedHead, Table
 from radcalc.homework import ROUNDED, Verdict, check
 from radcalc.homework.question import Claim, Question, is_rounded, of_conversion, read_claim
 from radcalc.units import NUMBER, unit_behind
@@ -20,7 +20,6 @@ from radcalc.units.table import resolve
 QUESTION, COMMAND, EXPECTED, POINTS = KNOWN = ("question", "command", "expected", "points")
 MOST_BYTES = 1 << 26  # of a sheet
 ALIKE = 0.8  # of a title and the column that it misspells
-RULE = " \t;,|-:+="  # characters of a line below the titles of a text, and of a blank row
 HEADER = "a header such as question;command;Ann;Bob, and a row for each question"
 
 
@@ -60,16 +59,11 @@ def read_sheet(path: str) -> Sheet:
     with reading(path, "a table of questions and answers") as (name, read):
         blocks = Text(name, read, "a question", MOST_BYTES).blocks()
         lines = [entry for start, block in blocks for entry in enumerate(block, start)]
-    lines = [(number, line) for number, line in lines if line.strip(RULE)]
-    if len(lines) < 2:
-        problem = "the sheet has no question" if lines else "the sheet is empty"
-        raise refusal(name, 0, problem, HEADER)
-    number, header = lines[0]
-    delimiter = max(columns.DELIMITERS, key=lambda mark: _known(columns.cells(header, mark)))
-    titles = columns.cells(header, delimiter)
-    table = Table(partial(refusal, name), delimiter, len(titles), titles)
-    cells = [(line, table.cells(line, text)) for line, text in lines[1:]]
-    places = _places(titles, [row for _, row in cells], partial(refusal, name, number))
+    head = NamedHead(name, lines, _is_known, "question", HEADER)
+    table = head.table
+    cells = [(number, table.cells(number, line)) for number, line in head.below]
+    refuse = partial(refusal, name, head.title_line)
+    places = _places(table.titles, [row for _, row in cells], refuse)
     by_title = {t: _pointed([row[place] for _, row in cells]) for t, place in places.items()}
     rows = [
         _row(table, line, {title: column[k] for title, column in by_title.items()})
@@ -79,8 +73,8 @@ def read_sheet(path: str) -> Sheet:
     return Sheet(name, rows, [title for title in places if title not in KNOWN])
 
 
-def _known(titles: Sequence[str]) -> int:
-    return len({*map(columns.plain, titles)} & {*KNOWN})
+def _is_known(title: str) -> bool:
+    return columns.plain(title) in KNOWN
 
 
 def _row(table: Table, line: int, cells: dict[str, Cell]) -> SheetRow:

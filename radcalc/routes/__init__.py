@@ -171,19 +171,18 @@ def _rows(lines: list[str], name: str) -> FirstRows | None:
     for kind in (FirstRows, LooseRows):
         with suppress(RadcalcError):
             rows = kind(name, head, LogSettings())
-            return rows if _is_table(rows, head) else None
+            return rows if _is_table(rows) else None
     return None
 
 
-def _is_table(rows: FirstRows, head: Sequence[tuple[int, str]]) -> bool:
+def _is_table(rows: FirstRows) -> bool:
     """Return whether rows have titles, or nothing but numbers and times, and others are alike."""
     cells = [cell for cell in rows.cells if cell]
     are_numbers = all(columns.is_number(cell, True) or rows.is_start(cell) for cell in cells)
     if not are_numbers and not (rows.table.delimiter and len(cells) > 1):
         return False
-    below = [line for number, line in head if number >= rows.begin and not columns.is_remark(line)]
-    widths = [len(columns.cells(line, rows.table.delimiter)) for line in below]
-    are_rows = are_numbers or bool(rows.names) or len(below) > 1
+    widths = [len(rows.cells_of(line)) for _, line in rows.below]
+    are_rows = are_numbers or bool(rows.names) or len(widths) > 1
     return are_rows and 2 * widths.count(rows.table.width) >= len(widths)
 
 

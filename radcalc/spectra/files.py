@@ -88,9 +88,8 @@ def is_spectrum(lines: Lines) -> bool:
     is_titled = any(map(_is_of_wavelengths, table.titles)) or any(map(_has_wavelengths, above))
     if table.width < 2 or table.titles or is_titled:
         return table.width > 1 and is_titled
-    below = [row for row in rows if row[0] >= head.begin and not columns.is_remark(row[1])]
     try:
-        grid = [table.number(table.cells(*row)[0], row[0], is_value=False) for row in below]
+        grid = [table.number(table.cells(*row)[0], row[0], is_value=False) for row in head.below]
     except ConditionError:
         return False
     return _are_likely(grid)

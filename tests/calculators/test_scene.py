@@ -159,8 +159,9 @@ BAD = {
         "another point",
     ),
     "x,y,z,flux\n": ("the file has a header but no source", "rows"),
-    "flux\n8lm\n": ("only one column", "header"),
+    "flux\n8lm\n": ("line 2: x is missing", "x, y, z"),
     "0,0,2,8lm\n0,0,1,8lm\n": ("unknown column '0'", "x, y, z"),
+    "0,0,2,9lm\nx,y,z,flux\n0,0,2,8lm\n": ("line 1: unknown column '0'", "x, y, z"),
     "x,y,z,flux\n0,0,nan,8lm\n": ("column 'z'", "finite"),
     "x,y,z,name (m),flux\n0,0,2,a,8lm\n": ("has a unit", "'name' alone"),
 }  # fmt: skip

@@ -113,6 +113,7 @@ SHEETS = {
     "Latin-1": written(";", ",").encode("latin-1"),
     "bars": "".join(" | ".join(row) + "\n" for row in rows()).encode(),
     "Markdown": in_markdown().encode(),
+    "a title above": b"Homework 3;;\n\n" + written(";", ",").encode(),
 }
 
 
@@ -323,9 +324,9 @@ def test_an_expected_value_chooses_the_result_and_has_to_agree(tmp_path):
 
 # Sheets that cannot be read, and a part of the refusal.
 BAD = {
-    "": "the sheet is empty",
-    "\n;;\n": "the sheet is empty",
-    "command;Ann\n": "the sheet has no question",
+    "": "the file has no question",
+    "\n;;\n": "the file has no question",
+    "command;Ann\n": "the file has a header but no question",
     "question;Ann\nx;5 lx\n": "line 1: a column 'command' or 'expected' is missing",
     "command\nconvert 5 lx fc\n": "line 1: no column has answers",
     "comand;expected;Ann\nx;5 lx;5 lx\n": "column 'comand' is not a student\ntry: command",
