@@ -153,13 +153,14 @@ OF_LINES = (
     text(
         "column",
         "NAME",
-        "Field to convert: its title, with or without its unit (E for E [lx]), or its number.",
+        "Field to convert: its title, with or without its unit (E for E [lx]), or its number.  "
+        "Delimiter and header are detected.",
     ),
-    text("d delimiter", "X", "Field separator: one character, or tab (default: runs of blanks)."),
+    text("d delimiter", "X", "Field separator: one character, or tab (default: blanks)."),
     text(
         "header",
         "[=N]",
-        "Number of header lines (1 without N; {column} implies 1).  Every line must have as "
+        "Number of header lines (1 without N).  Every line must have as "
         "many fields as the header.  If a title has a unit, it must be the input unit; the unit of "
         "the result replaces it.",
         form=WHOLE,

@@ -231,25 +231,12 @@ def _command(path: str, found: Contents, column: ColumnSummary, count: int) -> s
     target = _another(column.unit)
     if not target or not rows.names or found.is_made:
         return ""
-    is_whole = rows.names == rows.table.titles  # without a row of units
-    is_own = is_whole and rows.names.count(column.name) == 1
+    is_own = rows.names.count(column.name) == 1
     name = column.name if is_own else str(column.place + 1)
-    words = [
-        "radcalc convert -",
-        quoted(column.unit.text),
-        quoted(target),
-        "--column",
-        quoted(name),
-    ]
-    if rows.table.delimiter:
-        words.append(
-            "-d tab" if rows.table.delimiter == "\t" else f"-d {quoted(rows.table.delimiter)}"
-        )
+    words = ["radcalc convert -", quoted(column.unit.text), quoted(target)]
+    words += ["--column", quoted(name)]
     if rows.table.decimals.comma:
         words.append("--decimal ,")
-    last = rows.title_line if is_whole and rows.title_line else rows.begin - 1
-    if last > 1:
-        words.append(f"--header={last}")
     return " ".join([*words, *skip.split(), "<", quoted(path)])
 
 

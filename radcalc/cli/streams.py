@@ -22,6 +22,8 @@ from radcalc.units import Unit, own_since
 from radcalc.units.table import resolve
 from radcalc.units.values import resolve_any, resolve_given
 
+BLOCK = 1 << 16  # bytes that show the head of a table
+
 if TYPE_CHECKING:
     from radcalc.streams.calculated import Calculated, LineAnswer
     from radcalc.streams.fields import Cut, Fields
@@ -379,17 +381,27 @@ class Layout(NamedTuple):
     mark: bytes
     name: str | None
     adds: bool
+    begin: list[bytes]  # what is read of the input already
 
     @classmethod
     def of(cls, options: LineOptions, has_unit: bool) -> "Layout":
-        """Read the options; lines of bare numbers may be separated at blanks."""
+        """Read the options; lines of bare numbers may be separated at blanks.
+
+        The head of a table with a named column shows the rest.
+        """
         from radcalc.streams.fields import Cut, Fields, read_delimiter
 
         lines = options.header or (1 if options.column is not None else 0)
         _refuse_contradictions(options, lines, has_unit)
-        cut = None
+        cut, begin = None, []
+        delimiter = read_delimiter(options.delimiter) if options.delimiter is not None else ""
+        if options.column is not None and not (options.header and delimiter):
+            from radcalc.streams.header import head_of
+
+            begin = [terminal.read(BLOCK)]
+            delimiter, lines = head_of(begin[0], options.column, delimiter)
+            lines = options.header or lines
         if (options.field, options.column, options.delimiter) != (None, None, None):
-            delimiter = read_delimiter(options.delimiter) if options.delimiter is not None else ""
             cut = Cut(os.fsencode(delimiter))
         mark = (options.decimal or ".").encode()
         if cut and cut.delimiter == mark != b".":
@@ -405,7 +417,7 @@ class Layout(NamedTuple):
             ]
             hint: errors.Hint = each[:3] or "a call for each field"
             raise errors.UsageError("--add and --rename take one field", hint)
-        return cls(cut, fields, lines, mark, name, options.add is not None)
+        return cls(cut, fields, lines, mark, name, options.add is not None, begin)
 
     @property
     def has_titles(self) -> bool:
@@ -422,8 +434,11 @@ class Layout(NamedTuple):
         from radcalc.streams.stream import Stream, run
 
         stream = Stream(texts, self.cut, self.fields, self.lines, header, record, self.adds)
-        good = run(stream, terminal.read, write, invalid or ABORT, complain)
+        good = run(stream, self.read, write, invalid or ABORT, complain)
         return terminal.ANSWERED if good else terminal.FAILED
+
+    def read(self, size: int) -> bytes:
+        return self.begin.pop() if self.begin else terminal.read(size)
 
 
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:

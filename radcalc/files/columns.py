@@ -346,7 +346,10 @@ MOST_REMARKS = 10_000  # lines searched with comments and blank lines
 # Rows of a logger below the titles (TOA5 of Campbell): how a column was sampled, and its units.
 SAMPLED = ("smp", "avg", "tmn", "tmx", "max", "min", "tot", "std", "med", "mean", "sum", "ts", "rn")
 WITH_POWERS = re.compile(r"[^\W\d][^\s\d]{0,20}(?:-[12]|⁻[¹²])\S{0,20}")  # Wm-2, umolm-2s-1
-TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
+# A title between blanks: a word, perhaps with a unit in brackets or after a slash.
+BRACKETS = r"(?:\[[^\[\]]*\]|\((?:[^()]|\([^()]*\))*\))"
+WORD = rf"(?:[^ \t\[\]()]|{BRACKETS})+"
+TITLE = re.compile(rf"{WORD}(?:[ \t]+{BRACKETS}|[ \t]+/[ \t]+{WORD})?(?![^ \t])|[^ \t]+")
 TITLES = (
     "a title for each column; quotation marks around a text with a delimiter, and 1000 for 1,000"
 )
@@ -412,6 +415,12 @@ class Head:
             for number, line in self.lines
             if number >= self.begin and not self.is_remark(line)
         ]
+
+    @property
+    def title_lines(self) -> int:
+        """The number of lines up to the titles, with their units below them."""
+        is_alone = self.table.names == self.table.titles
+        return self.title_line if is_alone and self.title_line else self.begin - 1
 
     # What a subclass knows.
 

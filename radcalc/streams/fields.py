@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
 MOST = 1_000_000  # the greatest number of a field
-LONG = 1 << 16  # bytes of a header too long to search for units in brackets
 FIELDS = "N, N-, N-M, -M or several of them with commas between"
 
 Span = tuple[int, int]  # start and end of a text
@@ -92,19 +91,6 @@ def _delimiters(text: str) -> "list[errors.Try]":
     return [errors.add("delimiter", one) for one in meant[:1]] or [errors.leave_out("delimiter")]
 
 
-def typed_delimiter(character: str) -> str:
-    """Return a delimiter as typed: its name, if it has one."""
-    return next((name for name, known in NAMED.items() if known == character), character)
-
-
-# A title between blanks: a word, perhaps with a unit in brackets or after a slash.
-_BRACKETS = r"(?:\[[^\[\]]*\]|\((?:[^()]|\([^()]*\))*\))"
-_WORD = rf"(?:[^ \t\[\]()]|{_BRACKETS})+"
-TITLE = re.compile(
-    rf"{_WORD}(?:[ \t]+{_BRACKETS}|[ \t]+/[ \t]+{_WORD})?(?![^ \t])|[^ \t]+".encode()
-)
-
-
 class Cut:
     """The division of a line into fields: at a delimiter, or at blanks if it is empty.
 
@@ -155,16 +141,6 @@ class Cut:
         if end - start > 1 and line[start] == line[end - 1] == ord('"'):
             start, end = _strip(line, (start + 1, end - 1), self.blanks)
         return start, end
-
-    def titles(self, header: bytes) -> list[Span]:
-        """Return the spans of the titles; at blanks, a unit in brackets belongs to its title.
-
-        A # at the start of the line is not a title.
-        """
-        start = len(header) - len(header.lstrip(BLANKS + b"#"))
-        if self.delimiter or len(header) > LONG:
-            return [self.inner(header, (max(a, start), b)) for a, b in self.spans(header)]
-        return [match.span() for match in TITLE.finditer(header, start)]
 
     def joint(self, line: bytes) -> bytes:
         return self.delimiter or (b"\t" if b"\t" in line else b" ")

@@ -3,11 +3,13 @@
 The unit in the header is compared with the unit of the numbers, and replaced in the output.
 """
 
+import re
 from collections.abc import Callable, Collection, Sequence
 
 from radcalc import errors
 from radcalc.errors import option, quote
-from radcalc.files.columns import DELIMITERS, unit_column
+from radcalc.files import Text, columns
+from radcalc.files.columns import NumberedLine, unit_column
 from radcalc.quantities import describe, name_of
 from radcalc.quantities import read as read_light
 from radcalc.quantities.column_titles import (
@@ -24,13 +26,49 @@ from radcalc.quantities.column_titles import (
     unit_of_meter,
     unit_of_name,
 )
-from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
+from radcalc.streams.fields import BLANKS, Cut, Fields, Span
+from radcalc.streams.log_layout import FirstRows, LogSettings
 from radcalc.streams.readers import UTF_8, Texts
 from radcalc.units import Unit
 from radcalc.units.numbers import parse_number
 from radcalc.units.table import resolve
 
 WHERE = "the header of stdin"
+LONG = 1 << 16  # bytes of a header too long to search for units in brackets
+TITLE = re.compile(columns.TITLE.pattern.encode())
+
+
+class InputHead(FirstRows):
+    """The head of a table on standard input, of which every line is written."""
+
+    def skipped(self, rows: Sequence[NumberedLine]) -> int:
+        return 0
+
+
+def head_of(data: bytes, column: str, delimiter: str) -> tuple[str, int]:
+    """Return the delimiter ("": blanks) and the lines of titles of a table with a named column.
+
+    `data` are its first bytes; if they show no rows, the first line has the titles.
+    """
+    parts = [data]
+    text = Text("stdin", lambda _: parts.pop() if parts else b"", "a value")
+    lines = columns.first_lines(text.blocks())
+    try:
+        head = InputHead("stdin", lines, LogSettings(column=column, delimiter=delimiter))
+    except errors.RadcalcError:
+        first = lines[0][1] if lines else ""
+        return delimiter or columns.dialect(first)[0] or "", 1
+    return head.delimiter or "", head.title_lines
+
+
+def title_spans(cut: Cut | None, line: bytes) -> list[Span]:
+    """Return the spans of the titles in a line, without a # at its start."""
+    start = len(line) - len(line.lstrip(BLANKS + b"#"))
+    if not cut:
+        return [(start, max(start, len(line.rstrip(BLANKS))))]
+    if cut.delimiter or len(line) > LONG:
+        return [cut.inner(line, (max(a, start), b)) for a, b in cut.spans(line)]
+    return [match.span() for match in TITLE.finditer(line, start)]
 
 
 class Header:
@@ -76,7 +114,7 @@ class Header:
         if b"\0" in line:
             raise errors.UsageError(f"{WHERE} is not text in UTF-8", UTF_8)
         try:
-            spans = self._spans(line)
+            spans = title_spans(self.cut, line)
             titles = [self._text(line, span) for span in spans]
             if self.column:
                 fields = self.fields = Fields(str(self._find(titles, above) + 1))
@@ -160,12 +198,6 @@ class Header:
             problem = f"the unit is '{quote(typed)}', not {quote(self.source.text)}"
             raise errors.NumberError(problem, "a call for the lines of each unit")
 
-    def _spans(self, line: bytes) -> list[Span]:
-        if self.cut:
-            return self.cut.titles(line)
-        start = len(line) - len(line.lstrip(BLANKS + b"#"))
-        return [(start, max(start, len(line.rstrip(BLANKS))))]
-
     def _find(self, titles: list[str], above: bytes) -> int:
         try:
             return find(titles, self.column, WHERE, self.source)
@@ -178,7 +210,7 @@ class Header:
 
     def _names_above(self, above: bytes, count: int) -> list[str]:
         """Return the names of the columns in the line above, if it has as many."""
-        names = [self._text(above, span) for span in self._spans(above)]
+        names = [self._text(above, span) for span in title_spans(self.cut, above)]
         return names if len(names) == count > 1 else []
 
     def _check_units(self, titles: list[Title]) -> None:
@@ -272,10 +304,7 @@ def _title_of(target: Unit) -> str:
 
 
 def _of_one_title(title: str) -> errors.Hint:
-    """Propose the separator in a title, or the only column."""
-    mark = next((mark for mark in DELIMITERS if mark in title), "")
-    if mark:
-        return errors.add("delimiter", typed_delimiter(mark))
+    """Propose the only column."""
     try:
         parse_number(title)
     except errors.NumberError:

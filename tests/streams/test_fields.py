@@ -2,6 +2,7 @@ import pytest
 
 from radcalc.errors import UsageError
 from radcalc.streams.fields import Cut, Fields, read_delimiter
+from radcalc.streams.header import title_spans
 
 
 def test_fields_and_delimiters_are_read_as_written():
@@ -37,4 +38,4 @@ def test_a_single_quotation_mark_is_a_cell_not_quotes():
     ],
 )
 def test_a_header_is_split_into_titles(mark, line, titles):
-    assert [line[start:end] for start, end in Cut(mark).titles(line)] == titles
+    assert [line[start:end] for start, end in title_spans(Cut(mark), line)] == titles
