@@ -12,9 +12,8 @@ from unittest import mock
 from conftest import standard_streams
 
 from radcalc import cli, terminal
-from radcalc.cli.request import is_stream
 from radcalc.cli.spelling import Shell
-from radcalc.cli.trials import is_long
+from radcalc.cli.trials import is_long, reads_stdin
 from radcalc.errors import RadcalcError
 
 Words = list[str]
@@ -28,7 +27,7 @@ LINES = (
     b"x F\n1 2\n",
     b"1 2 3\n",
     b"1,2,3\n",
-    b"400 1\n700 2\n",  # a spectrum
+    b"nm I\n400 1\n700 2\n",  # a spectrum
 )  # for a stream
 
 
@@ -88,7 +87,7 @@ def unlike(words: Words, answer: str, lines: bytes) -> str:
         return "" if call(words, lines).output else "answers nothing"
     if is_long(words):  # the gate does not make it
         return ""
-    outcomes = [call(words, each) for each in (LINES if any(map(is_stream, words)) else [lines])]
+    outcomes = [call(words, each) for each in (LINES if reads_stdin(words) else [lines])]
     good = [one for one in outcomes if one.status in (terminal.ANSWERED, terminal.WRONG)]
     if not good:
         return f"refused: {outcomes[0].error}"

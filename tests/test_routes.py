@@ -11,7 +11,7 @@ from radcalc.cli.spelling import quoted, route
 from radcalc.errors import ConditionError
 from radcalc.routes import LOG, LUMINAIRE, MAP, NAMES, SCENE, SPECTRUM, TABLE, kind_of
 
-SPECTRAL_ROWS = "\n".join(f"{nm},1.5" for nm in range(380, 785, 5))
+SPECTRAL_ROWS = "nm,I\n" + "\n".join(f"{nm},1.5" for nm in range(380, 785, 5))
 KINDS = {
     "IES:LM-63-2019\nTILT=NONE\n": LUMINAIRE,
     "gamma (deg),I (cd)\n0,300\n45,200\n90,0\n": LUMINAIRE,
@@ -21,6 +21,7 @@ KINDS = {
     "nm,W/m2/nm\n400,1\n500,1\n": SPECTRUM,
     "wavelength (nm),reflectance\n400,1\n500,1\n": SPECTRUM,
     f"{SPECTRAL_ROWS}\n": SPECTRUM,
+    SPECTRAL_ROWS.partition("\n")[2]: TABLE,  # numbers alone are no wavelengths
     "SpectraSuite Data File\n>>>>>Begin Processed Spectral Data<<<<<\n400.1\t1\n400.5\t2\n"
     ">>>>>End Processed Spectral Data<<<<<\n": SPECTRUM,
     "vlnová délka,hodnota\n400,1\n500,1\n": SPECTRUM,

@@ -85,7 +85,7 @@ def test_a_title_over_a_spectrum_means_photons_watts_or_no_light(title, meaning)
 ])  # fmt: skip
 def test_a_point_that_may_separate_thousands_is_refused(delimiter, values, is_read):
     rows = [f"{400 + 100 * k}{delimiter}{value}\n" for k, value in enumerate(values)]
-    spectrum = run("spectrum", "-", input="".join(rows))
+    spectrum = run("spectrum", "nm:-", input="".join(rows))
     log = run("dose", "-", "--time-unit", "s", "--unit", "lx", input="".join(rows))
     for done in (spectrum, log):
         assert (done.returncode == 0) is is_read, done.stderr
@@ -381,7 +381,10 @@ FIRST, SECOND = "400,1\n500,2\n600,3\n", "410,10\n510,30\n610,20\n"
         (f"nm,E\n{FIRST}\nnm,E\n{SECOND}", "line 6: 'nm,E' begins a second table, after 3 rows"),
         (f"Sensor A\n{FIRST}Sensor B\n{SECOND}", "line 5: 'Sensor B' begins a second table"),
         (f"nm,E\n{FIRST}\n{SECOND}", "2 tables begin in the lines 2, 6"),
-        (f"# scan 1\n{FIRST}# scan 2\n{FIRST}# scan 3\n{FIRST}", "3 tables begin in the lines"),
+        (
+            f"nm,E\n# scan 1\n{FIRST}# scan 2\n{FIRST}# scan 3\n{FIRST}",
+            "3 tables begin in the lines",
+        ),
     ],
 )
 def test_several_tables_in_a_file_of_a_spectrum_are_not_mixed(text, refusal):

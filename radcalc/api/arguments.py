@@ -448,7 +448,7 @@ def _columns_of(source: Any) -> dict[Any, Any] | None:
     if name != "DataFrame":
         return None
     if hasattr(source, "index") and (source.index.name or len(source.columns) == 1):
-        source = source.reset_index()
+        source = source.rename_axis(source.index.name or "wavelength").reset_index()
     return {title: source[title] for title in source.columns}
 
 

@@ -335,7 +335,7 @@ def _is_short(words: Words) -> bool:
 
         return not explained(words)
     is_quick = command in SUMMARIES and command not in LONG and not {*options} & {*UNTRIED}
-    if not is_quick or any(map(is_stream, words)) or is_long(words):
+    if not is_quick or reads_stdin(words) or is_long(words):
         top = context()
         name, found, rest = commands.resolve_command(top, protect_negatives(words))
         if found:
@@ -344,6 +344,11 @@ def _is_short(words: Words) -> bool:
     paths = {path for word in words for path in _paths(word) if os.path.exists(path)}
     paths.discard(os.devnull)  # in place of a file of definitions
     return all(map(os.path.isfile, paths)) and sum(map(os.path.getsize, paths)) <= LARGEST
+
+
+def reads_stdin(words: Words) -> bool:
+    """Return whether a word is or has standard input: -, '- lx', nm:-."""
+    return any(is_stream(word.rpartition(":")[2]) for word in words)
 
 
 def refuse_effects(words: Words) -> None:
@@ -364,7 +369,7 @@ def refuse_effects(words: Words) -> None:
         ):
             problem = f"{quote(word)} cannot be used in a question"
             raise errors.UsageError(problem, errors.drop(word) if len(words) > 1 else "a command")
-        if is_stream(word) or _is_special(word):
+        if reads_stdin([word]) or _is_special(word):
             raise errors.UsageError(
                 f"{quote(word)} is not a value or a regular file", "a value or a file's name"
             )
@@ -381,10 +386,10 @@ def is_long(words: Words) -> bool:
 
 
 def _paths(word: str) -> Words:
-    """Return the parts of a word that may be a path: --spectrum=FILE, FILE:COLUMN."""
-    value = word.partition("=")[2]
-    texts = [word, value, word.rpartition(":")[0], value.rpartition(":")[0]]
-    return list(filter(None, texts))
+    """Return the parts of a word that may be a path: --spectrum=FILE, nm:FILE, FILE:COLUMN."""
+    texts = [word, word.partition("=")[2]]
+    texts += [text.partition(":")[2] for text in texts]
+    return list(filter(None, (*texts, *[text.rpartition(":")[0] for text in texts])))
 
 
 def _in_python(words: Words) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from radcalc import terminal
-from radcalc.errors import ConditionError, quote_path
+from radcalc.errors import ConditionError, Hint, quote_path
 
 ENDINGS = (".csv", ".tsv", ".txt", ".dat")  # extensions of files of columns
 
@@ -18,7 +18,7 @@ MARKS = {codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE}
 Lines = list[str]
 
 
-def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
+def refusal(name: str, number: int, problem: str, hint: Hint) -> ConditionError:
     """Return the error of a file, with the line unless it is 0."""
     return ConditionError(f"{where(name, number)}: {problem}", hint)
 

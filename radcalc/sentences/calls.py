@@ -341,7 +341,7 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
 
     The file of a spectrum beside an amount of light is the spectrum of that light.
     """
-    from radcalc.routes import LOG, LUMINAIRE, SPECTRUM, call_of_file, kind_of
+    from radcalc.routes import LOG, LUMINAIRE, SPECTRUM, TABLE, call_of_file, kind_of
 
     path, *others = sentence.files
     if others:
@@ -350,7 +350,7 @@ def _of_file(sentence: Sentence) -> list[tuple[str, ...]]:
             f"the sentence has several files: {listed}", "a call for each of them"
         )
     kind = kind_of(path)
-    if kind == SPECTRUM and any(map(is_light, sentence.facts)):
+    if kind in (SPECTRUM, TABLE) and any(map(is_light, sentence.facts)):
         with_file = (*sentence.facts, Fact(("spectrum",), path, path))
         return _calls_of(sentence._replace(files=(), facts=with_file))
     facts = tuple(map(_toward, sentence.facts)) if kind == LUMINAIRE else sentence.facts

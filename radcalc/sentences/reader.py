@@ -528,14 +528,15 @@ class _Reading:
         return [(end, self.names[self.folded(at, end)]) for end in ends]
 
     def _spectrum(self, at: int) -> list[Found]:
-        """Find the name of a spectrum; one of a single letter only after a word such as `with`."""
-        from radcalc.spectra.sources import is_named
+        """Find a spectrum, by nm:FILE or by name: of a single letter only after such as `with`."""
+        from radcalc.spectra.sources import axis_of, is_named
 
         start = at + 1 if self.words[at].folded in LONE and at + 1 < len(self.words) else at
         for end in range(min(len(self.words), start + LONGEST_NAME), start, -1):
             text = self.text(start, end)
             is_letter = len(text) < 2 and (start == at or not text.isupper())
-            if not is_letter and not text[0].isdigit() and is_named(text):
+            is_known = is_named(text) or axis_of(text)[0]
+            if not is_letter and not text[0].isdigit() and is_known:
                 return [(end, Fact(("spectrum",), text, self.text(at, end)))]
         return []
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 __all__ = ["luminous", "luminous_efficacy"]
 LENGTHS = ("nm", "um")
+AXES = ("nm", "um", "angstrom")  # units of the wavelengths of a file, as in nm:FILE
 # Kinds of spectra: parameters, a description, an example, and the usual units of the parameters.
 FORMS = {
     "blackbody": ("T", "a black body of a temperature", "blackbody:2856K", ("K",)),

@@ -25,12 +25,17 @@ NANOMETRES = {  # in a unit, by its name in lower case
     "mm": 1e6,
     "m": 1e9,
 }
-NAMES = ("lambda", "λ", "wl", "wave", "wvl", "wellenlänge", "vlnová délka", "длина волны")
+NAMES: tuple[str, ...] = ("lambda", "λ", "wl", "wave", "wvl", "w", "w.length", "wellenlänge")
+NAMES += ("longueur d'onde", "longitud de onda", "vlnová délka", "длина волны")
 # A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
 DECLARED = re.compile(
     r"(?:wave ?length|wvlgth|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$"
 )
 BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
+# Wavelengths in nm by a line of a program: Ocean Optics', LI-COR's (LI-1800), StellarNet's.
+STATED = re.compile(
+    r'>>>>>|x ?axis mode: *wavelength|"?lims *:.*nm|"? *\w+-> +wave: *\d+nm', re.ASCII
+)
 WORD = r"(?<![^\W\d_]){}(?![^\W\d_])"  # of any alphabet
 X_UNITS = re.compile(r"x[ _-]?(?:axis[ _-]?)?units?\s*[:=]\s*(.+)")  # in a preamble, as in JCAMP-DX
 PROPERTY = WORD.format(
@@ -111,7 +116,8 @@ def is_wavelength(title: str) -> bool:
 
 def is_of_wavelengths(title: str) -> bool:
     """Return whether a plain title is that of a column of wavelengths, or only their unit."""
-    return is_wavelength(title) or title.strip("()[] ").rstrip("s") in NANOMETRES
+    unit = title.strip("()[] ").rstrip("s")
+    return is_wavelength(title) or title in NAMES or unit in NANOMETRES
 
 
 def of_light(titles: Sequence[str], places: Sequence[int]) -> list[int]:
@@ -127,11 +133,12 @@ def of_light(titles: Sequence[str], places: Sequence[int]) -> list[int]:
 
 
 def wavelengths(
-    titles: Sequence[str], comments: Iterable[str], low: float, high: float
+    titles: Sequence[str], comments: Iterable[str], low: float, high: float, axis: str
 ) -> tuple[float, str]:
-    """Return the nanometres per unit of the wavelengths, and a note on it.
+    """Return the nanometres per unit of the wavelengths, and a note on it; 0 and what is missing.
 
-    The unit is declared in the title or in a comment, or else follows from the numbers.
+    The unit is that of the user, or declared in the title or in a comment.  Wavelengths without a
+    unit are in nm, if their numbers may be.
     """
     typed = {plain(title): title.strip() for title in (*titles, *comments)}
     own_titles = [plain(title) for title in titles]
@@ -139,6 +146,24 @@ def wavelengths(
         if AXES.search(text) and not DECLARED.search(text):
             raise ConditionError(f"'{quote(typed[text])}' is not a wavelength", "wavelengths in nm")
     _refuse_other_axis(typed)
+    declared, factor = _declared(typed, own_titles)
+    if axis:
+        differs = declared and factor != NANOMETRES[axis]
+        contrast = f", though {quote(declared)} is declared" if differs else ""
+        return NANOMETRES[axis], f"the wavelengths are in {axis}, as given{contrast}"
+    if declared:
+        return factor, f"the wavelengths are in {quote(declared)}, as declared"
+    if any(map(STATED.match, typed)):
+        return 1.0, "the wavelengths are in nm, by the format of the file"
+    if not any(map(is_of_wavelengths, own_titles)):
+        return 0, f"no title says that the numbers from {low:g} to {high:g} are wavelengths"
+    if 100 <= low < 2000 and high <= 20000:
+        return 1.0, "the wavelengths are taken in nanometres: their title has no unit"
+    return 0, f"the unit of the wavelengths from {low:g} to {high:g} is missing"
+
+
+def _declared(typed: Mapping[str, str], own_titles: Sequence[str]) -> tuple[str, float]:
+    """Return the unit of wavelengths in a title or another line, and its nanometres."""
     for text in typed:
         match = DECLARED.search(text)
         word = match.group(1) if match else ""
@@ -151,17 +176,8 @@ def wavelengths(
                 problem = f"unknown unit of wavelengths '{unit_text}'"
                 raise ConditionError(problem, "nm, um, angstrom, mm or m")
         if word and word.rstrip("s") in NANOMETRES:
-            note = f"the wavelengths are in {quote(_typed(typed[text], word))}, as declared"
-            return NANOMETRES[word.rstrip("s")], note
-    for unit, factor, fits in (
-        ("nanometres", 1.0, 100 <= low < 2000 and high <= 20000),
-        ("micrometres", 1e3, 0.1 <= low < 2.5 and high <= 100),
-        ("metres", 1e9, high < 1e-4),
-    ):
-        if fits:
-            return factor, f"the wavelengths are taken as {unit}, from their size"
-    problem = f"the unit of the wavelengths from {low:g} to {high:g} is missing"
-    raise ConditionError(problem, "a header such as: wavelength (nm), value")
+            return _typed(typed[text], word), NANOMETRES[word.rstrip("s")]
+    return "", 0
 
 
 def _refuse_other_axis(typed: Mapping[str, str]) -> None:

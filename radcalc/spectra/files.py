@@ -12,12 +12,12 @@ from itertools import chain, pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc.errors import ConditionError, Hint, UsageError, call, listed, option, quote
+from radcalc.errors import ConditionError, Hint, UsageError, call, correct, listed, option, quote
 from radcalc.files import Lines, Text, columns, reading, refusal, signatures
 from radcalc.files.columns import SEARCHED, Head, first_lines, is_number
 from radcalc.files.columns import Table as TextTable
 from radcalc.quantities.column_titles import find
-from radcalc.spectra import column_titles, contents
+from radcalc.spectra import AXES, column_titles, contents
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
 from radcalc.spectra.instruments import (
     FORMATS,
@@ -47,17 +47,16 @@ ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
 ONE_TABLE = "a file for each table"
-LIKELY_ROWS, LIKELY_STEP = 10, 20.0  # of wavelengths without a title: least rows, mean step [nm]
 
 
-def read_file(path: str, column: str = "", unit: str = "") -> Table:
+def read_file(path: str, column: str = "", unit: str = "", axis: str = "") -> Table:
     """Read a spectrum from a file, or from standard input for the path '-'.
 
-    `unit` is that of the values; it wins over the one in the file.
+    `unit` is that of the values, `axis` that of the wavelengths; they win over those in the file.
     """
     with reading(path, "a file with a spectrum") as (name, read):
         typed = column_titles.typed(unit) if unit else None
-        return _Reader(name, read, column, typed, path).table()
+        return _Reader(name, read, column, typed, path, axis).table()
 
 
 def read_text(name: str, text: str, column: str = "", unit: str = "") -> Table:
@@ -69,12 +68,11 @@ def read_text(name: str, text: str, column: str = "", unit: str = "") -> Table:
 def is_spectrum(lines: Lines) -> bool:
     """Return whether the first lines of a file are those of a spectrum.
 
-    It has the format of a meter, a title of wavelengths over numbers, or numbers without titles
-    that rise or fall over the visible range like wavelengths in nm.
+    It has the format of a meter, or a title of wavelengths over numbers.
     """
     if form := next((form for form in FORMATS if form.begins(lines)), None):
         return form is not SPDX or any(SPDX_ROOT in line.upper() for line in lines[:MOST_BEFORE])
-    if any(line.startswith(TABLE_MARK) for line in lines[:MOST_BEFORE]):
+    if any(map(column_titles.STATED.match, map(columns.plain, lines[:MOST_BEFORE]))):
         return True
     rows = [*enumerate(lines, 1)][: 2 * MOST_BEFORE]
     try:
@@ -83,25 +81,9 @@ def is_spectrum(lines: Lines) -> bool:
         cells = [(columns.cells_alone(line) or [""]) for _, line in rows]
         first = next((k for k, row in enumerate(cells) if is_number(row[0])), 0)
         return any(map(_has_wavelengths, lines[max(first - 2, 0) : first]))
-    table = head.table
     above = [*[line for _, line in head.preamble[-1:]], *head.comments]
-    is_titled = any(map(_is_of_wavelengths, table.titles)) or any(map(_has_wavelengths, above))
-    if table.width < 2 or table.titles or is_titled:
-        return table.width > 1 and is_titled
-    try:
-        grid = [table.number(table.cells(*row)[0], row[0], is_value=False) for row in head.below]
-    except ConditionError:
-        return False
-    return _are_likely(grid)
-
-
-def _are_likely(grid: Sequence[float]) -> bool:
-    """Return whether numbers rise or fall over the visible range like wavelengths in nm."""
-    low, high = min(grid), max(grid)
-    steps = [b - a for a, b in pairwise(grid)]
-    is_even = len(grid) >= LIKELY_ROWS and (min(steps) > 0 or max(steps) < 0)
-    is_likely = is_even and (high - low) <= LIKELY_STEP * len(steps)
-    return is_likely and VISIBLE[0] / 2 < low < VISIBLE[1] < 4 * VISIBLE[1] and high > VISIBLE[0]
+    is_titled = any(map(_is_of_wavelengths, head.table.titles)) or any(map(_has_wavelengths, above))
+    return head.table.width > 1 and is_titled
 
 
 def _has_wavelengths(line: str) -> bool:
@@ -116,7 +98,7 @@ def _is_of_wavelengths(title: str) -> bool:
         return False
     if plain in ("m", "mm"):  # a distance
         return False
-    return column_titles.is_of_wavelengths(plain) or plain in column_titles.NAMES
+    return column_titles.is_of_wavelengths(plain)
 
 
 class SpectrumHead(Head):
@@ -227,8 +209,9 @@ class _Reader:
         column: str,
         typed: column_titles.Meaning | None,
         path: str = "",
+        axis: str = "",
     ) -> None:
-        self.name, self.path = name, path
+        self.name, self.path, self.axis = name, path, axis
         self.typed = typed
         self.text = Text(name, read, "a wavelength and a value")
         self.column = column
@@ -240,7 +223,7 @@ class _Reader:
         self.grid, self.values = array("d"), array("d")
         self.lines = array("q")  # of the rows
 
-    def error(self, number: int, problem: str, hint: str) -> ConditionError:
+    def error(self, number: int, problem: str, hint: Hint) -> ConditionError:
         return refusal(self.name, number, problem, hint)
 
     def table(self) -> Table:
@@ -523,9 +506,12 @@ class _Reader:
             raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
         remarks = [*self.comments, *self.preamble]
         try:
-            factor, note = column_titles.wavelengths(header, remarks, low, high)
+            factor, note = column_titles.wavelengths(header, remarks, low, high, self.axis)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
+        if not factor:
+            ways = [correct(self.path, f"{unit}:{self.path}") for unit in AXES if self.path]
+            raise self.error(0, note, ways or "wavelengths in nm, by a title or as a quantity")
         self.notes.append(note)
         return factor
 

@@ -7,7 +7,7 @@ from functools import cache
 from radcalc import errors
 from radcalc.errors import command, option, quote
 from radcalc.files import ENDINGS
-from radcalc.spectra import FORMS, example
+from radcalc.spectra import AXES, FORMS, example
 from radcalc.spectra.observers import LIGHT, PLANCK, standard_air_wavelength
 from radcalc.spectra.spectrum import (
     LONGEST,
@@ -90,7 +90,8 @@ TIMES_WAVELENGTH = {FREQUENCY: LIGHT, ENERGY: PLANCK * LIGHT}
 def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     """Return the spectrum of a text: a kind with its parameters, a name, or a file's path.
 
-    `column`, or FILE:COLUMN, chooses the values of a file with several columns, `unit` is theirs.
+    `column`, or FILE:COLUMN, chooses the values of a file with several columns, `unit` is theirs;
+    nm:FILE is a file of wavelengths in nm.
     """
     text = text.strip()
     if text in OWN:
@@ -111,14 +112,21 @@ def spectrum(text: str, column: str = "", unit: str = "") -> Spectrum:
     named = find_named(text)
     if named:
         return named
-    path, name = text, ""
+    axis, path = axis_of(text)
+    name = ""
     if not _is_path(path):
-        path, _, name = text.rpartition(":")
+        path, _, name = path.rpartition(":")
     if _is_path(path):
         from radcalc.spectra.files import read_file
 
-        return read_file(path, column or name, unit)
+        return read_file(path, column or name, unit, axis)
     raise unknown(text)
+
+
+def axis_of(text: str) -> tuple[str, str]:
+    """Return the unit of the wavelengths in nm:FILE, and the file; "" and the text for others."""
+    axis, _, path = text.partition(":")
+    return (axis, path) if path and axis in AXES and not _is_path(text) else ("", text)
 
 
 def _is_path(text: str) -> bool:
@@ -156,11 +164,12 @@ def uncertain_parameter(text: str) -> Parameter | None:
 
 
 def unknown(text: str) -> errors.RadcalcError:
-    """Return the error for a text that is not a spectrum."""
+    """Return the error for a text that is no spectrum, with those that are like it."""
     if "," in text and (error := _of_list(text)):
         return error
     if "/" in text or text.lower().endswith(ENDINGS):
-        return errors.ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
+        path = quote(axis_of(text)[1])
+        return errors.ConditionError(f"there is no file '{path}'", "the path of a file")
     problem = f"unknown spectrum '{quote(text)}' (and no such file)"
     if meant := MEANT.get(text.strip().lower()):
         return errors.ConditionError(problem, errors.alternatives(text, meant))

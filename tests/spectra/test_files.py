@@ -24,9 +24,9 @@ FILES = {
     "a header": "wavelength,value\n400,1\n500,3\n700,2\n",
     "comments and blank lines": "# a lamp\n\n400 1\n500 3\n# more\n700 2\n",
     "a byte order mark and CRLF": "\ufeff400,1\r\n500,3\r\n700,2\r\n",
-    "micrometres by their size": "0.4 1\n0.5 3\n0.7 2\n",
+    "a title in a comment": "# wl I\n400 1\n500 3\n700 2\n",
     "angstroms by the header": "wavelength (angstrom),value\n4000,1\n5000,3\n7000,2\n",
-    "metres": "4e-7 1\n5e-7 3\n7e-7 2\n",
+    "metres": "lambda (m) I\n4e-7 1\n5e-7 3\n7e-7 2\n",
     "falling": "700 2\n500 3\n400 1\n",
     "out of order": "500 3\n400 1\n700 2\n",
     "quotes": '"400","1"\n"500","3"\n"700","2"\n',
@@ -37,10 +37,45 @@ FILES = {
 def test_a_spectrum_is_read_in_many_forms(text, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_bytes(text.encode())
-    table = read_file(str(path))
+    is_titled = text[1:2].isalpha() or "wl" in text
+    table = read_file(str(path), axis="" if is_titled else "nm")
     assert list(table.grid) == pytest.approx([400, 500, 700])
     assert list(table.values) == [1, 3, 2]
     assert table.power(table.limits) == pytest.approx(100 * 2 + 200 * 2.5)
+    if not is_titled:
+        with pytest.raises(RadcalcError, match="no title says that the numbers from 400 to 700"):
+            read_file(str(path))
+
+
+# Numbers, the unit of their wavelengths, and the first in nm (1 um = 1000 nm, 1 angstrom = 0.1 nm).
+UNITS = [("0.4 1\n0.7 2\n", "um"), ("4000 1\n7000 2\n", "angstrom"), ("400 1\n700 2\n", "nm")]
+
+
+@pytest.mark.parametrize(("rows", "unit"), UNITS)
+@pytest.mark.parametrize("head", ["", "x y\n", "wavelength y\n"])
+def test_the_unit_of_wavelengths_is_never_chosen_by_their_size(head, rows, unit, tmp_path):
+    path = tmp_path / "lamp.txt"
+    path.write_text(head + rows)
+    assert list(read_file(str(path), axis=unit).grid) == pytest.approx([400, 700])
+    if "wave" in head and unit == "nm":
+        said = "the wavelengths are taken in nanometres: their title has no unit"
+        assert said in read_file(str(path)).notes
+        return
+    done = run("convert", "100", "lx", "W/m2", "--spectrum", str(path), "-q")
+    assert (done.returncode, done.stdout) == (2, "")
+    call, answer = done.stderr.partition("try: radcalc ")[2].split("\n")[:2]
+    assert call == f"convert 100 lx W/m2 --spectrum {unit}:{path} -q"
+    assert answer.split()[0] == f"{float(run(*call.split(), '-n').stdout):.6g}"
+
+
+def test_a_given_unit_of_wavelengths_wins_over_the_declared_one_but_not_over_another_axis(tmp_path):
+    path = tmp_path / "lamp.txt"
+    path.write_text("wavelength (um),y\n400,1\n700,2\n")
+    said = "the wavelengths are in nm, as given, though um is declared"
+    assert said in read_file(str(path), axis="nm").notes
+    path.write_text("frequency (THz),y\n400,1\n700,2\n")
+    with pytest.raises(RadcalcError, match="'frequency \\(THz\\)' is not a wavelength"):
+        read_file(str(path), axis="nm")
 
 
 def test_a_column_is_chosen_by_name_or_number(tmp_path):
@@ -160,7 +195,7 @@ def test_titles_between_blanks_are_not_skipped_as_text(head, message, tmp_path):
     path = tmp_path / "lamp.txt"
     path.write_text(f"{head}\n400 1\n500 3\n700 2\n", encoding="utf-8")
     with pytest.raises(RadcalcError, match=message):
-        read_file(str(path))
+        read_file(str(path), axis="nm")
 
 
 def test_a_line_before_the_table_declares_the_unit_of_wavelengths(tmp_path):
@@ -183,34 +218,34 @@ def test_a_unit_of_photons_is_never_read_as_watts(unit, place, tmp_path):
 
 def test_a_comma_and_a_blank_separate_columns(tmp_path):
     path = tmp_path / "lamp.csv"
-    path.write_text("400, 1.5\n500,-0.001\n700, 2\n", encoding="utf-8")
+    path.write_text("nm,x\n400, 1.5\n500,-0.001\n700, 2\n", encoding="utf-8")
     assert list(read_file(str(path)).values) == [1.5, -0.001, 2]
 
 
 def test_a_row_that_may_be_missing_is_noted(tmp_path):
     path = tmp_path / "lamp.csv"
-    rows = [f"{x},1" for x in range(400, 701, 10)]
-    path.write_text("\n".join(rows[:9] + rows[10:]), encoding="utf-8")
+    rows = ["nm,x", *[f"{x},1" for x in range(400, 701, 10)]]
+    path.write_text("\n".join(rows[:10] + rows[11:]), encoding="utf-8")
     said = "a step of 20 at 480, while most are 10: a row may be missing"
     assert said in read_file(str(path)).notes
-    for steps in (rows, rows[:9], ["400,1", "410,1", "450,1", "700,1"]):
+    for steps in (rows, rows[:10], ["nm,x", "400,1", "410,1", "450,1", "700,1"]):
         path.write_text("\n".join(steps), encoding="utf-8")
         assert not any("missing" in note for note in read_file(str(path)).notes)
 
 
 def test_noise_outside_the_visible_range_is_noted_with_its_share(tmp_path):
     path = tmp_path / "lamp.csv"
-    path.write_text("200,0\n210,-5\n220,0\n400,10\n700,10\n", encoding="utf-8")
+    path.write_text("nm,x\n200,0\n210,-5\n220,0\n400,10\n700,10\n", encoding="utf-8")
     # by hand: the triangle of -50 over 180 x 10 / 2 + 300 x 10 = 3900
     assert "kept as noise: 1.3 % of the watts" in " ".join(read_file(str(path)).notes)
-    path.write_text("200,0\n210,-50\n220,0\n400,10\n700,10\n", encoding="utf-8")
+    path.write_text("nm,x\n200,0\n210,-50\n220,0\n400,10\n700,10\n", encoding="utf-8")
     with pytest.raises(RadcalcError, match=r"12\.8 % of those above"):
         read_file(str(path))
 
 
 BROKEN = {
     "nothing": ("", "no data"),
-    "one row": ("400 1\n", "1 row"),
+    "one row": ("nm x\n400 1\n", "1 row"),
     "one column": ("400\n500\n", "line 1: there is only one column"),
     "a missing value": ("400,1\n500,\n600,2\n", "line 2: a value is missing"),
     "a word": ("400,1\n500,x\n600,2\n", "line 2: 'x' is not a number"),
@@ -218,14 +253,14 @@ BROKEN = {
     "a short row": ("400 1\n500\n600 2\n", "line 2: 1 column"),
     "a long row": ("400 1\n500 2 3\n600 2\n", "line 2: 3 columns"),
     "twice the same": (
-        "400 1\n500 2\n\n400 2\n",
-        "line 4: the wavelength 400 nm is also in line 1",
+        "nm x\n400 1\n500 2\n\n400 2\n",
+        "line 5: the wavelength 400 nm is also in line 2",
     ),
     # 1e300 W at 500 nm is 2.5e318 photons per second (h c = 1.986e-25 J m), too large for a float
-    "a value beyond": ("400 1e300\n500 1\n", "a greatest value of 1e+300"),
-    "nearly darkness": ("400 1e-320\n500 1e-320\n", "a greatest value of 9.99989e-321"),
+    "a value beyond": ("nm x\n400 1e300\n500 1\n", "a greatest value of 1e+300"),
+    "nearly darkness": ("nm x\n400 1e-320\n500 1e-320\n", "a greatest value of 9.99989e-321"),
     "a wavelength beyond": ("nm,E\n1e300,1\n1e301,2\n", "a wavelength of 1e+300 nm"),
-    "darkness": ("400 0\n500 0\n", "every value is 0"),
+    "darkness": ("nm x\n400 0\n500 0\n", "every value is 0"),
     "a negative wavelength": ("-400 1\n500 2\n", "a wavelength of -400"),
     "a frequency": ("frequency (THz),x\n400,1\n700,1\n", "is not a wavelength"),
     "an unknown length": ("wavelength (furlong),x\n400,1\n700,1\n", "unknown unit of wavelengths"),
@@ -253,10 +288,10 @@ BROKEN = {
     "titles in a comment": ("# nm, absorbance\n400,1\n700,1\n", "'absorbance' is not a calibrated"),
     "very many columns": ("1," * 9999 + "1\n", "there are 9999 columns of values"),
     "an endless line": (b"0" * (1 << 23), "line 1: the line has more than 4194304 bytes"),
-    "dark light": ("400,1\n550,-0.5\n700,1\n", "too far below 0 for noise"),
+    "dark light": ("nm,x\n400,1\n550,-0.5\n700,1\n", "too far below 0 for noise"),
     "an underscore": ("400,1\n5_50,2\n700,1\n", "line 2: '5_50' is not a number"),
     "other digits": ("400,1\n٥٥٠,2\n700,1\n", "line 2"),
-    "an unknown unit": ("4000 1\n7000 2\n", "the unit of the wavelengths"),
+    "an unknown unit": ("lambda I\n4000 1\n7000 2\n", "the unit of the wavelengths"),
     "commas and points": (
         "400;0,5\n500;1.234\n600;2\n",
         "line 2: a decimal point, but line 1 has a decimal comma",
@@ -322,7 +357,7 @@ def test_titles_are_used_whatever_lines_surround_them(text, tmp_path):
     assert read_file(str(path)).absolute == "irradiance"
 
 
-@pytest.mark.parametrize("titles", ["wavelength,2700", "nm,2700", ",2700", "lamp,2700"])
+@pytest.mark.parametrize("titles", ["wavelength,2700", "nm,2700", "W,2700", "λ,2700"])
 def test_a_title_may_be_a_number(titles, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(titles + "\n400,1\n500,2\n", encoding="utf-8")
@@ -409,7 +444,7 @@ def test_photons_are_converted_to_watts(head, absolute, said, tmp_path):
     assert ratios == pytest.approx([1, 400 / 500, 400 / 700], rel=1e-12)
 
 
-@pytest.mark.parametrize("head", ["nm,value", "nm,Relative intensity (%)", "nm,LED-B3 1", "# lamp"])
+@pytest.mark.parametrize("head", ["nm,value", "nm,Relative intensity (%)", "nm,LED-B3 1", "# WL I"])
 def test_relative_watts_are_an_assumption(head, tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{head}\n400,1\n700,2\n", encoding="utf-8")
@@ -465,6 +500,7 @@ def test_an_unreadable_file_is_an_error(tmp_path):
         ("nm,x", 1),
         ("# wavelength in nm\nw,x", 1),
         ("# a wavelength sweep at 3 m\nw,x", 1),
+        ("# in metres\nwavelength in m,x", 1e-9),
         ("wavelength_nm,x", 1),
         ("wavelength (nanometers),x", 1),
         ("µm,x", 1e-3),
@@ -480,7 +516,7 @@ def test_the_unit_of_wavelengths_is_declared_in_many_ways(head, scale, tmp_path)
 
 def test_corrections_are_noted(tmp_path):
     path = tmp_path / "lamp.csv"
-    path.write_text("500 3\n450 -0.1\n600 2\n", encoding="utf-8")
+    path.write_text("wl I\n500 3\n450 -0.1\n600 2\n", encoding="utf-8")
     notes = " ".join(read_file(str(path)).notes)
     for said in ("sorted", "negative", "nanometres", "not all of the visible"):
         assert said in notes
@@ -530,7 +566,7 @@ def test_a_large_file_gives_the_same_as_a_small_one(tmp_path):
 )  # fmt: skip
 def test_an_error_in_a_large_file_is_refused_with_its_line(line, message, tmp_path):
     path = tmp_path / "large.csv"
-    rows = [f"{300 + i / 50},1.000000001" for i in range(20000)]
+    rows = ["nm,x", *[f"{300 + i / 50},1.000000001" for i in range(19999)]]
     path.write_text("\n".join([*rows, line]) + "\n", encoding="utf-8")
     with pytest.raises(RadcalcError) as caught:
         read_file(str(path))
