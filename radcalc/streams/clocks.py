@@ -141,19 +141,22 @@ class Calendar:
     def many(self, texts: list[str]) -> list[int]:
         """Return the ticks of texts; raise any error if one of them is unusual."""
         days, clocks = self.days, self.clocks
-        if self.doubtful or not self.pattern.mark:
-            raise ValueError
         mark = self.pattern.mark
-        day = texts[0].partition(mark)[0]
+        if self.doubtful or not (mark or self.pattern.width):
+            raise ValueError
+        day = texts[0].partition(mark or " ")[0]
         text = "\n" + "\n".join(texts)
-        if text.count(f"\n{day}{mark}") == len(texts):  # all of one day, like most of a log
+        if not mark or self.pattern.pieces > 1:
+            parts = map(self.pattern.parts, texts)
+            ticks = [days[day] + clocks[time] for day, time in parts]  # type: ignore[operator]
+        elif text.count(f"\n{day}{mark}") == len(texts):  # all of one day, like most of a log
             midnight = days[day]
             clock_texts = text.replace(f"\n{day}{mark}", "\n").split("\n")[1:]
             ticks = [midnight + clocks[time] for time in clock_texts]  # type: ignore[operator]
         else:
-            parts = [text.partition(mark) for text in texts]
+            divided = [text.partition(mark) for text in texts]
             # a day with a clock change is None, and the addition fails
-            ticks = [days[day] + clocks[time] for day, _, time in parts]  # type: ignore[operator]
+            ticks = [days[day] + clocks[time] for day, _, time in divided]  # type: ignore[operator]
         self.last = ticks[-1]
         return ticks
 
@@ -275,7 +278,7 @@ class Unix(Calendar):
     has_numbers = True
 
     def __init__(self, zone: tzinfo | None, ticks: int) -> None:
-        super().__init__(zone or UTC, Pattern(None, None, "", ""))
+        super().__init__(zone or UTC, Pattern())
         self.ticks = ticks
         self.is_utc = zone is None
 

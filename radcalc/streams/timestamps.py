@@ -6,7 +6,8 @@ Ticks are whole nanoseconds: of a date since 1970, of a time of day since midnig
 import re
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from datetime import date, datetime
+from datetime import date, datetime, time, timedelta
+from functools import partial
 from typing import NamedTuple
 
 from radcalc.errors import (
@@ -25,25 +26,17 @@ HOUR, DAY = 3600 * SECOND, 86400 * SECOND
 EPOCH = datetime(1970, 1, 1)
 FIRST_DAY = EPOCH.toordinal()
 FIRST_YEAR, LAST_YEAR = 1000, 9000
-YEAR_FIRST = r"(?P<Y>\d{4})(?P<x>[-/.])(?P<m>\d\d?)(?P=x)(?P<d>\d\d?)|"
-YEAR_FIRST += r"(?P<Y2>\d{4})(?P<m2>\d\d)(?P<d2>\d\d)"
-WEEK = r"\d{4}-?W\d\d(?:-?\d)?"
 # A date with its year behind: 1.6.2024, 06/01/2024, 01-Jun-2024, and 06/01/24.
 YEAR_LAST = re.compile(r"(\d\d?)([-/.]) ?(\d\d?|[A-Za-z]{3,9})\2 ?(\d{4}|\d\d)(?!\d)", re.ASCII)
-TIME_OF_DAY = (
-    r"(?P<H>\d\d?):(?P<M>\d\d)(?::(?P<S>\d\d)(?:[.,](?P<f>\d{1,9})\d*)?)?"
-    r"(?: ?(?P<p>[AaPp])\.?[Mm]\.?)?"
-    r"|(?P<H2>\d\d)(?P<M2>\d\d)(?P<S2>\d\d)?"
-)
 OFFSET = r"(?P<z>[Zz]|UTC|GMT|[-+\u2212]\d\d(?::?\d\d)?)"
-CLOCK = re.compile(rf"(?:{TIME_OF_DAY}) ?{OFFSET}?", re.ASCII)  # only ASCII digits
+UTC_AT_END = re.compile(" ?(?:UTC|GMT)$")
+FRACTION = re.compile(r"(?:(?<=:\d\d:\d\d)|(?<=\d{6}))[.,](\d{1,9})\d*", re.ASCII)  # of a second
 # begins with a date
 STAMP = re.compile(
     r"\d{1,4}([-/.]) ?(?:\d\d?|[A-Za-z]{3,9})\1 ?\d{1,4}(?![\d.])"
     r"|\d{8}(?=T\d| \d{4}(?:\d\d)?(?!\d))|\d{4}-?W\d\d",
     re.ASCII,
 )
-TIME_ALONE = re.compile(r"\d\d?:\d\d(:\d\d)?([.,]\d+)?( ?[AaPp]\.?[Mm]\.?)?", re.ASCII)
 IN_TITLE = re.compile(r"\b(?:GMT|UTC) ?(?P<z>[-+\u2212]\d\d?(?::?\d\d)?)?(?!\w)", re.IGNORECASE)
 ORDER_IN_TITLE = re.compile(r"(mm?[-/.]dd?|dd?[-/.]mm?)[-/.]yyyy", re.IGNORECASE)
 DIGITS_IN_TITLE = re.compile(r"(?<![a-z])(?:yy){1,2}mmdd(?:hh(?:mm(?:ss)?)?)?(?![a-z])", re.I)
@@ -52,118 +45,157 @@ OF_DWD = re.compile("mess_?datum", re.IGNORECASE)  # of the weather service of G
 OF_DIGITS = {7: "%Y%j", 8: "%Y%m%d", 10: "%Y%m%d%H", 12: "%Y%m%d%H%M", 14: "%Y%m%d%H%M%S"}
 SHORT = {6: "%y%m%d", 8: "%y%m%d%H", 10: "%y%m%d%H%M", 12: "%y%m%d%H%M%S"}
 LIKELY = range(1990, 2030)  # years of a log, if its times are only digits
-# Parts of a format, as in strptime; the first letter of a group is that of its part.
-DIRECTIVES = {
-    "Y": r"(?P<Y>\d{4})",
-    "y": r"(?P<y>\d\d)",
-    "m": r"(?P<m>\d\d?)",
-    "d": r"(?P<d>\d\d?)",
-    "j": r"(?P<j>\d{1,3})",
-    "H": r"(?P<H>\d\d?)",
-    "I": r"(?P<H>\d\d?)",
-    "M": r"(?P<M>\d\d?)",
-    "S": r"(?P<S>\d\d?)",
-    "f": r"(?P<f>\d{1,9})",
-    "p": r"(?P<p>[AaPp])\.?[Mm]\.?",
-    "z": OFFSET,
-    "b": r"(?P<b>[A-Za-z]{3,9})",
-    "B": r"(?P<b>[A-Za-z]{3,9})",
-    "%": "%",
-}
-WIDTHS = {"Y": 4, "j": 3, **dict.fromkeys("ymdHIMS", 2)}  # digits, with zeros before them
-RUN = re.compile("((?:%[YymdjHIMS]){2,})")  # parts without a mark between them
-MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
 OF_DATES, OF_CLOCKS = "YymdjbB", "HIMSfpz"
+# Digits of the parts of a format.
+WIDTHS = {"Y": 4, "j": 3, **dict.fromkeys("ymdHIMS", 2)}
+ADJACENT = re.compile("%[YymdjHIMS]%")  # parts without a mark between them
+RUN = re.compile("(?:%[YymdjHIMS])+|%[fz]")
+OF_12_HOURS = re.compile(r"(.*\d) ?([AP])\.?M\.?")
+CLOCKS = ("%I:%M %p", "%I:%M:%S %p", "%H:%M", "%H:%M:%S")  # are read as ISO 8601, or nearly so
 FORMATS = mention("{time-format=%d/%m/%Y %H:%M} or {time-format=%m/%d/%Y %H:%M}")
 KNOWN = "2024-06-01T12:35:00, with Z, an offset or {time-zone}; or {time-format=%d.%m.%Y %H:%M}"
 
 
 class Pattern(NamedTuple):
-    """The notation of dates and times of day: a pattern of each, and the mark between them.
+    """The notation of dates and times of day: the formats of each ("": ISO 8601).
 
-    Without a mark, one pattern has both.
+    A mark divides the time of day from the date, whose own marks divide it into so many pieces, or
+    the date has `width` digits; otherwise one format has both.  A date that several formats read
+    is the same in all of them.
     """
 
-    dates: re.Pattern[str] | None
-    clocks: re.Pattern[str] | None
-    mark: str
-    assumption: str
+    dates: tuple[str, ...] = ("",)
+    clocks: str = ""
+    mark: str = " "
+    pieces: int = 1
+    width: int = 0
+    assumption: str = ""
 
     def parts(self, text: str) -> tuple[str, str]:
+        if self.width:
+            size = self.width + _width(self.clocks)
+            text = text if self.dates[0][:2] == "%Y" else text.zfill(size)
+            return text[: self.width], text[self.width if len(text) >= size else 0 :]
         if not self.mark:
             return text, text
-        day, _, clock = text.partition(self.mark)
-        return day, clock
-
-    def begins(self, text: str) -> bool:
-        """Return whether a text begins with a date of this form, even an impossible one."""
-        assert self.dates is not None
-        return bool(self.dates.fullmatch(self.parts(text)[0].strip()))
+        parts = text.split(self.mark)
+        return self.mark.join(parts[: self.pieces]), self.mark.join(parts[self.pieces :])
 
     def day(self, text: str) -> int:
         """Return the tick of a day's midnight, as if in UTC."""
-        assert self.dates is not None
-        match = self.dates.fullmatch(text.strip())
-        if not match:
-            raise _no_stamp(text)
-        parts = {key[0]: part for key, part in match.groupdict().items() if part}
-        if "W" in parts:
-            return _of_week(text.strip())
-        year = int(parts["Y"]) if "Y" in parts else _year_of_two_digits(int(parts["y"]))
-        if not FIRST_YEAR <= year < LAST_YEAR:
-            raise NumberError(f"'{quote(text)}' is in the year {year}", "a date of a log")
+        text = text.strip()
         try:
-            if "j" in parts:
-                ordinal = date(year, 1, 1).toordinal() + int(parts["j"]) - 1
-                if date.fromordinal(ordinal).year != year:
-                    raise ValueError
-            else:
-                month = (
-                    int(parts["m"]) if "m" in parts else MONTHS.index(parts["b"][:3].lower()) + 1
-                )
-                ordinal = date(year, month, int(parts["d"])).toordinal()
-        except (ValueError, OverflowError):
-            raise NumberError(f"'{quote(text)}' is not a day of the calendar", "a date") from None
-        return (ordinal - FIRST_DAY) * DAY
+            days = [*dict.fromkeys(_date(text, form) for form in self.dates)]
+        except ValueError:
+            raise NumberError(f"'{quote(text)}' is not a date", mention(KNOWN)) from None
+        if days[1:]:
+            problem = f"'{quote(text)}' is ambiguous: {' or '.join(map(str, days))}"
+            raise NumberError(problem, [add("time-format", form) for form in self.dates])
+        if not FIRST_YEAR <= days[0].year < LAST_YEAR:
+            problem = f"'{quote(text)}' is in the year {days[0].year}"
+            raise NumberError(problem, "a date of a log")
+        return (days[0].toordinal() - FIRST_DAY) * DAY
 
     def clock(self, text: str) -> tuple[int, int | None]:
         """Return ticks since midnight, and the offset from UTC if there is one."""
-        text = text.strip()
+        typed = text = text.strip()
         if not text:
             return 0, None
-        match = (self.clocks or CLOCK).fullmatch(text)
-        if not match:
-            raise _no_stamp(text)
-        parts = {key[0]: part for key, part in match.groupdict().items() if part}
-        hour, minute, second = (int(parts.get(key, 0)) for key in "HMS")
-        if "p" in parts:
-            if not 1 <= hour <= 12:
-                raise NumberError(f"'{quote(text)}' is not a time of day", "12:35 PM")
-            hour = hour % 12 + (12 if parts["p"] in "pP" else 0)
-        fraction = int(parts.get("f", "").ljust(9, "0"))
-        is_end = (hour, minute, second, fraction) == (24, 0, 0, 0)
-        if (hour > 23 or minute > 59 or second > 59) and not is_end:
-            raise NumberError(f"'{quote(text)}' is not a time of day", "from 00:00 to 24:00")
-        ticks = hour * HOUR + (minute * 60 + second) * SECOND + fraction
-        return ticks, read_offset(parts["z"]) if "z" in parts else None
+        fraction = 0
+        if (self.mark or self.width) and (match := FRACTION.search(text)):
+            text, fraction = FRACTION.sub("", text), int(match[1].ljust(9, "0"))
+        text = _padded(text, self.clocks)
+        is_end = text[:2] == "24" and self.clocks[:2] in ("", "%H")
+        try:
+            found = _time("00" + text[2:] if is_end else text, self.clocks)
+            if is_end and (fraction or found.replace(tzinfo=None) != time()):
+                raise ValueError
+        except ValueError:
+            problem = f"'{quote(typed)}' is not a time of day"
+            raise NumberError(problem, mention(f"from 00:00 to 24:00; {KNOWN}")) from None
+        seconds = (24 * is_end + found.hour) * 3600 + found.minute * 60 + found.second
+        ticks = seconds * SECOND + found.microsecond * 1000 + fraction
+        offset = found.utcoffset()
+        return ticks, None if offset is None else round(offset.total_seconds()) * SECOND
+
+
+def _date(text: str, form: str) -> date:
+    """Return a date in a format, or in ISO 8601; raise ValueError for other texts."""
+    if form:
+        return _strptime(text, form).date()
+    text = text.replace("/", "-").replace(".", "-")
+    try:
+        return date.fromisoformat(text)
+    except ValueError:  # without zeros
+        return _strptime(text, "%Y-%m-%d").date()
+
+
+def _time(text: str, form: str) -> time:
+    """Return a time of day in a format, or in ISO 8601 or 12 hours; ValueError for others."""
+    if form:
+        return _strptime(text, form).timetz()
+    text = UTC_AT_END.sub("Z", text.upper().replace("\u2212", "-"))
+    text = text.replace(" -", "-").replace(" +", "+")
+    if match := OF_12_HOURS.fullmatch(text):
+        text = match[1]
+    if "." in text or "," in text:  # of 12.5, fromisoformat would make half a second
+        raise ValueError
+    found = time.fromisoformat("0" + text if text[1:2] in ("", ":") else text)
+    if match and not 1 <= found.hour <= 12:
+        raise ValueError
+    return found.replace(hour=found.hour % 12 + 12 * (match[2] == "P")) if match else found
+
+
+def _strptime(text: str, form: str) -> datetime:
+    """Return the time in a format; raise ValueError for other texts."""
+    if not text.isascii():  # digits of other scripts
+        raise ValueError
+    text = _padded(text, form)
+    if "%b" in form:
+        text = re.sub("([A-Za-z]{3})[A-Za-z]+", r"\1", text)
+    if form.endswith("%z"):
+        text = re.sub(r"([-+]\d\d)$", r"\g<1>00", re.sub("(?:UTC|GMT)$", "Z", text))
+    found = datetime.strptime(text, form)
+    if "%j" in form and "366" in text and found.timetuple().tm_yday == 1:  # of a shorter year
+        raise ValueError
+    return found
+
+
+def _padded(text: str, form: str) -> str:
+    """Return a text with the zeros that numbers of adjacent parts lack: 0105 for 105 by %H%M."""
+    if not ADJACENT.search(form):
+        return text
+    widths = (_width(run) * (run[:2] != "%Y") for run in RUN.findall(form))
+    return re.sub(r"\d+", lambda number: number[0].zfill(next(widths, 0)), text)
+
+
+def _width(form: str) -> int:
+    return sum(WIDTHS.get(letter, 0) for letter in re.findall("%(.)", form))
 
 
 def looks_like_stamp(text: str, format_: str = "") -> bool:
     """Return whether a cell begins with a date, or has that format."""
-    return pattern_of_format(format_).begins(text) if format_ else bool(STAMP.match(text))
+    if not format_:
+        return bool(STAMP.match(text))
+    pattern = pattern_of_format(format_)
+    with suppress(NumberError):
+        return bool(pattern.day(pattern.parts(text)[0]))
+    return False
 
 
 def looks_like_clock(text: str) -> bool:
     """Return whether a cell is only a time of day."""
-    return bool(TIME_ALONE.fullmatch(text))
+    with suppress(NumberError):
+        return ":" in text and Pattern().clock(text)[0] >= 0
+    return False
 
 
 def pattern_of(text: str, title: str, others: Iterable[str] = ()) -> Pattern:
     """Return the notation of a stamp; the others of its log decide between day and month."""
     mark = "T" if re.match(r"[\dW-]*T", text) else " "
-    day = text.partition(mark)[0]
-    if re.fullmatch(f"{YEAR_FIRST}|{WEEK}", day):
-        return Pattern(re.compile(f"{YEAR_FIRST}|(?P<W>{WEEK})", re.ASCII), None, mark, "")
+    with suppress(ValueError):
+        if _date(text.partition(mark)[0], ""):
+            return Pattern(mark=mark)
     parts = YEAR_LAST.match(text)
     if not parts or not (orders := _orders(parts)):
         raise _no_stamp(text)
@@ -185,11 +217,9 @@ def pattern_of(text: str, title: str, others: Iterable[str] = ()) -> Pattern:
         if len(orders) == 1:
             which = "day" if orders == ["dmY"] else "month"
             assumption = f"'{quote(parts[0])}' shows that the {which} is first"
-    fields = [DIRECTIVES[part] for part in orders[0]]
-    if len(orders) > 1:  # 05/05/2018 alone so far: a date that shows the order later is refused
-        fields[1] = r"(?P<m>(?P=d))"
-    form = f"{re.escape(joint)} ?".join(fields)
-    return Pattern(re.compile(form, re.ASCII), None, mark, assumption)
+    # 05/05/2018 alone so far has two orders: a date that shows the order later is refused
+    forms = tuple([joint.join(f"%{part}" for part in order) for order in orders])
+    return Pattern(forms, mark=mark, assumption=assumption)
 
 
 def _orders(date_parts: re.Match[str]) -> list[str]:
@@ -235,19 +265,21 @@ def _readings(parts: re.Match[str], orders: Sequence[str]) -> list[str]:
 
 def _ways(text: str, parts: re.Match[str], orders: Sequence[str]) -> list[Try]:
     """Propose the formats of a stamp, one for each order of its date."""
-    clock = ""
-    if match := CLOCK.fullmatch(text[parts.end() + 1 :]):
-        colon = "" if match["H2"] else ":"
-        found = match["H2"] or match["H"], match["M2"] or match["M"], match["S2"] or match["S"]
-        names = ("%I" if match["p"] else "%H", "%M", "%S")
-        clock = text[parts.end()] + colon.join(
-            name for name, digits in zip(names, found, strict=True) if digits
-        )
-        clock += (".%f" if match["f"] else "") + (" %p" if match["p"] else "")
-        clock += "%z" if match["z"] else ""
+    clock = text[parts.end() + 1 :]
+    rest, zone = re.subn(f" ?{OFFSET}$", "", clock.strip())
+    rest, fraction = FRACTION.subn("", rest)
+    form = next(filter(partial(_is_time, rest), (*CLOCKS, "%H%M", "%H%M%S")), "")
+    clock = text[parts.end()] + form + ".%f" * fraction + "%z" * zone if form else ""
     return [
         add("time-format", parts[2].join(f"%{part}" for part in order) + clock) for order in orders
     ]
+
+
+def _is_time(text: str, form: str) -> bool:
+    with suppress(ValueError):
+        _strptime(text, form)
+        return True
+    return False
 
 
 def formats_of_digits(text: str, title: str) -> tuple[list[str], bool]:
@@ -264,88 +296,47 @@ def formats_of_digits(text: str, title: str) -> tuple[list[str], bool]:
     for form in filter(None, (OF_DIGITS.get(len(text)), SHORT.get(len(text)))):
         pattern = pattern_of_format(form)
         with suppress(RadcalcError):
-            if pattern.clocks:
-                pattern.clock(text)
-            if (EPOCH.year + pattern.day(text) // (365.2425 * DAY)) // 1 in LIKELY:
+            day, clock = pattern.parts(text)
+            pattern.clock(clock)
+            if (EPOCH.year + pattern.day(day) // (365.2425 * DAY)) // 1 in LIKELY:
                 found.append(form)
     return found, False
 
 
 def pattern_of_format(text: str) -> Pattern:
-    """Return the pattern of a strptime format, with date and time apart at a blank or T."""
+    """Return the pattern of a strptime format, with date and time apart if the date is first."""
     _check_format(text)
-    for mark in (" ", "T"):
-        day, _, clock = text.partition(mark)
-        directives = re.findall("%(.)", day), re.findall("%(.)", clock)
-        are_apart = {*directives[0]} <= {*OF_DATES} and {*directives[1]} <= {*OF_CLOCKS}
-        if clock and are_apart:
-            return Pattern(_compiled(day), _compiled(clock), mark, "")
-    pattern = _compiled(text)
-    has_clock = {*re.findall("%(.)", text)} & {*OF_CLOCKS}
-    return Pattern(pattern, pattern, "", "") if has_clock else Pattern(pattern, None, "\n", "")
+    text = text.replace("%B", "%b")
+    parts = re.fullmatch("((?:[^%]*%[Yymdjb%])+)([^%]*)(%[HIMSfpz].*)", text)
+    if not parts:
+        has_clock = {*re.findall("%(.)", text)} & {*OF_CLOCKS}
+        return Pattern((text,), text, "") if has_clock else Pattern((text,), mark="\n")
+    day, mark, clock = parts.groups()
+    is_run = not mark and re.fullmatch("(?:%[Yymdj])+", day)
+    if not (mark or is_run) or {*re.findall("%(.)", clock)} & {*OF_DATES}:
+        return Pattern((text,), text, "")
+    clock = re.sub("[.,]%f", "", clock)
+    clock = "" if clock in CLOCKS else clock
+    pieces = 1 + day.count(mark) if mark else 1
+    return Pattern((day,), clock, mark, pieces, 0 if mark else _width(day))
 
 
 def _check_format(text: str) -> None:
     """Refuse a format with an unknown part, one twice, an incomplete date, or a doubtful hour."""
     option_text = option("time-format", quote(text))
-    letters = {*(directives := re.findall("%(.)", text))}
-    if unknown := [letter for letter in directives if letter not in DIRECTIVES]:
+    directives = re.findall("%([^%])", text)
+    letters = {*directives}
+    if unknown := [letter for letter in directives if letter not in OF_DATES + OF_CLOCKS]:
         problem = f"{option_text} has %{quote(unknown[0])}, which is not supported"
-        raise ConditionError(
-            problem, " ".join(f"%{letter}" for letter in DIRECTIVES if letter != "%")
-        )
-    meant = [DIRECTIVES[letter] for letter in directives if letter != "%"]
-    if len({*meant}) < len(meant):
+        known = " ".join(f"%{letter}" for letter in OF_DATES + OF_CLOCKS)
+        raise ConditionError(problem, known)
+    if len({*"".join(directives).replace("I", "H").replace("B", "b")}) < len(directives):
         raise ConditionError(f"{option_text} has a part twice", "each part once")
     if not (letters & {*"Yy"} and ("j" in letters or ("d" in letters and letters & {*"mbB"}))):
         raise ConditionError(f"{option_text} has no complete date", FORMATS)
     if ("I" in letters) != ("p" in letters):
         problem = f"{option_text} has %{'I' if 'I' in letters else 'p'} alone"
         raise ConditionError(problem, "%H up to 23, or %I up to 12 with %p for AM and PM")
-
-
-def _year_of_two_digits(year: int) -> int:
-    """Return the year by POSIX: 69 is 1969, and 68 is 2068."""
-    return year + (1900 if year >= 69 else 2000)
-
-
-def _of_week(text: str) -> int:
-    """Return the tick of the midnight of a day of a week, 2024-W22-6, or of the week's Monday."""
-    try:
-        return (date.fromisoformat(text).toordinal() - FIRST_DAY) * DAY
-    except ValueError:
-        raise NumberError(f"'{quote(text)}' is not a day of the calendar", "a date") from None
-
-
-def _compiled(part: str) -> re.Pattern[str]:
-    """Return the pattern of a format; digits without a mark between them have their full width.
-
-    Zeros at their start may be missing: 105 is 01:05 by %H%M.
-    """
-    form = ""
-    for k, text in enumerate(RUN.split(part)):
-        if k % 2:
-            form += f"(?:{'|'.join(_ways_of_run(text.replace('%', '')))})"
-            continue
-        pieces = re.split("%(.)", text)
-        form += "".join(
-            DIRECTIVES[piece] if n % 2 else re.escape(piece) for n, piece in enumerate(pieces)
-        )
-    return re.compile(form, re.ASCII)
-
-
-def _ways_of_run(letters: str) -> list[str]:
-    """Return the patterns of parts without a mark: all, and of clocks those without the first."""
-    first_parts = range(len(letters) if {*letters} <= {*"HMS"} else 1)
-    return [
-        "".join(
-            rf"(?P<{letter.replace('I', 'H')}{first}>\d"
-            rf"{{{1 if k == first and letter not in 'Yj' else WIDTHS[letter]},{WIDTHS[letter]}}})"
-            for k, letter in enumerate(letters)
-            if k >= first
-        )
-        for first in first_parts
-    ]
 
 
 def offset_in(title: str) -> int | None:
@@ -360,14 +351,12 @@ def read_offset(text: str) -> int:
     """Read an offset from UTC, in ticks."""
     if not text[1:2].isdigit():
         return 0
-    digits = text[1:].replace(":", "")
-    hours, minutes = int(digits[:-2] if len(digits) > 2 else digits), 0
-    if len(digits) > 2:
-        minutes = int(digits[-2:])
-    if hours > 23 or minutes > 59:
-        raise NumberError(f"'{quote(text)}' is not an offset from UTC", "+02:00")
-    ticks = hours * HOUR + minutes * 60 * SECOND
-    return ticks if text[0] == "+" else -ticks
+    sign = "+" if text[0] == "+" else "-"
+    try:
+        offset = time.fromisoformat(f"00:00{sign}{text[1:].zfill(2)}").utcoffset() or timedelta()
+    except ValueError:
+        raise NumberError(f"'{quote(text)}' is not an offset from UTC", "+02:00") from None
+    return round(offset.total_seconds()) * SECOND
 
 
 def _no_stamp(text: str) -> NumberError:

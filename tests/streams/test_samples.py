@@ -135,7 +135,7 @@ def test_a_byte_order_mark_declares_the_encoding(encoding, end):
         *[(f"time,E [lx]\n2024-06-01T11:00,{bad}\n2024-06-01T12:00,1\n", told, "line 2: ")
           for bad in ("OVER", "<1", "1.000.000", "\0") for told in ({}, {"column": "E"})],
         ("time,E [lx]\n2024-06-01T11:00\n2024-06-01T12:00,1\n", {}, "line 2: 1 column instead"),
-        ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is not a date and time"),
+        ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is not a date"),
         ("t_s,E_lx\n0,OVER\n1,2\n", {}, "line 2: 'OVER' is not a number"),
         ("a,b,c,E_lx\n12:00,2024-06-01,12:01,1\n", {}, "there are 2 columns of clocks"),
         ("time,E [lx]\n2024-06-01T12:00,1\n２０２４-06-01T13:00,1\n", {}, "line 3: "),

@@ -98,7 +98,7 @@ ROWS = {
     '"2024-06-01 12:00:00",0,10\n"2024-06-01 13:00:00",1,10\n': 36000,
     "date format M/d/yyyy,,\nday,time,lux\n2024-06-01,12:00,1\n2024-06-01,13:00,1\n": 3600,
     # rows that are no data
-    of("E [lx]") + "Mean,100\n": "line 4: 'Mean' is not a date and time",
+    of("E [lx]") + "Mean,100\n": "line 4: 'Mean' is not a date",
     of("E [lx]") + "Total:,200\n": "line 4: ",
     "t_s,E [lx]\n0,1\n1,1\nMax,1\n": "line 4: 'Max' is not a number",
     "Name:,E [lx]\nMode:,Sum\nBins:,0\n2024-06-01 19:00,26\n": "between the titles and the",
