@@ -150,6 +150,7 @@ def spectrum(given: Inputs, requested: Sequence[str] = ()) -> Answer:
     assumptions = [*_assumptions(source, counts, whole, bool(ranges[0])), *colour.assumptions]
     clipped = (RADIANT,) if ranges[0] else (RADIANT, PHOTON)  # the photons also by the range
     notes = [*source.notes, *whole.notes(clipped), *counts.notes((LUMINOUS, PHOTON)), *colour.notes]
+    notes += [Remark(note, OF_WATTS) for note in whole.left_out((RADIANT,))]
     notes += _notes(source, counts, whole, bool(ranges[0]))
     return Answer(values, assumptions, notes, _steps(counts))
 

@@ -210,7 +210,7 @@ def spectral_factor(
     ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
     step = formula.with_numbers(f"K = {ratio} = {format_number(value)}; that is {in_words}")
     remarks.insert(1, in_words)
-    notes = source.notes + tuple(counted.notes((over, under)))
+    notes = source.notes + tuple(counted.notes((over, under)) + counted.left_out((over, under)))
     if LUMINOUS in amounts:
         notes += _of_other_eye(seen_by)
     if LUMINOUS in amounts and not amounts[LUMINOUS]:

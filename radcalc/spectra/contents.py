@@ -134,11 +134,16 @@ class Counts:
         ]
         if LUMINOUS in kinds and self.amount(LUMINOUS):
             notes += [
-                note for kind in kinds if self.given.get(kind) and (note := self._left_out(kind))
+                note for kind in kinds if self.given.get(kind) and (note := self._unseen(kind))
             ]
         return notes
 
-    def _left_out(self, kind: str) -> str:
+    def left_out(self, kinds: Iterable[str]) -> list[str]:
+        """Return the note on watts beyond the usual range, if watts count over it."""
+        counts_watts = RADIANT in kinds and not self.given[RADIANT]
+        return [self.source.left_out] if counts_watts and self.source.left_out else []
+
+    def _unseen(self, kind: str) -> str:
         part = self.source.part(self.ranges[kind])
         lumens = _count(part, LUMINOUS, WHOLE, self.eye) if part else 0.0
         share = lumens / self.amount(LUMINOUS)

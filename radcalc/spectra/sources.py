@@ -15,10 +15,13 @@ from radcalc.spectra.spectrum import (
     STRONGEST,
     VISIBLE,
     WEAKEST,
+    WHOLE,
     BlackBody,
     Lines,
     Spectrum,
     Table,
+    integral,
+    range_text,
 )
 from radcalc.tuples import NamedTuple
 from radcalc.units import OWN as NOTES_ON_OWN
@@ -32,6 +35,7 @@ from radcalc.units.table import resolve
 from radcalc.units.values import find_scale
 
 SERIES = ("blackbody", "daylight")  # kinds for which lists and ranges give several spectra
+SOLAR_CONSTANT = 1366.1  # W/m2, ASTM E490
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 SPELLED = {"AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
 # Words for light, the spectrum that each is taken as, and what that is.  A word that stands for
@@ -64,7 +68,7 @@ MEANT = {
     "blackbody": example("blackbody"),
     "black body": example("blackbody"),
     "planck": example("blackbody"),
-    "halogen": "A, blackbody:3000K (3000 K as an example)",
+    "halogen": "A, blackbody:3000K",
     "white": "LED-B3, D65, E",
     "fluorescent": "F11, F2",
     "sodium": "HPS, LPS",
@@ -172,7 +176,11 @@ def unknown(text: str) -> errors.RadcalcError:
         return errors.ConditionError(f"there is no file '{path}'", "the path of a file")
     problem = f"unknown spectrum '{quote(text)}' (and no such file)"
     if meant := MEANT.get(text.strip().lower()):
-        return errors.ConditionError(problem, errors.alternatives(text, meant))
+        ways = [
+            errors.correct(text, one, remark="an example" if ":" in one else "")
+            for one in meant.split(", ")
+        ]
+        return errors.ConditionError(problem, ways)
     if fitting := [form for kind in FORMS if _is_spectrum(form := f"{kind}:{text}")]:
         return errors.ConditionError(problem, errors.corrections(text, *fitting))
     known = {_bare(name): name for name in names()}
@@ -276,26 +284,33 @@ def find_named(text: str) -> Table | None:
     if sun in SUNS:
         from radcalc.spectra.data import suns
 
-        label = f"{sun} (ASTM G173-03)"
         values = getattr(suns, SUNS[sun])
-        return Table(
-            label,
-            suns.WAVELENGTHS,
-            values,
-            notes=notes,
-            absolute="irradiance",
-        )
+        label = f"{sun} (ASTM G173-03)"
+        return Sun(label, suns.WAVELENGTHS, values, notes=notes, absolute="irradiance")
     from radcalc.spectra.data.sources import SOURCES
 
     name = _spellings().get(_spelled(taken) if taken else folded)
     if name is None:
         return None
     start, step, values = SOURCES[name]
-    about: tuple[str, ...] = ()
-    if name == "A":
-        about = ("illuminant A over 380-780 nm carries a tenth of what a 2856 K body radiates",)
+    beyond = "illuminant A over 380-780 nm carries a tenth of what a 2856 K body radiates"
     wavelengths = [start + step * i for i in range(len(values))]
-    return Table(name, wavelengths, values, VISIBLE, about + notes)
+    return Table(name, wavelengths, values, VISIBLE, notes, left_out=beyond * (name == "A"))
+
+
+class Sun(Table):
+    """Sunlight by ASTM G173-03, in a table over 280-4000 nm."""
+
+    @property
+    def left_out(self) -> str:  # type: ignore[override]
+        """Return a note on sunlight beyond the table: on the ground, it is less than in space."""
+        from radcalc.spectra.data.suns import AM0
+
+        watts, in_space = self.total(), integral(self.grid, AM0, *WHOLE)
+        text = f"{self.label} has {watts:.6g} W/m2 over {range_text(self.known)}"
+        if watts == in_space:
+            return f"{text}, of {SOLAR_CONSTANT} W/m2 (ASTM E490)"
+        return f"{text}; less than {100 * (SOLAR_CONSTANT - in_space) / watts:.2g} % is beyond"
 
 
 def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:

@@ -94,6 +94,7 @@ WHOLE: Range = (0.0, math.inf)
 VISIBLE: Range = (380.0, 780.0)
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
 WEAKEST, STRONGEST = 1e-100, 1e100  # limits of the greatest value: its photons stay floats
+NEAR_ZERO = 0.05  # of the peak: an end of a table above it cuts off light
 PAR: Range = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
 
 
@@ -115,7 +116,7 @@ class Spectrum:
 
     `reading` is the assumption on a file's values.  `limits` is the default range for watts,
     `known` the range of the data, and `is_whole` is true if the light has nothing beyond it.  No
-    light has a wavelength above `longest`.
+    light has a wavelength above `longest`.  `left_out` is a note on watts beyond the default range.
     """
 
     absolute = ""
@@ -123,6 +124,7 @@ class Spectrum:
     known = WHOLE
     is_whole = True
     longest = math.inf
+    left_out = ""
     widest_step = 0.0  # nm, between the points of a table from 380 nm to 780 nm
 
     def __init__(self, label: str, limits: Range, notes: tuple[str, ...] = ()) -> None:
@@ -194,6 +196,7 @@ class Table(Spectrum):
         notes: tuple[str, ...] = (),
         absolute: str = "",
         is_whole: bool = False,
+        left_out: str = "",
     ) -> None:
         """Watts are counted over all data unless `limits` are given."""
         self.known = float(grid[0]), float(grid[-1])
@@ -206,6 +209,23 @@ class Table(Spectrum):
         self.grid = frozen(grid)
         self.values = frozen(values)
         self.absolute = absolute
+        self._left_out = left_out
+
+    @property
+    def left_out(self) -> str:  # type: ignore[override]
+        """Return a note on the watts beyond the default range, from the values at its ends."""
+        if self.is_whole or self._left_out:
+            return self._left_out
+        grid, values = clip(self.grid, self.values, *self.limits)
+        top = max(values, default=0.0)
+        ends = [
+            f"{100 * values[k] / top:.0f} % of its peak at {grid[k]:g} nm"
+            for k in (0, -1)
+            if top > 0 and values[k] >= NEAR_ZERO * top
+        ]
+        if not ends:
+            return ""
+        return f"{self.label} does not end near 0 ({', '.join(ends)}): watts beyond are not counted"
 
     @property
     def widest_step(self) -> float:  # type: ignore[override]

@@ -4,6 +4,7 @@ import math
 import re
 
 import pytest
+from conftest import run
 
 from radcalc.errors import ConditionError, RadcalcError
 from radcalc.spectra.observers import OBSERVERS
@@ -199,8 +200,9 @@ def test_white_is_never_a_fluorescent_tube():
 def test_a_word_for_light_is_refused_with_spectra(word):
     with pytest.raises(ConditionError) as caught:
         spectrum(word)
-    for name in caught.value.hint.split(" or "):
-        spectrum(name)
+    for proposal in caught.value.tries:
+        spectrum(proposal.instead[1])
+        assert (":" in proposal.instead[1]) == (proposal.remark == "an example")
 
 
 @pytest.mark.parametrize(
@@ -216,3 +218,39 @@ def test_parameters_alone_are_refused_with_kinds_that_take_them(text, hint):
     with pytest.raises(ConditionError) as caught:
         spectrum(text)
     assert caught.value.hint == hint
+
+
+# AM0: the table of ASTM G173-03 and the solar constant of ASTM E490; on the ground, less than
+# (1366.1 - 1347.93) / 1000.37 and / 900.14; D65 of CIE 15 has 49.98, 63.38 and, its peak at
+# 460 nm, 117.81
+LEFT_OUT = [
+    ("AM0", "has 1347.93 W/m2 over 280-4000 nm, of 1366.1 W/m2"),
+    ("AM1.5G", "has 1000.37 W/m2 over 280-4000 nm; less than 1.8 % is beyond"),
+    ("sun", "less than 1.8 % is beyond"),
+    ("AM1.5D", "has 900.139 W/m2 over 280-4000 nm; less than 2 % is beyond"),
+    ("A", "carries a tenth of what a 2856 K body radiates"),
+    ("D65", "(42 % of its peak at 380 nm, 54 % of its peak at 780 nm): watts beyond"),
+    ("cut.csv", "cut.csv does not end near 0 (50 % of its peak at 700 nm): watts beyond"),
+    *[(text, "") for text in ("LED-B3", "whole.csv", "blackbody:2856K", "gaussian:555nm,50nm")],
+    *[(text, "") for text in ("line:555nm", "band:500nm:600nm")],
+]
+
+
+@pytest.mark.parametrize(("text", "left_out"), LEFT_OUT)
+def test_what_a_spectrum_leaves_out_is_noted_where_watts_count(text, left_out, tmp_path):
+    (tmp_path / "cut.csv").write_text("nm,W\n400,0.04\n500,1\n600,2\n700,1\n")
+    (tmp_path / "whole.csv").write_text("nm,W\n400,0\n500,1\n600,2\n700,0.09\n")
+    text = str(tmp_path / text) if text.endswith(".csv") else text
+    calls = [
+        (("convert", "1000", "W/m2", "lx"), True),
+        (("convert", "1000", "lx", "W/m2"), True),
+        (("convert", "1000", "W/m2", "umol/m2/s"), True),
+        (("point-source", "--flux", "5W", "--distance", "2m", "-g", "illuminance:lx"), True),
+        (("convert", "1000", "lx", "umol/m2/s"), False),
+        (("convert", "1000", "W/m2", "lx", "--range", "450nm:650nm"), False),
+    ]
+    calls += [(("spectrum", "-g", "luminous-efficacy"), True), (("spectrum", "-g", "x"), False)]
+    for words, counts_watts in calls:
+        given = [text] if words[0] == "spectrum" else ["--spectrum", text]
+        notes = run(*words, *given).stderr
+        assert ((left_out or "watts beyond") in notes) == (counts_watts and bool(left_out)), words
