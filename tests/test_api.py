@@ -11,6 +11,7 @@ from helpers import for_each
 
 import radcalc
 from radcalc.errors import ConditionError, ConversionError, NumberError, RadcalcError, UnitError
+from radcalc.inputs import definitions
 from radcalc.spectra import arrays, observers
 
 Q = radcalc.Quantity
@@ -256,8 +257,12 @@ def test_the_examples_in_the_docstrings_run(documented):
     finder = doctest.DocTestFinder()
     examples = finder.find(documented, documented.__name__, module=False, globs=names)
     assert any(one.examples for one in examples)
+    before = [dict(table) for table in definitions.TABLES]
     for one in examples:
         assert not doctest.DocTestRunner().run(one).failed
+    for table, kept in zip(definitions.TABLES, before, strict=True):  # of the user's definitions
+        table.clear()
+        table.update(kept)
 
 
 @pytest.mark.parametrize(

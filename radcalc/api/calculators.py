@@ -767,7 +767,7 @@ def _typical_value(value: Typical) -> TypicalValue:
 
 
 @in_python
-def define(path: Path) -> None:
+def define(path: Path) -> tuple[str, ...]:
     """Read the units, constants, reflectances and spectra of a file of definitions.
 
     They are then known to every function, as they are at a shell (radcalc-units(7)); the notes of
@@ -777,6 +777,11 @@ def define(path: Path) -> None:
     ----------
     path : str or os.PathLike
         A file with lines such as ``mylamp = 54 lm/W`` or ``spectrum office = LED-B3``.
+
+    Returns
+    -------
+    tuple of str
+        The names of the file.
 
     Raises
     ------
@@ -789,12 +794,13 @@ def define(path: Path) -> None:
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "own.txt"
     >>> _ = path.write_text("smoot = 67 inch")
     >>> define(path)
+    ('smoot',)
     >>> explain("2 smoot", "m").notes
     ('own definition: smoot = 67 inch, own.txt line 1',)
     """
     if not isinstance(path, os.PathLike):
         require_texts(path=path)
-    load(os.fspath(path))
+    return load(os.fspath(path))
 
 
 @in_python

@@ -48,19 +48,20 @@ NAME = re.compile(r"[^\W\d_]+(?:_\w*)?")
 SYNTAX = "NAME = VALUE, with constant, reflectance or spectrum before it for these"
 BREAK = re.compile(r"\r\n|\r|\n")
 TABLES: tuple[dict[str, Any], ...] = (
+    OWN,
     *(compiled.UNITS, compiled.SYMBOLS, compiled.NAMES, compiled.NOTES, compiled.CONSTANTS),
     *(compiled.SPELLINGS_OF_CONSTANTS, catalogue.CATALOGUE, catalogue.CONSTANTS),
-    *(OWN, REFLECTANCES, sources.OWN),
+    *(REFLECTANCES, sources.OWN),
 )
 
 Row = dict[str, Any]
-_loaded: set[tuple[str, bytes]] = set()  # the files that are merged, with their contents
+_loaded: dict[tuple[str, bytes], tuple[str, ...]] = {}  # files with their contents; their names
 
 
-def load(path: str) -> None:
+def load(path: str) -> tuple[str, ...]:
     """Add the definitions of a file to the tables of units, constants and spectra.
 
-    Raises RadcalcError, with the line and the column, for a definition that is not possible; the
+    Returns their names.  Raises RadcalcError, with the line and the column, for a definition that is not possible; the
     tables are then as before.
     """
     with readable(path, EXPECTED) as name:
@@ -71,7 +72,7 @@ def load(path: str) -> None:
             content = file.read(MOST_BYTES + 1)
     key = os.path.abspath(path), content
     if key in _loaded:
-        return
+        return _loaded[key]
     if len(content) > MOST_BYTES:
         raise ConditionError(f"{name} is longer than {MOST_BYTES} bytes", EXPECTED)
     try:
@@ -88,7 +89,8 @@ def load(path: str) -> None:
             changed.clear()
             changed.update(kept)
         raise
-    _loaded.add(key)
+    _loaded[key] = tuple(name for name in OWN if name not in before[0])
+    return _loaded[key]
 
 
 def _merge_all(text: str, name: str, path: str) -> None:

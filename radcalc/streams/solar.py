@@ -115,8 +115,8 @@ def read(kind: str, name: str, lines: Sequence[str]) -> SunTable:
         raise
     except Exception as error:  # of any kind: these readers check little
         # texts of other classes are about Python's objects
-        why = quote(" ".join(str(error).split())) if isinstance(error, ValueError) else ""
-        problem = ": ".join(filter(None, [f"{name} is not readable as {kind}", why]))
+        text = str(error) if isinstance(error, ValueError) else "it has another layout"
+        problem = f"{name} is not readable as {kind}: {quote(' '.join(text.split()))}"
         raise ConditionError(problem, AS_DOWNLOADED) from None
     if len(table[0].split("\t")) < 2:
         raise ConditionError(f"{name} is {kind} without a column of light", AS_DOWNLOADED)

@@ -40,7 +40,7 @@ def test_the_tests_see_the_functions():
 
 def test_every_command_is_a_function_or_for_a_shell_only():
     functions = {keyword(name) for name in COMMANDS if name not in AT_A_SHELL}
-    others = {"ask", "check", "explain", "factor", "irradiance_map"}
+    others = {"ask", "check", "define", "explain", "factor", "irradiance_map"}
     assert functions | others == {*FUNCTIONS}
     assert {*AT_A_SHELL} < {*COMMANDS}
 

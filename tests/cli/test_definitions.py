@@ -527,6 +527,6 @@ def test_python_reads_definitions_and_states_them(home):
         ]),
         f"{(stated,)} {[stated]} {(stated,)}",
         "0.228179",
-        f"() {(*isotropic,)}",
+        "() ()",
         "bad.txt, line 1, column 1: not a definition",
     ]  # fmt: skip

@@ -101,9 +101,14 @@ class Process:
         self.out, self.said = io.BytesIO(), []
         monkeypatch.setattr(terminal, "read", io.BytesIO(data).read)
         monkeypatch.setattr(terminal, "pour", self.out.write)
-        monkeypatch.setattr(terminal, "write", lambda text: self.out.write(text.encode()))
+        monkeypatch.setattr(
+            terminal, "write", lambda text, exact=False: self.out.write(text.encode())
+        )
         monkeypatch.setattr(terminal, "say", self.said.extend)
         monkeypatch.setattr(terminal, "is_terminal", lambda: False)
+
+    def write(self, text, exact=False):
+        self.out.write(text.encode())
 
     def run(self, *words):
         self.status = cli.run(list(words))
